@@ -1,0 +1,1 @@
+"""Yamaro compiles YAML robot descriptions to URDF, or any other XML."""

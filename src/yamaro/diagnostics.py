@@ -1,0 +1,288 @@
+"""Diagnostics: what is wrong, where, how it came there, and what to write instead.
+
+There is one type for everything Yamaro has to say about an input, and one renderer.
+"""
+
+from __future__ import annotations
+
+from .source import Span
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Sequence
+
+ERROR = "error"
+WARNING = "warning"
+
+MAX_TRACE_LINES = 12
+MAX_EXCERPT_COLUMNS = 160
+
+
+class Frame:
+    """One step of the way to a place: a function call or an include, and where it was written."""
+
+    __slots__ = ("home", "kind", "name", "parent", "span")
+
+    def __init__(
+        self, kind: str, name: str, span: Span, *, parent: Frame | None, home: Frame | None = None
+    ) -> None:
+        """Describe a step.
+
+        Args:
+            kind: "called" or "included".
+            name: the function's or the file's name.
+            span: where the call or include is written.
+            parent: the step in which it was reached.
+            home: for a call, the include that brought in the file the function is written in.
+        """
+        self.kind = kind
+        self.name = name
+        self.span = span
+        self.parent = parent
+        self.home = home
+
+
+class Diagnostic:
+    """One thing to tell about an input."""
+
+    __slots__ = ("code", "hint", "message", "notes", "severity", "span", "trace")
+
+    def __init__(
+        self,
+        code: str,
+        message: str,
+        span: Span,
+        *,
+        hint: str | None = None,
+        notes: Sequence[str] = (),
+        severity: str = ERROR,
+        trace: Frame | None = None,
+    ) -> None:
+        """Describe a fault.
+
+        Args:
+            code: stable, kebab-case, listed in docs/diagnostics.md.
+            message: one line in lower case that names the thing in quotes.
+            span: the place to underline.
+            hint: what to write instead.
+            notes: further facts, such as the place of a first definition; one line each.
+            severity: ERROR or WARNING.
+            trace: the calls and includes that led to the place.
+        """
+        self.code = code
+        self.message = message
+        self.span = span
+        self.hint = hint
+        self.notes = tuple(notes)
+        self.severity = severity
+        self.trace = trace
+
+    def __repr__(self) -> str:
+        return f"<{self.severity}[{self.code}] {self.span.place()}: {self.message}>"
+
+
+class YamaroError(Exception):
+    """The input has errors; `diagnostics` holds them, with any warnings found before them."""
+
+    def __init__(self, diagnostics: Iterable[Diagnostic]) -> None:
+        """Hold one or more diagnostics."""
+        super().__init__()
+        self.diagnostics = list(diagnostics)
+
+    def __str__(self) -> str:
+        return "\n".join(render(diagnostic) for diagnostic in self.diagnostics)
+
+
+class YamaroWarning(UserWarning):
+    """The category under which `yamaro.convert` passes on its warnings."""
+
+
+def failure(
+    code: str,
+    message: str,
+    span: Span,
+    *,
+    hint: str | None = None,
+    notes: Sequence[str] = (),
+    trace: Frame | None = None,
+) -> YamaroError:
+    """Return an exception with one error, ready to be raised; see `Diagnostic`."""
+    return YamaroError([Diagnostic(code, message, span, hint=hint, notes=notes, trace=trace)])
+
+
+class Reporter:
+    """Collects the warnings of one run; the same warning at the same place counts once."""
+
+    __slots__ = ("_seen", "diagnostics")
+
+    def __init__(self) -> None:
+        """Start with nothing collected."""
+        self.diagnostics: list[Diagnostic] = []
+        self._seen: set[object] = set()
+
+    def warn(
+        self,
+        code: str,
+        message: str,
+        span: Span,
+        *,
+        hint: str | None = None,
+        notes: Sequence[str] = (),
+        trace: Frame | None = None,
+    ) -> None:
+        """Collect a warning; see `Diagnostic`."""
+        self.add(
+            Diagnostic(
+                code, message, span, hint=hint, notes=notes, severity=WARNING, trace=trace
+            )
+        )
+
+    def add(self, diagnostic: Diagnostic) -> None:
+        """Collect `diagnostic` unless the same was collected before."""
+        key = (diagnostic.code, diagnostic.message, diagnostic.span.key())
+        if key not in self._seen:
+            self._seen.add(key)
+            self.diagnostics.append(diagnostic)
+
+
+def suggest(word: str, candidates: Iterable[str]) -> str | None:
+    """Return the candidate that `word` is most likely a misspelling of, if any is near."""
+    from difflib import get_close_matches
+
+    names = sorted(set(candidates) - {word})
+    folded = [name for name in names if name.casefold() == word.casefold()]
+    if folded:
+        return folded[0]
+    near = get_close_matches(word, names, n=1, cutoff=0.7 if len(word) > 3 else 0.6)
+    return near[0] if near else None
+
+
+def did_you_mean(word: str, candidates: Iterable[str]) -> str | None:
+    """Return the hint "did you mean 'x'?", or None when nothing is near."""
+    near = suggest(word, candidates)
+    return f"did you mean '{near}'?" if near else None
+
+
+# --- rendering --------------------------------------------------------------------------------
+
+_STYLES = {ERROR: "\033[1;31m", WARNING: "\033[1;33m"}
+_BOLD, _BLUE, _RESET = "\033[1m", "\033[1;34m", "\033[0m"
+
+
+def render(diagnostic: Diagnostic, *, color: bool = False) -> str:
+    """Return the diagnostic as text: head, place, excerpt, hint and trace; no final line break."""
+    paint = _paint if color else _plain
+    style = _STYLES[diagnostic.severity]
+    head = f"{diagnostic.severity}[{diagnostic.code}]"
+    lines = [f"{paint(head, style)}{paint(': ' + printable(diagnostic.message), _BOLD)}"]
+    lines.append(f" {paint('-->', _BLUE)} {printable(diagnostic.span.place())}")
+    line_number, excerpt, underline = _excerpt(diagnostic.span)
+    gutter = " " * (len(str(line_number)) + 1)
+    if excerpt.strip():
+        bar = paint("|", _BLUE)
+        lines.append(f"{gutter}{bar}")
+        lines.append(f"{paint(f'{line_number} |', _BLUE)} {excerpt}")
+        lines.append(f"{gutter}{bar} {paint(underline, style)}")
+    for label, text in _remarks(diagnostic):
+        lines.append(f"{gutter}{paint('=', _BLUE)} {paint(label, _BOLD)}{printable(text)}")
+    return "\n".join(lines)
+
+
+def _plain(text: str, style: str) -> str:
+    return text
+
+
+def _paint(text: str, style: str) -> str:
+    return f"{style}{text}{_RESET}"
+
+
+def _remarks(diagnostic: Diagnostic) -> list[tuple[str, str]]:
+    """Return label and text of each line below the excerpt."""
+    remarks = []
+    if diagnostic.hint:
+        remarks.append(("hint: ", diagnostic.hint))
+    remarks.extend(("note: ", note) for note in diagnostic.notes)
+    remarks.extend(("", line) for line in trace_lines(diagnostic.trace))
+    return remarks
+
+
+def trace_lines(trace: Frame | None) -> list[str]:
+    """Return the calls and includes that led to a place, innermost first, long runs folded."""
+    steps: list[Frame] = []
+    homes: list[Frame] = []
+    seen: set[int] = set()
+    frame = trace
+    while frame is not None:
+        steps.append(frame)
+        seen.add(id(frame))
+        if frame.home is not None:
+            homes.append(frame.home)
+        frame = frame.parent
+    for home in homes:
+        step: Frame | None = home
+        while step is not None and id(step) not in seen:
+            seen.add(id(step))
+            steps.append(step)
+            step = step.parent
+    lines = [f"in {step.name}, {step.kind} at {step.span.place()}" for step in steps]
+    if len(lines) > MAX_TRACE_LINES:
+        keep = MAX_TRACE_LINES // 2
+        hidden = len(lines) - 2 * keep
+        lines[keep:-keep] = [f"… {hidden} more steps …"]
+    return lines
+
+
+def _excerpt(span: Span) -> tuple[int, str, str]:
+    """Return line number, source line and underline, both made printable and equally wide."""
+    line_number, column = span.location()
+    text = span.source.line_text(line_number)
+    start = min(column - 1, len(text))
+    end = min(max(start + (span.end - span.start), start + 1), max(len(text), start + 1))
+    left, right = _window(text, start, end)
+    before = "…" if left > 0 else ""
+    after = "…" if right < len(text) else ""
+    excerpt = before + printable(text[left:right]) + after
+    pad = "".join("\t" if c == "\t" else " " * _width(c) for c in before + text[left:start])
+    marked = text[start : min(end, right)]
+    underline = "^" * max(sum(_width(c) for c in printable(marked)), 1)
+    return line_number, excerpt, pad + underline
+
+
+def _window(text: str, start: int, end: int) -> tuple[int, int]:
+    """Return the part of a long line to show: the span, with some text around it."""
+    if len(text) <= MAX_EXCERPT_COLUMNS:
+        return 0, len(text)
+    room = MAX_EXCERPT_COLUMNS - min(end - start, MAX_EXCERPT_COLUMNS // 2)
+    left = max(0, start - room // 2)
+    return left, min(len(text), left + MAX_EXCERPT_COLUMNS)
+
+
+def printable(text: str) -> str:
+    """Return text without characters that would steer a terminal or hide what it says."""
+    if text.isascii() and text.isprintable():
+        return text
+    return "".join(c if c == "\t" or not _is_steering(c) else _escape(c) for c in text)
+
+
+def _is_steering(char: str) -> bool:
+    return not char.isprintable() and char != " "
+
+
+def _escape(char: str) -> str:
+    code = ord(char)
+    if code < 0x100:
+        return f"\\x{code:02x}"
+    return f"\\u{code:04x}" if code < 0x10000 else f"\\U{code:08x}"
+
+
+def _width(char: str) -> int:
+    """Return how many terminal cells a character takes."""
+    if char.isascii():
+        return 1 if char == "\t" or char.isprintable() else len(_escape(char))
+    if _is_steering(char):
+        return len(_escape(char))
+    from unicodedata import combining, east_asian_width
+
+    if combining(char):
+        return 0
+    return 2 if east_asian_width(char) in "WF" else 1

@@ -1,0 +1,1 @@
+"""Output tree to URDF; knows no YAML and no scopes."""

@@ -1,0 +1,86 @@
+"""Source text and spans: where in which file something was written.
+
+A span is a pair of character offsets, the end exclusive. Line and column are worked out only when
+a diagnostic is shown, so carrying a span costs next to nothing.
+"""
+
+from __future__ import annotations
+
+from bisect import bisect_right
+
+
+class Source:
+    """The text of one file, with the name it is shown under."""
+
+    __slots__ = ("_line_starts", "name", "path", "text")
+
+    def __init__(self, text: str, *, name: str, path: str = "") -> None:
+        """Hold `text`; `name` is shown to people, `path` is absolute, or empty if there is none."""
+        self.text = text
+        self.name = name
+        self.path = path
+        self._line_starts: list[int] | None = None
+
+    def line_starts(self) -> list[int]:
+        """Return the offset at which each line begins; LF, CRLF and a lone CR end a line."""
+        if self._line_starts is None:
+            starts = [0]
+            text = self.text
+            position = 0
+            has_cr = "\r" in text
+            while True:
+                end = text.find("\n", position)
+                if has_cr:
+                    cr = text.find("\r", position, end if end >= 0 else len(text))
+                    if cr >= 0 and cr + 1 != end:
+                        end = cr
+                if end < 0:
+                    break
+                position = end + 1
+                starts.append(position)
+            self._line_starts = starts
+        return self._line_starts
+
+    def location(self, offset: int) -> tuple[int, int]:
+        """Return the line and column of `offset`, both counted from 1, in characters."""
+        starts = self.line_starts()
+        line = bisect_right(starts, offset)
+        return line, offset - starts[line - 1] + 1
+
+    def line_text(self, line: int) -> str:
+        """Return line number `line`, counted from 1, without its line break."""
+        starts = self.line_starts()
+        end = starts[line] if line < len(starts) else len(self.text)
+        return self.text[starts[line - 1] : end].rstrip("\r\n")
+
+
+class Span:
+    """A stretch of a source: offsets in characters, the end exclusive."""
+
+    __slots__ = ("end", "source", "start")
+
+    def __init__(self, source: Source, start: int, end: int) -> None:
+        """Mark `source.text[start:end]`."""
+        self.source = source
+        self.start = start
+        self.end = end
+
+    def location(self) -> tuple[int, int]:
+        """Return the line and column of the first character, both counted from 1."""
+        return self.source.location(self.start)
+
+    def place(self) -> str:
+        """Return the span as `name:line:column`."""
+        line, column = self.location()
+        return f"{self.source.name}:{line}:{column}"
+
+    def text(self) -> str:
+        """Return the characters the span covers."""
+        return self.source.text[self.start : self.end]
+
+    def key(self) -> tuple[str, str, int, int]:
+        """Return a value equal for spans of the same place."""
+        return (self.source.path, self.source.name, self.start, self.end)
+
+    def __repr__(self) -> str:
+        return f"Span({self.place()}, {self.text()!r})"

@@ -1,0 +1,303 @@
+"""The output tree: elements that remember where in the YAML they were made, and their writer.
+
+Values stay Python objects (or the text as it was spelled) until they are written; number
+formatting, value formatting and escaping happen here and nowhere else.
+"""
+
+from __future__ import annotations
+
+from .diagnostics import Frame, failure
+from .source import Span
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+
+class LiteralList(list[object]):
+    """A list written as a YAML list under an element: numbers for `part`, an error elsewhere."""
+
+    __slots__ = ()
+
+
+class Text:
+    """Text between tags; `value` is the spelling as written, or what an expression gave."""
+
+    __slots__ = ("span", "value")
+
+    def __init__(self, value: object, span: Span) -> None:
+        """Hold a value and the place it was written."""
+        self.value = value
+        self.span = span
+
+
+class Comment:
+    """An XML comment."""
+
+    __slots__ = ("span", "text")
+
+    def __init__(self, text: str, span: Span) -> None:
+        """Hold the comment's text, which must not contain `--`."""
+        self.text = text
+        self.span = span
+
+
+class Element:
+    """An XML element with its provenance."""
+
+    __slots__ = (
+        "attributes",
+        "body",
+        "children",
+        "name",
+        "span",
+        "trace",
+        "value_spans",
+        "verbatim",
+    )
+
+    def __init__(
+        self,
+        name: str,
+        span: Span,
+        *,
+        attributes: dict[str, object] | None = None,
+        children: list[Node] | None = None,
+        trace: Frame | None = None,
+        value_spans: dict[str, Span] | None = None,
+        verbatim: bool = False,
+        body: object = None,
+    ) -> None:
+        """Make an element.
+
+        Args:
+            name: a checked XML name.
+            span: the place of the key that made the element.
+            attributes: names and values in the order of output; None values are not written.
+            children: elements, text and comments in order.
+            trace: the calls and includes that led here.
+            value_spans: where the attributes' values are written; `span` stands in for the rest.
+            verbatim: written in angle brackets: plain XML, whatever its name.
+            body: identity of the mapping the element's key was written in.
+        """
+        self.name = name
+        self.span = span
+        self.attributes = attributes if attributes is not None else {}
+        self.children = children if children is not None else []
+        self.trace = trace
+        self.value_spans = value_spans
+        self.verbatim = verbatim
+        self.body = body
+
+    def value_span(self, attribute: str) -> Span:
+        """Return where the attribute's value was written, or else the element's own place."""
+        if self.value_spans is not None and attribute in self.value_spans:
+            return self.value_spans[attribute]
+        return self.span
+
+    def elements(self) -> list[Element]:
+        """Return the child elements, without text and comments."""
+        return [child for child in self.children if isinstance(child, Element)]
+
+    def text(self) -> str:
+        """Return the text children joined, as it would be written, unescaped."""
+        return "".join(format_value(c.value) for c in self.children if isinstance(c, Text))
+
+    def __repr__(self) -> str:
+        return f"<Element {self.name} at {self.span.place()}>"
+
+
+class PartElement(Element):
+    """A `part` as evaluated, before it is lowered to a joint and a link."""
+
+    __slots__ = ()
+
+
+Node = Element | Text | Comment
+
+
+# --- values to text ---------------------------------------------------------------------------
+
+
+def format_number(value: float) -> str:
+    """Return a float as `repr` of the value rounded to 15 significant digits; no minus zero."""
+    text = repr(float(f"{value:.15g}"))
+    return "0.0" if text == "-0.0" else text
+
+
+def format_value(value: Any) -> str:
+    """Return the text a value has in XML: language rule "number to text"."""
+    kind = type(value)
+    if kind is str:
+        return value  # type: ignore[no-any-return]
+    if kind is float:
+        return format_number(value)
+    if kind is bool:
+        return "true" if value else "false"
+    if kind is int:
+        return str(value)
+    if value is None:
+        return ""
+    return _format_other(value)
+
+
+def _format_other(value: Any) -> str:
+    plain = plain_value(value)
+    if type(plain) in (str, float, bool, int):
+        return format_value(plain)
+    if isinstance(plain, (list, tuple)):
+        items = [plain_value(item) for item in plain]
+        if all(is_number(item) for item in items):
+            return " ".join(format_value(item) for item in items)
+    return str(value)
+
+
+def plain_value(value: Any) -> Any:
+    """Return a numpy scalar or array as the Python value it stands for, all else unchanged."""
+    if type(value).__module__ == "numpy" and hasattr(value, "tolist"):
+        return value.tolist()
+    if isinstance(value, float):
+        return float(value)
+    if isinstance(value, int) and not isinstance(value, bool):
+        return int(value)
+    if isinstance(value, str):
+        return str(value)
+    return value
+
+
+def is_number(value: object) -> bool:
+    """Tell whether a value is an int or a float (booleans are not numbers here)."""
+    return isinstance(value, (int, float)) and not isinstance(value, bool)
+
+
+# --- writing ----------------------------------------------------------------------------------
+
+_TEXT_ESCAPES = {"&": "&amp;", "<": "&lt;", ">": "&gt;", "\r": "&#13;"}
+_ATTRIBUTE_ESCAPES = {
+    "&": "&amp;",
+    "<": "&lt;",
+    ">": "&gt;",
+    '"': "&quot;",
+    "\t": "&#9;",
+    "\n": "&#10;",
+    "\r": "&#13;",
+}
+_TEXT_TABLE = str.maketrans(_TEXT_ESCAPES)
+_ATTRIBUTE_TABLE = str.maketrans(_ATTRIBUTE_ESCAPES)
+
+
+def write(root: Element) -> str:
+    """Return the tree as an XML document; raise YamaroError where XML cannot hold a character."""
+    out = ['<?xml version="1.0"?>\n']
+    _write_element(root, "", out, frozenset(("xml", "xmlns")))
+    return "".join(out)
+
+
+def _write_element(element: Element, indent: str, out: list[str], prefixes: frozenset[str]) -> None:
+    name = element.name
+    attributes = element.attributes
+    head = f"{indent}<{name}"
+    if attributes:
+        prefixes = _declared(attributes, prefixes)
+        for key, value in attributes.items():
+            if value is None:
+                continue
+            if ":" in key:
+                _check_prefix(key, element, prefixes)
+            text = value if type(value) is str else format_value(value)
+            head += f' {key}="{_attribute_text(text, element, key)}"'
+    if ":" in name:
+        _check_prefix(name, element, prefixes)
+    children = element.children
+    if not children:
+        out.append(f"{head}/>\n")
+        return
+    if any(type(child) is Text for child in children):
+        _write_mixed(element, head, out, prefixes)
+        return
+    out.append(f"{head}>\n")
+    deeper = indent + "  "
+    for child in children:
+        if isinstance(child, Element):
+            _write_element(child, deeper, out, prefixes)
+        elif isinstance(child, Comment):
+            out.append(f"{deeper}<!--{_comment_text(child)}-->\n")
+    out.append(f"{indent}</{name}>\n")
+
+
+def _write_mixed(element: Element, head: str, out: list[str], prefixes: frozenset[str]) -> None:
+    """Write an element that holds text; its elements stand inline so that no space is added."""
+    inner: list[str] = []
+    for child in element.children:
+        if isinstance(child, Text):
+            inner.append(_element_text(format_value(child.value), child.span, element))
+        elif isinstance(child, Comment):
+            inner.append(f"<!--{_comment_text(child)}-->")
+        else:
+            _write_element(child, "", inner, prefixes)
+            inner[-1] = inner[-1].rstrip("\n")
+    content = "".join(inner)
+    out.append(f"{head}>{content}</{element.name}>\n" if content else f"{head}/>\n")
+
+
+def _element_text(text: str, span: Span, element: Element) -> str:
+    if text.isalnum() and text.isascii():
+        return text
+    check_characters(text, span, trace=element.trace)
+    return text.translate(_TEXT_TABLE)
+
+
+def _attribute_text(text: str, element: Element, key: str) -> str:
+    if text.isalnum() and text.isascii():
+        return text
+    if not (text.isascii() and text.isprintable()):
+        check_characters(text, element.value_span(key), trace=element.trace)
+    return text.translate(_ATTRIBUTE_TABLE)
+
+
+def _comment_text(comment: Comment) -> str:
+    check_characters(comment.text, comment.span)
+    return comment.text
+
+
+def _declared(attributes: dict[str, object], prefixes: frozenset[str]) -> frozenset[str]:
+    new = [key[6:] for key in attributes if key.startswith("xmlns:")]
+    return prefixes.union(new) if new else prefixes
+
+
+def _check_prefix(name: str, element: Element, prefixes: frozenset[str]) -> None:
+    prefix = name.partition(":")[0]
+    if prefix not in prefixes:
+        raise failure(
+            "undeclared-prefix",
+            f"the XML prefix '{prefix}' of '{name}' is not declared",
+            element.span,
+            hint=f"declare it on this or an outer element: xmlns:{prefix}=https://…",
+            trace=element.trace,
+        )
+
+
+def is_xml_character(char: str) -> bool:
+    """Tell whether XML 1.0 allows the character (production 2, Char)."""
+    code = ord(char)
+    return (
+        code in (0x9, 0xA, 0xD)
+        or 0x20 <= code <= 0xD7FF
+        or 0xE000 <= code <= 0xFFFD
+        or code >= 0x10000
+    )
+
+
+def check_characters(text: str, span: Span, *, trace: Frame | None = None) -> None:
+    """Raise YamaroError if the text holds a character that XML forbids."""
+    if text.isprintable():
+        return
+    for char in text:
+        if not is_xml_character(char):
+            raise failure(
+                "control-character",
+                f"the character U+{ord(char):04X} cannot stand in XML",
+                span,
+                hint="remove it; XML allows only tab, line breaks and printable characters",
+                trace=trace,
+            )
