@@ -1,0 +1,258 @@
+"""Tests of how ROS packages and URIs are found."""
+
+from __future__ import annotations
+
+import os
+import threading
+from pathlib import Path
+
+import pytest
+
+from yamaro.runtime import packages
+from yamaro.runtime.packages import PackageFinder, find_package, is_package_name, manifest_name
+
+
+def make_package(folder: Path, name: str | None = None) -> str:
+    folder.mkdir(parents=True, exist_ok=True)
+    manifest = (
+        f"<?xml version='1.0'?>\n<package format='3'>\n  <name>{name or folder.name}</name>\n"
+    )
+    (folder / "package.xml").write_text(manifest + "</package>\n")
+    return str(folder)
+
+
+def install_package(prefix: Path, name: str) -> str:
+    index = prefix / "share" / "ament_index" / "resource_index" / "packages"
+    index.mkdir(parents=True, exist_ok=True)
+    (index / name).write_text("")
+    share = prefix / "share" / name
+    share.mkdir(parents=True)
+    return str(share)
+
+
+def test_ament_index_comes_before_ros_package_path_and_the_workspace(tmp_path: Path) -> None:
+    installed = install_package(tmp_path / "opt", "arm")
+    crawled = make_package(tmp_path / "ros1" / "deep" / "arm")
+    local = make_package(tmp_path / "ws" / "src" / "arm")
+    start = os.path.join(local, "urdf")
+    ament = {"AMENT_PREFIX_PATH": str(tmp_path / "opt")}
+    ros1 = {"ROS_PACKAGE_PATH": str(tmp_path / "ros1")}
+    assert find_package("arm", start=start, environ={**ament, **ros1}) == installed
+    assert find_package("arm", start=start, environ=ros1) == crawled
+    assert find_package("arm", start=start, environ={}) == local
+
+
+def test_the_first_prefix_wins_and_a_marker_without_share_folder_does_not_count(
+    tmp_path: Path,
+) -> None:
+    install_package(tmp_path / "a", "arm")
+    os.rmdir(tmp_path / "a" / "share" / "arm")
+    second = install_package(tmp_path / "b", "arm")
+    install_package(tmp_path / "c", "arm")
+    paths = os.pathsep.join(str(tmp_path / name) for name in ("none", "a", "b", "c"))
+    finder = PackageFinder({"AMENT_PREFIX_PATH": paths})
+    assert finder.find("arm", str(tmp_path)) == second
+
+
+def test_process_environment_is_the_default(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    share = install_package(tmp_path, "arm")
+    monkeypatch.setenv("AMENT_PREFIX_PATH", str(tmp_path))
+    assert PackageFinder().find("arm", "/") == share
+
+
+def test_package_of_the_file_its_siblings_and_its_workspace_are_found_without_ros(
+    tmp_path: Path,
+) -> None:
+    source = tmp_path / "ws" / "src"
+    own = make_package(source / "repo" / "arm_description")
+    sibling = make_package(source / "repo" / "arm_meshes")
+    far = make_package(source / "third_party" / "grippers" / "gripper")
+    make_package(source / "build" / "ghost")
+    start = os.path.join(own, "urdf", "parts")
+    finder = PackageFinder({})
+    assert finder.find("arm_description", start) == own
+    assert finder.find("arm_meshes", start) == sibling
+    assert finder.find("gripper", start) == far
+    assert finder.find("ghost", start) is None
+    assert finder.names(start) == ["arm_description", "arm_meshes", "gripper"]
+
+
+def test_packages_of_the_same_repository_are_found(tmp_path: Path) -> None:
+    (tmp_path / ".git").mkdir()
+    other = make_package(tmp_path / "ros" / "arm")
+    (tmp_path / "robots").mkdir()
+    assert find_package("arm", start=str(tmp_path / "robots"), environ={}) == other
+
+
+def test_beside_a_package_only_its_siblings_are_searched(tmp_path: Path) -> None:
+    own = make_package(tmp_path / "home" / "arm")
+    sibling = make_package(tmp_path / "home" / "hand")
+    make_package(tmp_path / "home" / "old" / "foot")
+    finder = PackageFinder({})
+    assert finder.find("hand", own) == sibling
+    assert finder.find("foot", own) is None
+
+
+def test_a_bare_folder_is_not_searched(tmp_path: Path) -> None:
+    make_package(tmp_path / "home" / "projects" / "arm")
+    assert find_package("arm", start=str(tmp_path / "home"), environ={}) is None
+
+
+def test_name_comes_from_the_manifest_not_the_folder(tmp_path: Path) -> None:
+    folder = make_package(tmp_path / "checkout-1.2", name="arm")
+    finder = PackageFinder({"ROS_PACKAGE_PATH": str(tmp_path)})
+    assert finder.find("arm", "/") == folder
+    assert finder.find("checkout-1.2", "/") is None
+
+
+def test_package_path_may_name_the_package_itself(tmp_path: Path) -> None:
+    folder = make_package(tmp_path / "arm")
+    make_package(tmp_path / "arm" / "nested")
+    finder = PackageFinder({"ROS_PACKAGE_PATH": folder})
+    assert finder.find("arm", "/") == folder
+    assert finder.find("nested", "/") is None
+
+
+@pytest.mark.parametrize("marker", sorted(packages.IGNORE_MARKERS))
+def test_ignored_folders_are_skipped(tmp_path: Path, marker: str) -> None:
+    make_package(tmp_path / "old" / "arm")
+    finder = PackageFinder({"ROS_PACKAGE_PATH": str(tmp_path)})
+    assert finder.names("/") == ["arm"]
+    (tmp_path / "old" / marker).write_text("")
+    assert PackageFinder({"ROS_PACKAGE_PATH": str(tmp_path)}).names("/") == []
+
+
+def test_of_two_packages_with_one_name_the_first_by_path_is_taken(tmp_path: Path) -> None:
+    for folder in ("b", "a", "c"):
+        make_package(tmp_path / folder, name="arm")
+    finder = PackageFinder({"ROS_PACKAGE_PATH": str(tmp_path)})
+    assert finder.find("arm", "/") == str(tmp_path / "a")
+
+
+def test_linked_folders_are_followed_and_loops_end(tmp_path: Path) -> None:
+    make_package(tmp_path / "elsewhere" / "arm")
+    root = tmp_path / "src"
+    root.mkdir()
+    (root / "link").symlink_to(tmp_path / "elsewhere")
+    (root / "loop").symlink_to(root)
+    (root / "dangling").symlink_to(tmp_path / "nowhere")
+    finder = PackageFinder({"ROS_PACKAGE_PATH": str(root)})
+    assert finder.find("arm", "/") == str(root / "link" / "arm")
+
+
+def test_search_is_bounded(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    deep = tmp_path.joinpath(*"abcdefghij", "arm")
+    make_package(deep)
+    for number in range(20):
+        make_package(tmp_path / f"p{number:02}")
+    finder = PackageFinder({"ROS_PACKAGE_PATH": str(tmp_path)})
+    assert "arm" not in finder.names("/")
+    monkeypatch.setattr(packages, "MAX_FOLDERS", 12)
+    assert len(PackageFinder({"ROS_PACKAGE_PATH": str(tmp_path)}).names("/")) < 12
+
+
+def test_answers_are_remembered_for_the_life_of_the_finder(tmp_path: Path) -> None:
+    finder = PackageFinder({"ROS_PACKAGE_PATH": str(tmp_path)})
+    assert finder.find("arm", "/") is None
+    folder = make_package(tmp_path / "arm")
+    assert finder.find("arm", "/") is None
+    assert PackageFinder({"ROS_PACKAGE_PATH": str(tmp_path)}).find("arm", "/") == folder
+
+
+def test_threads_may_share_a_finder(tmp_path: Path) -> None:
+    for number in range(50):
+        make_package(tmp_path / f"p{number}")
+    finder = PackageFinder({"ROS_PACKAGE_PATH": str(tmp_path)})
+    answers: list[str | None] = []
+
+    def ask(number: int) -> None:
+        answers.append(finder.find(f"p{number % 50}", "/"))
+
+    threads = [threading.Thread(target=ask, args=(n,)) for n in range(100)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert sorted(map(str, answers)) == sorted(str(tmp_path / f"p{n % 50}") for n in range(100))
+
+
+@pytest.mark.parametrize(
+    ("manifest", "name"),
+    [
+        ("<package><name>arm</name></package>", "arm"),
+        ("<package>\n <name>\n  arm\n </name>\n</package>", "arm"),
+        ("<package><!-- <name>old</name> --><name>arm</name></package>", "arm"),
+        ("<package><names>no</names><name >arm</name></package>", "arm"),
+        ("\ufeff<package><name>arm</name></package>", "arm"),
+        ("<package><name></name></package>", None),
+        ("<package><name>arm", None),
+        ("<package><!-- <name>arm</name>", None),
+        ("<package/>", None),
+        ("", None),
+    ],
+)
+def test_names_in_manifests(tmp_path: Path, manifest: str, name: str | None) -> None:
+    (tmp_path / "package.xml").write_text(manifest, encoding="utf-8")
+    assert manifest_name(str(tmp_path)) == name
+
+
+@pytest.mark.parametrize("name", ["", ".", "..", "../arm", "arm/urdf", "a b", "ärm", "arm\n"])
+def test_odd_names_are_never_looked_up(tmp_path: Path, name: str) -> None:
+    install_package(tmp_path / "arm", "arm")
+    finder = PackageFinder({"AMENT_PREFIX_PATH": str(tmp_path / "arm")})
+    assert not is_package_name(name)
+    assert finder.find(name, "/") is None
+    assert finder.looked_at(name, "/") == []
+    assert finder.resolve_uri(f"model://{name.partition('/')[0]}#/x", "/") is None
+
+
+def test_places_looked_at_are_told(tmp_path: Path) -> None:
+    own = make_package(tmp_path / "src" / "arm")
+    finder = PackageFinder({"AMENT_PREFIX_PATH": "/opt/a" + os.pathsep + "/opt/b"})
+    assert finder.looked_at("hand", own) == [
+        "/opt/a (AMENT_PREFIX_PATH)",
+        "/opt/b (AMENT_PREFIX_PATH)",
+        "ROS_PACKAGE_PATH (not set)",
+        f"{own} and the folders it lies in",
+        f"{tmp_path / 'src'} and the folders below it",
+    ]
+
+
+def test_uris_resolve(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    share = install_package(tmp_path / "opt", "arm")
+    model = tmp_path / "models" / "table"
+    model.mkdir(parents=True)
+    monkeypatch.setenv("HOME", str(tmp_path))
+    finder = PackageFinder(
+        {"AMENT_PREFIX_PATH": str(tmp_path / "opt"), "GAZEBO_MODEL_PATH": str(tmp_path / "models")}
+    )
+    base = str(tmp_path / "base")
+    expected = {
+        "package://arm/meshes/a.stl": f"{share}/meshes/a.stl",
+        "PACKAGE://arm/a.stl": f"{share}/a.stl",
+        "package://arm": share,
+        "package://arm/a%20b.stl": f"{share}/a b.stl",
+        "package://none/a.stl": None,
+        "package:///a.stl": None,
+        "model://table/table.dae": f"{model}/table.dae",
+        "model://arm/a.stl": f"{share}/a.stl",
+        "model://none/a.stl": None,
+        "file:///tmp/a.stl": "/tmp/a.stl",
+        "file://localhost/tmp/a.stl": "/tmp/a.stl",
+        "file://meshes/a.stl": f"{base}/meshes/a.stl",
+        "meshes/../a.stl": f"{base}/a.stl",
+        "./a%20b.stl": f"{base}/a%20b.stl",
+        "/tmp/a.stl": "/tmp/a.stl",
+        "~/a.stl": f"{tmp_path}/a.stl",
+        "https://example.org/a.stl": None,
+    }
+    assert {uri: finder.resolve_uri(uri, base) for uri in expected} == expected
+
+
+def test_a_percent_sign_that_is_part_of_the_name_stays(tmp_path: Path) -> None:
+    share = install_package(tmp_path, "arm")
+    Path(share, "50%25.stl").write_text("")
+    finder = PackageFinder({"AMENT_PREFIX_PATH": str(tmp_path)})
+    assert finder.resolve_uri("package://arm/50%25.stl", "/") == f"{share}/50%25.stl"
