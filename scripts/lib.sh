@@ -1,0 +1,70 @@
+# Shared by the scripts in this folder: finds Python and keeps a virtual environment up to date.
+# Sourced, not run. POSIX sh.
+#
+#   PYTHON=python3.13 scripts/test    uses that interpreter, in an environment of its own
+
+cd "$(dirname "$0")/.."
+root=$PWD
+
+say() { printf '%s\n' "$*" >&2; }
+fail() { say "$*"; exit 1; }
+have() { command -v "$1" >/dev/null 2>&1; }
+is_recent() { "$1" -c 'import sys; sys.exit(sys.version_info < (3, 10))' >/dev/null 2>&1; }
+
+# Print the interpreter to use: $PYTHON, else the first that is recent enough.
+find_python() {
+    if [ -n "${PYTHON:-}" ]; then
+        is_recent "$PYTHON" || fail "PYTHON=$PYTHON is not a Python 3.10 or newer"
+        printf '%s\n' "$PYTHON"
+        return
+    fi
+    for candidate in python3 python3.14 python3.13 python3.12 python3.11 python3.10 python; do
+        if is_recent "$candidate"; then
+            printf '%s\n' "$candidate"
+            return
+        fi
+    done
+    fail "Yamaro needs Python 3.10 or newer; install it, or name it: PYTHON=/path/to/python3.12 $0"
+}
+
+# Install Debian packages if this machine has apt and lets us; say so, and fail quietly otherwise.
+apt_install() {
+    have apt-get || return 1
+    if [ "$(id -u)" -eq 0 ]; then sudo=; elif have sudo && sudo -n true 2>/dev/null; then sudo=sudo; else return 1; fi
+    say "installing $*"
+    $sudo apt-get install -y -qq "$@" >/dev/null 2>&1 ||
+        { $sudo apt-get update -qq && $sudo apt-get install -y -qq "$@"; } >/dev/null 2>&1
+}
+
+make_venv() {
+    "$1" -m venv "$2" >/dev/null 2>&1 && return
+    # Debian keeps the venv module in a package of its own.
+    apt_install python3-venv && "$1" -m venv --clear "$2" >/dev/null && return
+    fail "could not make a virtual environment with '$1 -m venv'; on Debian: apt install python3-venv"
+}
+
+# use_venv NAME EXTRAS: make NAME/ (once) with the project and its EXTRAS in it, and put it on PATH.
+# A copy of pyproject.toml inside tells whether it still holds what the project asks for.
+use_venv() {
+    venv=$root/$1
+    stamp=$venv/pyproject-${2:-none}.toml
+    if [ ! -x "$venv/bin/python" ] || ! is_recent "$venv/bin/python"; then
+        python=$(find_python)
+        say "making $1 with $("$python" --version)"
+        make_venv "$python" "$venv"
+    fi
+    if ! cmp -s pyproject.toml "$stamp"; then
+        say "installing Yamaro${2:+ with its $2 tools} into $1"
+        "$venv/bin/python" -m pip install -q --disable-pip-version-check -e ".${2:+[$2]}"
+        cp pyproject.toml "$stamp"
+    fi
+    PATH=$venv/bin:$PATH
+    export PATH
+}
+
+# Print the environment's folder: .venv, or one a version when PYTHON names the interpreter.
+venv_name() {
+    [ -n "${PYTHON:-}" ] || { printf '%s\n' "$1"; return; }
+    python=$(find_python)
+    "$python" -c "import sys; print('$1-%d.%d' % sys.version_info[:2])"
+}
