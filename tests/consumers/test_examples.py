@@ -1,0 +1,139 @@
+"""Every example robot is read by the programs that robots are made for, with the right masses.
+
+An example is a folder below examples/ that holds one main file: the one with a root element or a
+`robot:` of its own. The others are included by it.
+"""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import numpy as np
+import pytest
+from lxml import etree
+
+import yamaro
+from tests.consumers import oracles
+from yamaro.cli import main
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
+
+MAIN_FILE = re.compile(r"^(robot|sdf|mujoco|world|launch)\b[^\n]*:", re.MULTILINE)
+ROBOT = re.compile(r"^robot\b[^\n]*:", re.MULTILINE)
+
+
+def example_folders() -> list[Path]:
+    return sorted({path.parent for path in EXAMPLES.rglob("*.yaml")})
+
+
+def main_files(folder: Path, pattern: re.Pattern[str]) -> list[Path]:
+    return [path for path in sorted(folder.glob("*.yaml")) if pattern.search(path.read_text())]
+
+
+ROBOTS = [path for folder in example_folders() for path in main_files(folder, ROBOT)]
+OTHERS = [
+    path
+    for folder in example_folders()
+    for path in main_files(folder, MAIN_FILE)
+    if path not in ROBOTS
+]
+
+
+def name_of(path: Path) -> str:
+    return path.relative_to(EXAMPLES).as_posix()
+
+
+robots = pytest.mark.parametrize("path", ROBOTS, ids=name_of)
+
+
+def parse(path: Path) -> etree._Element:
+    return etree.fromstring(yamaro.convert(str(path)).encode())
+
+
+def total_mass(root: etree._Element) -> float:
+    return sum(float(mass.get("value")) for mass in root.iterfind("link/inertial/mass"))
+
+
+@pytest.mark.skipif(not EXAMPLES.exists(), reason="there are no examples")
+def test_each_folder_of_examples_has_one_main_file() -> None:
+    assert ROBOTS, "no robot among the examples"
+    for folder in EXAMPLES.iterdir():
+        if folder.is_dir():
+            mains = [path for path in ROBOTS + OTHERS if folder in path.parents]
+            assert len(mains) == 1, f"{folder.name}: {[path.name for path in mains]}"
+
+
+@pytest.mark.parametrize("path", ROBOTS + OTHERS, ids=name_of)
+def test_example_compiles_without_a_word(path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main([str(path), "--strict"]) == 0
+    captured = capsys.readouterr()
+    assert captured.err == ""
+    assert etree.fromstring(captured.out.encode()).tag in path.read_text()
+
+
+@robots
+def test_check_urdf_accepts(path: Path) -> None:
+    verdict = oracles.CheckUrdf(yamaro.convert(str(path)))
+    assert verdict.accepts, verdict.output
+
+
+@robots
+def test_yourdfpy_finds_every_link_and_joint(path: Path) -> None:
+    root = parse(path)
+    robot = oracles.load_yourdfpy(yamaro.convert(str(path)), path.parent)
+    assert robot.validate()
+    assert list(robot.link_map) == [link.get("name") for link in root.findall("link")]
+    assert list(robot.joint_map) == [joint.get("name") for joint in root.findall("joint")]
+
+
+@robots
+def test_pinocchio_moves_every_joint_and_weighs_the_same(path: Path) -> None:
+    pinocchio = oracles.require_module("pinocchio")
+    root = parse(path)
+    model = oracles.load_pinocchio(yamaro.convert(str(path)))
+    moving = {joint.get("name") for joint in root.findall("joint") if joint.get("type") != "fixed"}
+    # The first two names are the world and the free joint of the root.
+    assert set(list(model.names)[2:]) == moving
+    assert pinocchio.computeTotalMass(model) == pytest.approx(total_mass(root), rel=1e-9)
+
+
+@robots
+def test_mujoco_accepts_every_inertia(path: Path) -> None:
+    root = parse(path)
+    model = oracles.load_mujoco(yamaro.convert(str(path)))
+    assert model.nbody == len(root.findall("link")) + 1
+    assert sum(model.body_mass) == pytest.approx(total_mass(root), rel=1e-9)
+
+
+@robots
+def test_inertia_of_primitive_shapes_is_what_others_compute(path: Path) -> None:
+    compared = 0
+    for link in parse(path).findall("link"):
+        inertial = link.find("inertial")
+        if inertial is None:
+            continue
+        mass, actual = oracles.urdf_inertia(inertial)
+        pose = oracles.urdf_pose(inertial)
+        owners = [*link.findall("collision"), *link.findall("visual")]
+        there = [oracles.urdf_shape(o) for o in owners if oracles.urdf_pose(o) == pose]
+        shapes = [shape for shape in there if shape is not None]
+        if not shapes:
+            continue
+        kind, size = shapes[0]
+        for judge in (oracles.pinocchio_inertia, oracles.mujoco_inertia):
+            expected = judge(kind, size, mass)
+            np.testing.assert_allclose(
+                actual, expected, rtol=1e-6, atol=1e-9 * mass, err_msg=link.get("name")
+            )
+        compared += 1
+    assert compared > 0, "no link has a primitive shape in its inertial frame"
+
+
+@robots
+def test_tree_tells_the_total_mass(path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["tree", str(path)]) == 0
+    summary = capsys.readouterr().out
+    told = re.search(r"([0-9.eE+-]+) kg\W*(?:in total|total)?\s*$", summary)
+    assert told is not None, summary
+    assert float(told[1]) == pytest.approx(total_mass(parse(path)), rel=1e-3)
