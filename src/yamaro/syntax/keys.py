@@ -1,0 +1,180 @@
+"""The grammar of keys: `name/attribute=value, …`, with `$(…)` and quotes opaque to it.
+
+key        = name [ "/" attributes ]
+attributes = attribute { "," attribute }
+attribute  = name [ ":" ] "=" value
+value      = "'" … "'" | '"' … '"' | text without commas
+"""
+
+from __future__ import annotations
+
+from ..diagnostics import Reporter, failure
+from .names import bad_name_character
+from .nodes import Attribute
+from .template import Template, parse_template, skip_expression
+from .yaml_nodes import ScalarNode
+
+
+def find_outside(text: str, characters: str, start: int, end: int) -> int:
+    """Return the index of the first of `characters` that is not inside a `$(…)`, or -1."""
+    at = start
+    while at < end:
+        char = text[at]
+        if char == "$":
+            after = skip_expression(text, at)
+            if after > at:
+                at = after
+                continue
+        if char in characters:
+            return at
+        at += 1
+    return -1
+
+
+def parse_name(
+    key: ScalarNode, start: int, end: int, *, what: str, reporter: Reporter
+) -> str | Template:
+    """Return the element's or attribute's name in `key.text[start:end]`, checked if it is known.
+
+    Raises:
+        YamaroError: it is no XML name.
+    """
+    name = parse_template(key, start, end, reporter=reporter)
+    if isinstance(name, str):
+        fault = name_fault(name, what)
+        if fault is not None:
+            raise failure(
+                "bad-name",
+                fault,
+                key.span(start, max(end, start + 1)) if key.text else key.span(),
+                hint=_name_hint(key, name),
+            )
+    return name
+
+
+def name_fault(name: str, what: str) -> str | None:
+    """Return what is wrong with a name of an element or attribute, or None."""
+    char = bad_name_character(name)
+    if char is None:
+        return None
+    if not name:
+        return f"the {what} has no name"
+    if char == " ":
+        return f"'{name}' is no XML name: it holds a space"
+    if char == name[0]:
+        return f"'{name}' is no XML name: it begins with '{char}'"
+    return f"'{name}' is no XML name: it holds '{char}'"
+
+
+def _name_hint(key: ScalarNode, name: str) -> str:
+    if "=" in name:
+        if "/" not in key.text:
+            return (
+                "attributes stand behind a slash: name/attribute=value; inside { } a comma ends "
+                "the key, so quote such a key or give it a line of its own"
+            )
+        return "attributes stand behind a slash: name/attribute=value"
+    if name.startswith("xacro:"):
+        return "xacro's tags do not exist here; see docs/coming-from-xacro.md"
+    return "a name begins with a letter or _ and goes on with letters, digits, - _ ."
+
+
+def parse_attributes(
+    key: ScalarNode, start: int, end: int, *, reporter: Reporter
+) -> list[Attribute]:
+    """Return the attributes in `key.text[start:end]`, what stands behind the slash.
+
+    Raises:
+        YamaroError: an attribute has no `=`, no name, an open quote, or stands twice.
+    """
+    attributes: list[Attribute] = []
+    seen: dict[str, Attribute] = {}
+    at = start
+    while at <= end:
+        attribute, at = _parse_attribute(key, at, end, reporter)
+        name = attribute.name
+        if isinstance(name, str):
+            if name in seen:
+                raise failure(
+                    "attribute-twice",
+                    f"the attribute '{name}' is given twice",
+                    attribute.name_span,
+                    hint="keep one of the two",
+                )
+            seen[name] = attribute
+        attributes.append(attribute)
+        if at >= end:
+            break
+        at += 1
+    return attributes
+
+
+def _parse_attribute(
+    key: ScalarNode, start: int, end: int, reporter: Reporter
+) -> tuple[Attribute, int]:
+    """Return the attribute that begins at `start`, and the index of the comma behind it."""
+    text = key.text
+    equals = find_outside(text, "=,", start, end)
+    if equals < 0 or text[equals] == ",":
+        _refuse_bare(key, start, equals if equals >= 0 else end)
+    first, last = _trim(text, start, equals)
+    if last > first and text[last - 1] == ":":
+        first, last = _trim(text, first, last - 1)
+    name = parse_name(key, first, last, what="attribute", reporter=reporter)
+    begin = equals + 1
+    while begin < end and text[begin].isspace():
+        begin += 1
+    if begin < end and text[begin] in "'\"":
+        close = find_outside(text, text[begin], begin + 1, end)
+        if close < 0:
+            raise failure(
+                "bad-key",
+                f"the quote {text[begin]} of this attribute is never closed",
+                key.span(begin, begin + 1),
+                hint=f"put {text[begin]} behind the value",
+            )
+        value_start, value_end, comma = begin + 1, close, close + 1
+        while comma < end and text[comma].isspace():
+            comma += 1
+        if comma < end and text[comma] != ",":
+            raise failure(
+                "bad-key",
+                "text follows behind the closing quote of this attribute",
+                key.span(comma, end),
+                hint="separate attributes with commas: name/a='1', b='2'",
+            )
+    else:
+        comma = find_outside(text, ",", begin, end)
+        comma = end if comma < 0 else comma
+        value_start, value_end = _trim(text, begin, comma)
+    value = parse_template(key, value_start, value_end, reporter=reporter)
+    span = (
+        key.span(value_start, value_end) if value_end > value_start else key.span(first, equals + 1)
+    )
+    return Attribute(name, value, name_span=key.span(first, max(last, first + 1)), span=span), comma
+
+
+def _refuse_bare(key: ScalarNode, start: int, end: int) -> None:
+    first, last = _trim(key.text, start, end)
+    word = key.text[first:last]
+    if not word:
+        raise failure(
+            "bad-key",
+            "an attribute is missing here",
+            key.span(max(start - 1, 0), max(start, 1)),
+            hint="write name/attribute=value, and commas only between attributes",
+        )
+    raise failure(
+        "bad-key",
+        f"'{word}' is no attribute: it has no '='",
+        key.span(first, last),
+        hint=f"write {word}=value; a value that holds commas needs quotes: attribute='1, 2'",
+    )
+
+
+def _trim(text: str, start: int, end: int) -> tuple[int, int]:
+    while start < end and text[start].isspace():
+        start += 1
+    while end > start and text[end - 1].isspace():
+        end -= 1
+    return start, end

@@ -1,0 +1,103 @@
+"""The YAML event stream: libyaml's event parser where PyYAML has it, PyYAML's own otherwise.
+
+Importing `yaml` costs ten times what the libyaml binding alone does, because the package loads
+constructors, representers and emitters that Yamaro never uses. So the binding is loaded by itself,
+under a stand-in for the package that is removed again: a later `import yaml` gets the real one.
+"""
+
+from __future__ import annotations
+
+import sys
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from types import ModuleType
+    from typing import Any
+
+_ERROR_MODULES = (
+    ("reader", "ReaderError"),
+    ("scanner", "ScannerError"),
+    ("parser", "ParserError"),
+    ("composer", "ComposerError"),
+    ("constructor", "ConstructorError"),
+    ("emitter", "EmitterError"),
+    ("serializer", "SerializerError"),
+    ("representer", "RepresenterError"),
+)
+
+
+def _load_binding() -> Any:
+    """Import `yaml._yaml` without running the package's own `__init__`."""
+    loaded = sys.modules.get("yaml._yaml")
+    if loaded is not None or "yaml" in sys.modules:
+        from yaml import _yaml
+
+        return _yaml
+    from importlib.machinery import PathFinder
+
+    spec = PathFinder.find_spec("yaml")
+    if spec is None or spec.submodule_search_locations is None:
+        raise ImportError("No module named 'yaml'")
+    package: ModuleType = type(sys)("yaml")
+    package.__path__ = list(spec.submodule_search_locations)
+    stand_in: Any = package
+    sys.modules["yaml"] = package
+    try:
+        from importlib import import_module
+
+        for name in ("error", "tokens", "events", "nodes"):
+            setattr(stand_in, name, import_module(f"yaml.{name}"))
+        base = stand_in.error.MarkedYAMLError
+        for module, error in _ERROR_MODULES:
+            holder: Any = type(sys)(f"yaml.{module}")
+            parent = stand_in.error.YAMLError if error == "ReaderError" else base
+            fields = {"__init__": _init_reader_error} if error == "ReaderError" else {}
+            setattr(holder, error, type(error, (parent,), fields))
+            setattr(stand_in, module, holder)
+        return import_module("yaml._yaml")
+    finally:
+        del sys.modules["yaml"]
+
+
+def _init_reader_error(
+    self: Any, name: str, position: int, character: object, encoding: str, reason: str
+) -> None:
+    Exception.__init__(self, reason)
+    self.position, self.character, self.reason = position, character, reason
+
+
+def _choose() -> tuple[Any, Any]:
+    """Return the event parser class and the base class of its errors."""
+    try:
+        binding = _load_binding()
+        return binding.CParser, sys.modules["yaml.error"].YAMLError  # type: ignore[attr-defined]
+    except ImportError:
+        import yaml
+
+        return yaml.SafeLoader, yaml.YAMLError
+
+
+Parser, YAMLError = _choose()
+from yaml.events import (  # noqa: E402 - only now is it settled which yaml this is
+    AliasEvent,
+    DocumentStartEvent,
+    MappingEndEvent,
+    MappingStartEvent,
+    ScalarEvent,
+    SequenceEndEvent,
+    SequenceStartEvent,
+    StreamEndEvent,
+)
+
+__all__ = [
+    "AliasEvent",
+    "DocumentStartEvent",
+    "MappingEndEvent",
+    "MappingStartEvent",
+    "Parser",
+    "ScalarEvent",
+    "SequenceEndEvent",
+    "SequenceStartEvent",
+    "StreamEndEvent",
+    "YAMLError",
+]

@@ -1,0 +1,96 @@
+"""The words of the language and the spelling of names: XML's, Python's and Yamaro's own."""
+
+from __future__ import annotations
+
+STATEMENTS = (
+    "part",
+    "if",
+    "elif",
+    "else",
+    "for",
+    "include",
+    "variables",
+    "functions",
+    "print",
+    "process",
+)
+SECTIONS = (
+    "robot",
+    "import",
+    "variables",
+    "functions",
+    "model",
+    "print",
+    "process",
+    "if",
+    "for",
+)
+_KEYWORDS = frozenset(
+    """False None True and as assert async await break class continue def del elif else except
+    finally for from global if import in is lambda nonlocal not or pass raise return try while
+    with yield""".split()
+)
+
+
+def is_identifier(text: str) -> bool:
+    """Tell whether a text can name a variable: a Python identifier and no keyword."""
+    return text.isidentifier() and text not in _KEYWORDS
+
+
+def is_keyword(text: str) -> bool:
+    """Tell whether a text is a Python keyword."""
+    return text in _KEYWORDS
+
+
+def is_function_name(text: str) -> bool:
+    """Tell whether a bare key calls a function: `Name` or `ns.Name`, with a capital N."""
+    namespace, _, name = text.rpartition(".")
+    if not name.isidentifier() or not name[0].isupper() or name in _KEYWORDS:
+        return False
+    return not namespace or all(part.isidentifier() for part in namespace.split("."))
+
+
+# XML 1.0 (fifth edition), productions 4 and 4a, without the ASCII range.
+_NAME_STARTS = (
+    (0xC0, 0xD6),
+    (0xD8, 0xF6),
+    (0xF8, 0x2FF),
+    (0x370, 0x37D),
+    (0x37F, 0x1FFF),
+    (0x200C, 0x200D),
+    (0x2070, 0x218F),
+    (0x2C00, 0x2FEF),
+    (0x3001, 0xD7FF),
+    (0xF900, 0xFDCF),
+    (0xFDF0, 0xFFFD),
+    (0x10000, 0xEFFFF),
+)
+_NAME_PARTS = (*_NAME_STARTS, (0xB7, 0xB7), (0x300, 0x36F), (0x203F, 0x2040))
+
+
+def bad_name_character(name: str) -> str | None:
+    """Return the first character that keeps `name` from being an XML name, or None if it is one.
+
+    The name may have one prefix (`gz:plugin`). An empty name gives an empty string.
+    """
+    if not name:
+        return ""
+    if name.isalpha() and name.isascii():
+        return None
+    for index, char in enumerate(name):
+        if char.isascii():
+            is_start = char.isalpha() or char in "_:"
+            is_part = is_start or char.isdigit() or char in "-."
+        else:
+            is_start = _is_in(char, _NAME_STARTS)
+            is_part = is_start or _is_in(char, _NAME_PARTS)
+        if not (is_part if index and name[index - 1] != ":" else is_start):
+            return char
+    if name[0] == ":" or name[-1] == ":" or name.count(":") > 1:
+        return ":"
+    return None
+
+
+def _is_in(char: str, ranges: tuple[tuple[int, int], ...]) -> bool:
+    code = ord(char)
+    return any(low <= code <= high for low, high in ranges)

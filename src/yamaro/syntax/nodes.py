@@ -1,0 +1,449 @@
+"""The syntax tree: what a file says, before anything is evaluated.
+
+Every node has the span of the key that made it. Texts are plain strings where nothing has to be
+evaluated, and templates where something has.
+"""
+
+from __future__ import annotations
+
+from ..source import Source, Span
+from .python import PythonCode
+from .template import Template
+from .yaml_nodes import ScalarNode, YamlNode
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from ..diagnostics import Diagnostic
+
+
+# --- values -----------------------------------------------------------------------------------
+
+
+class Constant:
+    """A value known from the text: a typed scalar."""
+
+    __slots__ = ("node", "value")
+
+    def __init__(self, value: object, node: ScalarNode) -> None:
+        self.value = value
+        self.node = node
+
+
+class ListValue:
+    """A YAML list as a value."""
+
+    __slots__ = ("items", "span")
+
+    def __init__(self, items: list[Value], span: Span) -> None:
+        self.items = items
+        self.span = span
+
+
+class DictValue:
+    """A YAML mapping as a value; a repeated key stands for the list of its values."""
+
+    __slots__ = ("pairs", "span")
+
+    def __init__(self, pairs: list[tuple[Value, Value]], span: Span) -> None:
+        self.pairs = pairs
+        self.span = span
+
+
+Value = Constant | Template | ListValue | DictValue
+
+
+# --- statements -------------------------------------------------------------------------------
+
+
+class Body:
+    """A sequence of statements; its identity tells which keys were written in one mapping."""
+
+    __slots__ = ("span", "statements")
+
+    def __init__(self, statements: list[Statement], span: Span) -> None:
+        self.statements = statements
+        self.span = span
+
+
+class TextContent:
+    """A scalar as an element's content: its spelling, or a template."""
+
+    __slots__ = ("span", "value")
+
+    def __init__(self, value: str | Template, span: Span) -> None:
+        self.value = value
+        self.span = span
+
+
+class ListContent:
+    """A list of plain values as an element's content: numbers, where a `part` wants them."""
+
+    __slots__ = ("span", "value")
+
+    def __init__(self, value: ListValue, span: Span) -> None:
+        self.value = value
+        self.span = span
+
+
+Content = Body | TextContent | ListContent | None
+
+
+class Attribute:
+    """An attribute in a key; `span` covers its value, `name_span` its name."""
+
+    __slots__ = ("name", "name_span", "span", "value")
+
+    def __init__(
+        self, name: str | Template, value: str | Template, *, name_span: Span, span: Span
+    ) -> None:
+        self.name = name
+        self.value = value
+        self.name_span = name_span
+        self.span = span
+
+
+class ElementNode:
+    """`name/attribute=value, …: content`: an XML element."""
+
+    __slots__ = ("attributes", "content", "name", "span", "verbatim")
+
+    def __init__(
+        self,
+        name: str | Template,
+        attributes: list[Attribute],
+        content: Content,
+        *,
+        span: Span,
+        verbatim: bool,
+    ) -> None:
+        self.name = name
+        self.attributes = attributes
+        self.content = content
+        self.span = span
+        self.verbatim = verbatim
+
+
+class TextNode:
+    """`<#text>:`: text between child elements."""
+
+    __slots__ = ("span", "value")
+
+    def __init__(self, value: str | Template, span: Span) -> None:
+        self.value = value
+        self.span = span
+
+
+class CommentNode:
+    """`<#comment>:`: an XML comment."""
+
+    __slots__ = ("span", "value")
+
+    def __init__(self, value: str | Template, span: Span) -> None:
+        self.value = value
+        self.span = span
+
+
+class PartNode:
+    """`part:`: a joint and a link, lowered after evaluation."""
+
+    __slots__ = ("body", "span")
+
+    def __init__(self, body: Body, span: Span) -> None:
+        self.body = body
+        self.span = span
+
+
+class Argument:
+    """One argument of a call or an include: a value, a block, or either until it is called.
+
+    Which of the two a key means is known only when the function is. `value` and `block` hold
+    what could be parsed, and `value_faults` and `block_faults` what was wrong with it.
+    """
+
+    __slots__ = ("block", "block_faults", "key", "name", "span", "value", "value_faults")
+
+    def __init__(self, name: str | Template | None, key: ScalarNode | None, span: Span) -> None:
+        self.name = name
+        self.key = key
+        self.span = span
+        self.value: Value | None = None
+        self.block: Body | None = None
+        self.value_faults: Sequence[Diagnostic] = ()
+        self.block_faults: Sequence[Diagnostic] = ()
+
+
+class CallNode:
+    """`Name:` or `ns.Name:`: a function call or the insertion of a block."""
+
+    __slots__ = ("arguments", "block", "block_faults", "faults", "name", "name_span", "span")
+
+    def __init__(
+        self,
+        name: str | Template,
+        arguments: list[Argument],
+        *,
+        span: Span,
+        block: Body | None = None,
+    ) -> None:
+        """Hold a call.
+
+        Args:
+            name: the function's name, dotted where it is in a namespace.
+            arguments: positional ones (without a name) first.
+            span: the key.
+            block: the value read as a body: the default content, where a block is inserted.
+        """
+        self.name = name
+        self.arguments = arguments
+        self.span = span
+        self.block = block
+        self.faults: Sequence[Diagnostic] = ()
+        self.block_faults: Sequence[Diagnostic] = ()
+
+
+class DynamicNode:
+    """A key that is one `$(…)`: an element or a call, whatever its value turns out to be."""
+
+    __slots__ = ("call", "content", "content_faults", "key", "span")
+
+    def __init__(
+        self,
+        key: Template,
+        content: Content,
+        content_faults: Sequence[Diagnostic],
+        call: CallNode,
+        span: Span,
+    ) -> None:
+        self.key = key
+        self.content = content
+        self.content_faults = content_faults
+        self.call = call
+        self.span = span
+
+
+class IfNode:
+    """`if` with its `elif`s and `else`; the last branch has no condition if there is an `else`."""
+
+    __slots__ = ("branches", "span")
+
+    def __init__(self, branches: list[tuple[PythonCode | Constant | None, Body]], span: Span):
+        self.branches = branches
+        self.span = span
+
+
+class ForNode:
+    """`for`: over a range (a list of expressions), a value, or an expression."""
+
+    __slots__ = ("body", "is_range", "iterable", "names", "span")
+
+    def __init__(
+        self,
+        names: list[str],
+        iterable: PythonCode | Value | list[PythonCode | Constant],
+        body: Body,
+        *,
+        is_range: bool,
+        span: Span,
+    ) -> None:
+        self.names = names
+        self.iterable = iterable
+        self.body = body
+        self.is_range = is_range
+        self.span = span
+
+
+class IncludeNode:
+    """`include:`: another file's content, and the names it hands back."""
+
+    __slots__ = ("arguments", "namespace", "path", "path_span", "span")
+
+    def __init__(
+        self,
+        path: str | Template,
+        namespace: str | Template | None,
+        arguments: list[Argument],
+        *,
+        path_span: Span,
+        span: Span,
+    ) -> None:
+        self.path = path
+        self.path_span = path_span
+        self.namespace = namespace
+        self.arguments = arguments
+        self.span = span
+
+
+LOCAL, GLOBAL, PARENT, CHILD, BRIDGE = "local", "global", "parent", "child", "bridge"
+SCOPES = (LOCAL, GLOBAL, PARENT, CHILD, BRIDGE)
+
+
+class VariableEntry:
+    """One name of a `variables:` mapping, with all the values written for it."""
+
+    __slots__ = ("name", "scope", "span", "values")
+
+    def __init__(self, name: str | Template, scope: str, values: list[Value], span: Span) -> None:
+        self.name = name
+        self.scope = scope
+        self.values = values
+        self.span = span
+
+
+class VariablesNode:
+    """`variables:`; at the root of a file an entry is a default for what is passed in."""
+
+    __slots__ = ("entries", "is_root", "span")
+
+    def __init__(self, entries: list[VariableEntry], *, is_root: bool, span: Span) -> None:
+        self.entries = entries
+        self.is_root = is_root
+        self.span = span
+
+
+class Parameter:
+    """One parameter of a function; a block if `is_block`."""
+
+    __slots__ = ("default", "is_block", "name", "span", "text")
+
+    def __init__(
+        self, name: str, default: Value | None, *, is_block: bool, span: Span, text: str
+    ) -> None:
+        self.name = name
+        self.default = default
+        self.is_block = is_block
+        self.span = span
+        self.text = text
+
+
+class FunctionNode:
+    """One function of a `functions:` mapping."""
+
+    __slots__ = ("body", "name", "parameters", "scope", "span")
+
+    def __init__(
+        self, name: str, scope: str, parameters: list[Parameter], body: Body, span: Span
+    ) -> None:
+        self.name = name
+        self.scope = scope
+        self.parameters = parameters
+        self.body = body
+        self.span = span
+
+    def signature(self) -> str:
+        """Return name and parameters as they are written."""
+        return f"{self.name}: {', '.join(parameter.text for parameter in self.parameters)}"
+
+
+class FunctionsNode:
+    """`functions:`."""
+
+    __slots__ = ("functions", "span")
+
+    def __init__(self, functions: list[FunctionNode], span: Span) -> None:
+        self.functions = functions
+        self.span = span
+
+
+class PrintNode:
+    """`print:`."""
+
+    __slots__ = ("span", "value")
+
+    def __init__(self, value: str | Template | Value, span: Span) -> None:
+        self.value = value
+        self.span = span
+
+
+class ProcessNode:
+    """`process:`."""
+
+    __slots__ = ("code", "span")
+
+    def __init__(self, code: PythonCode, span: Span) -> None:
+        self.code = code
+        self.span = span
+
+
+Statement = (
+    ElementNode
+    | TextNode
+    | CommentNode
+    | PartNode
+    | CallNode
+    | DynamicNode
+    | IfNode
+    | ForNode
+    | IncludeNode
+    | VariablesNode
+    | FunctionsNode
+    | PrintNode
+    | ProcessNode
+)
+
+
+class ImportNode:
+    """One module to import, or names of one."""
+
+    __slots__ = ("alias", "module", "names", "span")
+
+    def __init__(
+        self, module: str, alias: str | None, names: list[tuple[str, str]] | None, span: Span
+    ) -> None:
+        """Describe an import.
+
+        Args:
+            module: its dotted name.
+            alias: the name in `import module as alias`.
+            names: for `from module import …`, each name and what it is called here.
+            span: the place.
+        """
+        self.module = module
+        self.alias = alias
+        self.names = names
+        self.span = span
+
+
+class Document:
+    """A parsed file."""
+
+    __slots__ = (
+        "codes",
+        "declarations",
+        "has_model",
+        "imports",
+        "model",
+        "names_read",
+        "robot_name",
+        "root",
+        "sections",
+        "source",
+    )
+
+    def __init__(self, source: Source) -> None:
+        """Start an empty document.
+
+        Attributes:
+            imports: the modules, in order.
+            sections: the other sections but the model, in order.
+            model: the bodies of the `model:` sections, in order.
+            root: the root element written in place of `model`, if there is one.
+            robot_name: what stands behind `robot:`.
+            codes: Python code by its file name, to find the place of an error in a function.
+            declarations: every name declared, with the scope and place.
+            names_read: every name that some expression reads.
+        """
+        self.source = source
+        self.imports: list[ImportNode] = []
+        self.sections: list[Statement] = []
+        self.model: list[Body] = []
+        self.has_model = False
+        self.root: ElementNode | None = None
+        self.robot_name: TextContent | None = None
+        self.codes: dict[str, PythonCode] = {}
+        self.declarations: list[tuple[str, str, Span]] = []
+        self.names_read: set[str] = set()
+
+
+__all__ = [name for name in globals() if name[0].isupper()] + ["YamlNode"]

@@ -1,0 +1,271 @@
+"""Python inside YAML: finds where an expression ends, compiles it, and maps its places back."""
+
+from __future__ import annotations
+
+from ..diagnostics import Diagnostic, failure
+from .yaml_nodes import PLAIN
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from types import CodeType
+
+    from ..source import Span
+    from .yaml_nodes import ScalarNode
+
+_OPENING = {")": "(", "]": "[", "}": "{"}
+ROS_WORDS = ("find", "find-pkg-share", "arg", "env", "optenv")
+_OPERATOR_WORDS = ("if", "else", "in", "is", "and", "or", "not", "for")
+
+
+class PythonCode:
+    """A compiled expression or block of statements, and where in the YAML it stands."""
+
+    __slots__ = ("code", "index", "node", "opening", "text")
+
+    def __init__(self, text: str, node: ScalarNode, index: int, *, opening: str) -> None:
+        """Hold Python text that begins at `node.text[index]`.
+
+        Args:
+            text: the Python text, of the length it has in the scalar.
+            node: the scalar it stands in.
+            index: where in the scalar's text it begins.
+            opening: what was put before the text to compile it.
+        """
+        self.text = text
+        self.node = node
+        self.index = index
+        self.opening = opening
+        self.code: CodeType | None = None
+
+    def span(self, start: int = 0, end: int | None = None) -> Span:
+        """Return the place of `text[start:end]`; by default of all the text, trimmed."""
+        if end is None:
+            start = len(self.text) - len(self.text.lstrip())
+            end = max(len(self.text.rstrip()), start)
+        return self.node.span(self.index + start, self.index + end)
+
+    def position(self, line: int, column: int) -> int:
+        """Return the index into `text` of a position in the compiled text.
+
+        Args:
+            line: from 1.
+            column: from 0, in characters.
+        """
+        if line <= 1:
+            return min(max(column - len(self.opening), 0), len(self.text))
+        start = 0
+        for _ in range(line - 1):
+            following = self.text.find("\n", start)
+            if following < 0:
+                return len(self.text)
+            start = following + 1
+        return min(start + column, len(self.text))
+
+    def byte_position(self, line: int, column: int) -> int:
+        """Return the index into `text` of a position whose column is counted in UTF-8 bytes."""
+        compiled = (self.opening + self.text).split("\n")
+        if line > len(compiled):
+            return len(self.text)
+        before = compiled[line - 1].encode("utf-8", "surrogatepass")[:column]
+        return self.position(line, len(before.decode("utf-8", "ignore")))
+
+    @property
+    def filename(self) -> str:
+        """Return a name for the code object that no other place has."""
+        return f"<yamaro {self.node.source.path or self.node.source.name}:{self.span().start}>"
+
+
+def compile_expression(
+    text: str, node: ScalarNode, index: int, *, meaning: str | None = None
+) -> PythonCode:
+    """Return the compiled expression that stands at `node.text[index:]`.
+
+    Args:
+        text: the expression as written.
+        node: the scalar it stands in.
+        index: where in the scalar's text it begins.
+        meaning: the Python it stands for, where that is not what is written.
+
+    Raises:
+        YamaroError: it is empty or no Python expression.
+    """
+    python = PythonCode(text, node, index, opening="(")
+    if not text.strip():
+        raise failure(
+            "empty-expression",
+            "an expression is missing here",
+            node.span(max(index - 2, 0), min(index + len(text) + 1, len(node.text)))
+            if node.text
+            else node.span(),
+            hint="write a Python expression, or quote '$$(' to mean a literal $(",
+        )
+    _compile(
+        python,
+        f"({text if meaning is None else meaning}\n)",
+        "eval",
+        "this is not a Python expression",
+    )
+    return python
+
+
+def compile_statements(node: ScalarNode) -> PythonCode:
+    """Return the compiled Python statements that are the whole text of a scalar.
+
+    Raises:
+        YamaroError: the text is no Python.
+    """
+    python = PythonCode(node.text, node, 0, opening="")
+    _compile(python, node.text, "exec", "this is not Python")
+    return python
+
+
+def _compile(python: PythonCode, text: str, mode: str, message: str) -> None:
+    try:
+        python.code = compile(text, python.filename, mode, dont_inherit=True)
+    except SyntaxError as error:
+        raise _syntax_failure(python, error, message) from None
+    except (ValueError, OverflowError, RecursionError, MemoryError) as error:
+        raise failure(
+            "python-syntax",
+            f"{message}: {error or 'it is nested too deep'}",
+            python.span(),
+            hint="split it into several steps with variables",
+        ) from None
+
+
+def _syntax_failure(python: PythonCode, error: SyntaxError, message: str) -> Exception:
+    line, column = error.lineno or 1, max((error.offset or 1) - 1, 0)
+    start = python.position(line, column)
+    end = start + 1
+    if error.end_offset and error.end_offset > 0 and error.end_lineno == error.lineno:
+        end = max(python.position(line, error.end_offset - 1), start + 1)
+    if start >= len(python.text.rstrip()):
+        span = python.span()
+    else:
+        span = python.span(start, min(end, len(python.text)))
+    reason = (error.msg or "invalid syntax").strip()
+    return failure("python-syntax", f"{message}: {reason}", span, hint=_syntax_hint(python, reason))
+
+
+def _syntax_hint(python: PythonCode, reason: str) -> str | None:
+    text = python.text
+    if "&&" in text or "||" in text:
+        return "Python writes `and`, `or` and `not`"
+    if "${" in text or "$(" in text:
+        return "names stand by themselves inside an expression, without $( )"
+    if "=" in reason and "==" in reason:
+        return "compare with =="
+    return None
+
+
+def find_close(text: str, start: int) -> int:
+    """Return the index of the parenthesis that closes one opened just before `start`, or -1.
+
+    Follows Python's own rules: brackets nest, and strings and comments do not count.
+    """
+    stack = ["("]
+    at = start
+    length = len(text)
+    while at < length:
+        char = text[at]
+        if char in "([{":
+            stack.append(char)
+        elif char in ")]}":
+            if stack[-1] != _OPENING[char]:
+                return -1
+            stack.pop()
+            if not stack:
+                return at
+        elif char in "'\"":
+            at = _end_of_string(text, at)
+            if at < 0:
+                return -1
+            continue
+        elif char == "#":
+            at = text.find("\n", at)
+            if at < 0:
+                return -1
+        at += 1
+    return -1
+
+
+def _end_of_string(text: str, start: int) -> int:
+    """Return the index behind a Python string literal that begins at `start`, or -1."""
+    quote = text[start]
+    if text.startswith(quote * 3, start):
+        quote *= 3
+    at = start + len(quote)
+    while at < len(text):
+        if text[at] == "\\":
+            at += 2
+        elif text.startswith(quote, at):
+            return at + len(quote)
+        elif text[at] == "\n" and len(quote) == 1:
+            return -1
+        else:
+            at += 1
+    return -1
+
+
+def unclosed(node: ScalarNode, index: int) -> Exception:
+    """Return the error for a `$(` at `node.text[index]` that is never closed."""
+    after = node.source.text[node.end : node.end + 200].split("\n", 1)[0]
+    if node.style == PLAIN and after.lstrip(" ").startswith("#"):
+        hint = "' #' begins a YAML comment: quote the value if it belongs to the expression"
+    elif node.style == PLAIN and after.lstrip(" ").startswith((",", "]", "}")):
+        hint = "the commas of { } and [ ] split an expression: quote it, or use a line of its own"
+    else:
+        hint = "write $$( for a literal $("
+    return failure(
+        "unclosed-expression",
+        "this $( is never closed by a )",
+        node.span(index, min(index + 2, len(node.text))),
+        hint=hint,
+    )
+
+
+def ros_words(text: str) -> list[str] | None:
+    """Return the words of a ROS substitution such as `find pkg`, or None if it is none."""
+    words = text.split()
+    if len(words) < 2 or words[0] not in ROS_WORDS or words[1] in _OPERATOR_WORDS:
+        return None
+    if not (words[1][0].isalnum() or words[1][0] in "_./~"):
+        return None
+    if len(words) > 2 and words[0] != "optenv":
+        return None
+    return words
+
+
+def expression_without_dollars(node: ScalarNode) -> tuple[str, list[int]]:
+    """Return a scalar's text as one expression in which `$(e)` means `(e)`.
+
+    Also returns the indices of every `$(` that stands inside a string, where it is plain text.
+    The text keeps its length, so that places stay right.
+    """
+    text = node.text
+    if "$(" not in text:
+        return text, []
+    pieces: list[str] = []
+    quoted: list[int] = []
+    at = 0
+    while at < len(text):
+        if text[at] in "'\"":
+            end = _end_of_string(text, at)
+            end = len(text) if end < 0 else end
+            inside = text.find("$(", at, end)
+            if inside >= 0:
+                quoted.append(inside)
+            pieces.append(text[at:end])
+            at = end
+        elif text.startswith("$(", at):
+            pieces.append(" (")
+            at += 2
+        else:
+            pieces.append(text[at])
+            at += 1
+    return "".join(pieces), quoted
+
+
+def diagnostics_of(error: Exception) -> list[Diagnostic]:
+    """Return the diagnostics an error holds."""
+    return getattr(error, "diagnostics", [])

@@ -1,0 +1,124 @@
+"""`$(…)` inside scalars and keys: splits a text into literal pieces and Python expressions."""
+
+from __future__ import annotations
+
+from .python import PythonCode, compile_expression, find_close, ros_words, unclosed
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from ..diagnostics import Reporter
+    from ..source import Span
+    from .yaml_nodes import ScalarNode
+
+
+class Template:
+    """A text with expressions in it."""
+
+    __slots__ = ("end", "node", "parts", "start")
+
+    def __init__(
+        self, parts: tuple[str | PythonCode, ...], node: ScalarNode, start: int, end: int
+    ) -> None:
+        """Hold the parts of `node.text[start:end]` in order."""
+        self.parts = parts
+        self.node = node
+        self.start = start
+        self.end = end
+
+    @property
+    def single(self) -> PythonCode | None:
+        """Return the expression if it is all there is, so that its type is kept."""
+        first = self.parts[0]
+        return first if len(self.parts) == 1 and isinstance(first, PythonCode) else None
+
+    def span(self) -> Span:
+        """Return the place of the text."""
+        if self.start == 0 and self.end == len(self.node.text):
+            return self.node.span()
+        return self.node.span(self.start, self.end)
+
+
+def parse_template(
+    node: ScalarNode, start: int = 0, end: int | None = None, *, reporter: Reporter
+) -> str | Template:
+    """Return `node.text[start:end]` as a template, or as plain text if it holds no expression.
+
+    Raises:
+        YamaroError: an expression is not closed, or no Python.
+    """
+    text = node.text
+    if end is None:
+        end = len(text)
+    if text.find("$", start, end) < 0:
+        return text if end - start == len(text) else text[start:end]
+    parts: list[str | PythonCode] = []
+    literal: list[str] = []
+    at = start
+    while True:
+        dollar = text.find("$", at, end)
+        if dollar < 0:
+            literal.append(text[at:end])
+            break
+        literal.append(text[at:dollar])
+        if text.startswith(("$$(", "$${"), dollar) and dollar + 2 < end:
+            literal.append(text[dollar + 1 : dollar + 3])
+            at = dollar + 3
+        elif text.startswith("$(", dollar) and dollar + 1 < end:
+            close = find_close(text, dollar + 2)
+            if close < 0 or close >= end:
+                raise unclosed(node, dollar)
+            if piece := "".join(literal):
+                parts.append(piece)
+            literal = []
+            parts.append(parse_expression(node, dollar + 2, close))
+            at = close + 1
+        else:
+            if text.startswith("${", dollar):
+                _warn_of_xacro(node, dollar, reporter)
+            literal.append("$")
+            at = dollar + 1
+    if piece := "".join(literal):
+        parts.append(piece)
+    if all(isinstance(part, str) for part in parts):
+        return "".join(str(part) for part in parts)
+    return Template(tuple(parts), node, start, end)
+
+
+def parse_expression(node: ScalarNode, start: int, end: int) -> PythonCode:
+    """Return the expression `node.text[start:end]`, ROS's own forms included."""
+    text = node.text[start:end]
+    words = ros_words(text)
+    if words is None:
+        return compile_expression(text, node, start)
+    return compile_expression(text, node, start, meaning=_ros_call(words))
+
+
+def _ros_call(words: list[str]) -> str:
+    """Return the Python call a ROS substitution stands for."""
+    form, name = words[0], words[1]
+    if form == "arg":
+        return f"__arg__({name!r})"
+    if form == "env":
+        return f"__env__({name!r})"
+    if form == "optenv":
+        return f"__env__({name!r}, {' '.join(words[2:])!r})"
+    return f"__find__({name!r})"
+
+
+def _warn_of_xacro(node: ScalarNode, index: int, reporter: Reporter) -> None:
+    close = node.text.find("}", index)
+    inner = node.text[index + 2 : close] if close >= 0 else "…"
+    reporter.warn(
+        "xacro-syntax",
+        "'${' is xacro's spelling and stays as it is here",
+        node.span(index, index + 2),
+        hint=f"write $({inner}) for an expression, or $${{ for a literal ${{",
+    )
+
+
+def skip_expression(text: str, at: int) -> int:
+    """Return the index behind the `$(…)` at `at`, or `at` if there is none or it is not closed."""
+    if not text.startswith("$(", at):
+        return at
+    close = find_close(text, at + 2)
+    return close + 1 if close >= 0 else at

@@ -1,0 +1,256 @@
+"""Explains text that is no YAML: where it went wrong and how to spell what was meant."""
+
+from __future__ import annotations
+
+from ..diagnostics import failure
+from ..source import Source, Span
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any, NoReturn, Protocol
+
+    class Reading(Protocol):
+        """What is being read: the text, and how its offsets map to the file."""
+
+        text: str
+
+        def span(self, start: int, end: int) -> Span:
+            """Return the place of a stretch of the text."""
+
+
+MAX_KEY = 1024
+_MARK = "\ufeff"
+
+
+def refuse_characters(source: Source) -> None:
+    """Raise YamaroError if the text holds a character that YAML forbids."""
+    text = source.text
+    if text.isascii():
+        # The control characters are the only ASCII that YAML forbids, and libyaml names them.
+        for char in "\x00\x7f":
+            if char in text:
+                _refuse_character(source, text.index(char))
+        return
+    if _MARK in text:
+        at = text.index(_MARK)
+        raise failure(
+            "misplaced-bom",
+            "a byte order mark (U+FEFF) stands inside the text",
+            Span(source, at, at + 1),
+            hint="delete this invisible character; it often comes from pasting files together",
+        )
+    for at, char in enumerate(text):
+        if "\ud800" <= char <= "\udfff" or char in "\ufffe\uffff\x00\x7f":
+            _refuse_character(source, at)
+
+
+def _refuse_character(source: Source, at: int) -> NoReturn:
+    raise failure(
+        "control-character",
+        f"the character U+{ord(source.text[at]):04X} cannot stand in a YAML file",
+        Span(source, at, at + 1),
+        hint='delete it, or write it as an escape in double quotes, such as "\\x07"',
+    )
+
+
+def refuse_yaml(error: Any, reading: Reading) -> NoReturn:
+    """Raise the YamaroError that explains an error of the YAML parser."""
+    problem = str(getattr(error, "problem", None) or getattr(error, "reason", None) or error)
+    mark = getattr(error, "problem_mark", None)
+    if mark is None:
+        at = _first_control_character(reading.text)
+        raise failure(
+            "control-character",
+            f"the character U+{ord(reading.text[at]):04X} cannot stand in a YAML file"
+            if at < len(reading.text)
+            else f"the file cannot be read as YAML: {problem}",
+            reading.span(at, at + 1),
+            hint='delete it, or write it as an escape in double quotes, such as "\\x07"',
+        )
+    context = str(getattr(error, "context", None) or "")
+    context_mark = getattr(error, "context_mark", None)
+    begin = context_mark.index if context_mark is not None else mark.index
+    for explain in (_tab, _start_of_value, _open_quote, _open_bracket, _escape, _colon, _rest):
+        found = explain(reading, problem, context, begin, mark.index)
+        if found is not None:
+            raise found
+    raise failure(
+        "yaml-syntax",
+        f"this is not YAML: {problem}",
+        reading.span(mark.index, mark.index + 1),
+        hint="compare the indentation with the lines above and below",
+    )
+
+
+def _first_control_character(text: str) -> int:
+    for at, char in enumerate(text):
+        if char < " " and char not in "\t\n\r":
+            return at
+        if "\x7f" <= char <= "\x9f" and char != "\x85":
+            return at
+    return len(text)
+
+
+def _line_around(text: str, at: int) -> tuple[int, int]:
+    """Return start and end of the line that holds offset `at`."""
+    start = max(text.rfind("\n", 0, at), text.rfind("\r", 0, at)) + 1
+    ends = [end for end in (text.find("\n", at), text.find("\r", at)) if end >= 0]
+    return start, min(ends) if ends else len(text)
+
+
+def _quoted(value: str) -> str:
+    return "'" + value.replace("'", "''") + "'"
+
+
+def _tab(reading: Reading, problem: str, context: str, begin: int, at: int) -> Exception | None:
+    text = reading.text
+    start, end = _line_around(text, at)
+    margin = text[start:end][: len(text[start:end]) - len(text[start:end].lstrip())]
+    if "\t" not in margin or not ("tab" in problem or start <= at <= start + len(margin)):
+        return None
+    tab = start + margin.index("\t")
+    return failure(
+        "yaml-tab",
+        "a tab stands in the indentation; YAML indents with spaces only",
+        reading.span(tab, tab + 1),
+        hint="replace the tab with spaces, and set the editor to do so",
+    )
+
+
+def _start_of_value(
+    reading: Reading, problem: str, context: str, begin: int, at: int
+) -> Exception | None:
+    text = reading.text
+    if "cannot start any token" not in problem and "alphabetic or numeric" not in problem:
+        return None
+    if "alphabetic" in problem:
+        at = begin
+    char = text[at : at + 1]
+    start, end = _line_around(text, at)
+    comment = text.find(" #", at, end)
+    value = text[at : comment if comment >= 0 else end].rstrip()
+    return failure(
+        "yaml-quote",
+        f"a value cannot begin with {char} in YAML unless it is quoted",
+        reading.span(at, at + max(len(value), 1)),
+        hint=f"write {text[start:at].lstrip()}{_quoted(value)}",
+    )
+
+
+def _open_quote(
+    reading: Reading, problem: str, context: str, begin: int, at: int
+) -> Exception | None:
+    if "quoted scalar" not in context or "end of stream" not in problem:
+        return None
+    return failure(
+        "yaml-open",
+        "this quote is never closed",
+        reading.span(begin, begin + 1),
+        hint="put the same quote behind the text; a ' inside '…' is written ''",
+    )
+
+
+def _open_bracket(
+    reading: Reading, problem: str, context: str, begin: int, at: int
+) -> Exception | None:
+    text = reading.text
+    if "flow" not in context or text[begin : begin + 1] not in ("[", "{"):
+        return None
+    closing = "]" if text[begin] == "[" else "}"
+    found = text[at : at + 1].strip()
+    return failure(
+        "yaml-open",
+        f"this {text[begin]} is not closed: expected , or {closing}"
+        + (f", found {found}" if found else ""),
+        reading.span(begin, begin + 1) if not found else reading.span(at, at + 1),
+        hint="quote a value that contains , : # [ ] { } and is meant as one text or expression",
+    )
+
+
+def _escape(reading: Reading, problem: str, context: str, begin: int, at: int) -> Exception | None:
+    if "escape" not in problem:
+        return None
+    slash = max(reading.text.rfind("\\", 0, at + 1), 0)
+    return failure(
+        "yaml-escape",
+        f"'{reading.text[slash : slash + 2]}' is no escape that YAML knows",
+        reading.span(slash, slash + 2),
+        hint="use single quotes, where a backslash is just a backslash, or double the backslash",
+    )
+
+
+def _colon(reading: Reading, problem: str, context: str, begin: int, at: int) -> Exception | None:
+    text = reading.text
+    start, end = _line_around(text, at)
+    if "mapping values are not allowed" in problem:
+        return _second_colon(reading, start, end, at)
+    if "expected ':'" not in problem:
+        return None
+    first = text[begin:end]
+    if len(first.partition(": ")[0]) > MAX_KEY:
+        return _long_key(reading, begin)
+    begin_line, begin_end = _line_around(text, begin)
+    return failure(
+        "yaml-syntax",
+        "this line has no ':', so it is neither a key nor a value",
+        reading.span(begin, max(begin_end, begin + 1)),
+        hint="put a ':' behind a key; indent a longer text deeper than its key",
+    )
+
+
+def _long_key(reading: Reading, at: int) -> Exception:
+    return failure(
+        "yaml-long-key",
+        f"this key is longer than the {MAX_KEY:,} characters that YAML allows",
+        reading.span(at, at + MAX_KEY),
+        hint="put long attribute values into variables: name/attribute=$(variable)",
+    )
+
+
+def _second_colon(reading: Reading, start: int, end: int, at: int) -> Exception:
+    text = reading.text
+    line = text[start:end]
+    if at - start > MAX_KEY and ": " not in text[start:at]:
+        return _long_key(reading, start + len(line) - len(line.lstrip()))
+    key, colon, value = line.partition(": ")
+    if colon and start + len(key) < at:
+        where = start + len(key) + 2
+        value = value.strip()
+        return failure(
+            "yaml-quote",
+            "a value that contains ': ' must be quoted",
+            reading.span(where, max(where + len(value), where + 1)),
+            hint=f"write {key.strip()}: {_quoted(value)}",
+        )
+    return failure(
+        "yaml-syntax",
+        "a key stands here, but the lines above do not allow one at this indentation",
+        reading.span(start + len(line) - len(line.lstrip()), at + 1),
+        hint="keys of one mapping begin in the same column; a key with a value holds no more keys",
+    )
+
+
+def _rest(reading: Reading, problem: str, context: str, begin: int, at: int) -> Exception | None:
+    text = reading.text
+    start, end = _line_around(text, at)
+    before = text[start:at].rstrip()
+    if before.endswith(("]", "}", '"', "'")) and text[at:end].strip():
+        key, colon, value = text[start:end].partition(": ")
+        where = start + len(key) + 2 if colon else start
+        value = (value if colon else text[start:end]).strip()
+        shown = f"{key.strip()}: {_quoted(value)}" if colon else _quoted(value)
+        return failure(
+            "yaml-quote",
+            f"text follows behind the closing {before[-1]} of this value",
+            reading.span(where, max(where + len(value), where + 1)),
+            hint=f"quote the whole value: {shown}",
+        )
+    if "block" not in context and "document start" not in problem:
+        return None
+    column = at - start + len(text[at:end]) - len(text[at:end].lstrip())
+    return failure(
+        "yaml-syntax",
+        "this line does not fit into the mapping or list around it",
+        reading.span(start + column, max(end, start + column + 1)),
+        hint="entries of one mapping or list begin in the same column",
+    )

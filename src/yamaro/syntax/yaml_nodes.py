@@ -1,0 +1,156 @@
+"""YAML nodes: scalars with text, style and place; sequences; mappings that keep repeated keys."""
+
+from __future__ import annotations
+
+from ..source import Source, Span
+from .flexidict import FlexiDict
+
+PLAIN, SINGLE, DOUBLE, LITERAL, FOLDED = "", "'", '"', "|", ">"
+
+
+class ScalarNode:
+    """A scalar: its text after YAML's own unquoting, its style, and where it stands."""
+
+    __slots__ = ("anchor", "end", "source", "start", "style", "text")
+
+    def __init__(
+        self,
+        text: str,
+        style: str,
+        source: Source,
+        start: int,
+        end: int,
+        anchor: str | None = None,
+    ) -> None:
+        """Hold a scalar whose spelling is `source.text[start:end]`."""
+        self.text = text
+        self.style = style
+        self.source = source
+        self.start = start
+        self.end = end
+        self.anchor = anchor
+
+    def span(self, start: int = 0, end: int | None = None) -> Span:
+        """Return the place of `text[start:end]`; of the whole scalar, quotes included, by default.
+
+        An empty scalar has the place where it would begin.
+        """
+        if start == 0 and end is None:
+            return Span(self.source, self.start, self.end)
+        end = len(self.text) if end is None else end
+        first = self.offset(start)
+        last = self.offset(end - 1) + 1 if end > start else first
+        return Span(self.source, first, max(first, last))
+
+    def offset(self, index: int) -> int:
+        """Return the offset in the source of the character `text[index]`."""
+        length = len(self.text)
+        raw_length = self.end - self.start
+        if self.style == PLAIN and raw_length == length:
+            return self.start + index
+        if self.style in (SINGLE, DOUBLE) and raw_length == length + 2:
+            return self.start + 1 + index
+        offsets = _align(self)
+        return offsets[index] if index < len(offsets) else self.end
+
+    def __eq__(self, other: object) -> bool:
+        if isinstance(other, str):
+            return self.text == other
+        return isinstance(other, ScalarNode) and self.text == other.text
+
+    def __hash__(self) -> int:
+        return hash(self.text)
+
+    def __repr__(self) -> str:
+        return f"ScalarNode({self.text!r})"
+
+
+class SequenceNode:
+    """A sequence of nodes."""
+
+    __slots__ = ("end", "is_flow", "items", "source", "start")
+
+    def __init__(self, source: Source, start: int, end: int, is_flow: bool) -> None:
+        """Start an empty sequence."""
+        self.items: list[YamlNode] = []
+        self.source = source
+        self.start = start
+        self.end = end
+        self.is_flow = is_flow
+
+    def span(self) -> Span:
+        """Return the place of the sequence."""
+        return Span(self.source, self.start, self.end)
+
+
+class MappingNode(FlexiDict):
+    """A mapping: pairs of a scalar and a node, repeated keys kept."""
+
+    __slots__ = ("end", "is_flow", "source", "start")
+
+    def __init__(self, source: Source, start: int, end: int, is_flow: bool) -> None:
+        """Start an empty mapping."""
+        super().__init__()
+        self.source = source
+        self.start = start
+        self.end = end
+        self.is_flow = is_flow
+
+    def span(self) -> Span:
+        """Return the place of the mapping."""
+        return Span(self.source, self.start, self.end)
+
+
+YamlNode = ScalarNode | SequenceNode | MappingNode
+
+
+# --- from a scalar's text back to its spelling ------------------------------------------------
+
+_BREAKS = "\r\n\x85\u2028\u2029"
+_WHITE = " \t" + _BREAKS
+
+
+def _align(node: ScalarNode) -> list[int]:
+    """Return the source offset of each character of a scalar's text.
+
+    Follows the scalar through quotes, escapes, folded lines and block indentation. It is exact
+    for every character that is not white space; white space is placed where its run begins.
+    """
+    raw = node.source.text[node.start : node.end]
+    at = _begin_of_content(raw, node.style)
+    offsets = []
+    for char in node.text:
+        if node.style == DOUBLE:
+            at = _skip_escaped_break(raw, at)
+        escaped = node.style == DOUBLE and raw.startswith("\\", at)
+        if char not in _WHITE and not escaped:
+            while at < len(raw) and raw[at] in _WHITE:
+                at += 1
+        offsets.append(node.start + min(at, len(raw)))
+        if char not in _WHITE or escaped or raw.startswith(char, at):
+            at += _spelled_length(raw, at, node.style)
+    return offsets
+
+
+def _begin_of_content(raw: str, style: str) -> int:
+    if style in (LITERAL, FOLDED):
+        ends = [raw.find(char) for char in "\r\n" if char in raw]
+        return min(ends) + 1 if ends else len(raw)
+    return 1 if style in (SINGLE, DOUBLE) else 0
+
+
+def _spelled_length(raw: str, at: int, style: str) -> int:
+    """Return how many source characters spell the one at `at`."""
+    if style == SINGLE and raw.startswith("''", at):
+        return 2
+    if style == DOUBLE and raw.startswith("\\", at):
+        return 2 + {"x": 2, "u": 4, "U": 8}.get(raw[at + 1 : at + 2], 0)
+    return 1
+
+
+def _skip_escaped_break(raw: str, at: int) -> int:
+    while raw.startswith(("\\\n", "\\\r"), at):
+        at += 1
+        while at < len(raw) and raw[at] in _WHITE:
+            at += 1
+    return at

@@ -1,0 +1,369 @@
+"""Reads YAML text into nodes that keep repeated keys, spelling, style and place.
+
+Works on libyaml's event stream. Anchors, aliases and merge keys are resolved here; scalars are
+typed later, by `scalars.py`.
+"""
+
+from __future__ import annotations
+
+from ..diagnostics import Reporter, did_you_mean, failure
+from ..source import Source, Span
+from .libyaml import (
+    AliasEvent,
+    DocumentStartEvent,
+    MappingEndEvent,
+    MappingStartEvent,
+    Parser,
+    ScalarEvent,
+    SequenceEndEvent,
+    SequenceStartEvent,
+    StreamEndEvent,
+    YAMLError,
+)
+from .yaml_faults import refuse_characters, refuse_yaml
+from .yaml_nodes import MappingNode, ScalarNode, SequenceNode
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+    from .yaml_nodes import YamlNode
+
+MAX_DEPTH = 200
+MAX_ALIASED_NODES = 1_000_000
+
+
+def read(source: Source, *, reporter: Reporter) -> YamlNode:
+    """Return the root node of a source's one document.
+
+    Raises:
+        YamaroError: the text is no YAML, is empty, holds several documents, custom tags, or
+            aliases that refer to themselves or expand without measure.
+    """
+    refuse_characters(source)
+    root = _Builder(source).build()
+    if root is None:
+        raise failure(
+            "empty-file",
+            "the file is empty",
+            Span(source, 0, 0),
+            hint="a robot begins with sections such as `variables:` and `model:`",
+        )
+    _warn_of_comments(source, root, reporter)
+    return root
+
+
+def read_fragment(scalar: ScalarNode, start: int, end: int) -> YamlNode:
+    """Return the node that `scalar.text[start:end]` is when read as YAML of its own.
+
+    Raises:
+        YamaroError: the fragment is no YAML.
+    """
+    fragment = Source(scalar.text[start:end], name=scalar.source.name, path=scalar.source.path)
+    refuse_characters(fragment)
+    places = [scalar.offset(index) for index in range(start, end)]
+    places.append(places[-1] + 1 if places else scalar.end)
+    root = _Builder(fragment, owner=scalar.source, places=places).build()
+    if root is None:
+        at = places[0]
+        return ScalarNode("", "", scalar.source, at, at)
+    return root
+
+
+class _Builder:
+    """Turns events into nodes, with an explicit stack so that depth costs no recursion."""
+
+    def __init__(
+        self, source: Source, *, owner: Source | None = None, places: list[int] | None = None
+    ) -> None:
+        """Read `source`; for a fragment, `places` are the offsets of its characters in `owner`."""
+        self.text = source.text
+        self.source = owner or source
+        self.places = places
+        self.anchors: dict[str, YamlNode] = {}
+        self.open_anchors: dict[str, object] = {}
+        self.stack: list[tuple[Any, Any]] = []
+        self.merging: list[tuple[MappingNode, int, bool]] = []  # mapping, pair, was it an alias
+        self.aliased = 0
+        self.sizes: dict[int, int] = {}
+
+    def build(self) -> YamlNode | None:
+        """Return the document's root, or None if there is none."""
+        parser = Parser(self.text)
+        try:
+            return self._build(parser)
+        except YAMLError as error:
+            refuse_yaml(error, self)
+            raise  # refuse_yaml always raises
+        finally:
+            parser.dispose()
+
+    def place(self, offset: int) -> int:
+        """Return the offset in the owning source of an offset in the text that is read."""
+        if self.places is None:
+            return offset
+        return self.places[min(offset, len(self.places) - 1)]
+
+    def span(self, start: int, end: int) -> Span:
+        """Return the span of a stretch of the text that is read."""
+        first = self.place(start)
+        return Span(self.source, first, max(first, self.place(end)))
+
+    def _build(self, parser: Any) -> YamlNode | None:
+        root: YamlNode | None = None
+        documents = 0
+        stack = self.stack
+        container: Any = None  # the innermost open collection
+        key: Any = None  # its key that waits for a value
+        get_event = parser.get_event
+        while True:
+            event = get_event()
+            kind = type(event)
+            if kind is ScalarEvent:
+                node: Any = self._scalar(event)
+            elif kind is MappingStartEvent or kind is SequenceStartEvent:
+                opened = self._collection(event, kind)
+                stack.append((container, key))
+                if len(stack) > MAX_DEPTH:
+                    self._refuse_depth(event)
+                container, key = opened, None
+                continue
+            elif kind is MappingEndEvent or kind is SequenceEndEvent:
+                node = container
+                if self.merging and self.merging[-1][0] is node:
+                    self._merge(node)
+                node.end = self.place(event.end_mark.index)
+                container, key = stack.pop()
+                if self.open_anchors:
+                    self._close_anchor(node)
+            elif kind is AliasEvent:
+                node = self._alias(event)
+            elif kind is DocumentStartEvent:
+                documents += 1
+                if documents > 1:
+                    self._refuse_second_document(event)
+                continue
+            elif kind is StreamEndEvent or event is None:
+                return root
+            else:
+                continue
+            if container is None:
+                root = node
+            elif type(container) is SequenceNode:
+                container.items.append(node)
+            elif key is None:
+                key = node if type(node) is ScalarNode else self._refuse_key(node)
+            else:
+                if key.text == "<<" and key.style == "":
+                    self.merging.append((container, len(container.pairs), kind is AliasEvent))
+                container.pairs.append((key, node))
+                key = None
+
+    def _scalar(self, event: Any) -> ScalarNode:
+        start, end = event.start_mark.index, event.end_mark.index
+        anchor = event.anchor
+        tag = event.tag
+        if anchor is not None or (tag is not None and tag != "!"):
+            if tag is not None:
+                self._refuse_tag(event)
+            start = self._after_properties(start)
+        if self.places is not None:
+            start, end = self.place(start), self.place(end - 1) + 1 if end > start else start
+        node = ScalarNode(event.value, event.style or "", self.source, start, end, anchor)
+        if anchor is not None:
+            self.anchors[anchor] = node
+        return node
+
+    def _collection(self, event: Any, kind: Any) -> MappingNode | SequenceNode:
+        if event.tag is not None:
+            self._refuse_tag(event)
+        make = MappingNode if kind is MappingStartEvent else SequenceNode
+        start = event.start_mark.index
+        if event.anchor is not None:
+            start = self._after_properties(start)
+        start = self.place(start)
+        node = make(self.source, start, start, bool(event.flow_style))
+        if event.anchor is not None:
+            self.anchors.pop(event.anchor, None)
+            self.open_anchors[event.anchor] = node
+        return node
+
+    def _close_anchor(self, node: YamlNode) -> None:
+        for name, opened in list(self.open_anchors.items()):
+            if opened is node:
+                del self.open_anchors[name]
+                self.anchors[name] = node
+
+    def _after_properties(self, start: int) -> int:
+        """Return where a node's own text begins, after its anchor."""
+        text = self.text
+        while start < len(text) and text[start] in "&!":
+            while start < len(text) and not text[start].isspace():
+                start += 1
+            while start < len(text) and text[start].isspace():
+                start += 1
+        return start
+
+    def _alias(self, event: Any) -> YamlNode:
+        span = self.span(event.start_mark.index, event.end_mark.index)
+        name = event.anchor
+        if name in self.open_anchors:
+            raise failure(
+                "alias-cycle",
+                f"the alias '*{name}' refers to itself: it stands inside the node it names",
+                span,
+                hint="an alias can only repeat what is complete before it",
+            )
+        node = self.anchors.get(name)
+        if node is None:
+            raise failure(
+                "undefined-alias",
+                f"the alias '*{name}' names no anchor",
+                span,
+                hint=did_you_mean(name, self.anchors)
+                or f"a text that begins with * needs quotes: '*{name}'",
+            )
+        self.aliased += self._size(node)
+        if self.aliased > MAX_ALIASED_NODES:
+            raise failure(
+                "alias-bomb",
+                f"the aliases of this file expand to more than {MAX_ALIASED_NODES:,} nodes",
+                span,
+                hint="use a function or a `for` instead of aliases of aliases",
+            )
+        return node
+
+    def _size(self, node: YamlNode) -> int:
+        """Return how many nodes stand in `node`, those behind aliases included."""
+        pending: list[YamlNode] = [node]
+        while pending:
+            current = pending[-1]
+            if id(current) in self.sizes:
+                pending.pop()
+                continue
+            children = _children(current)
+            unknown = [child for child in children if id(child) not in self.sizes]
+            if unknown:
+                pending.extend(unknown)
+                continue
+            self.sizes[id(current)] = 1 + sum(self.sizes[id(child)] for child in children)
+            pending.pop()
+        return self.sizes[id(node)]
+
+    def _merge(self, mapping: MappingNode) -> None:
+        """Put what the mapping's `<<` keys bring in their place."""
+        at: dict[int, bool] = {}
+        while self.merging and self.merging[-1][0] is mapping:
+            _, index, is_alias = self.merging.pop()
+            at[index] = is_alias
+        own = {key.text for index, (key, _) in enumerate(mapping.pairs) if index not in at}
+        spread: list[tuple[Any, Any]] = []
+        for index, pair in enumerate(mapping.pairs):
+            if index in at:
+                spread.extend(_merged_pairs(pair[1], own, is_alias=at[index]))
+            else:
+                spread.append(pair)
+        mapping.pairs = spread
+
+    def _refuse_tag(self, event: Any) -> None:
+        start = event.start_mark.index
+        end = start
+        if self.text[start : start + 1] == "&":
+            start = self.text.find("!", start)
+            end = start
+        while end < len(self.text) and not self.text[end].isspace() and self.text[end] not in ",]}":
+            end += 1
+        raise failure(
+            "yaml-tag",
+            f"the YAML tag '{self.text[start:end]}' has no meaning here",
+            self.span(start, end),
+            hint="quote the value if it is text; computed values are written $(…)",
+        )
+
+    def _refuse_key(self, node: YamlNode) -> Any:
+        raise failure(
+            "complex-key",
+            "a key must be a plain or quoted text, not a list or mapping",
+            node.span(),
+            hint="quote the key if its brackets are meant as text",
+        )
+
+    def _refuse_depth(self, event: Any) -> None:
+        raise failure(
+            "too-deep",
+            f"lists and mappings are nested more than {MAX_DEPTH} deep",
+            self.span(event.start_mark.index, event.end_mark.index),
+            hint="split the file with functions or `include`",
+        )
+
+    def _refuse_second_document(self, event: Any) -> None:
+        raise failure(
+            "several-documents",
+            "a second YAML document begins here; a file holds one",
+            self.span(event.start_mark.index, event.end_mark.index),
+            hint="put the other document into a file of its own and `include` it",
+        )
+
+
+def _children(node: YamlNode) -> list[Any]:
+    if isinstance(node, SequenceNode):
+        return node.items
+    if isinstance(node, MappingNode):
+        return [child for pair in node.pairs for child in pair]
+    return []
+
+
+def _merged_pairs(
+    node: YamlNode, own: set[str], *, is_alias: bool
+) -> list[tuple[ScalarNode, YamlNode]]:
+    """Return what `<<: node` brings, without the keys in `own`.
+
+    In `<<: [*a, *b]` the earlier mapping wins, as in YAML. An alias to a body in list form brings
+    all its pairs, since there a repeated key is meant.
+    """
+    mappings = node.items if isinstance(node, SequenceNode) else [node]
+    taken = set(own)
+    brought: list[tuple[ScalarNode, YamlNode]] = []
+    for mapping in mappings:
+        if not isinstance(mapping, MappingNode):
+            raise failure(
+                "bad-merge",
+                "`<<` merges mappings, and this is none",
+                mapping.span(),
+                hint="write `<<: *name`, where &name stands before a mapping",
+            )
+        brought.extend(pair for pair in mapping.pairs if pair[0].text not in taken)
+        if not is_alias:
+            taken.update(key.text for key, _ in mapping.pairs)
+    return brought
+
+
+def _warn_of_comments(source: Source, root: YamlNode, reporter: Reporter) -> None:
+    """Warn of comment lines that look like a `<#text>:` or `<#comment>:` entry."""
+    text = source.text
+    for word in ("#text:", "#comment:"):
+        at = text.find(word)
+        while at >= 0:
+            line_start = max(text.rfind("\n", 0, at), text.rfind("\r", 0, at)) + 1
+            if not text[line_start:at].strip(" -") and not _is_in_scalar(root, at):
+                reporter.warn(
+                    "comment-entry",
+                    f"'{word}' is a YAML comment here, so this line does nothing",
+                    Span(source, at, at + len(word)),
+                    hint=f"write <{word[:-1]}>: or quote the key",
+                )
+            at = text.find(word, at + 1)
+
+
+def _is_in_scalar(root: YamlNode, offset: int) -> bool:
+    pending: list[Any] = [root]
+    seen: set[int] = set()
+    while pending:
+        node = pending.pop()
+        if isinstance(node, ScalarNode):
+            if node.start <= offset < node.end:
+                return True
+        elif id(node) not in seen:
+            seen.add(id(node))
+            pending.extend(_children(node))
+    return False
