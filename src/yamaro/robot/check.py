@@ -1,0 +1,94 @@
+"""Structural check of a finished robot: what parsers of URDF would refuse, drop or misread.
+
+Everything here is linear in the size of the robot and recurses no deeper than the schema.
+"""
+
+from __future__ import annotations
+
+from ..diagnostics import did_you_mean
+from ..xmltree import Element
+from .check_context import CheckContext, attribute_text
+from .check_files import check_files
+from .check_joint import check_joint
+from .check_link import check_link, check_pose
+from .check_material import check_materials
+from .check_schema import check_schema
+from .check_tree import check_spelling, check_tree
+from .urdf import VERSIONS
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable, Sequence
+
+    from ..diagnostics import Reporter
+    from ..source import Span
+
+
+def check(
+    root: Element,
+    *,
+    reporter: Reporter,
+    resolve_mesh: Callable[[str, Span], str | None] | None = None,
+    places_searched: Callable[[str, Span], Sequence[str] | None] | None = None,
+    advice: Reporter | None = None,
+) -> None:
+    """Check the robot and report each fault as a warning at the value that is wrong.
+
+    Args:
+        root: the finished `<robot>` element, without parts.
+        reporter: takes the faults.
+        resolve_mesh: gives the file of a mesh or texture as referred to at a span, or None if it
+            is not there. Without it no files are looked at.
+        places_searched: gives, for the name of a package that cannot be found, the places looked
+            at; None for a package that is known.
+        advice: takes what is legal but seldom meant, such as a density of 50,000 kg/m³. Without it
+            this is not worked out.
+    """
+    children = root.elements()
+    links = [child for child in children if child.name == "link"]
+    joints = [child for child in children if child.name == "joint"]
+    materials = [child for child in children if child.name == "material"]
+    context = CheckContext(reporter)
+    context.version = _check_robot(root, links, context)
+    check_schema(root, context)
+    tree = check_tree(links, joints, context)
+    for link in links:
+        check_link(link, context)
+    for joint in joints:
+        check_pose(joint, joint, context)
+        check_joint(joint, context)
+    check_materials(materials, links, context)
+    if resolve_mesh is not None:
+        check_files(root, context, resolve_mesh=resolve_mesh, places_searched=places_searched)
+    context.flush()
+    if advice is not None:
+        from .check_advice import check_advice
+
+        check_advice(tree, context, advice=advice, resolve_mesh=resolve_mesh)
+
+
+def _check_robot(root: Element, links: list[Element], context: CheckContext) -> str:
+    """Check the robot's own attributes, and that it has a link; return its URDF version."""
+    name = attribute_text(root, "name")
+    if name is not None:
+        check_spelling(root, name, context)
+    if not links:
+        context.warn(
+            "no-link",
+            "the robot has no link, and parsers refuse a robot without one",
+            root,
+            hint="add one, as in link/name=base_link:",
+        )
+    version = attribute_text(root, "version")
+    if version is None:
+        return VERSIONS[0]
+    if version not in VERSIONS:
+        context.warn(
+            "bad-version",
+            f"'{version}' is not a version of URDF",
+            root,
+            attribute="version",
+            hint=did_you_mean(version, VERSIONS) or f"the versions are {', '.join(VERSIONS)}",
+        )
+        return VERSIONS[-1]
+    return version

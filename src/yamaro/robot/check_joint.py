@@ -1,0 +1,148 @@
+"""Check of one joint's values: its type, its axis, and the order and presence of its limits."""
+
+from __future__ import annotations
+
+from math import hypot
+
+from ..diagnostics import did_you_mean
+from ..xmltree import Element
+from .check_context import CheckContext, attribute_text, child_named, shown
+from .urdf import JOINT_TYPES
+
+UNIT_TOLERANCE = 1e-3
+"""How far from 1 the length of an axis may be: three digits, as 0.707 for 1/√2, are enough."""
+
+LIMITED = ("revolute", "prismatic")
+WITH_AXIS = ("revolute", "continuous", "prismatic", "planar")
+
+
+def check_joint(joint: Element, context: CheckContext) -> None:
+    """Check the values of a joint that its type gives a meaning to."""
+    kind = attribute_text(joint, "type")
+    if kind is None:
+        return
+    if kind not in JOINT_TYPES:
+        _report_type(kind, joint, context)
+        return
+    if kind in WITH_AXIS:
+        _check_axis(joint, context)
+    limit = child_named(joint, "limit")
+    if limit is not None:
+        _check_limit(limit, kind, joint, context)
+    elif kind in LIMITED:
+        _report_missing_limit(kind, joint, context)
+    safety = child_named(joint, "safety_controller")
+    if safety is not None:
+        _check_order(safety, "soft_lower_limit", "soft_upper_limit", joint, context)
+    dynamics = child_named(joint, "dynamics")
+    if dynamics is not None:
+        _check_dynamics(dynamics, joint, context)
+
+
+def _name(joint: Element) -> str:
+    return attribute_text(joint, "name") or ""
+
+
+def _report_type(kind: str, joint: Element, context: CheckContext) -> None:
+    context.warn(
+        "unknown-joint-type",
+        f"joint '{_name(joint)}' has the type '{kind}', which URDF does not know",
+        joint,
+        attribute="type",
+        hint=did_you_mean(kind, JOINT_TYPES) or f"the types are {', '.join(JOINT_TYPES)}",
+    )
+
+
+def _check_axis(joint: Element, context: CheckContext) -> None:
+    axis = child_named(joint, "axis")
+    xyz = context.numbers(axis, "xyz", 3)
+    if axis is None or not xyz:
+        return
+    length = hypot(*xyz)
+    if length == 0:
+        context.warn(
+            "zero-axis",
+            f"the axis of joint '{_name(joint)}' is zero, so it points nowhere",
+            axis,
+            attribute="xyz",
+            hint="give the direction the joint moves along or turns about, such as 0 0 1",
+        )
+    elif abs(length - 1) > UNIT_TOLERANCE:
+        unit = " ".join(shown(part / length) for part in xyz)
+        context.warn(
+            "axis-not-unit",
+            f"the axis of joint '{_name(joint)}' has the length {shown(length)} instead of 1",
+            axis,
+            attribute="xyz",
+            hint=f"write {unit}; some parsers scale the motion by the length",
+        )
+
+
+# --- limits -----------------------------------------------------------------------------------
+
+
+def _report_missing_limit(kind: str, joint: Element, context: CheckContext) -> None:
+    context.warn(
+        "missing-limit",
+        f"joint '{_name(joint)}' is {kind} and has no limit, which URDF requires",
+        joint,
+        hint=_limit_hint(kind, "add limit/lower=-1, upper=1, effort=10, velocity=2:"),
+    )
+
+
+def _limit_hint(kind: str, hint: str) -> str:
+    if kind == "revolute":
+        return f"{hint} or make the joint continuous, if it turns without end"
+    return hint
+
+
+def _check_limit(limit: Element, kind: str, joint: Element, context: CheckContext) -> None:
+    if kind in LIMITED:
+        has_range = any(attribute_text(limit, name) is not None for name in ("lower", "upper"))
+        if not has_range:
+            context.warn(
+                "missing-limit",
+                f"joint '{_name(joint)}' is {kind}, but its limit has no 'lower' and no 'upper': "
+                "parsers take 0 for both, and it cannot move",
+                limit,
+                hint=_limit_hint(kind, "add lower=-1, upper=1"),
+            )
+            return
+    if kind != "continuous":
+        _check_order(limit, "lower", "upper", joint, context)
+
+
+def _check_order(
+    element: Element, lower_name: str, upper_name: str, joint: Element, context: CheckContext
+) -> None:
+    """Check that the lower bound, 0 where it is absent, is not above the upper."""
+    lower = context.number(element, lower_name)
+    upper = context.number(element, upper_name)
+    if lower is None and attribute_text(element, lower_name) is None:
+        lower = 0.0
+    if upper is None and attribute_text(element, upper_name) is None:
+        upper = 0.0
+    if lower is None or upper is None or lower <= upper:
+        return
+    is_written = attribute_text(element, lower_name) is not None
+    context.warn(
+        "limit-order",
+        f"'{lower_name}' ({shown(lower)}) of joint '{_name(joint)}' is above "
+        f"'{upper_name}' ({shown(upper)})",
+        element,
+        attribute=lower_name if is_written else upper_name,
+        hint="swap the two" if is_written else f"'{lower_name}' is 0 when it is left out",
+    )
+
+
+def _check_dynamics(dynamics: Element, joint: Element, context: CheckContext) -> None:
+    """Check that it says something: urdfdom refuses a joint whose dynamics is bare."""
+    names = ("damping", "friction")
+    if any(attribute_text(dynamics, name) is not None for name in names):
+        return
+    context.warn(
+        "missing-attribute",
+        f"the dynamics of joint '{_name(joint)}' has neither 'damping' nor 'friction'",
+        dynamics,
+        hint="write dynamics/damping=0.1, friction=0.0: or leave it out",
+    )

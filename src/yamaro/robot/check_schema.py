@@ -1,0 +1,388 @@
+"""Check of each element against the URDF table: what is missing, unknown, repeated or malformed."""
+
+from __future__ import annotations
+
+from ..diagnostics import did_you_mean
+from ..xmltree import Element
+from .check_context import (
+    NOT_FINITE,
+    SPACING,
+    CheckContext,
+    NumberFault,
+    attribute_text,
+    label,
+    shown,
+)
+from .urdf import (
+    ANY,
+    ELEMENTS,
+    ONCE,
+    OPTIONAL_SINCE_1_2,
+    OUTERMOST,
+    POSITIVE,
+    TEXT,
+    AttributeRule,
+    ElementRule,
+)
+
+XYZ = "x y z"
+EXAMPLES = {
+    "xyz": XYZ,
+    "rpy": "roll pitch yaw",
+    "quat_xyzw": "x y z w",
+    "size": XYZ,
+    "scale": XYZ,
+    "rgba": "red green blue alpha",
+}
+COMPONENTS = {
+    "inertia": "inertia/ixx=1, ixy=0, ixz=0, iyy=1, iyz=0, izz=1:",
+    "mass": "mass/value=1.0:",
+    "geometry": "geometry: with box/size=…, cylinder/…, sphere/… or mesh/filename=… in it",
+    "parent": "parent/link=base:",
+    "child": "child/link=arm:",
+}
+GAZEBO_ONLY = frozenset(
+    "gravity kinematic kp kd mu mu1 mu2 selfCollide self_collide surface turnGravityOff "
+    "implicitSpringDamper provideFeedback".split()
+)
+REPEATED_INERTIA = {"iyx": "ixy", "izx": "ixz", "izy": "iyz"}
+PARENTS = {
+    "origin": "a joint, visual, collision or inertial",
+    "geometry": "a visual or collision",
+    "visual": "a link",
+    "collision": "a link",
+    "inertial": "a link",
+    "mass": "the inertial of a link",
+    "inertia": "the inertial of a link",
+    "color": "a material",
+    "texture": "a material",
+    "material": "a visual",
+    **dict.fromkeys(("box", "cylinder", "sphere", "capsule", "mesh"), "a geometry"),
+    **dict.fromkeys(("parent", "child", "axis", "limit", "mimic", "dynamics"), "a joint"),
+    **dict.fromkeys(("calibration", "safety_controller"), "a joint"),
+}
+
+
+def check_schema(root: Element, context: CheckContext) -> None:
+    """Check every element that URDF defines; what others define is left alone."""
+    _check_attributes(root, ELEMENTS["robot"], root, context)
+    for child in root.children:
+        if not isinstance(child, Element):
+            continue
+        if child.name in ("link", "joint", "material"):
+            _check_element(child, ELEMENTS[child.name], child, context)
+        elif child.name not in OUTERMOST:
+            _check_outermost(child, context)
+
+
+def _check_element(
+    element: Element, rule: ElementRule, owner: Element, context: CheckContext
+) -> None:
+    """Check an element and what is in it; the depth is bounded by the table."""
+    _check_attributes(element, rule, owner, context)
+    known = rule.children
+    first: dict[str, Element] = {}
+    for child in element.children:
+        if not isinstance(child, Element):
+            continue
+        name = child.name
+        if name not in known:
+            _check_unknown_child(child, element, rule, owner, context)
+            continue
+        if known[name] == ONCE:
+            if name in first:
+                _report_repeated(child, first[name], element, owner, context)
+                continue
+            first[name] = child
+        _check_element(child, ELEMENTS[name], owner, context)
+    for name in rule.required_children:
+        if name not in first:
+            _report_missing_child(name, element, owner, context)
+
+
+# --- attributes -------------------------------------------------------------------------------
+
+
+def _check_attributes(
+    element: Element, rule: ElementRule, owner: Element, context: CheckContext
+) -> None:
+    attributes = element.attributes
+    for name in attributes:
+        attribute_rule = rule.attributes.get(name)
+        if attribute_rule is None:
+            _check_unknown_attribute(name, element, rule, owner, context)
+        elif attribute_rule.count != TEXT:
+            _check_numbers(name, attribute_rule, element, owner, context)
+    for name in rule.required:
+        if attributes.get(name) is None:
+            _report_missing_attribute(name, element, owner, context)
+
+
+def _check_numbers(
+    name: str, rule: AttributeRule, element: Element, owner: Element, context: CheckContext
+) -> None:
+    text = attribute_text(element, name)
+    if text is None:
+        return
+    found = context.read(text)
+    if isinstance(found, NumberFault):
+        _report_not_a_number(found, text, name, element, owner, context)
+        return
+    if len(found) != rule.count:
+        _report_count(len(found), text, name, rule, element, owner, context)
+        return
+    if rule.sign == ANY:
+        return
+    for number in found:
+        if number < 0 or (rule.sign == POSITIVE and number == 0):
+            _report_sign(number, name, rule, element, owner, context)
+            return
+
+
+def _report_not_a_number(
+    fault: NumberFault,
+    text: str,
+    name: str,
+    element: Element,
+    owner: Element,
+    context: CheckContext,
+) -> None:
+    where = f"'{name}' of '{element.name}' in {label(owner)}"
+    if fault.kind == SPACING:
+        message = f"{where} is spaced so that urdfdom does not read it as a number"
+        hint = f"write '{' '.join(text.split())}': single spaces between numbers, none at the end"
+    elif fault.kind == NOT_FINITE:
+        message = f"{where} holds '{fault.item}', which is not a finite number"
+        hint = "write a number that is neither infinite nor NaN; no parser can use it"
+    else:
+        message = f"{where} holds '{fault.item}', which is not a number"
+        hint = _hint_for_word(fault.item, text)
+    context.warn("not-a-number", message, element, attribute=name, hint=hint)
+
+
+def _hint_for_word(item: str, text: str) -> str:
+    if "${" in text:
+        return "write $(…) for an expression; ${…} is xacro's"
+    if "$(" in text:
+        return "the expression was not evaluated: '$$(' stands for a literal '$('"
+    if "," in item:
+        return "separate numbers by spaces, and write 1.5 for one and a half"
+    return "write plain numbers such as 0.5 or 1e-3, separated by spaces"
+
+
+def _report_count(
+    count: int,
+    text: str,
+    name: str,
+    rule: AttributeRule,
+    element: Element,
+    owner: Element,
+    context: CheckContext,
+) -> None:
+    wanted = "1 number" if rule.count == 1 else f"{rule.count} numbers"
+    found = f"{count}: '{text}'" if count else "none"
+    hint = f"write {EXAMPLES.get(name, 'one number')}"
+    if name == "rgba" and count == 3:
+        hint = f"add the opacity as the fourth number: {text} 1"
+    context.warn(
+        "wrong-count",
+        f"'{name}' of '{element.name}' in {label(owner)} needs {wanted}, but has {found}",
+        element,
+        attribute=name,
+        hint=hint,
+    )
+
+
+def _report_sign(
+    number: float,
+    name: str,
+    rule: AttributeRule,
+    element: Element,
+    owner: Element,
+    context: CheckContext,
+) -> None:
+    where = f"'{name}' of '{element.name}' in {label(owner)}"
+    if rule.sign == POSITIVE:
+        context.warn(
+            "bad-size",
+            f"{where} holds {shown(number)}, but a size must be more than 0",
+            element,
+            attribute=name,
+            hint="give the real size in metres, or leave this geometry out",
+        )
+        return
+    context.warn(
+        "negative-value",
+        f"{where} is {shown(number)}, but cannot be negative",
+        element,
+        attribute=name,
+        hint="write the amount without a sign; it holds for both directions",
+    )
+
+
+def _report_missing_attribute(
+    name: str, element: Element, owner: Element, context: CheckContext
+) -> None:
+    if name in OPTIONAL_SINCE_1_2 and context.version == "1.2":
+        return
+    text = element.text().strip()
+    if text and name in ("value", "link", "xyz", "size", "radius", "filename", "rgba", "joint"):
+        hint = f"URDF wants it as an attribute: {element.name}/{name}={text}:"
+    elif name == "name":
+        hint = f"write {element.name}/name=…:"
+    else:
+        hint = f"write {element.name}/{name}=…: with a value"
+    subject = f"'{element.name}' in {label(owner)}"
+    if element is owner:
+        subject = label(owner) if name != "name" else f"a {element.name}"
+    if element.name == "robot":
+        subject = "the robot"
+    context.warn(
+        "missing-attribute", f"{subject} has no '{name}'", element, missing=name, hint=hint
+    )
+
+
+def _check_unknown_attribute(
+    name: str, element: Element, rule: ElementRule, owner: Element, context: CheckContext
+) -> None:
+    if ":" in name or name == "xmlns" or name in rule.extensions:
+        return
+    if element.attributes[name] is None or element.name == "robot":
+        return
+    if name in REPEATED_INERTIA and element.name == "inertia":
+        hint = (
+            f"leave it out: the matrix is symmetric, and '{REPEATED_INERTIA[name]}' stands for it"
+        )
+    else:
+        absent = [known for known in rule.attributes if known not in element.attributes]
+        hint = did_you_mean(name, absent) or _choices("attributes", element.name, rule.attributes)
+    context.warn(
+        "unknown-attribute",
+        f"URDF has no attribute '{name}' in {_place(element, owner)}; parsers ignore it",
+        element,
+        attribute=name,
+        hint=hint,
+    )
+
+
+def _choices(kind: str, name: str, known: dict[str, AttributeRule] | dict[str, str]) -> str:
+    if not known:
+        return f"'{name}' takes no {kind}; leave it out"
+    if len(known) == 1:
+        return f"'{name}' has one of the {kind}, '{next(iter(known))}'"
+    return f"the {kind} of '{name}' are {', '.join(known)}"
+
+
+def _holder(element: Element, owner: Element) -> str:
+    """Return how to speak of an element that has something: 'inertial' of link 'arm'."""
+    return label(owner) if element is owner else f"'{element.name}' of {label(owner)}"
+
+
+def _place(element: Element, owner: Element) -> str:
+    """Return how to speak of an element as a place: an 'inertial' (link 'arm')."""
+    return f"'{element.name}' ({label(owner)})"
+
+
+# --- children ---------------------------------------------------------------------------------
+
+
+def _report_repeated(
+    child: Element, first: Element, element: Element, owner: Element, context: CheckContext
+) -> None:
+    context.warn(
+        "repeated-element",
+        f"{_holder(element, owner)} has more than one '{child.name}'; parsers read the first",
+        child,
+        hint="keep one of them",
+        notes=(f"the first is at {first.span.place()}",),
+    )
+
+
+def _report_missing_child(
+    name: str, element: Element, owner: Element, context: CheckContext
+) -> None:
+    subject = _holder(element, owner)
+    hint = f"add {COMPONENTS[name]}"
+    if element.name == "inertial":
+        hint += "; in a part, `inertial: {mass: 1.0}` computes the inertia"
+    context.warn("missing-element", f"{subject} has no '{name}'", element, missing=name, hint=hint)
+
+
+def _check_unknown_child(
+    child: Element, element: Element, rule: ElementRule, owner: Element, context: CheckContext
+) -> None:
+    if ":" in child.name or child.name in rule.extensions:
+        return
+    context.warn(
+        "unknown-element",
+        f"URDF has no element '{child.name}' in {_place(element, owner)}; parsers ignore it",
+        child,
+        hint=_hint_for_stray(child, element, rule),
+    )
+
+
+def _hint_for_stray(child: Element, element: Element, rule: ElementRule) -> str:
+    name = child.name
+    if name in rule.attributes:
+        text = child.text().strip() or "…"
+        return f"in URDF it is an attribute: {element.name}/{name}={text}:"
+    if name in GAZEBO_ONLY:
+        return f"Gazebo reads '{name}' in a block of its own: gazebo/reference=…:"
+    if name == "gazebo":
+        return f"write it directly under the robot: gazebo/reference=…: names the {element.name}"
+    present = {other.name for other in element.elements()}
+    near = did_you_mean(
+        name, [word for word, many in rule.children.items() if many != ONCE or word not in present]
+    )
+    if near:
+        return near
+    if name in PARENTS:
+        return f"'{name}' belongs in {PARENTS[name]}"
+    return _choices("elements", element.name, rule.children)
+
+
+def _check_outermost(child: Element, context: CheckContext) -> None:
+    """Check an element directly under `robot`, where everybody's extensions stand as well."""
+    name = child.name
+    if name in PARENTS:
+        context.warn(
+            "unknown-element",
+            f"'{name}' means nothing directly under 'robot'; parsers ignore it",
+            child,
+            hint=f"it belongs in {PARENTS[name]}",
+        )
+        return
+    near = _near_outermost(child)
+    if near is not None:
+        context.warn(
+            "unknown-element",
+            f"URDF has no element '{name}', so parsers ignore it",
+            child,
+            hint=f"did you mean '{near}'?",
+        )
+
+
+def _near_outermost(child: Element) -> str | None:
+    """Return the element meant, if the name is one slip away from it and it is used like it."""
+    if ":" in child.name or "name" not in child.attributes:
+        return None
+    for known in ("link", "joint", "material", "transmission", "ros2_control"):
+        if is_one_slip_away(child.name, known):
+            return known
+    return None
+
+
+def is_one_slip_away(word: str, known: str) -> bool:
+    """Tell whether one letter too many, too few, wrong, swapped or in the wrong case separates."""
+    if word.lower() == known.lower():
+        return word != known
+    if abs(len(word) - len(known)) > 1:
+        return False
+    start = 0
+    while start < min(len(word), len(known)) and word[start] == known[start]:
+        start += 1
+    left, right = word[start:], known[start:]
+    if len(word) == len(known):
+        swapped = left[:2] == right[:2][::-1] and left[2:] == right[2:]
+        return swapped or left[1:] == right[1:]
+    return left[1:] == right if len(word) > len(known) else left == right[1:]

@@ -1,0 +1,277 @@
+"""Check of the names and of the tree that the joints make of the links."""
+
+from __future__ import annotations
+
+from ..xmltree import Element
+from .check_context import CheckContext, attribute_text, child_named, listed
+
+LONG_CHAIN = 1000
+"""Links on one path above which parsers that recurse run out of stack (pinocchio does at 5,000)."""
+MAX_PATH_SHOWN = 8
+NOWHERE = "\0"
+"""Stands for a parent that does not exist; no link can have this name."""
+
+
+class Tree:
+    """The links and joints of a robot by name, the first of each name, in the order written."""
+
+    __slots__ = ("joints", "links", "materials")
+
+    def __init__(self) -> None:
+        """Start empty."""
+        self.links: dict[str, Element] = {}
+        self.joints: dict[str, Element] = {}
+        self.materials: dict[str, Element] = {}
+
+
+def check_tree(links: list[Element], joints: list[Element], context: CheckContext) -> Tree:
+    """Check names, references and the shape of the tree; return what goes by which name."""
+    tree = Tree()
+    for link in links:
+        _check_name(link, tree.links, context)
+    for joint in joints:
+        _check_name(joint, tree.joints, context)
+    hanging, is_complete = _check_references(joints, tree, context)
+    in_circle = _check_circles(hanging, context)
+    if is_complete and not in_circle:
+        _check_roots(tree, hanging, context)
+    if not in_circle:
+        _check_depth(hanging, tree, context)
+    _check_mimics(joints, tree, context)
+    return tree
+
+
+# --- names ------------------------------------------------------------------------------------
+
+
+def _check_name(element: Element, known: dict[str, Element], context: CheckContext) -> None:
+    name = attribute_text(element, "name")
+    if name is None:
+        return
+    check_spelling(element, name, context)
+    first = known.setdefault(name, element)
+    if first is element or not name:
+        return
+    context.warn(
+        f"duplicate-{element.name}",
+        f"there are two {element.name}s named '{name}'",
+        element,
+        attribute="name",
+        hint="give each a name of its own; in a function, build it from an argument: $(side)_arm",
+        notes=(f"first defined at {first.value_span('name').place()}",),
+    )
+
+
+def check_spelling(element: Element, name: str, context: CheckContext) -> None:
+    """Check that a name is one that ROS and the parsers of URDF can all use."""
+    if name.isprintable() and name.strip() and (" " not in name or element.name == "robot"):
+        return
+    if not name.strip():
+        message = f"the name of {'the' if element.name == 'robot' else 'a'} {element.name} is empty"
+    elif any(char.isspace() for char in name):
+        message = f"the {element.name} name '{name}' has white space in it"
+    else:
+        message = f"the {element.name} name '{name}' holds characters that cannot be seen"
+    context.warn(
+        "bad-name",
+        message,
+        element,
+        attribute="name",
+        hint="use letters, digits and underscores, as in left_arm_link",
+    )
+
+
+# --- the tree ---------------------------------------------------------------------------------
+
+
+class Hanging:
+    """How a link hangs: the joint above it and the name of the parent link."""
+
+    __slots__ = ("joint", "parent")
+
+    def __init__(self, joint: Element, parent: str) -> None:
+        """Say that `joint` holds the link to the link named `parent`."""
+        self.joint = joint
+        self.parent = parent
+
+
+def _check_references(
+    joints: list[Element], tree: Tree, context: CheckContext
+) -> tuple[dict[str, Hanging], bool]:
+    """Return how each link hangs, and whether every joint says so and its links exist."""
+    hanging: dict[str, Hanging] = {}
+    is_complete = True
+    for joint in joints:
+        parent = _reference(joint, "parent", tree, context)
+        child = _reference(joint, "child", tree, context)
+        if child is None:
+            is_complete = False
+            continue
+        if child in hanging:
+            _report_two_parents(child, hanging[child].joint, joint, context)
+        else:
+            hanging[child] = Hanging(joint, NOWHERE if parent is None else parent)
+    return hanging, is_complete
+
+
+def _reference(joint: Element, role: str, tree: Tree, context: CheckContext) -> str | None:
+    """Return the name of a link that exists, or None after a report."""
+    element = child_named(joint, role)
+    name = attribute_text(element, "link")
+    if element is None or name is None:
+        return None
+    if name in tree.links:
+        return name
+    joint_name = attribute_text(joint, "name")
+    context.warn(
+        f"unknown-{role}",
+        f"the {role} '{name}' of joint '{joint_name}' is not a link of the robot",
+        element,
+        attribute="link",
+        hint=context.near(name, tree.links) or f"add a link named '{name}', or name one there is",
+    )
+    return None
+
+
+def _report_two_parents(child: str, first: Element, second: Element, context: CheckContext) -> None:
+    names = [attribute_text(joint, "name") or "" for joint in (first, second)]
+    context.warn(
+        "two-parents",
+        f"link '{child}' is the child of two joints, {listed(names)}",
+        child_named(second, "child") or second,
+        attribute="link",
+        hint="a link hangs on one joint: URDF is a tree and cannot close a loop",
+        notes=(f"the first joint is at {first.span.place()}",),
+    )
+
+
+def _check_circles(hanging: dict[str, Hanging], context: CheckContext) -> bool:
+    """Report each circle of joints once; return whether there is one."""
+    done: set[str] = set()
+    found = False
+    for start in hanging:
+        path: dict[str, None] = {}
+        name = start
+        while name in hanging and name not in done and name not in path:
+            path[name] = None
+            name = hanging[name].parent
+        if name in path:
+            found = True
+            names = list(path)
+            _report_circle(names[names.index(name) :], hanging, context)
+        done.update(path)
+    return found
+
+
+def _report_circle(circle: list[str], hanging: dict[str, Hanging], context: CheckContext) -> None:
+    joint = hanging[circle[0]].joint
+    way = [circle[0], *reversed(circle)]
+    if len(way) > MAX_PATH_SHOWN:
+        way = [*way[: MAX_PATH_SHOWN - 2], "…", way[-1]]
+    name = attribute_text(joint, "name")
+    if len(circle) == 1:
+        message = f"joint '{name}' has the link '{circle[0]}' both as parent and as child"
+    else:
+        message = f"the joints run in a circle: {' → '.join(way)}"
+    context.warn(
+        "joint-cycle",
+        message,
+        child_named(joint, "parent") or joint,
+        attribute="link",
+        hint="let one of these links hang on a link outside the circle, or be the root",
+    )
+
+
+def _check_roots(tree: Tree, hanging: dict[str, Hanging], context: CheckContext) -> None:
+    roots = [name for name in tree.links if name not in hanging]
+    if len(roots) < 2:
+        return
+    context.warn(
+        "several-roots",
+        f"the robot falls into {len(roots)} trees: {listed(roots)} are no joint's child",
+        tree.links[roots[1]],
+        attribute="name",
+        hint=f"join '{roots[1]}' to the rest, as with a joint/type=fixed",
+        notes=(f"the first root link is at {tree.links[roots[0]].span.place()}",),
+    )
+
+
+def _check_depth(hanging: dict[str, Hanging], tree: Tree, context: CheckContext) -> None:
+    """Warn once if a path from the root is too long for parsers that recurse."""
+    if len(hanging) < LONG_CHAIN:
+        return
+    depth: dict[str, int] = {}
+    for start in hanging:
+        path = []
+        name = start
+        while name in hanging and name not in depth:
+            path.append(name)
+            name = hanging[name].parent
+        level = depth.get(name, 0)
+        for name in reversed(path):
+            level += 1
+            depth[name] = level
+    deepest = max(depth, key=lambda name: depth[name])
+    if depth[deepest] <= LONG_CHAIN:
+        return
+    context.warn(
+        "long-chain",
+        f"link '{deepest}' has {depth[deepest]} joints above it",
+        tree.links[deepest],
+        attribute="name",
+        hint=f"keep chains under {LONG_CHAIN}: some parsers crash on longer ones (pinocchio)",
+    )
+
+
+# --- mimic ------------------------------------------------------------------------------------
+
+
+def _check_mimics(joints: list[Element], tree: Tree, context: CheckContext) -> None:
+    masters: dict[str, str] = {}
+    for joint in joints:
+        mimic = child_named(joint, "mimic")
+        master = attribute_text(mimic, "joint")
+        if mimic is None or master is None:
+            continue
+        name = attribute_text(joint, "name") or ""
+        if master not in tree.joints:
+            context.warn(
+                "unknown-mimic",
+                f"joint '{name}' mimics '{master}', which is not a joint of the robot",
+                mimic,
+                attribute="joint",
+                hint=context.near(master, tree.joints) or "name a joint that exists",
+            )
+        elif tree.joints.get(name) is joint:
+            masters[name] = master
+    _check_mimic_circles(masters, tree, context)
+
+
+def _check_mimic_circles(masters: dict[str, str], tree: Tree, context: CheckContext) -> None:
+    done: set[str] = set()
+    for start in masters:
+        path: dict[str, None] = {}
+        name = start
+        while name in masters and name not in done and name not in path:
+            path[name] = None
+            name = masters[name]
+        if name in path:
+            names = list(path)
+            _report_mimic_circle(names[names.index(name) :], tree, context)
+        done.update(path)
+
+
+def _report_mimic_circle(circle: list[str], tree: Tree, context: CheckContext) -> None:
+    joint = tree.joints[circle[0]]
+    if len(circle) == 1:
+        message = f"joint '{circle[0]}' mimics itself"
+    else:
+        way = [*circle[:MAX_PATH_SHOWN], circle[0]]
+        message = f"joints mimic one another in a circle: {' → '.join(way)}"
+    context.warn(
+        "mimic-cycle",
+        message,
+        child_named(joint, "mimic") or joint,
+        attribute="joint",
+        hint="let one of them be moved by itself, without a mimic",
+    )
