@@ -1,0 +1,473 @@
+"""The command: reads its arguments, runs a build, and says on which stream what came of it.
+
+Arguments are split by hand, and everything a plain conversion does not need is imported where it
+is used: start-up time is most of what a conversion takes.
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+
+from .output import STANDARD_OUTPUT, ProcessStreams, Streams, is_input, write_file
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from .compiler import Build
+    from .diagnostics import Diagnostic
+
+DONE = 0
+INPUT_ERROR = 1
+USAGE_ERROR = 2
+INTERNAL_ERROR = 70  # EX_SOFTWARE of sysexits.h
+INTERRUPTED = 130  # 128 + SIGINT, as shells count
+PIPE_CLOSED = 141  # 128 + SIGPIPE
+
+USAGE = "usage: yamaro [options] FILE [name:=value ...]   ('yamaro --help' tells more)"
+HELP = """\
+usage: yamaro [options] FILE [name:=value ...]
+
+Compile a YAML robot description to URDF, or to any other XML, on standard output.
+
+  FILE                  the YAML file, or - for standard input
+  name:=value           set a variable of the file to a YAML value: n:=3, sides:=[left, right]
+
+options, in any place:
+  -o, --output FILE     write to FILE instead; it is replaced in one step if all went well,
+                        and is left as it was otherwise
+  -q, --quiet           show errors only: no warnings, nothing that is printed
+      --strict          treat warnings as errors
+      --deps            list the files read and the meshes used, one a line, instead of the XML
+      --color WHEN      colour messages: auto (the default), always or never
+  -h, --help            show this help
+  -V, --version         show the version
+
+other commands:
+  yamaro check FILE [name:=value ...]   look for errors, warnings and doubtful things; write nothing
+  yamaro tree FILE [name:=value ...]    show links, joints and masses as a tree
+  yamaro completion bash|zsh|fish       print a completion script for the shell
+
+examples:
+  yamaro robot.yaml > robot.urdf
+  yamaro robot.yaml -o build/robot.urdf legs:=6 body_mass:=2.5
+  yamaro check robot.yaml && yamaro tree robot.yaml
+  generate_robot | yamaro -
+
+exit status: 0 done, 1 errors in the input or nowhere to write, 2 wrong usage
+"""
+
+OPTIONS = {
+    "-o": "output",
+    "--output": "output",
+    "-q": "quiet",
+    "--quiet": "quiet",
+    "--strict": "strict",
+    "--deps": "deps",
+    "--color": "color",
+    "-h": "help",
+    "--help": "help",
+    "-V": "version",
+    "--version": "version",
+}
+TAKES_VALUE = {"output": "a file name", "color": "auto, always or never"}
+COLORS = ("auto", "always", "never")
+COMMANDS = {
+    "build": frozenset(("output", "quiet", "strict", "deps", "color")),
+    "check": frozenset(("quiet", "strict", "color")),
+    "tree": frozenset(("quiet", "strict", "color")),
+    "completion": frozenset(),
+}
+
+
+class Arguments:
+    """What the command line asks for."""
+
+    __slots__ = ("assignments", "command", "options", "words")
+
+    def __init__(self) -> None:
+        """Start with a plain build of nothing."""
+        self.command = "build"
+        self.words: list[str] = []
+        self.assignments: list[str] = []
+        self.options: dict[str, str] = {}
+
+    def has(self, option: str) -> bool:
+        """Tell whether an option is given."""
+        return option in self.options
+
+
+class WrongUsage(Exception):
+    """The command line cannot be understood; the text says why."""
+
+
+class ProgramEnded(Exception):
+    """User code called sys.exit, which must not pass for success."""
+
+
+def main(argv: Sequence[str] | None = None) -> int:
+    """Run the command and return its exit status.
+
+    Args:
+        argv: the arguments without the program's name. None takes those of the process, and
+            treats the process as the command's own: its standard output is then kept apart from
+            user code at the level of file descriptors, and for good.
+    """
+    streams: Streams | None = None
+    try:
+        if argv is None:
+            import gc
+
+            # A build makes a tree that lives to the end: collecting on the way finds nothing.
+            gc.disable()
+        arguments = parse_arguments(sys.argv[1:] if argv is None else argv)
+        stream_class = ProcessStreams if argv is None else Streams
+        streams = stream_class(quiet=arguments.has("quiet"))
+        return _run(arguments, streams)
+    except WrongUsage as error:
+        return _report_usage(str(error), streams)
+    except ProgramEnded as error:
+        (streams or Streams(quiet=False)).say(f"yamaro: error: {error}")
+        return INPUT_ERROR
+    except BrokenPipeError:
+        return PIPE_CLOSED
+    except KeyboardInterrupt:
+        return INTERRUPTED
+    except MemoryError:
+        (streams or Streams(quiet=False)).say("yamaro: error: out of memory")
+        return INPUT_ERROR
+    except Exception as error:
+        return _report_fault(error, streams or Streams(quiet=False))
+
+
+# --- arguments --------------------------------------------------------------------------------
+
+
+def parse_arguments(argv: Sequence[str]) -> Arguments:
+    """Return what a command line asks for; raise WrongUsage if that is not clear."""
+    arguments = Arguments()
+    pending = list(reversed(argv))
+    only_words = False
+    while pending:
+        word = pending.pop()
+        if only_words or word == "-" or not word.startswith("-"):
+            _add_word(arguments, word, is_plain=only_words)
+        elif word == "--":
+            only_words = True
+        elif word.startswith("--"):
+            _add_long_option(arguments, word, pending)
+        else:
+            _add_short_options(arguments, word, pending)
+        if arguments.has("help") or arguments.has("version"):
+            return arguments
+    _check_arguments(arguments)
+    return arguments
+
+
+def _add_word(arguments: Arguments, word: str, *, is_plain: bool) -> None:
+    name, assigns, _ = word.partition(":=")
+    if assigns and os.sep not in name:
+        arguments.assignments.append(word)
+    elif arguments.command == "build" and not arguments.words and word in COMMANDS and not is_plain:
+        arguments.command = word
+    else:
+        arguments.words.append(word)
+
+
+def _add_long_option(arguments: Arguments, word: str, pending: list[str]) -> None:
+    name, has_value, value = word.partition("=")
+    option = OPTIONS.get(name)
+    if option is None:
+        raise WrongUsage(f"there is no option '{name}'{_near(name, OPTIONS)}")
+    if option not in TAKES_VALUE:
+        if has_value:
+            raise WrongUsage(f"'{name}' takes no value")
+        value = ""
+    elif not has_value:
+        value = _next_value(name, option, pending)
+    _set_option(arguments, name, value)
+
+
+def _add_short_options(arguments: Arguments, word: str, pending: list[str]) -> None:
+    """Add `-q`, `-qo FILE` or `-oFILE`."""
+    for position, letter in enumerate(word[1:], start=2):
+        name = "-" + letter
+        option = OPTIONS.get(name)
+        if option is None:
+            near = _near("-" + word, OPTIONS) if len(word) > 2 else ""
+            raise WrongUsage(
+                f"there is no option '{name}'{' in ' + _quote(word) if near else ''}{near}"
+            )
+        if option in TAKES_VALUE:
+            _set_option(arguments, name, word[position:] or _next_value(name, option, pending))
+            return
+        _set_option(arguments, name, "")
+
+
+def _next_value(name: str, option: str, pending: list[str]) -> str:
+    if not pending:
+        raise WrongUsage(f"'{name}' needs {TAKES_VALUE[option]} after it")
+    return pending.pop()
+
+
+def _set_option(arguments: Arguments, name: str, value: str) -> None:
+    option = OPTIONS[name]
+    if option in TAKES_VALUE and arguments.has(option):
+        raise WrongUsage(f"'{name}' is given twice")
+    if option == "output" and not value:
+        raise WrongUsage(f"'{name}' needs {TAKES_VALUE[option]} after it")
+    if option == "color" and value not in COLORS:
+        raise WrongUsage(f"'{name}' takes {TAKES_VALUE[option]}, not {_quote(value)}")
+    arguments.options[option] = value
+
+
+def _check_arguments(arguments: Arguments) -> None:
+    command = arguments.command
+    for option in arguments.options:
+        if option not in COMMANDS[command]:
+            raise WrongUsage(f"'--{option}' has no meaning for 'yamaro {command}'")
+    if command == "completion":
+        return
+    if not arguments.words:
+        raise WrongUsage(_missing_file(command))
+    if len(arguments.words) > 1:
+        raise WrongUsage(_second_file(*arguments.words[:2]))
+
+
+def _missing_file(command: str) -> str:
+    if command == "build":
+        return "no FILE is given"
+    aside = f"; for a file of that name write './{command}'" if os.path.isfile(command) else ""
+    return f"'yamaro {command}' needs a FILE{aside}"
+
+
+def _second_file(first: str, second: str) -> str:
+    if not os.path.exists(first) and (near := _near(first, COMMANDS)):
+        return f"there is no command {_quote(first)}{near}"
+    name, has_value, value = second.partition("=")
+    hint = f"; variables are set like {_quote(f'{name}:={value}')}" if has_value else ""
+    return f"{_quote(second)} is one FILE too many after {_quote(first)}{hint}"
+
+
+def _near(word: str, candidates: dict[str, str] | dict[str, frozenset[str]]) -> str:
+    from .diagnostics import did_you_mean
+
+    hint = did_you_mean(word, [name for name in candidates if name != "build"])
+    return f"; {hint}" if hint else ""
+
+
+def _quote(text: str) -> str:
+    from .diagnostics import printable
+
+    return f"'{printable(text)}'"
+
+
+# --- commands ---------------------------------------------------------------------------------
+
+
+def _run(arguments: Arguments, streams: Streams) -> int:
+    if arguments.has("help"):
+        return _deliver(HELP.encode(), arguments, streams)
+    if arguments.has("version"):
+        return _deliver(f"yamaro {_version()}\n".encode(), arguments, streams)
+    if arguments.command == "completion":
+        return _deliver(_completion(arguments.words), arguments, streams)
+    return _run_on_file(arguments, streams)
+
+
+def _run_on_file(arguments: Arguments, streams: Streams) -> int:
+    """Build the file, say what there is to say, and write the result."""
+    from .diagnostics import YamaroError
+
+    _refuse_overwriting(arguments, arguments.words)
+    try:
+        build, content = _build(arguments, streams)
+    except YamaroError as error:
+        _show(error.diagnostics, arguments, streams)
+        return INPUT_ERROR
+    _show(build.warnings, arguments, streams)
+    if arguments.command == "check" and build.warnings:
+        return INPUT_ERROR
+    _refuse_overwriting(arguments, [*build.files, *build.meshes])
+    return _deliver(content, arguments, streams)
+
+
+def _deliver(content: bytes, arguments: Arguments, streams: Streams) -> int:
+    """Write the result to where it is wanted; a place that cannot be written to is an error."""
+    output = arguments.options.get("output", "-")
+    try:
+        if output in STANDARD_OUTPUT:
+            streams.write_result(content)
+        else:
+            write_file(output, content)
+    except BrokenPipeError:
+        raise
+    except OSError as error:
+        name = "to standard output" if output in STANDARD_OUTPUT else _quote(output)
+        streams.say(f"yamaro: error: cannot write {name}: {error.strerror or error}")
+        return INPUT_ERROR
+    return DONE
+
+
+def _build(arguments: Arguments, streams: Streams) -> tuple[Build, bytes]:
+    """Build the file, with standard output out of reach; return the build and what to write."""
+    import warnings
+
+    from . import compiler
+
+    path = arguments.words[0]
+    text = _read_standard_input() if path == "-" else None
+    streams.divert()
+    try:
+        with warnings.catch_warnings():
+            if not sys.warnoptions:  # user code's warnings, unless asked for with -W
+                warnings.simplefilter("ignore")
+            build = compiler.build(
+                path,
+                command_line=arguments.assignments,
+                strict=arguments.has("strict"),
+                on_message=_drop if streams.quiet else streams.say,
+                text=text,
+                advice=arguments.command == "check",
+            )
+            return build, _result(build, arguments, streams)
+    except compiler.UsageError as error:
+        raise WrongUsage(str(error)) from None
+    except SystemExit as error:
+        raise ProgramEnded(f"Python code of the file ended the program: {error!r}") from None
+    finally:
+        streams.restore()
+
+
+def _result(build: Build, arguments: Arguments, streams: Streams) -> bytes:
+    """Return what a successful build gives under the command and options asked for."""
+    if arguments.command == "tree":
+        return _tree(build, arguments, streams)
+    if arguments.has("deps"):
+        names = dict.fromkeys(filter(os.path.isabs, build.files + build.meshes))
+        return b"".join(os.fsencode(name) + b"\n" for name in names)
+    content = build.xml().encode()  # a check needs it too: some faults show only here
+    if arguments.command == "check":
+        return b"" if streams.quiet else f"{_display_name(arguments)}: ok\n".encode()
+    return content
+
+
+def _tree(build: Build, arguments: Arguments, streams: Streams) -> bytes:
+    from .tools.tree import render_tree
+
+    if build.root.name != "robot":
+        raise WrongUsage(f"'yamaro tree' shows robots, and this is a <{build.root.name}>")
+    encoding = streams.result_encoding()
+    try:
+        "└─├│…".encode(encoding)
+        has_lines = True
+    except (UnicodeEncodeError, LookupError):
+        has_lines = False
+    color = _has_color(arguments, is_terminal=streams.is_terminal(result=True))
+    text = render_tree(build.root, ascii=not has_lines, color=color)
+    return text.encode(encoding if has_lines else "ascii", "backslashreplace")
+
+
+def _completion(words: list[str]) -> bytes:
+    from .tools import completion
+
+    if len(words) == 2 and words[0] == "variables":
+        return completion.variable_lines(words[1]).encode("utf-8", "replace")
+    if len(words) != 1 or words[0] not in completion.SHELLS:
+        raise WrongUsage(f"'yamaro completion' needs a shell: {', '.join(completion.SHELLS)}")
+    return completion.script(words[0]).encode()
+
+
+def _refuse_overwriting(arguments: Arguments, inputs: Sequence[str]) -> None:
+    output = arguments.options.get("output", "-")
+    if output not in STANDARD_OUTPUT and is_input(output, inputs):
+        raise WrongUsage(f"the output {_quote(output)} is one of the files that are compiled")
+
+
+def _read_standard_input() -> str:
+    if sys.stdin is None:
+        raise WrongUsage("standard input is closed")
+    buffer = getattr(sys.stdin, "buffer", None)
+    return sys.stdin.read() if buffer is None else buffer.read().decode("utf-8", "surrogateescape")
+
+
+def _version() -> str:
+    from importlib.metadata import PackageNotFoundError, version
+
+    try:
+        return version("yamaro")
+    except PackageNotFoundError:
+        return "(not installed)"
+
+
+# --- what is said -----------------------------------------------------------------------------
+
+
+def _show(diagnostics: Sequence[Diagnostic], arguments: Arguments, streams: Streams) -> None:
+    """Write diagnostics to standard error; a quiet build keeps its warnings to itself."""
+    from .diagnostics import ERROR, render
+
+    if streams.quiet and arguments.command != "check":
+        diagnostics = [one for one in diagnostics if one.severity == ERROR]
+    if not diagnostics:
+        return
+    color = _has_color(arguments, is_terminal=streams.is_terminal())
+    streams.say("\n\n".join(render(one, color=color) for one in diagnostics))
+    if arguments.command == "check":
+        errors = sum(one.severity == ERROR for one in diagnostics)
+        counts = [(errors, "error"), (len(diagnostics) - errors, "warning")]
+        told = [f"{count} {word}{'s' if count > 1 else ''}" for count, word in counts if count]
+        streams.say(f"\n{_display_name(arguments)}: {', '.join(told)}")
+
+
+def _display_name(arguments: Arguments) -> str:
+    from .diagnostics import printable
+
+    path = arguments.words[0]
+    return "standard input" if path == "-" else printable(path)
+
+
+def _drop(message: str) -> None:
+    """Take a message of a quiet run."""
+
+
+def _has_color(arguments: Arguments, *, is_terminal: bool) -> bool:
+    """Tell whether to colour: the option, then NO_COLOR, FORCE_COLOR, TERM, then the terminal."""
+    when = arguments.options.get("color", "auto")
+    if when != "auto":
+        return when == "always"
+    environ = os.environ
+    if environ.get("NO_COLOR"):
+        return False
+    if environ.get("FORCE_COLOR"):
+        return True
+    return is_terminal and environ.get("TERM") != "dumb"
+
+
+def _report_usage(message: str, streams: Streams | None) -> int:
+    from .diagnostics import printable
+
+    (streams or Streams(quiet=False)).say(f"yamaro: error: {printable(message)}\n{USAGE}")
+    return USAGE_ERROR
+
+
+def _report_fault(error: Exception, streams: Streams) -> int:
+    """Tell a fault of Yamaro's apart from a fault of the input."""
+    from .diagnostics import printable
+
+    trace = error.__traceback__
+    while trace is not None and trace.tb_next is not None:
+        trace = trace.tb_next
+    place = ""
+    if trace is not None:
+        place = f" ({os.path.basename(trace.tb_frame.f_code.co_filename)}:{trace.tb_lineno})"
+    streams.say(
+        f"yamaro: internal error: {type(error).__name__}: {printable(str(error))}{place}\n"
+        "this is a fault in Yamaro, not in your file; please report it with what you ran"
+    )
+    if os.environ.get("YAMARO_TRACEBACK"):
+        import traceback
+
+        streams.say("".join(traceback.format_exception(error)).rstrip())
+    return INTERNAL_ERROR

@@ -1,0 +1,305 @@
+"""Draws the kinematic tree of a finished robot as text, one line a link."""
+
+from __future__ import annotations
+
+from ..xmltree import format_value
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from ..xmltree import Element
+
+# Degrees of freedom by joint type, as pinocchio counts them (nv of its joint models).
+DEGREES_OF_FREEDOM = {"revolute": 1, "continuous": 1, "prismatic": 1, "planar": 3, "floating": 6}
+MAX_INDENTED_DEPTH = 24
+MAX_ALIGNED_WIDTH = 64
+
+_BOLD, _DIM, _CYAN, _RED, _RESET = "\033[1m", "\033[2m", "\033[36m", "\033[1;31m", "\033[0m"
+
+
+class Joint:
+    """What the tree shows of a joint."""
+
+    __slots__ = ("child", "facts", "kind", "mimic", "name", "parent")
+
+    def __init__(self, element: Element, *, dots: str) -> None:
+        """Read a `<joint>`; `dots` stands between two limits."""
+        self.name = _attribute(element, "name")
+        self.kind = _attribute(element, "type")
+        self.parent = self.child = self.mimic = ""
+        axis, limit = "1 0 0", ""
+        for part in element.elements():
+            if part.name == "parent":
+                self.parent = _attribute(part, "link")
+            elif part.name == "child":
+                self.child = _attribute(part, "link")
+            elif part.name == "axis":
+                axis = _attribute(part, "xyz") or axis
+            elif part.name == "mimic":
+                self.mimic = _attribute(part, "joint")
+            elif part.name == "limit":
+                limit = _limits(part, kind=self.kind, dots=dots)
+        moves = self.kind in DEGREES_OF_FREEDOM and self.kind != "floating"
+        self.facts = [_axis_name(axis) if moves else "", limit]
+        if self.mimic:
+            self.facts[1] = f"{limit}  mimics {self.mimic}".lstrip()
+
+
+class Line:
+    """One line of the tree: a link, and the joint that holds it."""
+
+    __slots__ = ("branch", "joint", "link", "mass", "remark")
+
+    def __init__(self, branch: str, link: str, *, joint: Joint | None) -> None:
+        """Start a line; `branch` is the lines drawn in front of the link."""
+        self.branch = branch
+        self.link = link
+        self.joint = joint
+        self.mass = ""
+        self.remark = ""
+
+
+def render_tree(root: Element, *, ascii: bool = False, color: bool = False) -> str:
+    """Return the kinematic tree of a robot as text that ends in a line break.
+
+    A line shows a link, its mass, and the joint that holds it: name, type, axis and limits. The
+    last line counts links and joints, and sums degrees of freedom and mass. What is no tree, such
+    as a loop or a second root, is shown with a remark; nothing recurses, however long the chain.
+
+    Args:
+        root: a finished `<robot>`.
+        ascii: draw with `|` and `-` only, for terminals that have no box-drawing characters.
+        color: use ANSI colours.
+    """
+    robot = _Robot(root, dots=".." if ascii else "…")
+    lines = list(_walk(robot, ascii=ascii))
+    rows = _aligned([_cells(line) for line in lines])
+    shown = [_painted(line, row) if color else row for line, row in zip(lines, rows, strict=True)]
+    summary = robot.summary()
+    problems = robot.problems()
+    blank = [""] if shown else []
+    return "\n".join([*shown, *blank, *problems, summary]) + "\n"
+
+
+class _Robot:
+    """The links and joints of a robot, by name."""
+
+    __slots__ = ("children", "joints", "joints_from", "links", "name")
+
+    def __init__(self, root: Element, *, dots: str) -> None:
+        self.name = _attribute(root, "name")
+        self.links: dict[str, float | None] = {}
+        self.joints: list[Joint] = []
+        for element in root.elements():
+            if element.name == "link":
+                self.links.setdefault(_attribute(element, "name"), _mass(element))
+            elif element.name == "joint":
+                self.joints.append(Joint(element, dots=dots))
+        self.children = {joint.child for joint in self.joints}
+        self.joints_from: dict[str, list[Joint]] = {}
+        for joint in self.joints:
+            if joint.parent and joint.child:
+                self.joints_from.setdefault(joint.parent, []).append(joint)
+
+    def starts(self) -> list[str]:
+        """Return where to start: the roots, then each link, for what no root leads to."""
+        names = list(dict.fromkeys([*self.joints_from, *self.links]))
+        ordered = sorted(names, key=lambda name: name not in self.links)
+        return [name for name in ordered if name not in self.children] + ordered
+
+    def problems(self) -> list[str]:
+        """Return a line for each joint that connects nothing."""
+        return [
+            f"joint '{joint.name}' connects nothing"
+            for joint in self.joints
+            if not (joint.parent and joint.child)
+        ]
+
+    def summary(self) -> str:
+        """Return the counts and sums."""
+        moving = [joint for joint in self.joints if joint.kind in DEGREES_OF_FREEDOM]
+        free = sum(DEGREES_OF_FREEDOM[joint.kind] for joint in moving if not joint.mimic)
+        mimics = sum(bool(joint.mimic) for joint in moving)
+        joints = f"{_counted(len(self.joints), 'joint')} ({len(moving)} movable"
+        joints += f", {_counted(mimics, 'mimic')})" if mimics else ")"
+        masses = [mass for mass in self.links.values() if mass is not None]
+        parts = [
+            _counted(len(self.links), "link"),
+            joints,
+            _counted(free, "degree") + " of freedom",
+            _mass_text(sum(masses)) if masses else "no mass",
+        ]
+        return f"{self.name or 'robot'}: {', '.join(parts)}"
+
+
+def _walk(robot: _Robot, *, ascii: bool) -> Iterator[Line]:
+    """Yield the lines of the tree in the order of the joints, each link once."""
+    seen: set[str] = set()
+    roots = 0
+    for start in robot.starts():
+        if start in seen:
+            continue
+        roots += 1
+        line = _line(robot, start, seen, branch="", joint=None)
+        if roots > 1 and not line.remark:
+            line.remark = "another root"
+        yield line
+        stack = _below(robot, start, depth=1, indent="")
+        while stack:
+            joint, depth, indent, is_last = stack.pop()
+            is_new = joint.child not in seen
+            branch, deeper = _branches(indent, depth=depth, is_last=is_last, ascii=ascii)
+            yield _line(robot, joint.child, seen, branch=branch, joint=joint)
+            if is_new:
+                stack.extend(_below(robot, joint.child, depth=depth + 1, indent=deeper))
+
+
+def _below(
+    robot: _Robot, link: str, *, depth: int, indent: str
+) -> list[tuple[Joint, int, str, bool]]:
+    """Return the steps to what hangs on a link, the first one last, as a stack wants them."""
+    joints = robot.joints_from.get(link, [])
+    last = len(joints) - 1
+    steps = [(joint, depth, indent, number == last) for number, joint in enumerate(joints)]
+    return steps[::-1]
+
+
+def _branches(indent: str, *, depth: int, is_last: bool, ascii: bool) -> tuple[str, str]:
+    """Return what is drawn before a link, and before those below it; very deep ones by number."""
+    if depth > MAX_INDENTED_DEPTH:
+        return f"{'..' if ascii else '⋯'} {depth:>4} ", indent
+    if ascii:
+        return indent + ("`- " if is_last else "|- "), indent + ("   " if is_last else "|  ")
+    return indent + ("└─ " if is_last else "├─ "), indent + ("   " if is_last else "│  ")
+
+
+def _line(robot: _Robot, link: str, seen: set[str], *, branch: str, joint: Joint | None) -> Line:
+    """Return the line of a link, with a remark if something is wrong with it."""
+    line = Line(branch, link, joint=joint)
+    if link in seen:
+        line.remark = "shown above: not a tree"
+        return line
+    seen.add(link)
+    if link not in robot.links:
+        line.remark = "no such link"
+    elif joint is None and link in robot.children:
+        line.remark = "part of a loop"
+    mass = robot.links.get(link)
+    line.mass = "" if mass is None else _mass_text(mass)
+    return line
+
+
+# --- layout -----------------------------------------------------------------------------------
+
+
+def _cells(line: Line) -> list[str]:
+    """Return the columns of a line."""
+    joint = line.joint
+    cells = [line.branch + line.link, line.mass]
+    cells += [joint.name, joint.kind, *joint.facts] if joint is not None else [""] * 4
+    cells.append(f"<- {line.remark}" if line.remark else "")
+    return cells
+
+
+def _aligned(rows: list[list[str]]) -> list[str]:
+    """Return each row as text, with columns of equal width; a very long cell sticks out."""
+    if not rows:
+        return []
+    widths = []
+    for column in zip(*rows, strict=True):
+        widths.append(min(max(map(_width, column)), MAX_ALIGNED_WIDTH))
+    return [_joined(row, widths) for row in rows]
+
+
+def _joined(row: list[str], widths: list[int]) -> str:
+    """Return a row as text; the column of masses is set to the right."""
+    cells = []
+    for number, (cell, width) in enumerate(zip(row, widths, strict=True)):
+        if width:
+            pad = " " * (width - _width(cell))
+            cells.append(pad + cell if number == 1 else cell + pad)
+    return "  ".join(cells).rstrip()
+
+
+def _width(text: str) -> int:
+    """Return how many terminal cells a text takes."""
+    if text.isascii():
+        return len(text)
+    from unicodedata import combining, east_asian_width
+
+    return sum(0 if combining(c) else 2 if east_asian_width(c) in "WF" else 1 for c in text)
+
+
+def _painted(line: Line, row: str) -> str:
+    """Return the row with colours."""
+    branch, rest = row[: len(line.branch)], row[len(line.branch) :]
+    link, rest = rest[: len(line.link)], rest[len(line.link) :]
+    if line.remark:
+        head, arrow, remark = rest.rpartition("<- ")
+        rest = f"{head}{_RED}{arrow}{remark}{_RESET}"
+    if line.joint is not None and line.joint.kind:
+        head, kind, tail = rest.partition(f"  {line.joint.kind}")
+        rest = f"{head}{_CYAN}{kind}{_RESET}{tail}"
+    return f"{_DIM}{branch}{_RESET}{_BOLD}{link}{_RESET}{rest}"
+
+
+# --- values -----------------------------------------------------------------------------------
+
+
+def _attribute(element: Element, name: str) -> str:
+    return _one_line(format_value(element.attributes.get(name)))
+
+
+def _one_line(text: str) -> str:
+    from ..diagnostics import printable
+
+    return printable(text).replace("\t", " ")
+
+
+def _number(text: str) -> float | None:
+    try:
+        return float(text)
+    except ValueError:
+        return None
+
+
+def _mass(link: Element) -> float | None:
+    """Return the mass of a link in kg, or None if it has none."""
+    for inertial in link.elements():
+        if inertial.name == "inertial":
+            for mass in inertial.elements():
+                if mass.name == "mass":
+                    return _number(_attribute(mass, "value"))
+    return None
+
+
+def _mass_text(mass: float) -> str:
+    """Return a mass in kg with up to four digits."""
+    return f"{mass:.0f} kg" if abs(mass) >= 1000 else f"{mass:.4g} kg"
+
+
+def _limits(element: Element, *, kind: str, dots: str) -> str:
+    """Return the range of a joint, in the unit of its type."""
+    if kind == "continuous":
+        return ""
+    numbers = [_number(_attribute(element, end) or "0") for end in ("lower", "upper")]
+    if None in numbers or ("lower" not in element.attributes and "upper" not in element.attributes):
+        return ""
+    unit = {"revolute": " rad", "prismatic": " m"}.get(kind, "")
+    lower, upper = (f"{number:.4g}" for number in numbers)
+    return f"{lower} {dots} {upper}{unit}"
+
+
+def _axis_name(text: str) -> str:
+    """Return `x`, `-z` and the like for an axis along one direction, else the vector itself."""
+    numbers = [_number(part) for part in text.split()]
+    along = [(name, number) for name, number in zip("xyz", numbers, strict=False) if number]
+    if len(numbers) == 3 and None not in numbers and len(along) == 1:
+        name, number = along[0]
+        return f"-{name}" if number < 0 else name
+    return f"({' '.join(text.split())})"
+
+
+def _counted(count: int, noun: str) -> str:
+    return f"{count} {noun}" if count == 1 else f"{count} {noun}s"
