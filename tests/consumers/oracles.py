@@ -126,9 +126,9 @@ def mujoco_inertia(shape: str, size: list[float], mass: float) -> Matrix:
         f"""<mujoco><worldbody><body><freejoint/><geom type="{shape}" mass="{mass!r}"
         size="{" ".join(map(repr, halves))}"/></body></worldbody></mujoco>"""
     )
-    rotation = np.zeros(9)
-    mujoco.mju_quat2Mat(rotation, model.body_iquat[1])
-    rotation = rotation.reshape(3, 3)
+    flat = np.zeros(9)
+    mujoco.mju_quat2Mat(flat, model.body_iquat[1])
+    rotation = flat.reshape(3, 3)
     return np.array(rotation @ np.diag(model.body_inertia[1]) @ rotation.T)
 
 

@@ -1,0 +1,71 @@
+"""The source, docs/diagnostics.md and the golden cases know the same diagnostic codes."""
+
+from __future__ import annotations
+
+import ast
+import re
+from pathlib import Path
+
+import pytest
+
+REPOSITORY = Path(__file__).parents[1]
+LISTING = REPOSITORY / "docs" / "diagnostics.md"
+
+CODE = r"[a-z0-9]+(?:-[a-z0-9]+)*"
+# A code has a heading of its own, or the first cell of a row in a table.
+LISTED = re.compile(rf"^(?:#{{2,4}} |\| *)`({CODE})`", re.MULTILINE)
+GIVEN = re.compile(rf"^(?:error|warning)\[({CODE})\]", re.MULTILINE)
+
+# Callables whose first argument is a code.
+RAISERS = {"Diagnostic", "failure", "warn"}
+
+
+def codes_listed() -> list[str]:
+    return LISTED.findall(LISTING.read_text(encoding="utf-8"))
+
+
+def codes_of_cases() -> set[str]:
+    files = (REPOSITORY / "tests" / "cases").glob("*/*.err")
+    return {code for file in files for code in GIVEN.findall(file.read_bytes().decode())}
+
+
+def codes_in_source() -> set[str]:
+    return {
+        call.args[0].value
+        for file in (REPOSITORY / "src").rglob("*.py")
+        for call in ast.walk(ast.parse(file.read_text(encoding="utf-8")))
+        if isinstance(call, ast.Call)
+        and getattr(call.func, "attr", getattr(call.func, "id", "")) in RAISERS
+        and call.args
+        and isinstance(call.args[0], ast.Constant)
+        and isinstance(call.args[0].value, str)
+        and re.fullmatch(CODE, call.args[0].value)
+    }
+
+
+listing = pytest.mark.skipif(not LISTING.exists(), reason="docs/diagnostics.md is not written yet")
+
+
+@listing
+def test_every_listed_code_has_a_golden_case() -> None:
+    assert sorted(set(codes_listed()) - codes_of_cases()) == []
+
+
+@listing
+def test_every_code_of_a_golden_case_is_listed() -> None:
+    assert sorted(codes_of_cases() - set(codes_listed())) == []
+
+
+@listing
+def test_every_code_in_the_source_is_listed() -> None:
+    assert sorted(codes_in_source() - set(codes_listed())) == []
+
+
+@listing
+def test_no_code_is_listed_twice() -> None:
+    assert sorted(codes_listed()) == sorted(set(codes_listed()))
+
+
+def test_codes_are_found_in_the_source() -> None:
+    # These two stand in modules that no language change will touch.
+    assert {"control-character", "undeclared-prefix"} <= codes_in_source()
