@@ -1,0 +1,243 @@
+"""Makes completion scripts for shells, and lists the variables that a file lets one set.
+
+The scripts ask the command for the variables of the file on the command line. Only the YAML is
+read for that: no expression is evaluated and nothing is imported.
+"""
+
+from __future__ import annotations
+
+import os
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from ..syntax.yaml_nodes import YamlNode
+
+SHELLS = ("bash", "zsh", "fish")
+MAX_BYTES = 8 << 20
+MAX_DEFAULT = 40
+
+
+def script(shell: str) -> str:
+    """Return the completion script for one of `SHELLS`."""
+    return {"bash": _BASH, "zsh": _ZSH, "fish": _FISH}[shell]
+
+
+def variable_lines(path: str) -> str:
+    """Return a line `name:=<tab>default` for each variable in the root of a file.
+
+    A file that cannot be read has none: someone who is still typing wants no errors.
+    """
+    from ..diagnostics import Reporter, YamaroError, printable
+    from ..source import Source
+    from ..syntax.yaml_reader import read
+
+    if path.startswith("~"):
+        path = os.path.expanduser(path)
+    try:
+        if not os.path.isfile(path) or os.path.getsize(path) > MAX_BYTES:
+            return ""
+        with open(path, encoding="utf-8-sig", newline="") as file:
+            root = read(Source(file.read(), name=path), reporter=Reporter())
+    except (OSError, UnicodeDecodeError, YamaroError):
+        return ""
+    lines: dict[str, str] = {}
+    for section, body in _pairs(root):
+        if section == "variables":
+            for key, value in _pairs(body):
+                name = key.partition("/")[0].strip()
+                if name.isidentifier():
+                    lines.setdefault(name, printable(_shortened(value)).replace("\t", " "))
+    return "".join(f"{name}:=\t{default}\n" for name, default in lines.items())
+
+
+def _pairs(node: YamlNode) -> Iterator[tuple[str, YamlNode]]:
+    """Yield key text and value of a mapping, or of each mapping in a list of them."""
+    from ..syntax.yaml_nodes import MappingNode, SequenceNode
+
+    if isinstance(node, SequenceNode):
+        for item in node.items:
+            if isinstance(item, MappingNode):
+                yield from _pairs(item)
+    elif isinstance(node, MappingNode):
+        for key, value in node:
+            yield key.text, value
+
+
+def _shortened(value: YamlNode) -> str:
+    """Return the spelling of a value on one short line."""
+    text = " ".join(value.source.text[value.start : value.end].split())
+    return text if len(text) <= MAX_DEFAULT else text[: MAX_DEFAULT - 1] + "…"
+
+
+_BASH = r"""# bash completion for yamaro; put this in ~/.bashrc:  eval "$(yamaro completion bash)"
+
+_yamaro() {
+    local IFS=$' \t\n' current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]}
+    local typed=${COMP_LINE:0:COMP_POINT} command= file= skip= word last
+    local -a words
+    read -ra words <<<"$typed"
+    [[ $typed == *[[:space:]] ]] && words+=("")
+    last=$((${#words[@]} - 1))
+    for word in "${words[@]:1:last-1}"; do
+        if [[ $skip ]]; then skip=; continue; fi
+        case $word in
+            -o | --output | --color) skip=1 ;;
+            -?* | *:=*) ;;
+            check | tree | completion) if [[ $command$file ]]; then file=${file:-$word}; else command=$word; fi ;;
+            *) file=${file:-$word} ;;
+        esac
+    done
+    COMPREPLY=()
+    case ${words[last]} in *:=*) return ;; esac
+    if [[ $previous == = ]]; then previous=${COMP_WORDS[COMP_CWORD - 2]}; fi
+    if [[ $current == = ]]; then current=; previous=${COMP_WORDS[COMP_CWORD - 1]}; fi
+    case $previous in
+        --color) COMPREPLY=($(compgen -W "auto always never" -- "$current")); return ;;
+        -o | --output) _yamaro_files "$current" ""; return ;;
+    esac
+    if [[ $command == completion ]]; then
+        COMPREPLY=($(compgen -W "bash zsh fish" -- "$current"))
+    elif [[ $current == -* ]]; then
+        local options="-q --quiet --strict --color"
+        [[ $command ]] || options+=" -o --output --deps -h --help -V --version"
+        COMPREPLY=($(compgen -W "$options" -- "$current"))
+    elif [[ $file ]]; then
+        local names
+        names=$(yamaro completion variables "${file/#\~\//$HOME/}" 2>/dev/null | cut -f 1)
+        COMPREPLY=($(compgen -W "$names" -- "$current"))
+        compopt -o nospace 2>/dev/null
+    else
+        [[ $command ]] || COMPREPLY=($(compgen -W "check tree completion" -- "$current"))
+        _yamaro_files "$current" yaml yml
+    fi
+}
+
+# Add the folders, and the files with one of the endings, that begin with $1.
+_yamaro_files() {
+    local IFS=$'\n' current=$1 ending
+    shift
+    COMPREPLY+=($(compgen -d -- "$current"))
+    for ending in "$@"; do
+        if [[ $ending ]]; then
+            COMPREPLY+=($(compgen -f -X "!*.$ending" -- "$current"))
+        else
+            COMPREPLY=($(compgen -f -- "$current"))
+        fi
+    done
+    compopt -o filenames 2>/dev/null
+}
+
+complete -F _yamaro yamaro
+"""
+
+_ZSH = r"""#compdef yamaro
+# zsh completion for yamaro; put this in ~/.zshrc after compinit:  eval "$(yamaro completion zsh)"
+
+_yamaro_words() {
+    local word skip command file
+    for word in "${(@)words[2,CURRENT-1]}"; do
+        if [[ -n $skip ]]; then skip=; continue; fi
+        case $word in
+            -o | --output | --color) skip=1 ;;
+            -?* | *:=*) ;;
+            check | tree | completion)
+                if [[ -n $command$file ]]; then file=${file:-$word}; else command=$word; fi ;;
+            *) file=${file:-$word} ;;
+        esac
+    done
+    if [[ $command == completion ]]; then
+        compadd bash zsh fish
+    elif [[ -n $file ]]; then
+        [[ $PREFIX == *:=* ]] && return 1
+        local -a names described
+        local name default
+        yamaro completion variables "${(Q)file/#\~\//$HOME/}" 2>/dev/null |
+            while IFS=$'\t' read -r name default; do
+                names+=("$name")
+                described+=("$name $default")
+            done
+        compadd -S '' -l -d described -a names
+    else
+        if [[ -z $command ]]; then
+            local -a commands=(
+                'check:look for errors, warnings and doubtful things'
+                'tree:show links, joints and masses as a tree'
+                'completion:print a completion script'
+            )
+            _describe -t commands command commands
+        fi
+        _files -g '*.(yaml|yml)(-.)'
+    fi
+}
+
+_yamaro() {
+    _arguments -s -S \
+        '(-o --output)'{-o+,--output=}'[write to FILE]:output file:_files' \
+        '(-q --quiet)'{-q,--quiet}'[show errors only]' \
+        '--strict[treat warnings as errors]' \
+        '--deps[list the files read and the meshes used]' \
+        '--color=[colour messages]:when:(auto always never)' \
+        '(- *)'{-h,--help}'[show help]' \
+        '(- *)'{-V,--version}'[show the version]' \
+        '*: :_yamaro_words'
+}
+
+if [[ ${funcstack[1]} == _yamaro ]]; then _yamaro "$@"; else compdef _yamaro yamaro; fi
+"""
+
+_FISH = r"""# fish completion for yamaro:  yamaro completion fish > ~/.config/fish/completions/yamaro.fish
+
+# Print the words before the cursor that are neither options nor variables: command and file.
+function __yamaro_words
+    set -l skip 0
+    set -l words (commandline -opc)
+    for word in $words[2..-1]
+        if test $skip = 1
+            set skip 0
+            continue
+        end
+        switch $word
+            case -o --output --color
+                set skip 1
+            case '-?*' '*:=*'
+            case '*'
+                echo -- $word
+        end
+    end
+end
+
+function __yamaro_command
+    set -l words (__yamaro_words)
+    contains -- "$words[1]" check tree completion; and echo $words[1]
+end
+
+function __yamaro_file
+    set -l words (__yamaro_words)
+    contains -- "$words[1]" check tree completion; and set -e words[1]
+    test -n "$words[1]"; and echo -- $words[1]
+end
+
+function __yamaro_variables
+    string match -q '*:=*' -- (commandline -ct); and return
+    set -l file (__yamaro_file | string replace -r '^~/' "$HOME/")
+    yamaro completion variables $file 2>/dev/null
+end
+
+set -l no_file 'not __yamaro_file >/dev/null'
+complete -c yamaro -f
+complete -c yamaro -n "not __yamaro_command >/dev/null; and $no_file" -a check -d 'look for errors, warnings and doubtful things'
+complete -c yamaro -n "not __yamaro_command >/dev/null; and $no_file" -a tree -d 'show links, joints and masses as a tree'
+complete -c yamaro -n "not __yamaro_command >/dev/null; and $no_file" -a completion -d 'print a completion script'
+complete -c yamaro -n 'test (__yamaro_command) = completion 2>/dev/null' -a 'bash zsh fish'
+complete -c yamaro -n "$no_file; and not test (__yamaro_command) = completion 2>/dev/null" -k -a '(__fish_complete_suffix .yaml; __fish_complete_suffix .yml)'
+complete -c yamaro -n '__yamaro_file >/dev/null; and not test (__yamaro_command) = completion 2>/dev/null' -k -a '(__yamaro_variables)'
+complete -c yamaro -s o -l output -r -F -d 'write to FILE'
+complete -c yamaro -s q -l quiet -d 'show errors only'
+complete -c yamaro -l strict -d 'treat warnings as errors'
+complete -c yamaro -l deps -d 'list the files read and the meshes used'
+complete -c yamaro -l color -x -a 'auto always never' -d 'colour messages'
+complete -c yamaro -s h -l help -d 'show help'
+complete -c yamaro -s V -l version -d 'show the version'
+"""
