@@ -77,7 +77,7 @@ def _check_robot(root: Element, links: list[Element], context: CheckContext) -> 
             "no-link",
             "the robot has no link, and parsers refuse a robot without one",
             root,
-            hint="add one, as in link/name=base_link:",
+            hint="add one, as in `link/name=base_link:`",
         )
     version = attribute_text(root, "version")
     if version is None:

@@ -201,7 +201,7 @@ def _advise_on_limit(joint: Element, context: CheckContext) -> None:
                 f"{shown(fabs(bound) / (2 * pi))} turns",
                 limit,
                 attribute=attribute,
-                hint=f"write $(radians({shown(bound)})) if it is in degrees",
+                hint=f"write `$(radians({shown(bound)}))` if it is in degrees",
             )
     if context.version == "1.2":
         return
@@ -212,7 +212,7 @@ def _advise_on_limit(joint: Element, context: CheckContext) -> None:
                 f"'{attribute}' of joint '{name}' is ignored before URDF 1.2",
                 limit,
                 attribute=attribute,
-                hint="write version=1.2 on the robot, if all that reads it knows URDF 1.2",
+                hint="write `version=1.2` on the robot, if all that reads it knows URDF 1.2",
             )
 
 
@@ -260,7 +260,7 @@ def _advise_on_mesh(
             f"the mesh '{filename}' of {label(link)} is {shown(size)} m across",
             mesh,
             attribute="filename",
-            hint="if it is drawn in millimetres, write scale=0.001 0.001 0.001",
+            hint="if it is drawn in millimetres, write `scale=0.001 0.001 0.001`",
         )
 
 

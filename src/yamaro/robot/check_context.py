@@ -95,7 +95,7 @@ class CheckContext:
             if diagnostic is None:
                 continue
             if found.count > 1:
-                diagnostic.notes += (f"so it is {_times(found.count)} from this place",)
+                diagnostic.notes += (f"{found.count} elements made here have this fault",)
             self.reporter.add(diagnostic)
         self._found.clear()
 
@@ -146,13 +146,9 @@ def read_numbers(text: str) -> tuple[float, ...] | NumberFault:
         if not isfinite(number):
             return NumberFault(item, NOT_FINITE)
         numbers.append(number)
-    if numbers and not text.isprintable() or (len(numbers) == 1 and text[-1] == " "):
+    if (numbers and not text.isprintable()) or (len(numbers) == 1 and text[-1] == " "):
         return NumberFault(text, SPACING)
     return tuple(numbers)
-
-
-def _times(count: int) -> str:
-    return "twice" if count == 2 else f"{count} times"
 
 
 def attribute_text(element: Element | None, attribute: str) -> str | None:

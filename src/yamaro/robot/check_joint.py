@@ -12,6 +12,18 @@ from .urdf import JOINT_TYPES
 UNIT_TOLERANCE = 1e-3
 """How far from 1 the length of an axis may be: three digits, as 0.707 for 1/√2, are enough."""
 
+OTHER_NAMES = {
+    "hinge": "revolute",
+    "rotary": "revolute",
+    "rotational": "revolute",
+    "slider": "prismatic",
+    "linear": "prismatic",
+    "sliding": "prismatic",
+    "weld": "fixed",
+    "free": "floating",
+}
+"""What other formats call the types of joints."""
+
 LIMITED = ("revolute", "prismatic")
 WITH_AXIS = ("revolute", "continuous", "prismatic", "planar")
 
@@ -44,12 +56,14 @@ def _name(joint: Element) -> str:
 
 
 def _report_type(kind: str, joint: Element, context: CheckContext) -> None:
+    synonym = OTHER_NAMES.get(kind.lower())
+    near = f"URDF calls it '{synonym}'" if synonym else did_you_mean(kind, JOINT_TYPES)
     context.warn(
         "unknown-joint-type",
         f"joint '{_name(joint)}' has the type '{kind}', which URDF does not know",
         joint,
         attribute="type",
-        hint=did_you_mean(kind, JOINT_TYPES) or f"the types are {', '.join(JOINT_TYPES)}",
+        hint=near or f"the types are {', '.join(JOINT_TYPES)}",
     )
 
 
@@ -86,13 +100,13 @@ def _report_missing_limit(kind: str, joint: Element, context: CheckContext) -> N
         "missing-limit",
         f"joint '{_name(joint)}' is {kind} and has no limit, which URDF requires",
         joint,
-        hint=_limit_hint(kind, "add limit/lower=-1, upper=1, effort=10, velocity=2:"),
+        hint=_limit_hint(kind, "add `limit/lower=-1, upper=1, effort=10, velocity=2:`"),
     )
 
 
 def _limit_hint(kind: str, hint: str) -> str:
     if kind == "revolute":
-        return f"{hint} or make the joint continuous, if it turns without end"
+        return f"{hint}, or make the joint continuous if it turns without end"
     return hint
 
 
@@ -105,7 +119,7 @@ def _check_limit(limit: Element, kind: str, joint: Element, context: CheckContex
                 f"joint '{_name(joint)}' is {kind}, but its limit has no 'lower' and no 'upper': "
                 "parsers take 0 for both, and it cannot move",
                 limit,
-                hint=_limit_hint(kind, "add lower=-1, upper=1"),
+                hint=_limit_hint(kind, "add `lower=-1, upper=1` to it"),
             )
             return
     if kind != "continuous":
@@ -124,14 +138,14 @@ def _check_order(
         upper = 0.0
     if lower is None or upper is None or lower <= upper:
         return
-    is_written = attribute_text(element, lower_name) is not None
+    absent = [n for n in (lower_name, upper_name) if attribute_text(element, n) is None]
     context.warn(
         "limit-order",
         f"'{lower_name}' ({shown(lower)}) of joint '{_name(joint)}' is above "
         f"'{upper_name}' ({shown(upper)})",
         element,
-        attribute=lower_name if is_written else upper_name,
-        hint="swap the two" if is_written else f"'{lower_name}' is 0 when it is left out",
+        attribute=upper_name if lower_name in absent else lower_name,
+        hint=f"give '{absent[0]}' too: it is 0 when it is left out" if absent else "swap the two",
     )
 
 
@@ -144,5 +158,5 @@ def _check_dynamics(dynamics: Element, joint: Element, context: CheckContext) ->
         "missing-attribute",
         f"the dynamics of joint '{_name(joint)}' has neither 'damping' nor 'friction'",
         dynamics,
-        hint="write dynamics/damping=0.1, friction=0.0: or leave it out",
+        hint="write `dynamics/damping=0.1, friction=0.0:` or leave it out",
     )

@@ -12,6 +12,7 @@ TRIANGLE_TOLERANCE = 1e-3
 """By how much, relative, two principal moments may fall short of the third: room for rounding."""
 
 ANGLE_TOLERANCE = 1e-2
+CAPSULE_CODE = "capsule-needs-urdf-1.1"
 INERTIA_NAMES = ("ixx", "ixy", "ixz", "iyy", "iyz", "izz")
 
 
@@ -161,6 +162,8 @@ def _check_geometry(
         )
     if shapes[0].name == "mesh":
         _check_scale(shapes[0], where, context)
+    elif shapes[0].name == "capsule" and context.version == "1.0":
+        _report_capsule(shapes[0], where, context)
 
 
 def _check_scale(mesh: Element, where: str, context: CheckContext) -> None:
@@ -171,8 +174,20 @@ def _check_scale(mesh: Element, where: str, context: CheckContext) -> None:
             f"the scale of the mesh in {where} holds 0, which flattens it",
             mesh,
             attribute="scale",
-            hint="write 1 1 1 for the mesh as it is, 0.001 0.001 0.001 if it is in millimetres",
+            hint="write `1 1 1` for the mesh as it is, `0.001 0.001 0.001` if it is in millimetres",
         )
+
+
+def _report_capsule(capsule: Element, where: str, context: CheckContext) -> None:
+    """Warn of a capsule in URDF 1.0, unless a part with a capsule has been warned of already."""
+    if any(known.code == CAPSULE_CODE for known in context.reporter.diagnostics):
+        return
+    context.warn(
+        CAPSULE_CODE,
+        f"the geometry in {where} is a capsule, which URDF has since version 1.1",
+        capsule,
+        hint="write `version=1.1` on the robot, or use a cylinder: urdfdom drops the shape in 1.0",
+    )
 
 
 # --- poses ------------------------------------------------------------------------------------
@@ -193,7 +208,7 @@ def check_pose(element: Element, owner: Element, context: CheckContext) -> None:
                 f"'rpy' in {label(owner)} holds {shown(angle)}, more than a full turn",
                 origin,
                 attribute="rpy",
-                hint=f"angles are in radians: write $(radians({shown(angle)})) if it is in degrees",
+                hint=f"angles are in radians: write `$(radians({shown(angle)}))` if it is in degrees",
             )
             return
 
@@ -214,7 +229,7 @@ def _check_quaternion(origin: Element, owner: Element, context: CheckContext) ->
             f"the origin in {label(owner)} has 'quat_xyzw', which URDF 1.0 ignores",
             origin,
             attribute="quat_xyzw",
-            hint="write version=1.1 on the robot, or give the rotation as rpy",
+            hint="write `version=1.1` on the robot, or give the rotation as rpy",
         )
         return
     numbers = context.numbers(origin, "quat_xyzw", 4)

@@ -29,7 +29,7 @@ def check_materials(materials: list[Element], links: list[Element], context: Che
             material,
             attribute="name",
             hint=context.near(name, [*known, *sorted(inline)])
-            or f"define it once: material/name={name}: with color/rgba=0.8 0.8 0.8 1: in it",
+            or f"define it: `material/name={name}:` with `color/rgba=0.8 0.8 0.8 1:` in it",
         )
 
 
@@ -81,7 +81,7 @@ def _check_global(material: Element, known: dict[str, Element], context: CheckCo
             "missing-element",
             f"material '{name}' has neither a color nor a texture",
             material,
-            hint="add color/rgba=0.8 0.8 0.8 1:",
+            hint="add `color/rgba=0.8 0.8 0.8 1:`",
         )
 
 
@@ -104,7 +104,7 @@ def _check_color(material: Element, context: CheckContext) -> None:
 
 def _color_hint(rgba: tuple[float, ...]) -> str:
     if min(rgba) < 0 or max(rgba) > 255 or max(rgba) < 2:
-        return "write red green blue alpha, such as 0.8 0.8 0.8 1"
+        return "write red green blue alpha, such as `0.8 0.8 0.8 1`"
     alpha = rgba[3] if rgba[3] <= 1 else rgba[3] / 255
     parts = [*(part / 255 for part in rgba[:3]), alpha]
-    return f"divide by 255: {' '.join(f'{part:.3g}' for part in parts)}"
+    return f"divide by 255: `{' '.join(f'{part:.3g}' for part in parts)}`"

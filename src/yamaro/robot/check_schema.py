@@ -26,7 +26,7 @@ from .urdf import (
 )
 
 XYZ = "x y z"
-EXAMPLES = {
+COMPONENTS = {
     "xyz": XYZ,
     "rpy": "roll pitch yaw",
     "quat_xyzw": "x y z w",
@@ -34,17 +34,35 @@ EXAMPLES = {
     "scale": XYZ,
     "rgba": "red green blue alpha",
 }
-COMPONENTS = {
-    "inertia": "inertia/ixx=1, ixy=0, ixz=0, iyy=1, iyz=0, izz=1:",
-    "mass": "mass/value=1.0:",
-    "geometry": "geometry: with box/size=…, cylinder/…, sphere/… or mesh/filename=… in it",
-    "parent": "parent/link=base:",
-    "child": "child/link=arm:",
+EXAMPLES = {
+    "value": "1.0",
+    "link": "base",
+    "joint": "left_finger_joint",
+    "xyz": "0 0 1",
+    "size": "0.4 0.3 0.2",
+    "radius": "0.1",
+    "length": "0.5",
+    "rgba": "0.8 0.8 0.8 1",
+    "filename": "package://my_robot/meshes/arm.stl",
+    "effort": "10",
+    "velocity": "2",
+    "k_velocity": "10",
+    "type": "fixed",
+    "name": "my_name",
+    **dict.fromkeys(("ixx", "iyy", "izz"), "0.01"),
+    **dict.fromkeys(("ixy", "ixz", "iyz"), "0"),
+}
+REMEDIES = {
+    "inertia": "add `inertia/ixx=0.01, ixy=0, ixz=0, iyy=0.01, iyz=0, izz=0.01:`; "
+    "a part computes it from the mass and the shape",
+    "mass": "add `mass/value=1.0:` in kilograms",
+    "geometry": "add `geometry:` with `box/size=0.4 0.3 0.2:` or another shape in it",
+    "parent": "add `parent/link=base:`",
+    "child": "add `child/link=arm:`",
 }
 GAZEBO_ONLY = frozenset(
-    "gravity kinematic kp kd mu mu1 mu2 selfCollide self_collide surface turnGravityOff "
-    "implicitSpringDamper provideFeedback".split()
-)
+    ("gravity", "implicitSpringDamper", "kd", "kinematic", "kp", "mu", "mu1", "mu2")
+) | {"provideFeedback", "selfCollide", "self_collide", "surface", "turnGravityOff"}
 REPEATED_INERTIA = {"iyx": "ixy", "izx": "ixz", "izy": "iyz"}
 PARENTS = {
     "origin": "a joint, visual, collision or inertial",
@@ -150,10 +168,10 @@ def _report_not_a_number(
     where = f"'{name}' of '{element.name}' in {label(owner)}"
     if fault.kind == SPACING:
         message = f"{where} is spaced so that urdfdom does not read it as a number"
-        hint = f"write '{' '.join(text.split())}': single spaces between numbers, none at the end"
+        hint = f"write `{' '.join(text.split())}`: single spaces between numbers, none at the end"
     elif fault.kind == NOT_FINITE:
         message = f"{where} holds '{fault.item}', which is not a finite number"
-        hint = "write a number that is neither infinite nor NaN; no parser can use it"
+        hint = "write a finite number; parsers refuse NaN and infinities"
     else:
         message = f"{where} holds '{fault.item}', which is not a number"
         hint = _hint_for_word(fault.item, text)
@@ -162,9 +180,9 @@ def _report_not_a_number(
 
 def _hint_for_word(item: str, text: str) -> str:
     if "${" in text:
-        return "write $(…) for an expression; ${…} is xacro's"
+        return "write `$(…)` for an expression; `${…}` is xacro's"
     if "$(" in text:
-        return "the expression was not evaluated: '$$(' stands for a literal '$('"
+        return "the expression was not evaluated: `$$(` stands for a literal `$(`"
     if "," in item:
         return "separate numbers by spaces, and write 1.5 for one and a half"
     return "write plain numbers such as 0.5 or 1e-3, separated by spaces"
@@ -181,7 +199,9 @@ def _report_count(
 ) -> None:
     wanted = "1 number" if rule.count == 1 else f"{rule.count} numbers"
     found = f"{count}: '{text}'" if count else "none"
-    hint = f"write {EXAMPLES.get(name, 'one number')}"
+    hint = "write one number"
+    if rule.count > 1:
+        hint = f"write {rule.count} numbers: {COMPONENTS[name]}"
     if name == "rgba" and count == 3:
         hint = f"add the opacity as the fourth number: {text} 1"
     context.warn(
@@ -226,12 +246,12 @@ def _report_missing_attribute(
     if name in OPTIONAL_SINCE_1_2 and context.version == "1.2":
         return
     text = element.text().strip()
-    if text and name in ("value", "link", "xyz", "size", "radius", "filename", "rgba", "joint"):
-        hint = f"URDF wants it as an attribute: {element.name}/{name}={text}:"
-    elif name == "name":
-        hint = f"write {element.name}/name=…:"
+    if text and len(ELEMENTS[element.name].required) == 1:
+        hint = f"URDF wants it as an attribute: `{element.name}/{name}={text}:`"
+    elif element.name == "robot":
+        hint = "name it: `robot: my_robot`"
     else:
-        hint = f"write {element.name}/{name}=…: with a value"
+        hint = f"add it, as in `{element.name}/{name}={EXAMPLES[name]}:`"
     subject = f"'{element.name}' in {label(owner)}"
     if element is owner:
         subject = label(owner) if name != "name" else f"a {element.name}"
@@ -258,7 +278,7 @@ def _check_unknown_attribute(
         hint = did_you_mean(name, absent) or _choices("attributes", element.name, rule.attributes)
     context.warn(
         "unknown-attribute",
-        f"URDF has no attribute '{name}' in {_place(element, owner)}; parsers ignore it",
+        f"URDF has no attribute '{name}' in {_holder(element, owner)}; parsers ignore it",
         element,
         attribute=name,
         hint=hint,
@@ -269,18 +289,13 @@ def _choices(kind: str, name: str, known: dict[str, AttributeRule] | dict[str, s
     if not known:
         return f"'{name}' takes no {kind}; leave it out"
     if len(known) == 1:
-        return f"'{name}' has one of the {kind}, '{next(iter(known))}'"
+        return f"'{name}' takes only '{next(iter(known))}'"
     return f"the {kind} of '{name}' are {', '.join(known)}"
 
 
 def _holder(element: Element, owner: Element) -> str:
     """Return how to speak of an element that has something: 'inertial' of link 'arm'."""
     return label(owner) if element is owner else f"'{element.name}' of {label(owner)}"
-
-
-def _place(element: Element, owner: Element) -> str:
-    """Return how to speak of an element as a place: an 'inertial' (link 'arm')."""
-    return f"'{element.name}' ({label(owner)})"
 
 
 # --- children ---------------------------------------------------------------------------------
@@ -302,10 +317,13 @@ def _report_missing_child(
     name: str, element: Element, owner: Element, context: CheckContext
 ) -> None:
     subject = _holder(element, owner)
-    hint = f"add {COMPONENTS[name]}"
-    if element.name == "inertial":
-        hint += "; in a part, `inertial: {mass: 1.0}` computes the inertia"
-    context.warn("missing-element", f"{subject} has no '{name}'", element, missing=name, hint=hint)
+    context.warn(
+        "missing-element",
+        f"{subject} has no '{name}'",
+        element,
+        missing=name,
+        hint=REMEDIES[name],
+    )
 
 
 def _check_unknown_child(
@@ -313,9 +331,15 @@ def _check_unknown_child(
 ) -> None:
     if ":" in child.name or child.name in rule.extensions:
         return
+    if element.name == "geometry":
+        message = f"'{child.name}' in {label(owner)} is not a shape that URDF has"
+    else:
+        message = (
+            f"URDF has no element '{child.name}' in {_holder(element, owner)}; parsers ignore it"
+        )
     context.warn(
         "unknown-element",
-        f"URDF has no element '{child.name}' in {_place(element, owner)}; parsers ignore it",
+        message,
         child,
         hint=_hint_for_stray(child, element, rule),
     )
@@ -325,11 +349,11 @@ def _hint_for_stray(child: Element, element: Element, rule: ElementRule) -> str:
     name = child.name
     if name in rule.attributes:
         text = child.text().strip() or "…"
-        return f"in URDF it is an attribute: {element.name}/{name}={text}:"
+        return f"in URDF it is an attribute: `{element.name}/{name}={text}:`"
     if name in GAZEBO_ONLY:
-        return f"Gazebo reads '{name}' in a block of its own: gazebo/reference=…:"
+        return f"Gazebo reads '{name}' in a block of its own, `gazebo/reference=my_link:`"
     if name == "gazebo":
-        return f"write it directly under the robot: gazebo/reference=…: names the {element.name}"
+        return f"write it directly under the robot: `gazebo/reference=my_{element.name}:`"
     present = {other.name for other in element.elements()}
     near = did_you_mean(
         name, [word for word, many in rule.children.items() if many != ONCE or word not in present]

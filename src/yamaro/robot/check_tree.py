@@ -57,7 +57,7 @@ def _check_name(element: Element, known: dict[str, Element], context: CheckConte
         f"there are two {element.name}s named '{name}'",
         element,
         attribute="name",
-        hint="give each a name of its own; in a function, build it from an argument: $(side)_arm",
+        hint="give each a name of its own; in a function, build it from an argument: `$(side)_arm`",
         notes=(f"first defined at {first.value_span('name').place()}",),
     )
 
@@ -148,7 +148,7 @@ def _report_two_parents(child: str, first: Element, second: Element, context: Ch
 def _check_circles(hanging: dict[str, Hanging], context: CheckContext) -> bool:
     """Report each circle of joints once; return whether there is one."""
     done: set[str] = set()
-    found = False
+    circles = []
     for start in hanging:
         path: dict[str, None] = {}
         name = start
@@ -156,20 +156,27 @@ def _check_circles(hanging: dict[str, Hanging], context: CheckContext) -> bool:
             path[name] = None
             name = hanging[name].parent
         if name in path:
-            found = True
             names = list(path)
-            _report_circle(names[names.index(name) :], hanging, context)
+            circles.append(names[names.index(name) :])
         done.update(path)
-    return found
+    if circles:
+        order = {name: index for index, name in enumerate(hanging)}
+        for circle in circles:
+            last = circle.index(max(circle, key=order.__getitem__))
+            _report_circle(circle[last:] + circle[:last], hanging, context)
+    return bool(circles)
 
 
 def _report_circle(circle: list[str], hanging: dict[str, Hanging], context: CheckContext) -> None:
+    """Report a circle, given from child to parent, at the joint that was written last."""
     joint = hanging[circle[0]].joint
     way = [circle[0], *reversed(circle)]
     if len(way) > MAX_PATH_SHOWN:
         way = [*way[: MAX_PATH_SHOWN - 2], "…", way[-1]]
     name = attribute_text(joint, "name")
+    hint = "let one of these links hang on a link outside the circle, or be the root"
     if len(circle) == 1:
+        hint = "name the link it hangs on as its parent"
         message = f"joint '{name}' has the link '{circle[0]}' both as parent and as child"
     else:
         message = f"the joints run in a circle: {' → '.join(way)}"
@@ -178,7 +185,7 @@ def _report_circle(circle: list[str], hanging: dict[str, Hanging], context: Chec
         message,
         child_named(joint, "parent") or joint,
         attribute="link",
-        hint="let one of these links hang on a link outside the circle, or be the root",
+        hint=hint,
     )
 
 
@@ -191,7 +198,7 @@ def _check_roots(tree: Tree, hanging: dict[str, Hanging], context: CheckContext)
         f"the robot falls into {len(roots)} trees: {listed(roots)} are no joint's child",
         tree.links[roots[1]],
         attribute="name",
-        hint=f"join '{roots[1]}' to the rest, as with a joint/type=fixed",
+        hint=f"make '{roots[1]}' the child of a joint; one of `type=fixed` will do",
         notes=(f"the first root link is at {tree.links[roots[0]].span.place()}",),
     )
 
@@ -263,7 +270,9 @@ def _check_mimic_circles(masters: dict[str, str], tree: Tree, context: CheckCont
 
 def _report_mimic_circle(circle: list[str], tree: Tree, context: CheckContext) -> None:
     joint = tree.joints[circle[0]]
+    hint = "let one of them be moved by itself, without a mimic"
     if len(circle) == 1:
+        hint = "name the joint that leads, or leave the mimic out"
         message = f"joint '{circle[0]}' mimics itself"
     else:
         way = [*circle[:MAX_PATH_SHOWN], circle[0]]
@@ -273,5 +282,5 @@ def _report_mimic_circle(circle: list[str], tree: Tree, context: CheckContext) -
         message,
         child_named(joint, "mimic") or joint,
         attribute="joint",
-        hint="let one of them be moved by itself, without a mimic",
+        hint=hint,
     )
