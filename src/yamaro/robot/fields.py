@@ -1,0 +1,380 @@
+"""The body of a part, joint, link or section, sorted into keys and the XML elements beside them."""
+
+from __future__ import annotations
+
+from ..diagnostics import YamaroError, failure, suggest
+from ..xmltree import Comment, Element, LiteralList, Text, format_value
+from .places import Place, home_of
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from ..source import Span
+    from ..xmltree import Node
+    from .lowering import Lowering
+
+
+class Fields:
+    """The keys of a body, each with the element that counts, and all else in order.
+
+    Attributes:
+        keys: keys meant once, the one run last; those that are output where they are written
+            stand in `rest` too.
+        plain: elements in angle brackets that stand in for a generated element, by name.
+        rest: what is output in order: ordered and repeated keys, elements, comments, parts.
+    """
+
+    __slots__ = ("keys", "plain", "rest")
+
+    def __init__(self) -> None:
+        """Start empty."""
+        self.keys: dict[str, Element] = {}
+        self.plain: dict[str, Element] = {}
+        self.rest: list[Node] = []
+
+
+def sort_fields(lowering: Lowering, owner: Element, place: Place) -> Fields:
+    """Sort the children of `owner` by what `place` knows; record what is wrong, and go on."""
+    fields = Fields()
+    for child in owner.children:
+        if type(child) is Element:
+            _sort_element(lowering, child, place, fields)
+        elif isinstance(child, Text):
+            _refuse_text(lowering, owner, child, place)
+        elif place.has_parts or isinstance(child, Comment):
+            fields.rest.append(child)
+        else:
+            refuse_part(lowering, child, place.name)
+    return fields
+
+
+def _sort_element(lowering: Lowering, child: Element, place: Place, fields: Fields) -> None:
+    name = child.name
+    if child.verbatim:
+        if not place.has_parts:
+            check_plain(lowering, child, place.name)
+        if name in place.stand_ins:
+            fields.plain[name] = child
+        else:
+            fields.rest.append(child)
+    elif name in place.keys or name in place.ordered:
+        if is_left_out(child):
+            return
+        is_ordered = name in place.ordered
+        if name in fields.keys:
+            check_once(lowering, fields.keys[name], child)
+            if is_ordered:
+                fields.rest.remove(fields.keys[name])
+        fields.keys[name] = child
+        if is_ordered:
+            fields.rest.append(child)
+    elif name in place.repeated:
+        fields.rest.append(child)
+    else:
+        _warn_of_key(lowering, child, place)
+        if not place.has_parts:
+            check_plain(lowering, child, place.name)
+        fields.rest.append(child)
+
+
+def is_left_out(key: Element) -> bool:
+    """Tell whether a key's value is None, which leaves it out as it does an attribute."""
+    children = key.children
+    if len(children) != 1 or key.attributes:
+        return False
+    only = children[0]
+    return type(only) is Text and only.value is None
+
+
+def check_once(lowering: Lowering, first: Element, second: Element) -> None:
+    """Record an error if a key meant once is given twice in the same mapping."""
+    if (
+        second.body is None
+        or first.body is not second.body
+        or first.trace is not second.trace
+        or first.span.key() == second.span.key()
+    ):
+        return
+    lowering.error(
+        "given-twice",
+        f"'{second.name}' is given twice",
+        second.span,
+        hint="remove one of the two",
+        notes=(f"first given at {first.span.place()}",),
+        trace=second.trace,
+    )
+
+
+# --- plain XML --------------------------------------------------------------------------------
+
+
+def check_plain(lowering: Lowering, element: Element, place_name: str | None) -> None:
+    """Record what cannot stand in an XML element that is passed on: lists, and parts.
+
+    Args:
+        lowering: the run.
+        element: the element, looked at with all that it holds.
+        place_name: where it stands, or None where parts may stand in it.
+    """
+    stack = [element]
+    while stack:
+        current = stack.pop()
+        for child in current.children:
+            if isinstance(child, Text):
+                if type(child.value) is LiteralList:
+                    _refuse_list(lowering, current, child.span)
+            elif type(child) is Element:
+                stack.append(child)
+            elif isinstance(child, Element) and place_name is not None:
+                refuse_part(lowering, child, place_name)
+
+
+def _refuse_list(lowering: Lowering, owner: Element, span: Span) -> None:
+    lowering.error(
+        "list-as-text",
+        f"a list cannot be the content of <{owner.name}>",
+        span,
+        hint="write the items as one text, such as 1 0 0, or give a list of elements",
+        trace=owner.trace,
+    )
+
+
+def refuse_part(lowering: Lowering, part: Element, place_name: str) -> None:
+    """Record that a part stands inside a joint, link or section."""
+    lowering.error(
+        "misplaced-part",
+        f"a part cannot stand inside {_with_article(place_name)}",
+        part.span,
+        hint="write it beside the outer part, with 'parent' naming that part",
+        trace=part.trace,
+    )
+
+
+def _refuse_text(lowering: Lowering, owner: Element, text: Text, place: Place) -> None:
+    if type(text.value) is not LiteralList:
+        shown = format_value(text.value).strip()
+        if not shown:
+            return
+        message = f"the text '{shown}' stands directly in {_with_article(place.name)}"
+    else:
+        message = f"a list stands directly in {_with_article(place.name)}"
+    hint = f"'{place.name}' takes keys, such as {place.example}"
+    lowering.error("unexpected-text", message, text.span, hint=hint, trace=owner.trace)
+
+
+# --- misspelt and misplaced keys --------------------------------------------------------------
+
+
+def _warn_of_key(lowering: Lowering, child: Element, place: Place) -> None:
+    """Warn of an element that is most likely a misspelt key, or one that belongs elsewhere."""
+    name = child.name
+    if name in place.elements:
+        return
+    question = (place.name, name)
+    if question not in lowering.near_keys:
+        lowering.near_keys[question] = _warning_hint(name, place)
+    hint = lowering.near_keys[question]
+    if hint is None:
+        return
+    is_misspelt = hint.startswith("did you mean")
+    lowering.reporter.warn(
+        "unknown-key" if is_misspelt else "misplaced-key",
+        f"'{name}' is no key of {_with_article(place.name)}, and comes out as the element <{name}>",
+        child.span,
+        hint=f"{hint} (<{name}>: is always an element)",
+        trace=child.trace,
+    )
+
+
+def _warning_hint(name: str, place: Place) -> str | None:
+    home = home_of(name, place.name)
+    if home is not None:
+        return home
+    near = near_key(name, place.all_keys)
+    return f"did you mean '{near}'?" if near else None
+
+
+def near_key(name: str, keys: frozenset[str]) -> str | None:
+    """Return the key that `name` is a misspelling of, or None.
+
+    Words that differ in many letters are dismissed first, which spares most runs the import of
+    the comparison.
+    """
+    if ":" in name or "." in name:
+        return None
+    letters = set(name.lower())
+    likely = [k for k in keys if abs(len(k) - len(name)) <= 2 and len(letters ^ set(k)) <= 3]
+    return suggest(name, likely) if likely else None
+
+
+def _with_article(name: str) -> str:
+    return f"an {name}" if name[0] in "aeiou" else f"a {name}"
+
+
+# --- values -----------------------------------------------------------------------------------
+
+
+def read_value(key: Element) -> tuple[object, Span]:
+    """Return the single value of a key, and where it is written.
+
+    Raises:
+        YamaroError: the key is empty, or has elements or attributes in place of a value.
+    """
+    children = key.children
+    if len(children) == 1 and not key.attributes:
+        only = children[0]
+        if isinstance(only, Text):
+            return only.value, only.span
+    return _join_value(key)
+
+
+def _join_value(key: Element) -> tuple[object, Span]:
+    texts = [child for child in key.children if isinstance(child, Text)]
+    others = [child for child in key.children if isinstance(child, Element)]
+    if others or key.attributes:
+        span = others[0].span if others else key.span
+        what = f"the element <{others[0].name}>" if others else "attributes"
+        raise failure(
+            "value-expected",
+            f"'{key.name}' takes a value, not {what}",
+            span,
+            hint=f"write {key.name}: … with the value after the colon, or <{key.name}>: for XML",
+            trace=key.trace,
+        )
+    if not texts:
+        raise empty_value(key)
+    return "".join(format_value(text.value) for text in texts), texts[0].span
+
+
+def empty_value(key: Element) -> YamaroError:
+    """Return the error that a key has no value."""
+    return failure(
+        "empty-value",
+        f"'{key.name}' is empty",
+        key.span,
+        hint=f"give it a value, or leave '{key.name}' out",
+        trace=key.trace,
+    )
+
+
+def word_of(key: str, value: object, span: Span, *, owner: Element) -> str:
+    """Return a value that is a name or a file as text.
+
+    Raises:
+        YamaroError: it is a list, or empty.
+    """
+    if isinstance(value, LiteralList):
+        raise failure(
+            "value-expected", f"'{key}' takes one word, not a list", span, trace=owner.trace
+        )
+    text = format_value(value).strip()
+    if not text:
+        raise failure(
+            "empty-value",
+            f"'{key}' is empty",
+            span,
+            hint=f"give it a value, or leave '{key}' out",
+            trace=owner.trace,
+        )
+    return text
+
+
+class Record:
+    """An element's attributes, whether written as attributes, as a mapping, or as one value."""
+
+    __slots__ = ("others", "spans", "values")
+
+    def __init__(self) -> None:
+        """Start empty."""
+        self.values: dict[str, object] = {}
+        self.spans: dict[str, Span] = {}
+        self.others: list[Node] = []
+
+
+def read_record(lowering: Lowering, key: Element, scalar: str | None) -> Record:
+    """Return the attributes of an element such as `limit`, `axis`, `mimic` or `material`.
+
+    Args:
+        lowering: the run.
+        key: the element: with attributes, a mapping of them as children, or both.
+        scalar: the attribute that a bare value stands for, if the element has one.
+
+    Raises:
+        YamaroError: a bare value where none is meant, or an attribute given twice.
+    """
+    record = Record()
+    for name, value in key.attributes.items():
+        if value is not None:
+            record.values[name] = value
+            record.spans[name] = key.value_span(name)
+    written: dict[str, Element] = {}
+    for child in key.children:
+        if isinstance(child, Text):
+            _read_scalar(key, child, scalar, record)
+        elif isinstance(child, Comment) or not _is_attribute(child):
+            if isinstance(child, Element):
+                check_plain(lowering, child, key.name)
+            record.others.append(child)
+        elif not is_left_out(child) and child.children:
+            _read_child(lowering, key, child, record, written)
+    return record
+
+
+def _is_attribute(child: Element) -> bool:
+    """Tell whether a child is a key with a value, and not an XML element."""
+    return (
+        type(child) is Element
+        and not child.verbatim
+        and not child.attributes
+        and not any(isinstance(grandchild, Element) for grandchild in child.children)
+    )
+
+
+def _read_scalar(key: Element, text: Text, scalar: str | None, record: Record) -> None:
+    if text.value is None or text.value == "":
+        return
+    if scalar is None:
+        raise failure(
+            "attributes-expected",
+            f"'{key.name}' takes attributes, not a value",
+            text.span,
+            hint=f"write {_RECORD_EXAMPLES[key.name]}" if key.name in _RECORD_EXAMPLES else None,
+            trace=key.trace,
+        )
+    if scalar in record.values:
+        raise _attribute_twice(key, scalar, text.span, record)
+    record.values[scalar] = text.value
+    record.spans[scalar] = text.span
+
+
+_RECORD_EXAMPLES = {
+    "limit": "limit: {lower: -1, upper: 1, effort: 10, velocity: 2}",
+    "dynamics": "dynamics: {damping: 0.1, friction: 0.2}",
+    "safety_controller": "safety_controller: {k_velocity: 10}",
+    "calibration": "calibration: {rising: 0.0}",
+    "origin": "xyz: 0 0 0 and rpy: 0 0 0 in place of 'origin'",
+}
+
+
+def _read_child(
+    lowering: Lowering, key: Element, child: Element, record: Record, written: dict[str, Element]
+) -> None:
+    name = child.name
+    value, span = read_value(child)
+    if name in written:
+        check_once(lowering, written[name], child)
+    elif name in record.values:
+        raise _attribute_twice(key, name, child.span, record)
+    written[name] = child
+    record.values[name] = value
+    record.spans[name] = span
+
+
+def _attribute_twice(key: Element, name: str, span: Span, record: Record) -> YamaroError:
+    return failure(
+        "given-twice",
+        f"'{name}' of '{key.name}' is given twice",
+        span,
+        hint="remove one of the two",
+        notes=(f"first given at {record.spans[name].place()}",),
+        trace=key.trace,
+    )

@@ -1,0 +1,259 @@
+"""The `inertial` of a link: its mass, and its inertia as given or as the shape has it."""
+
+from __future__ import annotations
+
+from math import isfinite
+
+from ..diagnostics import failure
+from ..xmltree import Element, format_number
+from .fields import Fields, read_record
+from .geometry import section_geometry, solid_shape
+from .numbers import LAYOUTS, Numbers, read_numbers
+from .pose import Pose, compose_poses, origin_element, pose_at, read_pose
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from ..source import Span
+    from ..xmltree import Node
+    from .geometry import Geometry, LinkGeometry
+    from .lowering import Lowering
+    from .shapes import Shape
+
+MOMENTS = ("ixx", "ixy", "ixz", "iyy", "iyz", "izz")
+
+
+class LinkMass:
+    """The `mass` and `density` written in a link, which its `inertial` inherits."""
+
+    __slots__ = ("density", "mass")
+
+    def __init__(self, fields: Fields) -> None:
+        """Hold the keys."""
+        self.mass = fields.keys.get("mass")
+        self.density = fields.keys.get("density")
+
+    def key(self) -> Element | None:
+        """Return the key that gives the mass, or None."""
+        return self.mass or self.density
+
+
+def lower_inertial(
+    lowering: Lowering,
+    owner: Element,
+    fields: Fields,
+    *,
+    link_pose: Pose,
+    link_geometry: LinkGeometry,
+    link_mass: LinkMass,
+) -> Element:
+    """Return `<inertial>` with origin, mass, inertia, and the rest as written.
+
+    Args:
+        lowering: the run.
+        owner: the `inertial` key, or the `mass` or `density` key that stands for one.
+        fields: the keys of the inertial.
+        link_pose: the link's pose, in which the inertial's is given.
+        link_geometry: the link's geometry.
+        link_mass: the link's mass or density.
+
+    Raises:
+        YamaroError: no mass, no shape to compute the inertia from, or faulty numbers.
+    """
+    pose = compose_poses(link_pose, read_pose(lowering, fields))
+    body = _Body(lowering, owner, fields, link_geometry)
+    mass_element, mass = _mass(lowering, owner, fields, link_mass, body)
+    inertia_element = fields.plain.get("inertia")
+    if inertia_element is None:
+        inertia_key = fields.keys.get("inertia")
+        if inertia_key is not None:
+            inertia_element = _given_inertia(lowering, inertia_key)
+        else:
+            shape = body.shape("the inertia is computed from it")
+            pose = compose_poses(pose, pose_at(shape.center()))
+            inertia_element = _computed_inertia(owner, body, shape.inertia(mass))
+    children: list[Node] = [
+        fields.plain.get("origin") or origin_element(pose, owner),
+        mass_element,
+        inertia_element,
+    ]
+    attributes = owner.attributes if owner.name == "inertial" else {}
+    return Element(
+        "inertial",
+        owner.span,
+        attributes=attributes,
+        children=children + fields.rest,
+        trace=owner.trace,
+        value_spans=owner.value_spans if attributes else None,
+    )
+
+
+class _Body:
+    """The shape of an inertial, worked out only when mass or inertia need it."""
+
+    __slots__ = ("_shape", "fields", "geometry", "link_geometry", "lowering", "owner")
+
+    def __init__(
+        self, lowering: Lowering, owner: Element, fields: Fields, link_geometry: LinkGeometry
+    ) -> None:
+        self.lowering = lowering
+        self.owner = owner
+        self.fields = fields
+        self.link_geometry = link_geometry
+        self.geometry: Geometry | None = None
+        self._shape: Shape | None = None
+
+    def shape(self, reason: str) -> Shape:
+        if self._shape is None:
+            self.geometry = section_geometry(self.lowering, self.fields, self.link_geometry)
+            if self.geometry is None:
+                raise failure(
+                    "missing-geometry",
+                    f"this link has no geometry, and {reason}",
+                    self.owner.span,
+                    hint="give the link a geometry and a scale, or write inertial: "
+                    "{mass: 1.0, inertia: ixx ixy ixz iyy iyz izz}",
+                    trace=self.owner.trace,
+                )
+            self._shape = solid_shape(self.lowering, self.geometry)
+        return self._shape
+
+
+# --- mass -------------------------------------------------------------------------------------
+
+
+def _mass(
+    lowering: Lowering, owner: Element, fields: Fields, link_mass: LinkMass, body: _Body
+) -> tuple[Element, float]:
+    """Return `<mass>` and the mass in kilograms, from the inertial's keys or else the link's."""
+    plain = fields.plain.get("mass")
+    if plain is not None:
+        value, span = plain.attributes.get("value"), plain.value_span("value")
+        if value is None or "inertia" in fields.keys or "inertia" in fields.plain:
+            return plain, 0.0
+        return plain, _one(lowering, plain, value, span).values[0]
+    own_mass, own_density = fields.keys.get("mass"), fields.keys.get("density")
+    if own_mass is None and own_density is None:
+        own_mass, own_density = link_mass.mass, link_mass.density
+    if own_mass is not None and own_density is not None:
+        raise failure(
+            "given-twice",
+            "both 'mass' and 'density' are given",
+            own_density.span,
+            hint="a density gives the mass by the volume of the shape; keep one of the two",
+            notes=(f"'mass' is given at {own_mass.span.place()}",),
+            trace=own_density.trace,
+        )
+    if own_mass is not None:
+        number = _number(lowering, own_mass)
+        return _mass_element(own_mass, number.text(), number.span), number.values[0]
+    if own_density is not None:
+        number = _number(lowering, own_density)
+        mass = number.values[0] * body.shape("the mass is computed from it").volume()
+        _check_computed(own_density, mass)
+        return _mass_element(own_density, format_number(mass), number.span), mass
+    raise failure(
+        "missing-mass",
+        "this inertial has no mass",
+        owner.span,
+        hint="write mass: 1.0 (kg) or density: 1000 (kg/m³), in 'link' or in 'inertial'",
+        trace=owner.trace,
+    )
+
+
+def _number(lowering: Lowering, key: Element) -> Numbers:
+    record = read_record(lowering, key, "value")
+    if "value" not in record.values:
+        raise failure(
+            "empty-value",
+            f"'{key.name}' is empty",
+            key.span,
+            hint=f"write {key.name}: 1.0",
+            trace=key.trace,
+        )
+    return _one(lowering, key, record.values["value"], record.spans["value"])
+
+
+def _one(lowering: Lowering, key: Element, value: object, span: Span) -> Numbers:
+    return read_numbers(lowering, value, span, count=1, name=key.name, trace=key.trace)
+
+
+def _mass_element(key: Element, text: str, span: Span) -> Element:
+    return Element(
+        "mass",
+        key.span,
+        attributes={"value": text},
+        value_spans={"value": span},
+        trace=key.trace,
+    )
+
+
+# --- inertia ----------------------------------------------------------------------------------
+
+
+def _given_inertia(lowering: Lowering, key: Element) -> Element:
+    """Return `<inertia>` of six numbers, or of six attributes as people write them in URDF."""
+    record = read_record(lowering, key, "row")
+    value = record.values.pop("row", None)
+    if value is not None:
+        span = record.spans["row"]
+        numbers = read_numbers(lowering, value, span, count=6, name="inertia", trace=key.trace)
+        words: dict[str, object] = dict(zip(MOMENTS, numbers.words, strict=True))
+        return Element(
+            "inertia",
+            key.span,
+            attributes={**words, **record.values},
+            value_spans=dict.fromkeys(MOMENTS, span),
+            trace=key.trace,
+        )
+    missing = [name for name in MOMENTS if name not in record.values]
+    if missing:
+        listed = ", ".join(f"'{name}'" for name in missing)
+        raise failure(
+            "wrong-count",
+            f"'inertia' takes 6 numbers, but {listed} {'is' if len(missing) == 1 else 'are'} not "
+            "given",
+            key.span,
+            hint=f"write inertia: {LAYOUTS['inertia']}",
+            trace=key.trace,
+        )
+    for name in MOMENTS:
+        number = read_numbers(
+            lowering,
+            record.values[name],
+            record.spans[name],
+            count=1,
+            name=name,
+            trace=key.trace,
+        )
+        record.values[name] = number.text()
+    return Element(
+        "inertia",
+        key.span,
+        attributes=record.values,
+        children=record.others,
+        value_spans=record.spans,
+        trace=key.trace,
+    )
+
+
+def _computed_inertia(owner: Element, body: _Body, moments: tuple[float, ...]) -> Element:
+    for value in moments:
+        _check_computed(owner, value)
+    words: dict[str, object] = {
+        name: format_number(value) if value else "0"
+        for name, value in zip(MOMENTS, moments, strict=True)
+    }
+    return Element("inertia", owner.span, attributes=words, trace=owner.trace)
+
+
+def _check_computed(key: Element, value: float) -> None:
+    """Raise an error where numbers are so large that mass or inertia overflow."""
+    if isfinite(value):
+        return
+    raise failure(
+        "bad-number",
+        "the computed mass or inertia is too large for a number",
+        key.span,
+        hint="sizes are in metres, masses in kilograms, densities in kg/m³",
+        trace=key.trace,
+    )

@@ -1,0 +1,291 @@
+"""The joint of a part: its type, its parent and child, its pose, and its limits."""
+
+from __future__ import annotations
+
+from math import pi
+
+from ..diagnostics import YamaroError, did_you_mean, failure
+from ..xmltree import Element, format_number, format_value
+from .fields import near_key, read_record, read_value, sort_fields, word_of
+from .numbers import read_numbers
+from .places import JOINT, RECORD_KEYS
+from .pose import origin_element, read_pose
+from .urdf import JOINT_TYPES
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from ..source import Span
+    from ..xmltree import Node
+    from .fields import Fields
+    from .lowering import Lowering
+
+PI = format_number(pi)
+ASSUMED_RANGES = {"revolute": (f"-{PI}", PI), "prismatic": ("-1", "1")}
+ASSUMED_EFFORT = "100"
+ASSUMED_VELOCITY = "10"
+
+SCALARS = {"axis": "xyz", "mimic": "joint"}
+NUMBERS: dict[str, dict[str, int]] = {
+    "axis": {"xyz": 3},
+    "limit": dict.fromkeys(
+        ("lower", "upper", "effort", "velocity", "acceleration", "deceleration", "jerk"), 1
+    ),
+    "dynamics": {"damping": 1, "friction": 1},
+    "mimic": {"multiplier": 1, "offset": 1},
+    "safety_controller": dict.fromkeys(
+        ("soft_lower_limit", "soft_upper_limit", "k_position", "k_velocity"), 1
+    ),
+    "calibration": {"rising": 1, "falling": 1, "reference_position": 1},
+}
+"""The attributes of numbers, and how many numbers each takes."""
+
+REQUIRED = {"axis": "xyz", "mimic": "joint"}
+
+
+class JointType:
+    """The type of a joint, and where it is written."""
+
+    __slots__ = ("key_span", "name", "span")
+
+    def __init__(self, name: str, span: Span, key_span: Span) -> None:
+        """Hold the type, the place of its value, and that of its key."""
+        self.name = name
+        self.span = span
+        self.key_span = key_span
+
+
+def lower_joint(lowering: Lowering, key: Element, name: str, *, child: str) -> Element:
+    """Return `<joint>`: parent, child, origin, then the rest as written.
+
+    Args:
+        lowering: the run; errors are recorded there, and lowering goes on.
+        key: the `joint` key.
+        name: the joint's name.
+        child: the name of the part's link.
+    """
+    fields = sort_fields(lowering, key, JOINT)
+    joint_type = None
+    children: list[Node] = []
+    try:
+        joint_type = _read_type(lowering, key, fields)
+    except YamaroError as error:
+        lowering.absorb(error)
+    for make in (_parent_element, _child_element, _origin_element):
+        try:
+            children.append(make(lowering, key, fields, child))
+        except YamaroError as error:
+            lowering.absorb(error)
+    for node in fields.rest:
+        if type(node) is Element and node.name in RECORD_KEYS and not node.verbatim:
+            try:
+                children.append(_lower_record(lowering, node))
+            except YamaroError as error:
+                lowering.absorb(error)
+        else:
+            children.append(node)
+    has_faulty_limit = "limit" in fields.keys and not any(_is_limit(c) for c in children)
+    if joint_type is not None and joint_type.name in ASSUMED_RANGES and not has_faulty_limit:
+        _assume_limits(lowering, key, joint_type, children)
+    return _joint_element(key, name, joint_type, children)
+
+
+def _joint_element(
+    key: Element, name: str, joint_type: JointType | None, children: list[Node]
+) -> Element:
+    attributes: dict[str, object] = {"name": name}
+    spans = dict(key.value_spans) if key.value_spans else {}
+    if joint_type is not None:
+        attributes["type"] = joint_type.name
+        spans["type"] = joint_type.span
+    attributes.update((k, v) for k, v in key.attributes.items() if k not in attributes)
+    return Element(
+        "joint",
+        key.span,
+        attributes=attributes,
+        children=children,
+        trace=key.trace,
+        value_spans=spans,
+    )
+
+
+def _read_type(lowering: Lowering, key: Element, fields: Fields) -> JointType:
+    attribute = key.attributes.get("type")
+    type_key = fields.keys.get("type")
+    types = ", ".join(JOINT_TYPES)
+    if attribute is not None and type_key is not None:
+        raise failure(
+            "given-twice",
+            "the joint's 'type' is given twice",
+            type_key.span,
+            hint="remove one of the two",
+            notes=(f"first given at {key.value_span('type').place()}",),
+            trace=type_key.trace,
+        )
+    if type_key is not None:
+        value, span = read_value(type_key)
+        key_span = type_key.span
+    elif attribute is not None:
+        value, span = attribute, key.value_span("type")
+        key_span = span
+    else:
+        raise failure(
+            "missing-type",
+            "this joint has no 'type'",
+            key.span,
+            hint=f"write type: fixed, or another of {types}",
+            trace=key.trace,
+        )
+    word = word_of("type", value, span, owner=key)
+    if word in JOINT_TYPES:
+        return JointType(word, span, key_span)
+    raise failure(
+        "joint-type",
+        f"'{word}' is no joint type",
+        span,
+        hint=did_you_mean(word, JOINT_TYPES) or f"the types are {types}",
+        trace=key.trace,
+    )
+
+
+def _parent_element(lowering: Lowering, key: Element, fields: Fields, child: str) -> Element:
+    if "parent" in fields.plain:
+        return fields.plain["parent"]
+    parent_key = fields.keys.get("parent")
+    if parent_key is None:
+        raise failure(
+            "missing-parent",
+            "this joint has no 'parent'",
+            key.span,
+            hint="write parent: with the name of a link or of a part; a part without a joint is "
+            "the root",
+            trace=key.trace,
+        )
+    record = read_record(lowering, parent_key, "link")
+    if "link" not in record.values:
+        raise failure(
+            "missing-parent",
+            "the 'parent' of this joint is empty",
+            parent_key.span,
+            hint="write parent: with the name of a link or of a part",
+            trace=parent_key.trace,
+        )
+    link = word_of("parent", record.values["link"], record.spans["link"], owner=parent_key)
+    element = Element(
+        "parent",
+        parent_key.span,
+        attributes={**record.values, "link": link},
+        children=record.others,
+        trace=parent_key.trace,
+        value_spans=record.spans,
+    )
+    lowering.parents.append(element)
+    return element
+
+
+def _child_element(lowering: Lowering, key: Element, fields: Fields, child: str) -> Element:
+    if "child" in fields.plain:
+        return fields.plain["child"]
+    child_key = fields.keys.get("child")
+    if child_key is not None:
+        raise failure(
+            "child-given",
+            "the child of a part's joint is the part's own link",
+            child_key.span,
+            hint="leave 'child' out; to name the link yourself, write link/name=…",
+            trace=child_key.trace,
+        )
+    return Element("child", key.span, attributes={"link": child}, trace=key.trace)
+
+
+def _origin_element(lowering: Lowering, key: Element, fields: Fields, child: str) -> Element:
+    return fields.plain.get("origin") or origin_element(read_pose(lowering, fields), key)
+
+
+# --- axis, limit and the like -----------------------------------------------------------------
+
+
+def _lower_record(lowering: Lowering, key: Element) -> Element:
+    """Return `axis`, `limit`, `dynamics` and the like with attributes, numbers checked."""
+    name = key.name
+    numbers = NUMBERS[name]
+    record = read_record(lowering, key, SCALARS.get(name))
+    for attribute, value in record.values.items():
+        count = numbers.get(attribute)
+        span = record.spans[attribute]
+        if count is not None:
+            label = "axis" if name == "axis" else attribute
+            row = read_numbers(lowering, value, span, count=count, name=label, trace=key.trace)
+            record.values[attribute] = row.text()
+        elif attribute == SCALARS.get(name):
+            record.values[attribute] = word_of(name, value, span, owner=key)
+        else:
+            _warn_of_attribute(lowering, key, attribute, span)
+            record.values[attribute] = word_of(attribute, value, span, owner=key)
+    if name in REQUIRED and REQUIRED[name] not in record.values:
+        raise failure(
+            "empty-value",
+            f"'{name}' has no '{REQUIRED[name]}'",
+            key.span,
+            hint="write axis: 0 0 1" if name == "axis" else "write mimic: with a joint's name",
+            trace=key.trace,
+        )
+    element = Element(
+        name,
+        key.span,
+        attributes=record.values,
+        children=record.others,
+        trace=key.trace,
+        value_spans=record.spans,
+    )
+    if name == "mimic":
+        lowering.mimics.append(element)
+    return element
+
+
+def _warn_of_attribute(lowering: Lowering, key: Element, attribute: str, span: Span) -> None:
+    near = near_key(attribute, frozenset(NUMBERS[key.name]) | {SCALARS.get(key.name, "lower")})
+    if near:
+        lowering.reporter.warn(
+            "unknown-key",
+            f"'{attribute}' is no attribute of <{key.name}>",
+            span,
+            hint=f"did you mean '{near}'?",
+            trace=key.trace,
+        )
+
+
+def _is_limit(node: Node) -> bool:
+    return isinstance(node, Element) and node.name == "limit"
+
+
+def _assume_limits(
+    lowering: Lowering, key: Element, joint_type: JointType, children: list[Node]
+) -> None:
+    """Fill in what URDF needs of a revolute or prismatic joint's limit, with one warning."""
+    limits = [c for c in children if isinstance(c, Element) and _is_limit(c)]
+    if any(limit.verbatim for limit in limits):
+        return
+    given = limits[0].attributes if limits else {}
+    lower, upper = ASSUMED_RANGES[joint_type.name]
+    assumed: dict[str, object] = {}
+    if "lower" not in given and "upper" not in given:
+        assumed = {"lower": lower, "upper": upper}
+    if "effort" not in given:
+        assumed["effort"] = ASSUMED_EFFORT
+    if "velocity" not in given:
+        assumed["velocity"] = ASSUMED_VELOCITY
+    if not assumed:
+        return
+    span = limits[0].span if limits else joint_type.key_span
+    if limits:
+        limits[0].attributes = {**assumed, **given} if "lower" in assumed else {**given, **assumed}
+    else:
+        children.append(Element("limit", span, attributes=assumed, trace=key.trace))
+    filled = " ".join(f"{name}={format_value(value)}" for name, value in assumed.items())
+    lowering.reporter.warn(
+        "assumed-limit",
+        f"a {joint_type.name} joint needs a limit; assumed {filled}",
+        span,
+        hint="write limit: {lower: …, upper: …, effort: …, velocity: …} in the joint",
+        trace=key.trace,
+    )

@@ -1,0 +1,141 @@
+"""The link of a part: its sections, each with its pose and shape."""
+
+from __future__ import annotations
+
+from ..diagnostics import YamaroError, failure
+from ..xmltree import Element
+from .fields import Fields, sort_fields
+from .geometry import LinkGeometry, section_geometry
+from .inertial import LinkMass, lower_inertial
+from .material import lower_material
+from .places import COLLISION, INERTIAL, LINK, VISUAL
+from .pose import NO_POSE, Pose, compose_poses, origin_element, read_pose
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from ..xmltree import Node
+    from .lowering import Lowering
+
+
+class LinkFrame:
+    """What the sections of a link take from it."""
+
+    __slots__ = ("geometry", "mass", "pose")
+
+    def __init__(self, fields: Fields, pose: Pose) -> None:
+        """Hold the link's pose, geometry and mass."""
+        self.pose = pose
+        self.geometry = LinkGeometry(fields)
+        self.mass = LinkMass(fields)
+
+
+def lower_link(lowering: Lowering, key: Element, name: str) -> Element:
+    """Return `<link>` with its sections in the order written; record errors and go on."""
+    fields = sort_fields(lowering, key, LINK)
+    try:
+        pose = read_pose(lowering, fields)
+    except YamaroError as error:
+        lowering.absorb(error)
+        pose = NO_POSE
+    frame = LinkFrame(fields, pose)
+    children: list[Node] = []
+    for child in fields.rest:
+        if type(child) is not Element or child.verbatim:
+            children.append(child)
+            continue
+        try:
+            section = _lower_child(lowering, child, fields, frame)
+        except YamaroError as error:
+            lowering.absorb(error)
+            continue
+        if section is not None:
+            children.append(section)
+    _warn_of_unused(lowering, frame.geometry)
+    attributes = {"name": name, **{k: v for k, v in key.attributes.items() if k != "name"}}
+    return Element(
+        "link",
+        key.span,
+        attributes=attributes,
+        children=children,
+        trace=key.trace,
+        value_spans=key.value_spans,
+    )
+
+
+def _lower_child(
+    lowering: Lowering, child: Element, fields: Fields, frame: LinkFrame
+) -> Element | None:
+    """Return what a child of a link comes out as, or None if it is worked in elsewhere."""
+    match child.name:
+        case "collision" | "visual":
+            return _lower_section(lowering, child, frame)
+        case "inertial":
+            own = sort_fields(lowering, child, INERTIAL)
+        case "mass" | "density":
+            if "inertial" in fields.keys or child is not frame.mass.key():
+                return None
+            own = Fields()
+        case _:
+            return child
+    return lower_inertial(
+        lowering,
+        child,
+        own,
+        link_pose=frame.pose,
+        link_geometry=frame.geometry,
+        link_mass=frame.mass,
+    )
+
+
+def _lower_section(lowering: Lowering, key: Element, frame: LinkFrame) -> Element:
+    """Return `<collision>` or `<visual>`: origin, geometry, then the rest as written."""
+    fields = sort_fields(lowering, key, VISUAL if key.name == "visual" else COLLISION)
+    pose = compose_poses(frame.pose, read_pose(lowering, fields))
+    geometry = fields.plain.get("geometry")
+    if geometry is None:
+        geometry = _section_shape(lowering, key, fields, frame.geometry)
+    children: list[Node] = [fields.plain.get("origin") or origin_element(pose, key), geometry]
+    for child in fields.rest:
+        if type(child) is Element and child.name == "material" and not child.verbatim:
+            children.append(lower_material(lowering, child))
+        else:
+            children.append(child)
+    return Element(
+        key.name,
+        key.span,
+        attributes=key.attributes,
+        children=children,
+        trace=key.trace,
+        value_spans=key.value_spans,
+    )
+
+
+def _section_shape(lowering: Lowering, key: Element, fields: Fields, link: LinkGeometry) -> Element:
+    geometry = section_geometry(lowering, fields, link)
+    if geometry is not None:
+        return geometry.element
+    raise failure(
+        "missing-geometry",
+        f"this {key.name} has no geometry, and its link has none to inherit",
+        key.span,
+        hint="write geometry: box and scale: 0.4 0.3 0.2, in the link or in the section",
+        trace=key.trace,
+    )
+
+
+def _warn_of_unused(lowering: Lowering, geometry: LinkGeometry) -> None:
+    """Warn of a geometry or scale in a link that no section uses."""
+    if geometry.is_used:
+        return
+    key = geometry.key or geometry.scale_key
+    if key is None:
+        return
+    lowering.reporter.warn(
+        "unused-geometry",
+        f"no section of this link uses its '{key.name}'",
+        key.span,
+        hint="add 'collision:' or 'visual:', which inherit it, or remove it"
+        if geometry.key is not None
+        else "add the 'geometry' it belongs to, or remove it",
+        trace=key.trace,
+    )

@@ -1,0 +1,122 @@
+"""The short forms of `material`: a name, a colour and a texture."""
+
+from __future__ import annotations
+
+from ..diagnostics import failure
+from ..xmltree import Comment, Element
+from .fields import Record, check_once, check_plain, is_left_out, read_record, word_of
+from .numbers import read_numbers
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from ..source import Span
+    from ..xmltree import Node
+    from .lowering import Lowering
+
+EXAMPLE = "material: {name: red, color: 0.8 0.1 0.1 1}"
+
+
+def lower_material(lowering: Lowering, key: Element) -> Element:
+    """Return `<material name=…>` with `<color>` and `<texture>` as they are written.
+
+    Raises:
+        YamaroError: no name, or a faulty colour or texture.
+    """
+    record, details = _split(lowering, key)
+    if "name" not in record.values:
+        raise failure(
+            "missing-name",
+            "a material needs a name",
+            key.span,
+            hint=f"write {EXAMPLE}, or material: red for one that is defined elsewhere",
+            trace=key.trace,
+        )
+    name = word_of("name", record.values.pop("name"), record.spans["name"], owner=key)
+    return Element(
+        "material",
+        key.span,
+        attributes={"name": name, **record.values},
+        children=[_lower_detail(lowering, detail) for detail in details],
+        trace=key.trace,
+        value_spans=record.spans,
+    )
+
+
+def _split(lowering: Lowering, key: Element) -> tuple[Record, list[Node]]:
+    """Return the material's attributes, the name among them, and the rest of its body."""
+    named: list[Node] = []
+    details: list[Node] = []
+    seen: dict[str, Element] = {}
+    for child in key.children:
+        is_key = type(child) is Element and not child.verbatim
+        if not is_key or not isinstance(child, Element):
+            (details if isinstance(child, (Comment, Element)) else named).append(child)
+            continue
+        if is_left_out(child):
+            continue
+        if child.name not in ("name", "color", "texture"):
+            details.append(child)
+            continue
+        target = named if child.name == "name" else details
+        if child.name in seen:
+            check_once(lowering, seen[child.name], child)
+            target.remove(seen[child.name])
+        seen[child.name] = child
+        target.append(child)
+    head = Element(
+        key.name,
+        key.span,
+        attributes=key.attributes,
+        children=named,
+        trace=key.trace,
+        value_spans=key.value_spans,
+    )
+    return read_record(lowering, head, "name"), details
+
+
+def _lower_detail(lowering: Lowering, detail: Node) -> Node:
+    if not isinstance(detail, Element):
+        return detail
+    if type(detail) is Element and not detail.verbatim:
+        if detail.name == "color":
+            return _lower_color(lowering, detail)
+        if detail.name == "texture":
+            return _lower_texture(lowering, detail)
+    check_plain(lowering, detail, "material")
+    return detail
+
+
+def _lower_color(lowering: Lowering, key: Element) -> Element:
+    record = read_record(lowering, key, "rgba")
+    value, span = _required(record, "rgba", key, "four numbers: color: 0.8 0.1 0.1 1")
+    rgba = read_numbers(lowering, value, span, count=4, name="rgba", trace=key.trace)
+    return _detail(key, record, "rgba", rgba.text())
+
+
+def _lower_texture(lowering: Lowering, key: Element) -> Element:
+    record = read_record(lowering, key, "filename")
+    value, span = _required(record, "filename", key, "a file: texture: package://arm/red.png")
+    return _detail(key, record, "filename", word_of("texture", value, span, owner=key))
+
+
+def _required(record: Record, name: str, key: Element, what: str) -> tuple[object, Span]:
+    if name not in record.values:
+        raise failure(
+            "empty-value",
+            f"'{key.name}' is empty",
+            key.span,
+            hint=f"give it {what}",
+            trace=key.trace,
+        )
+    return record.values[name], record.spans[name]
+
+
+def _detail(key: Element, record: Record, name: str, text: str) -> Element:
+    return Element(
+        key.name,
+        key.span,
+        attributes={**record.values, name: text},
+        children=record.others,
+        trace=key.trace,
+        value_spans=record.spans,
+    )

@@ -1,0 +1,250 @@
+"""Numbers in a part: reading rows of them in every form, with each number's spelling kept."""
+
+from __future__ import annotations
+
+from ..diagnostics import YamaroError, failure
+from ..source import Span
+from ..xmltree import LiteralList, format_number, format_value, is_number, plain_value
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from ..diagnostics import Frame
+    from .lowering import Lowering
+
+NEGLIGIBLE = 1e-12
+"""Components of a pose below this, in metres or radians, come out as 0."""
+
+MAX_SHOWN = 40
+"""Characters of a value shown in a message."""
+
+LAYOUTS = {
+    "xyz": "x y z, in metres",
+    "rpy": "roll pitch yaw, in radians",
+    "pivot": "x y z, in metres",
+    "axis": "x y z",
+    "rgba": "red green blue alpha, each from 0 to 1",
+    "inertia": "ixx ixy ixz iyy iyz izz, in kg·m²",
+    "scale of a box": "x y z, in metres",
+    "scale of a cylinder": "radius length, in metres",
+    "scale of a capsule": "radius length, in metres",
+    "scale of a sphere": "its radius, in metres",
+    "scale of a mesh": "a factor for x, y and z",
+}
+"""What the numbers of a key are, for hints."""
+
+
+class Numbers:
+    """A row of numbers: values, and the words they are written as in XML."""
+
+    __slots__ = ("span", "values", "words")
+
+    def __init__(self, words: tuple[str, ...], values: tuple[float, ...], span: Span) -> None:
+        """Hold as many words as values, and where they were written."""
+        self.words = words
+        self.values = values
+        self.span = span
+
+    def text(self) -> str:
+        """Return the row as it is written in XML."""
+        return " ".join(self.words)
+
+    def is_zero(self) -> bool:
+        """Tell whether all the numbers are exactly 0."""
+        return not any(self.values)
+
+
+def format_component(value: float) -> str:
+    """Return a computed component of a pose as text; what is only rounding comes out as 0."""
+    return "0" if abs(value) < NEGLIGIBLE else format_number(value)
+
+
+def read_numbers(
+    lowering: Lowering,
+    value: object,
+    span: Span,
+    *,
+    count: int,
+    name: str,
+    trace: Frame | None,
+) -> Numbers:
+    """Return `count` numbers from a text, a list, or what an expression gave.
+
+    Args:
+        lowering: the run.
+        value: `1.0 0 0`, `1.0, 0, 0`, a number, or a list, tuple or array of numbers.
+        span: where the value is written.
+        count: how many numbers it takes.
+        name: what takes them, for messages: a key, or one of LAYOUTS.
+        trace: the calls and includes that led here.
+
+    Raises:
+        YamaroError: a word, NaN, an infinity, or a wrong count.
+    """
+    if type(value) is str:
+        known = lowering.numbers.get(value)
+        if known is None:
+            known = _read_text(value, span, name, trace)
+            lowering.numbers[value] = known
+        words, values = known
+    else:
+        words, values = _read_object(value, span, name, trace)
+    if len(values) != count:
+        raise _wrong_count(span, words, count=count, name=name, trace=trace)
+    return Numbers(words, values, span)
+
+
+def _read_text(
+    text: str, span: Span, name: str, trace: Frame | None
+) -> tuple[tuple[str, ...], tuple[float, ...]]:
+    words = text.replace(",", " ").split()
+    spelled = []
+    values = []
+    for index, word in enumerate(words):
+        value = _parse(word)
+        if value is None or value - value != 0:
+            raise _bad_word(word, _place(text, span, words, index), name, trace)
+        values.append(value)
+        spelled.append(str(int(word, 0)) if word[1:2] in ("x", "o") else word)
+    return tuple(spelled), tuple(values)
+
+
+def _parse(word: str) -> float | None:
+    """Return the value of a number as YAML 1.2 spells it, or None for a word."""
+    if not word.isascii() or "_" in word:
+        return None
+    try:
+        return float(word)
+    except ValueError:
+        pass
+    try:
+        if word[:2] in ("0x", "0o"):
+            return float(int(word, 0))
+    except (ValueError, OverflowError):
+        return None
+    if word.lstrip("+-").lower() in (".inf", ".nan"):
+        return float("nan")
+    return None
+
+
+def _read_object(
+    value: object, span: Span, name: str, trace: Frame | None
+) -> tuple[tuple[str, ...], tuple[float, ...]]:
+    plain = plain_value(value)
+    items = plain if isinstance(plain, (list, tuple, range)) else (plain,)
+    is_literal = isinstance(value, LiteralList)
+    words: list[str] = []
+    values: list[float] = []
+    for item in items:
+        if type(item) is str:
+            place = _item_place(item, span) if is_literal else span
+            parts, numbers = _read_text(item, place, name, trace)
+            if not parts:
+                raise _bad_word(item, place, name, trace)
+            words += parts
+            values += numbers
+            continue
+        number = _as_float(item)
+        if number is None or number - number != 0:
+            raise _bad_word(_shown(item), span, name, trace)
+        words.append(_spell(item, number))
+        values.append(number)
+    return tuple(words), tuple(values)
+
+
+def _as_float(item: object) -> float | None:
+    """Return a number of any type as a float; None for all else, booleans included."""
+    plain = plain_value(item)
+    if isinstance(plain, bool) or not hasattr(plain, "__float__"):
+        return None
+    try:
+        return float(plain)
+    except OverflowError:
+        return float("inf")
+    except (TypeError, ValueError):
+        return None
+
+
+def _spell(item: object, number: float) -> str:
+    plain = plain_value(item)
+    return format_value(plain) if is_number(plain) else format_number(number)
+
+
+# --- errors -----------------------------------------------------------------------------------
+
+
+def _shown(item: object) -> str:
+    text = "None" if item is None else format_value(item)
+    return text if len(text) <= MAX_SHOWN else text[: MAX_SHOWN - 1] + "…"
+
+
+def _bad_word(word: str, span: Span, name: str, trace: Frame | None) -> YamaroError:
+    value = _parse(word)
+    if value is not None and value - value != 0:
+        return failure(
+            "bad-number",
+            f"'{word}' in '{name}' is not a finite number",
+            span,
+            hint="URDF readers refuse NaN and infinities; write a number",
+            trace=trace,
+        )
+    return failure(
+        "bad-number",
+        f"'{word}' in '{name}' is not a number",
+        span,
+        hint=_word_hint(word, name),
+        trace=trace,
+    )
+
+
+def _word_hint(word: str, name: str) -> str:
+    if word.isidentifier() and word.lower() not in ("none", "true", "false", "null"):
+        return f"to use a variable or an expression, write $({word})"
+    number = word.rstrip("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ°%")
+    if number and number != word and _parse(number) is not None:
+        return f"numbers are in SI units and radians, written without the unit: {number}"
+    if any(sign in word for sign in "*/()") or word.strip("0123456789.+-") == "":
+        return f"an expression stands in $(…): $({word})"
+    layout = LAYOUTS.get(name)
+    return f"'{name}' takes {layout}" if layout else f"'{name}' takes a number, such as 1.0"
+
+
+def _wrong_count(
+    span: Span, words: tuple[str, ...], *, count: int, name: str, trace: Frame | None
+) -> YamaroError:
+    given = len(words)
+    plural = "number" if count == 1 else "numbers"
+    what = f"'{name}'" if " " not in name else f"the {name}"
+    verb = "is" if given == 1 else "are"
+    hint = f"write {LAYOUTS[name]}" if name in LAYOUTS else None
+    if name == "rgba" and given == 3:
+        hint = f"add the opacity: {' '.join(words)} 1"
+    elif name == "scale of a mesh" and given == 1:
+        hint = f"write a factor for each axis: {' '.join(words * 3)}"
+    return failure(
+        "wrong-count",
+        f"{what} takes {count} {plural}, but {given or 'none'} {verb} given",
+        span,
+        hint=hint,
+        trace=trace,
+    )
+
+
+def _place(text: str, span: Span, words: list[str], index: int) -> Span:
+    """Return where word number `index` stands, if the span covers the text as it was written."""
+    written = span.text()
+    start = written.find(text) if text else -1
+    if start < 0:
+        return span
+    for word in words[:index]:
+        start = written.index(word, start) + len(word)
+    start = span.start + written.index(words[index], start)
+    return Span(span.source, start, start + len(words[index]))
+
+
+def _item_place(item: str, span: Span) -> Span:
+    """Return where an item of a list stands, if it occurs in the list just once."""
+    written = span.text()
+    if not item or written.count(item) != 1:
+        return span
+    start = span.start + written.index(item)
+    return Span(span.source, start, start + len(item))

@@ -1,0 +1,312 @@
+"""Lowering: the evaluated tree with its parts becomes a tree of plain URDF.
+
+Every part becomes a joint and a link, and what else it holds follows beside them. Names of parts
+that joints refer to are resolved at the end, over the whole tree.
+"""
+
+from __future__ import annotations
+
+from ..diagnostics import YamaroError, failure
+from ..xmltree import Element, PartElement, format_value
+from .fields import Fields, check_plain, read_value, refuse_part, sort_fields, word_of
+from .joint import lower_joint
+from .link import lower_link
+from .lowering import Lowering
+from .material import lower_material
+from .places import PART
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from ..diagnostics import Reporter
+    from ..source import Span
+    from ..xmltree import Node
+
+CAPSULE_VERSION = (1, 1)
+ROOT_LINK = "root_link"
+UNNAMED = "?"
+"""Stands for a name that is missing, which is an error, so that it is never written."""
+
+
+def lower(
+    root: Element,
+    *,
+    reporter: Reporter,
+    resolve_mesh: Callable[[str, Span], str | None],
+) -> Element:
+    """Return the tree with every part replaced by its joint, its link and what stands beside them.
+
+    Elements without a part inside are shared with the input, which is not changed.
+
+    Args:
+        root: the evaluated tree.
+        reporter: takes the warnings.
+        resolve_mesh: gives the absolute path of a mesh file named at a span, or None if there is
+            none; asked only when inertia is computed from the mesh.
+
+    Raises:
+        YamaroError: holds every error found.
+    """
+    places = _places_of_parts(root)
+    if not places:
+        return root
+    if root.name != "robot":
+        first = next(iter(places.values()))
+        raise failure(
+            "part-outside-robot",
+            f"'part' makes links and joints of a robot, but the root element is <{root.name}>",
+            first.span,
+            hint="write robot: as the root, or <part>: for an XML element of that name",
+            trace=first.trace,
+        )
+    lowering = Lowering(reporter, resolve_mesh, has_capsule=_has_capsule(root))
+    robot = _rebuilt(lowering, root, places)
+    if lowering.errors:
+        raise YamaroError(lowering.errors)
+    _resolve_names(lowering, robot)
+    return robot
+
+
+def _places_of_parts(root: Element) -> dict[int, Element]:
+    """Return the elements that hold a part, however deep, by identity, with the first part.
+
+    A part's own body is not searched. Every element is looked at once, however often it is shared.
+    """
+    holders: dict[int, Element] = {}
+    seen: set[int] = set()
+    stack: list[tuple[Element, bool]] = [(root, False)]
+    while stack:
+        element, is_done = stack.pop()
+        if is_done:
+            for child in element.children:
+                part = child if isinstance(child, PartElement) else holders.get(id(child))
+                if part is not None:
+                    holders[id(element)] = part
+                    break
+            continue
+        if id(element) in seen:
+            continue
+        seen.add(id(element))
+        inner = [c for c in element.children if isinstance(c, Element)]
+        if inner:
+            stack.append((element, True))
+            stack.extend((c, False) for c in reversed(inner) if type(c) is Element)
+    return holders
+
+
+def _has_capsule(root: Element) -> bool:
+    """Tell whether the root says that it is URDF 1.1 or newer."""
+    major, _, minor = format_value(root.attributes.get("version")).strip().partition(".")
+    if not (major.isdecimal() and minor.isdecimal()):
+        return False
+    return (int(major), int(minor)) >= CAPSULE_VERSION
+
+
+def _rebuilt(lowering: Lowering, element: Element, holders: dict[int, Element]) -> Element:
+    """Return a copy of an element that holds parts, with the parts lowered."""
+    children: list[Node] = []
+    for child in element.children:
+        if isinstance(child, PartElement):
+            if element.name != "robot":
+                _warn_of_place(lowering, element, child)
+            _lower_part(lowering, child, children)
+        elif isinstance(child, Element) and id(child) in holders:
+            if child.name in ("joint", "link"):
+                refuse_part(lowering, holders[id(child)], child.name)
+            else:
+                children.append(_rebuilt(lowering, child, holders))
+        else:
+            children.append(child)
+    return Element(
+        element.name,
+        element.span,
+        attributes=element.attributes,
+        children=children,
+        trace=element.trace,
+        value_spans=element.value_spans,
+        verbatim=element.verbatim,
+        body=element.body,
+    )
+
+
+def _warn_of_place(lowering: Lowering, owner: Element, part: Element) -> None:
+    lowering.reporter.warn(
+        "misplaced-part",
+        f"this part stands inside <{owner.name}>, where URDF readers find no links and joints",
+        part.span,
+        hint="move it directly under 'model'",
+        trace=part.trace,
+    )
+
+
+# --- one part ---------------------------------------------------------------------------------
+
+
+class PartNames:
+    """The names of a part's joint and link, and the part's own, when it has one."""
+
+    __slots__ = ("joint", "link", "part")
+
+    def __init__(self, part: str | None, joint: str, link: str) -> None:
+        """Hold the names."""
+        self.part = part
+        self.joint = joint
+        self.link = link
+
+
+def _lower_part(lowering: Lowering, part: Element, out: list[Node]) -> None:
+    """Append the joint and link of a part, in the order written, and then what stands beside."""
+    fields = sort_fields(lowering, part, PART)
+    names = _read_names(lowering, part, fields)
+    if names.part is not None:
+        lowering.part_links.setdefault(names.part, names.link)
+        if "joint" in fields.keys:
+            lowering.part_joints.setdefault(names.part, names.joint)
+    beside: list[Node] = []
+    pending: list[Node] = []
+    for node in fields.rest:
+        if not isinstance(node, Element):
+            pending.append(node)
+            continue
+        is_own = type(node) is Element and not node.verbatim and node.name in ("joint", "link")
+        target = out if is_own else beside
+        target += pending
+        pending = []
+        if not is_own:
+            _lower_beside(lowering, node, beside)
+        elif node.name == "joint":
+            out.append(lower_joint(lowering, node, names.joint, child=names.link))
+        else:
+            out.append(lower_link(lowering, node, names.link))
+    if "link" not in fields.keys:
+        out.append(_empty_link(part, fields, names))
+    out += beside
+    out += pending
+
+
+def _empty_link(part: Element, fields: Fields, names: PartNames) -> Element:
+    key = fields.keys.get("name", part)
+    return Element("link", key.span, attributes={"name": names.link}, trace=part.trace)
+
+
+def _lower_beside(lowering: Lowering, node: Element, out: list[Node]) -> None:
+    """Append what stands beside a part's joint and link: an element, a material, or a part."""
+    if isinstance(node, PartElement):
+        _lower_part(lowering, node, out)
+        return
+    if node.name == "material" and not node.verbatim:
+        try:
+            out.append(lower_material(lowering, node))
+        except YamaroError as error:
+            lowering.absorb(error)
+        return
+    check_plain(lowering, node, None)
+    holders = _places_of_parts(node)
+    if not holders:
+        out.append(node)
+    elif node.name in ("joint", "link"):
+        refuse_part(lowering, holders[id(node)], node.name)
+    else:
+        out.append(_rebuilt(lowering, node, holders))
+
+
+def _read_names(lowering: Lowering, part: Element, fields: Fields) -> PartNames:
+    """Return the names of a part; where they are faulty, record it and go on with stand-ins."""
+    key = fields.keys.get("name")
+    joint, link = fields.keys.get("joint"), fields.keys.get("link")
+    try:
+        own_joint, own_link = _own_name(joint), _own_name(link)
+        names = _derived_names(_read_words(key) if key is not None else [])
+    except YamaroError as error:
+        lowering.absorb(error)
+        return PartNames(None, UNNAMED, UNNAMED)
+    if names is None and (own_link is None or (joint is not None and own_joint is None)):
+        lowering.error(
+            "missing-name",
+            "this part has no name",
+            part.span,
+            hint="write name: wheel, which names the joint 'wheel_joint' and the link 'wheel_link'",
+            trace=part.trace,
+        )
+    if names is None:
+        names = PartNames(None, UNNAMED, UNNAMED)
+    return PartNames(names.part, own_joint or names.joint, own_link or names.link)
+
+
+def _own_name(key: Element | None) -> str | None:
+    """Return the name that a joint or link gives itself: `link/name=…`."""
+    if key is None or key.attributes.get("name") is None:
+        return None
+    return word_of("name", key.attributes["name"], key.value_span("name"), owner=key)
+
+
+def _read_words(key: Element) -> list[str]:
+    """Return the one or two words of a part's name."""
+    value, span = read_value(key)
+    items = value if isinstance(value, list) else [value]
+    words = " ".join(format_value(item) for item in items).replace(",", " ").split()
+    if not words:
+        raise failure(
+            "missing-name",
+            "the name of this part is empty",
+            key.span,
+            hint="write name: wheel",
+            trace=key.trace,
+        )
+    if len(words) > 2:
+        raise failure(
+            "wrong-count",
+            f"'name' takes one or two words, but {len(words)} are given",
+            span,
+            hint=f"write {'_'.join(words)} for one name; two words name the joint and the link",
+            trace=key.trace,
+        )
+    return words
+
+
+def _derived_names(words: list[str]) -> PartNames | None:
+    if not words:
+        return None
+    if len(words) == 2:
+        return PartNames(None, words[0], words[1])
+    return PartNames(words[0], f"{words[0]}_joint", f"{words[0]}_link")
+
+
+# --- names resolved at the end ----------------------------------------------------------------
+
+
+def _resolve_names(lowering: Lowering, robot: Element) -> None:
+    """Replace names of parts by those of their links and joints, and add `root_link`."""
+    links = _names(robot, "link")
+    joints = _names(robot, "joint")
+    root_link: Element | None = None
+    for parent in lowering.parents:
+        name = str(parent.attributes["link"])
+        if name in links:
+            continue
+        if name in lowering.part_links:
+            parent.attributes["link"] = lowering.part_links[name]
+        elif name == ROOT_LINK and root_link is None:
+            root_link = parent
+    for mimic in lowering.mimics:
+        name = str(mimic.attributes["joint"])
+        if name not in joints and name in lowering.part_joints:
+            mimic.attributes["joint"] = lowering.part_joints[name]
+    if root_link is not None:
+        link = Element(
+            "link",
+            root_link.value_span("link"),
+            attributes={"name": ROOT_LINK},
+            trace=root_link.trace,
+        )
+        robot.children.insert(0, link)
+
+
+def _names(robot: Element, kind: str) -> set[str]:
+    """Return the names of the robot's links or joints, whether from parts or plain XML."""
+    return {
+        format_value(child.attributes.get("name"))
+        for child in robot.children
+        if isinstance(child, Element) and child.name == kind
+    }

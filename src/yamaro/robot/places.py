@@ -1,0 +1,170 @@
+"""The places in a part and the keys of each, as tables: what is a key where, and what is XML."""
+
+from __future__ import annotations
+
+POSE_KEYS = frozenset(("xyz", "rpy", "pivot", "origin"))
+SHAPE_KEYS = frozenset(("geometry", "scale"))
+MASS_KEYS = frozenset(("mass", "density"))
+RECORD_KEYS = frozenset(("axis", "limit", "dynamics", "mimic", "safety_controller", "calibration"))
+
+COMMON_ELEMENTS = frozenset(
+    (
+        *("gazebo", "transmission", "ros2_control", "sensor", "plugin", "material", "contact"),
+        *("verbose", "self_collide", "selfCollide", "kinematic", "gravity"),
+        *("visual", "collision"),
+    )
+)
+"""Elements that URDF files hold and that are never warned of as misspelt keys."""
+
+
+class Place:
+    """One place where keys are understood.
+
+    Attributes:
+        name: the key that opens the place.
+        keys: keys meant once that are worked into generated elements.
+        ordered: keys meant once that are output where they are written.
+        repeated: keys that may repeat, output where they are written.
+        stand_ins: generated elements that one in angle brackets replaces.
+        elements: XML elements that are never taken for misspelt or misplaced keys.
+        all_keys: every key of the place.
+        has_parts: whether parts may stand in it.
+        example: keys to show in a hint.
+    """
+
+    __slots__ = (
+        "all_keys",
+        "elements",
+        "example",
+        "has_parts",
+        "keys",
+        "name",
+        "ordered",
+        "repeated",
+        "stand_ins",
+    )
+
+    def __init__(
+        self,
+        name: str,
+        *,
+        keys: frozenset[str],
+        example: str,
+        ordered: frozenset[str] = frozenset(),
+        repeated: frozenset[str] = frozenset(),
+        stand_ins: frozenset[str] = frozenset(),
+        elements: frozenset[str] = frozenset(),
+        has_parts: bool = False,
+    ) -> None:
+        """Describe a place; see the class."""
+        self.name = name
+        self.keys = keys
+        self.ordered = ordered
+        self.repeated = repeated
+        self.stand_ins = stand_ins
+        self.elements = elements
+        self.all_keys = keys | ordered | repeated
+        self.has_parts = has_parts
+        self.example = example
+
+
+PART = Place(
+    "part",
+    keys=frozenset(("name",)),
+    ordered=frozenset(("joint", "link")),
+    elements=COMMON_ELEMENTS - {"visual", "collision"},
+    has_parts=True,
+    example="name: wheel",
+)
+JOINT = Place(
+    "joint",
+    keys=POSE_KEYS | {"type", "parent", "child"},
+    ordered=RECORD_KEYS,
+    stand_ins=frozenset(("parent", "child", "origin")),
+    elements=COMMON_ELEMENTS - {"visual", "collision", "material"},
+    example="type: fixed",
+)
+LINK = Place(
+    "link",
+    keys=POSE_KEYS | SHAPE_KEYS,
+    ordered=MASS_KEYS | {"inertial"},
+    repeated=frozenset(("visual", "collision")),
+    elements=COMMON_ELEMENTS - {"material"},
+    example="geometry: box",
+)
+VISUAL = Place(
+    "visual",
+    keys=POSE_KEYS | SHAPE_KEYS,
+    ordered=frozenset(("material",)),
+    stand_ins=frozenset(("origin", "geometry")),
+    elements=COMMON_ELEMENTS - {"visual", "collision"},
+    example="geometry: box",
+)
+COLLISION = Place(
+    "collision",
+    keys=POSE_KEYS | SHAPE_KEYS,
+    ordered=frozenset(("material",)),
+    stand_ins=frozenset(("origin", "geometry")),
+    elements=COMMON_ELEMENTS - {"visual", "collision"},
+    example="geometry: box",
+)
+INERTIAL = Place(
+    "inertial",
+    keys=POSE_KEYS | SHAPE_KEYS | MASS_KEYS | {"inertia"},
+    stand_ins=frozenset(("origin", "mass", "inertia")),
+    elements=COMMON_ELEMENTS - {"visual", "collision", "material"},
+    example="mass: 1.0",
+)
+
+_LINK_HINT = "it belongs under 'link:'"
+_JOINT_HINT = "it belongs under 'joint:'"
+_HOMES: dict[str, dict[str, str]] = {
+    "part": {
+        **dict.fromkeys(("geometry", "scale", "mass", "density"), _LINK_HINT),
+        **dict.fromkeys(("visual", "collision", "inertial"), _LINK_HINT),
+        **dict.fromkeys(("type", "parent", "child", *sorted(RECORD_KEYS)), _JOINT_HINT),
+        **dict.fromkeys(sorted(POSE_KEYS), "it belongs under 'joint:' or under 'link:'"),
+        "inertia": "it belongs under 'link:', in 'inertial:'",
+    },
+    "joint": {
+        **dict.fromkeys(("geometry", "scale", "mass", "density"), _LINK_HINT),
+        **dict.fromkeys(("visual", "collision", "inertial", "inertia"), _LINK_HINT),
+        "name": "the name stands beside 'joint:', or as joint/name=…",
+        "link": "'link:' stands beside 'joint:', not in it",
+        "joint": "a joint cannot stand in a joint",
+        "lower": "it belongs in 'limit:'",
+        "upper": "it belongs in 'limit:'",
+        "effort": "it belongs in 'limit:'",
+        "velocity": "it belongs in 'limit:'",
+        "damping": "it belongs in 'dynamics:'",
+        "friction": "it belongs in 'dynamics:'",
+        "multiplier": "it belongs in 'mimic:'",
+        "offset": "it belongs in 'mimic:'",
+    },
+    "link": {
+        **dict.fromkeys(("type", "parent", "child", *sorted(RECORD_KEYS)), _JOINT_HINT),
+        "name": "the name stands beside 'link:', or as link/name=…",
+        "material": "it belongs in 'visual:'",
+        "color": "it belongs in 'visual:', in 'material:'",
+        "texture": "it belongs in 'visual:', in 'material:'",
+        "inertia": "it belongs in 'inertial:'",
+        "joint": "'joint:' stands beside 'link:', not in it",
+        "link": "a link cannot stand in a link",
+    },
+    "section": {
+        **dict.fromkeys(("mass", "density"), "it belongs in 'link:' or in its 'inertial:'"),
+        **dict.fromkeys(("type", "parent", "child", *sorted(RECORD_KEYS)), _JOINT_HINT),
+        **dict.fromkeys(("visual", "collision", "inertial"), "it stands directly in 'link:'"),
+        "inertia": "it belongs in 'inertial:'",
+        "material": "it belongs in 'visual:'",
+        "color": "it belongs in 'material:'",
+        "texture": "it belongs in 'material:'",
+        "name": "write it as an attribute: visual/name=…",
+    },
+}
+
+
+def home_of(name: str, place_name: str) -> str | None:
+    """Return where a key belongs that `place_name` does not have, as a hint, or None."""
+    homes = _HOMES.get(place_name) or _HOMES["section"]
+    return homes.get(name)

@@ -1,0 +1,119 @@
+"""Rotations and rigid transforms in three dimensions, with URDF's roll, pitch and yaw.
+
+Lengths are in metres and angles in radians. Rotations are written as three rows. A transform is
+named target first: `T_parent_child` takes a point given in the child's frame to the parent's, so
+that `T_a_c = compose(T_a_b, T_b_c)`.
+"""
+
+from __future__ import annotations
+
+from math import atan2, cos, hypot, sin
+
+Vector = tuple[float, float, float]
+Rotation = tuple[Vector, Vector, Vector]
+
+ZERO: Vector = (0.0, 0.0, 0.0)
+IDENTITY: Rotation = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
+
+GIMBAL_LOCK = 1e-12
+"""Cosine of the pitch below which roll and yaw turn about the same axis."""
+
+
+def rotation_from_rpy(roll: float, pitch: float, yaw: float) -> Rotation:
+    """Return the rotation R = Rz(yaw)·Ry(pitch)·Rx(roll), about fixed axes, as URDF defines it.
+
+    Args:
+        roll: angle about the parent's x axis, in radians.
+        pitch: angle about the parent's y axis, in radians.
+        yaw: angle about the parent's z axis, in radians.
+
+    Source: http://wiki.ros.org/urdf/XML/joint, "rpy"; J. J. Craig, Introduction to Robotics,
+    3rd edition, equation 2.64.
+    """
+    sr, cr = sin(roll), cos(roll)
+    sp, cp = sin(pitch), cos(pitch)
+    sy, cy = sin(yaw), cos(yaw)
+    return (
+        (cy * cp, cy * sp * sr - sy * cr, cy * sp * cr + sy * sr),
+        (sy * cp, sy * sp * sr + cy * cr, sy * sp * cr - cy * sr),
+        (-sp, cp * sr, cp * cr),
+    )
+
+
+def rpy_from_rotation(rotation: Rotation) -> Vector:
+    """Return roll, pitch and yaw in radians, with the pitch in [−π/2, π/2].
+
+    Where the pitch is ±π/2 only the sum or the difference of roll and yaw is determined; the yaw
+    is then 0, as in tf2 and in scipy. The roll is worked out after the yaw has been taken away,
+    which keeps the result accurate beside that pitch as well.
+
+    Source: M. Day, Extracting Euler Angles from a Rotation Matrix, Insomniac Games, 2012.
+    """
+    (r00, r01, r02), (r10, r11, r12), (r20, _, _) = rotation
+    cos_pitch = hypot(r00, r10)
+    yaw = atan2(r10, r00) if cos_pitch > GIMBAL_LOCK else 0.0
+    sy, cy = sin(yaw), cos(yaw)
+    roll = atan2(sy * r02 - cy * r12, cy * r11 - sy * r01)
+    return roll, atan2(-r20, cos_pitch), yaw
+
+
+def rotate(rotation: Rotation, vector: Vector) -> Vector:
+    """Return the vector turned: R·v."""
+    x, y, z = vector
+    (a, b, c), (d, e, f), (g, h, i) = rotation
+    return (a * x + b * y + c * z, d * x + e * y + f * z, g * x + h * y + i * z)
+
+
+def multiply(first: Rotation, second: Rotation) -> Rotation:
+    """Return the product `first`·`second`, which turns by `second` and then by `first`."""
+    (a, b, c), (d, e, f), (g, h, i) = first
+    (p, q, r), (s, t, u), (v, w, x) = second
+    return (
+        (a * p + b * s + c * v, a * q + b * t + c * w, a * r + b * u + c * x),
+        (d * p + e * s + f * v, d * q + e * t + f * w, d * r + e * u + f * x),
+        (g * p + h * s + i * v, g * q + h * t + i * w, g * r + h * u + i * x),
+    )
+
+
+def transpose(rotation: Rotation) -> Rotation:
+    """Return the transpose, which is the inverse rotation."""
+    (a, b, c), (d, e, f), (g, h, i) = rotation
+    return ((a, d, g), (b, e, h), (c, f, i))
+
+
+class Transform:
+    """A rigid transform: a rotation and then a translation."""
+
+    __slots__ = ("rotation", "translation")
+
+    def __init__(self, rotation: Rotation, translation: Vector) -> None:
+        """Hold the rotation matrix and the translation in metres."""
+        self.rotation = rotation
+        self.translation = translation
+
+    def apply(self, point: Vector) -> Vector:
+        """Return a point given in the child's frame in the parent's frame."""
+        x, y, z = rotate(self.rotation, point)
+        dx, dy, dz = self.translation
+        return (x + dx, y + dy, z + dz)
+
+    def inverse(self) -> Transform:
+        """Return T_child_parent for T_parent_child."""
+        back = transpose(self.rotation)
+        x, y, z = rotate(back, self.translation)
+        return Transform(back, (-x, -y, -z))
+
+
+def compose(T_a_b: Transform, T_b_c: Transform) -> Transform:
+    """Return T_a_c, the pose of `c` in `a`."""
+    return Transform(multiply(T_a_b.rotation, T_b_c.rotation), T_a_b.apply(T_b_c.translation))
+
+
+def transform_from_pose(xyz: Vector, rpy: Vector, *, pivot: Vector = ZERO) -> Transform:
+    """Return T_parent_child of a frame whose point `pivot`, in its own axes, lands on `xyz`.
+
+    The frame's origin is xyz − R·pivot.
+    """
+    rotation = rotation_from_rpy(*rpy)
+    x, y, z = rotate(rotation, pivot)
+    return Transform(rotation, (xyz[0] - x, xyz[1] - y, xyz[2] - z))
