@@ -43,6 +43,8 @@ make_venv() {
     fail "could not make a virtual environment with '$1 -m venv'; on Debian: apt install python3-venv"
 }
 
+pip_install() { "$venv/bin/python" -m pip install -q --disable-pip-version-check "$@"; }
+
 # use_venv NAME EXTRAS: make NAME/ (once) with the project and its EXTRAS in it, and put it on PATH.
 # A copy of pyproject.toml inside tells whether it still holds what the project asks for.
 use_venv() {
@@ -55,7 +57,9 @@ use_venv() {
     fi
     if ! cmp -s pyproject.toml "$stamp"; then
         say "installing Yamaro${2:+ with its $2 tools} into $1"
-        "$venv/bin/python" -m pip install -q --disable-pip-version-check -e ".${2:+[$2]}"
+        # Older ones, such as Debian 12's, search for minutes before they settle on versions.
+        [ -z "$2" ] || pip_install 'pip>=24.1'
+        pip_install -e ".${2:+[$2]}"
         cp pyproject.toml "$stamp"
     fi
     PATH=$venv/bin:$PATH
