@@ -214,10 +214,11 @@ def _refuse_urdf_form(lowering: Lowering, key: Element) -> None:
 def _warn_of_capsule(lowering: Lowering, key: Element, span: Span) -> None:
     lowering.reporter.warn(
         "capsule-needs-urdf-1.1",
-        "the shape 'capsule' came with URDF 1.1, but this robot does not say that it is 1.1",
+        "the shape 'capsule' needs URDF 1.1, and this robot does not say that it is 1.1: urdfdom "
+        "(ROS, RViz, MoveIt) and pinocchio drop the shape, yourdfpy refuses it",
         span,
-        hint="write robot/name=…, version=1.1: as the root, or use a cylinder; urdfdom before "
-        "its version 5 (ROS 2 Kilted and older), yourdfpy and urdf_parser_py drop the shape",
+        hint="write robot/name=…, version=1.1: as the root, which urdfdom reads from 5.1 on, or "
+        "use a cylinder",
         trace=key.trace,
     )
 

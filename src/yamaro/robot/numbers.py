@@ -182,14 +182,14 @@ def _bad_word(word: str, span: Span, name: str, trace: Frame | None) -> YamaroEr
     if value is not None and value - value != 0:
         return failure(
             "bad-number",
-            f"'{word}' in '{name}' is not a finite number",
+            f"'{word}' in {_label(name)} is not a finite number",
             span,
             hint="URDF readers refuse NaN and infinities; write a number",
             trace=trace,
         )
     return failure(
         "bad-number",
-        f"'{word}' in '{name}' is not a number",
+        f"'{word}' in {_label(name)} is not a number",
         span,
         hint=_word_hint(word, name),
         trace=trace,
@@ -204,8 +204,11 @@ def _word_hint(word: str, name: str) -> str:
         return f"numbers are in SI units and radians, written without the unit: {number}"
     if any(sign in word for sign in "*/()") or word.strip("0123456789.+-") == "":
         return f"an expression stands in $(…): $({word})"
-    layout = LAYOUTS.get(name)
-    return f"'{name}' takes {layout}" if layout else f"'{name}' takes a number, such as 1.0"
+    return f"{_label(name)} takes {LAYOUTS.get(name, 'a number, such as 1.0')}"
+
+
+def _label(name: str) -> str:
+    return f"the {name}" if " " in name else f"'{name}'"
 
 
 def _wrong_count(
@@ -213,7 +216,6 @@ def _wrong_count(
 ) -> YamaroError:
     given = len(words)
     plural = "number" if count == 1 else "numbers"
-    what = f"'{name}'" if " " not in name else f"the {name}"
     verb = "is" if given == 1 else "are"
     hint = f"write {LAYOUTS[name]}" if name in LAYOUTS else None
     if name == "rgba" and given == 3:
@@ -222,7 +224,7 @@ def _wrong_count(
         hint = f"write a factor for each axis: {' '.join(words * 3)}"
     return failure(
         "wrong-count",
-        f"{what} takes {count} {plural}, but {given or 'none'} {verb} given",
+        f"{_label(name)} takes {count} {plural}, but {given or 'none'} {verb} given",
         span,
         hint=hint,
         trace=trace,

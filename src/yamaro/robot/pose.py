@@ -5,6 +5,8 @@ Numbers that need no computing keep their spelling; rotations are composed as ro
 
 from __future__ import annotations
 
+from math import isfinite
+
 from ..diagnostics import failure
 from ..xmltree import Element
 from .fields import empty_value, read_record, read_value
@@ -212,7 +214,19 @@ def _negated(vector: Vector) -> Vector:
 
 
 def origin_element(pose: Pose, owner: Element) -> Element:
-    """Return `<origin>` with both attributes, placed at the pose's first key or else its owner."""
+    """Return `<origin>` with both attributes, placed at the pose's first key or else its owner.
+
+    Raises:
+        YamaroError: the position is too large for a number.
+    """
+    if not isfinite(sum(pose.position)):
+        raise failure(
+            "bad-number",
+            "the computed position is too large for a number",
+            pose.span or owner.span,
+            hint="positions are in metres",
+            trace=owner.trace,
+        )
     return Element(
         "origin",
         pose.span or owner.span,
