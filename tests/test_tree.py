@@ -164,7 +164,7 @@ def test_link_with_two_parents_is_drawn_once() -> None:
     body += joint("a", "b") + joint("a", "c") + joint("b", "d") + joint("c", "d", name="second")
     text = render_tree(robot(body))
     assert text.count("<- shown above: not a tree") == 1
-    assert [line for line in text.splitlines() if "second" in line][0].endswith("not a tree")
+    assert next(line for line in text.splitlines() if "second" in line).endswith("not a tree")
 
 
 def test_loop_is_drawn_once_around() -> None:

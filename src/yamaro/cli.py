@@ -179,7 +179,7 @@ def _add_long_option(arguments: Arguments, word: str, pending: list[str]) -> Non
     name, has_value, value = word.partition("=")
     option = OPTIONS.get(name)
     if option is None:
-        raise WrongUsage(f"there is no option '{name}'{_near(name, OPTIONS)}")
+        raise WrongUsage(f"there is no option {_quote(name)}{_near(name, OPTIONS)}")
     if option not in TAKES_VALUE:
         if has_value:
             raise WrongUsage(f"'{name}' takes no value")
@@ -191,14 +191,13 @@ def _add_long_option(arguments: Arguments, word: str, pending: list[str]) -> Non
 
 def _add_short_options(arguments: Arguments, word: str, pending: list[str]) -> None:
     """Add `-q`, `-qo FILE` or `-oFILE`."""
+    if "-" + word in OPTIONS:
+        raise WrongUsage(f"there is no option {_quote(word)}; did you mean '-{word}'?")
     for position, letter in enumerate(word[1:], start=2):
         name = "-" + letter
         option = OPTIONS.get(name)
         if option is None:
-            near = _near("-" + word, OPTIONS) if len(word) > 2 else ""
-            raise WrongUsage(
-                f"there is no option '{name}'{' in ' + _quote(word) if near else ''}{near}"
-            )
+            raise WrongUsage(f"there is no option {_quote(name)}")
         if option in TAKES_VALUE:
             _set_option(arguments, name, word[position:] or _next_value(name, option, pending))
             return
@@ -386,10 +385,11 @@ def _refuse_overwriting(arguments: Arguments, inputs: Sequence[str]) -> None:
 
 
 def _read_standard_input() -> str:
+    from .runtime.loader import decode
+
     if sys.stdin is None:
         raise WrongUsage("standard input is closed")
-    buffer = getattr(sys.stdin, "buffer", None)
-    return sys.stdin.read() if buffer is None else buffer.read().decode("utf-8", "surrogateescape")
+    return decode(sys.stdin.buffer.read(), name="-", path="").text
 
 
 def _version() -> str:

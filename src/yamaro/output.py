@@ -291,6 +291,10 @@ class ProcessStreams(Streams):
         except (OSError, ValueError):
             return
 
+    def is_terminal(self, *, result: bool = False) -> bool:
+        """Tell whether standard error, or standard output for `result`, is a terminal."""
+        return os.isatty(self._out_fd if result else self._err_fd)
+
 
 def _open_closed_descriptors() -> None:
     """Open /dev/null on closed standard descriptors, so that no other file gets them."""

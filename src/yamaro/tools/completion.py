@@ -85,7 +85,8 @@ _yamaro() {
         case $word in
             -o | --output | --color) skip=1 ;;
             -?* | *:=*) ;;
-            check | tree | completion) if [[ $command$file ]]; then file=${file:-$word}; else command=$word; fi ;;
+            check | tree | completion)
+                if [[ $command$file ]]; then file=${file:-$word}; else command=$word; fi ;;
             *) file=${file:-$word} ;;
         esac
     done
@@ -187,7 +188,7 @@ _yamaro() {
 if [[ ${funcstack[1]} == _yamaro ]]; then _yamaro "$@"; else compdef _yamaro yamaro; fi
 """
 
-_FISH = r"""# fish completion for yamaro:  yamaro completion fish > ~/.config/fish/completions/yamaro.fish
+_FISH = r"""# fish completion for yamaro; put this in ~/.config/fish/completions/yamaro.fish
 
 # Print the words before the cursor that are neither options nor variables: command and file.
 function __yamaro_words
@@ -225,14 +226,28 @@ function __yamaro_variables
     yamaro completion variables $file 2>/dev/null
 end
 
-set -l no_file 'not __yamaro_file >/dev/null'
+function __yamaro_wants
+    set -l command (__yamaro_command)
+    set -l file (__yamaro_file)
+    switch "$argv[1]"
+        case command
+            test -z "$command$file"
+        case shell
+            test "$command" = completion
+        case file
+            test "$command" != completion -a -z "$file"
+        case variable
+            test "$command" != completion -a -n "$file"
+    end
+end
+
 complete -c yamaro -f
-complete -c yamaro -n "not __yamaro_command >/dev/null; and $no_file" -a check -d 'look for errors, warnings and doubtful things'
-complete -c yamaro -n "not __yamaro_command >/dev/null; and $no_file" -a tree -d 'show links, joints and masses as a tree'
-complete -c yamaro -n "not __yamaro_command >/dev/null; and $no_file" -a completion -d 'print a completion script'
-complete -c yamaro -n 'test (__yamaro_command) = completion 2>/dev/null' -a 'bash zsh fish'
-complete -c yamaro -n "$no_file; and not test (__yamaro_command) = completion 2>/dev/null" -k -a '(__fish_complete_suffix .yaml; __fish_complete_suffix .yml)'
-complete -c yamaro -n '__yamaro_file >/dev/null; and not test (__yamaro_command) = completion 2>/dev/null' -k -a '(__yamaro_variables)'
+complete -c yamaro -n '__yamaro_wants command' -a check -d 'look for errors and warnings'
+complete -c yamaro -n '__yamaro_wants command' -a tree -d 'show links, joints and masses'
+complete -c yamaro -n '__yamaro_wants command' -a completion -d 'print a completion script'
+complete -c yamaro -n '__yamaro_wants shell' -a 'bash zsh fish'
+complete -c yamaro -n '__yamaro_wants file' -k -a '(__fish_complete_suffix .yaml)'
+complete -c yamaro -n '__yamaro_wants variable' -k -a '(__yamaro_variables)'
 complete -c yamaro -s o -l output -r -F -d 'write to FILE'
 complete -c yamaro -s q -l quiet -d 'show errors only'
 complete -c yamaro -l strict -d 'treat warnings as errors'

@@ -206,9 +206,8 @@ def _aligned(rows: list[list[str]]) -> list[str]:
     """Return each row as text, with columns of equal width; a very long cell sticks out."""
     if not rows:
         return []
-    widths = []
-    for column in zip(*rows, strict=True):
-        widths.append(min(max(map(_width, column)), MAX_ALIGNED_WIDTH))
+    columns = zip(*rows, strict=True)
+    widths = [min(max(map(_width, column)), MAX_ALIGNED_WIDTH) for column in columns]
     return [_joined(row, widths) for row in rows]
 
 

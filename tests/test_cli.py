@@ -1,0 +1,840 @@
+"""Tests of the command: its arguments, what goes to which stream, and its exit status."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import signal
+import subprocess
+import sys
+import types
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from yamaro import cli, compiler
+from yamaro.cli import main, parse_arguments
+from yamaro.tools import completion
+
+ROBOT = """\
+robot: arm
+variables:
+  length: 1.0
+model:
+  link/name=base:
+  link/name='tool', length='$(length)':
+  joint/name=tool_joint, type=fixed:
+    parent/link=base:
+    child/link=tool:
+"""
+PLAIN = """\
+robot: arm
+variables:
+  length: 1.0
+model:
+  link/name=base_$(length):
+"""
+PLAIN_XML = '<?xml version="1.0"?>\n<robot name="arm">\n  <link name="base_1.0"/>\n</robot>\n'
+WARNS = "robot: arm\nmodel:\n  link/name=base:\n  note: ${length}\n"
+FAILS = "robot: arm\nmodel:\n  link/name=$(missing):\n"
+PRINTS = "robot: arm\nprint: one\nmodel:\n  link/name=base:\n  print: two\n"
+
+
+@pytest.fixture(autouse=True)
+def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """Work in an empty folder, with nothing set that changes colours."""
+    monkeypatch.chdir(tmp_path)
+    for name in ("NO_COLOR", "FORCE_COLOR", "YAMARO_TRACEBACK", "PYTHONWARNINGS"):
+        monkeypatch.delenv(name, raising=False)
+    return tmp_path
+
+
+def write(text: str, name: str = "robot.yaml") -> str:
+    Path(name).parent.mkdir(parents=True, exist_ok=True)
+    Path(name).write_text(text, encoding="utf-8")
+    return name
+
+
+def run(*words: str | bytes, python: tuple[str, ...] = (), **options: Any) -> Any:
+    """Run the command as a process of its own."""
+    command = [sys.executable, *python, "-m", "yamaro", *words]
+    options = {"stdin": subprocess.DEVNULL} | options if "input" not in options else options
+    return subprocess.run(command, capture_output=True, timeout=60, check=False, **options)
+
+
+def outcome(capsys: pytest.CaptureFixture[str], *words: str) -> tuple[int, str, str]:
+    """Run the command in this process; return exit status, standard output and error."""
+    status = main(list(words))
+    captured = capsys.readouterr()
+    return status, captured.out, captured.err
+
+
+# --- building ---------------------------------------------------------------------------------
+
+
+def test_xml_goes_to_standard_output_and_nothing_to_standard_error(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    assert outcome(capsys, write(PLAIN)) == (0, PLAIN_XML, "")
+
+
+def test_variables_are_set_from_the_command_line(capsys: pytest.CaptureFixture[str]) -> None:
+    status, out, _ = outcome(capsys, write(PLAIN), "length:=2.5")
+    assert status == 0
+    assert 'name="base_2.5"' in out
+
+
+def test_output_goes_to_a_file_and_its_folders_are_made(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    assert outcome(capsys, write(PLAIN), "-o", "build/urdf/arm.urdf") == (0, "", "")
+    assert Path("build/urdf/arm.urdf").read_text() == PLAIN_XML
+    assert os.listdir("build/urdf") == ["arm.urdf"]
+
+
+@pytest.mark.parametrize("name", ["-", "/dev/stdout"])
+def test_output_may_be_standard_output_by_name(
+    capsys: pytest.CaptureFixture[str], name: str
+) -> None:
+    assert outcome(capsys, write(PLAIN), "-o", name) == (0, PLAIN_XML, "")
+
+
+def test_prints_go_to_standard_error(capsys: pytest.CaptureFixture[str]) -> None:
+    status, out, err = outcome(capsys, write(PRINTS))
+    assert (status, err) == (0, "one\ntwo\n")
+    assert out.endswith("</robot>\n")
+
+
+def test_warnings_go_to_standard_error_and_do_not_fail(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    status, out, err = outcome(capsys, write(WARNS))
+    assert status == 0
+    assert out.endswith("</robot>\n")
+    assert err.startswith("warning[")
+    assert " --> robot.yaml:4:" in err
+    assert err.endswith("\n")
+    assert not err.endswith("\n\n")
+
+
+def test_warnings_are_apart_by_a_blank_line(capsys: pytest.CaptureFixture[str]) -> None:
+    _, _, err = outcome(capsys, write(WARNS + "  other: ${width}\n"))
+    assert err.count("warning[") == 2
+    assert "\n\nwarning[" in err
+
+
+def test_errors_give_no_output_and_leave_the_old_file(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    write("old", "arm.urdf")
+    status, out, err = outcome(capsys, write(FAILS), "-o", "arm.urdf")
+    assert (status, out) == (1, "")
+    assert err.startswith("error[")
+    assert "'missing'" in err
+    assert Path("arm.urdf").read_text() == "old"
+
+
+def test_quiet_run_says_nothing_but_errors(capsys: pytest.CaptureFixture[str]) -> None:
+    assert outcome(capsys, write(PRINTS), "-q")[2] == ""
+    assert outcome(capsys, write(WARNS), "--quiet")[2] == ""
+    status, _, err = outcome(capsys, write(WARNS + "  link/name=$(missing):\n"), "-q")
+    assert status == 1
+    assert err.startswith("error[")
+    assert "warning[" not in err
+
+
+def test_strict_run_fails_on_warnings(capsys: pytest.CaptureFixture[str]) -> None:
+    status, out, err = outcome(capsys, write(WARNS), "--strict")
+    assert (status, out) == (1, "")
+    assert " --> robot.yaml:4:" in err
+    assert outcome(capsys, write(PLAIN), "--strict") == (0, PLAIN_XML, "")
+
+
+def test_deps_lists_the_files_read(capsys: pytest.CaptureFixture[str], folder: Path) -> None:
+    write("model:\n  link/name=leg:\n", "parts/leg.yaml")
+    main_file = write("robot: arm\nmodel:\n  include: parts/leg.yaml\n  print: hello\n")
+    expected = f"{folder}/robot.yaml\n{folder}/parts/leg.yaml\n"
+    assert outcome(capsys, main_file, "--deps") == (0, expected, "hello\n")
+    assert outcome(capsys, main_file, "--deps", "-q", "-o", "arm.d") == (0, "", "")
+    assert Path("arm.d").read_text() == expected
+
+
+def test_deps_lists_meshes_that_are_files_and_each_once(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def build(path: str, **options: object) -> types.SimpleNamespace:
+        return types.SimpleNamespace(
+            warnings=[],
+            files=["/r/robot.yaml", "/r/b.yaml"],
+            meshes=["/r/m.stl", "package://unknown/n.stl", "/r/b.yaml"],
+        )
+
+    monkeypatch.setattr(compiler, "build", build)
+    expected = "/r/robot.yaml\n/r/b.yaml\n/r/m.stl\n"
+    assert outcome(capsys, write(PLAIN), "--deps") == (0, expected, "")
+
+
+def test_standard_input_is_read_for_a_dash() -> None:
+    result = run("-", input=PLAIN.encode())
+    assert (result.returncode, result.stdout.decode(), result.stderr) == (0, PLAIN_XML, b"")
+    result = run("-", "-o", "x.urdf", input="\ufeffmodel:\n  link/name=é:\n".encode())
+    assert result.returncode == 0
+    assert "é" in Path("x.urdf").read_text(encoding="utf-8")
+
+
+def test_standard_input_that_is_no_utf8_is_an_error() -> None:
+    result = run("-", input=b"robot: \xff\xfe\n")
+    assert result.returncode == 1
+    assert result.stdout == b""
+    assert result.stderr.startswith(b"error[")
+
+
+def test_closed_standard_input_is_wrong_usage(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(sys, "stdin", None)
+    status, _, err = outcome(capsys, "-")
+    assert (status, err.splitlines()[0]) == (2, "yamaro: error: standard input is closed")
+
+
+# --- check and tree ---------------------------------------------------------------------------
+
+
+def test_check_of_a_good_file_says_so(capsys: pytest.CaptureFixture[str]) -> None:
+    name = write(ROBOT.replace(", length='$(length)'", "").replace("  length: 1.0\n", "  x: 1\n"))
+    status, out, err = outcome(capsys, "check", name)
+    assert err == ""
+    assert (status, out) == (0, "robot.yaml: ok\n")
+    assert outcome(capsys, "check", name, "-q") == (0, "", "")
+
+
+@pytest.mark.parametrize("quiet", [False, True])
+def test_check_fails_on_warnings_and_counts_them(
+    capsys: pytest.CaptureFixture[str], quiet: bool
+) -> None:
+    name = write(WARNS + "  other: ${width}\n")
+    status, out, err = outcome(capsys, "check", name, *(["-q"] if quiet else []))
+    assert (status, out) == (1, "")
+    assert err.count("warning[") >= 2
+    assert err.splitlines()[-2] == ""
+    assert err.splitlines()[-1].startswith("robot.yaml: ")
+    assert err.splitlines()[-1].endswith(" warnings")
+
+
+def test_check_counts_errors(capsys: pytest.CaptureFixture[str]) -> None:
+    status, out, err = outcome(
+        capsys, "check", write("model:\n  iff: 1\n  link/name: 1\n  if: 2\n")
+    )
+    assert (status, out) == (1, "")
+    errors = err.count("error[")
+    assert errors >= 1
+    plural = "s" if errors > 1 else ""
+    assert f"robot.yaml: {errors} error{plural}" in err.splitlines()[-1]
+
+
+def test_tree_shows_the_robot_and_no_xml(capsys: pytest.CaptureFixture[str]) -> None:
+    status, out, err = outcome(capsys, "tree", write(ROBOT), "-q")
+    assert (status, err) == (0, "")
+    assert out.splitlines()[1] == "└─ tool  tool_joint  fixed"
+    assert out.splitlines()[-1].startswith("arm: 2 links, 1 joint (0 movable)")
+
+
+def test_tree_is_drawn_in_ascii_where_the_encoding_asks_for_it() -> None:
+    environ = {**os.environ, "PYTHONIOENCODING": "ascii"}
+    result = run("tree", write(ROBOT), "-q", env=environ)
+    assert result.stdout.splitlines()[1] == b"`- tool  tool_joint  fixed"
+
+
+def test_tree_of_other_xml_is_refused(capsys: pytest.CaptureFixture[str]) -> None:
+    status, out, err = outcome(capsys, "tree", write("sdf/version='1.11':\n  world/name=w:\n"))
+    assert (status, out) == (2, "")
+    assert "'yamaro tree' shows robots, and this is a <sdf>" in err
+
+
+@pytest.mark.parametrize("command", ["check", "tree", "completion"])
+def test_file_with_the_name_of_a_command_is_reached_by_its_path(
+    capsys: pytest.CaptureFixture[str], command: str
+) -> None:
+    write(PLAIN, command)
+    assert outcome(capsys, f"./{command}") == (0, PLAIN_XML, "")
+    assert outcome(capsys, "--", command) == (0, PLAIN_XML, "")
+    if command != "completion":
+        status, _, err = outcome(capsys, command)
+        assert status == 2
+        assert f"for a file of that name write './{command}'" in err
+        assert outcome(capsys, command, command, "-q")[0] in (0, 1)
+
+
+# --- arguments --------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        "robot.yaml -o out -q --strict a:=1 b:=2",
+        "-q --output out a:=1 --strict robot.yaml b:=2",
+        "a:=1 b:=2 -qo out robot.yaml --strict",
+        "--strict a:=1 -qoout -- robot.yaml b:=2",
+        "robot.yaml a:=1 --output=out b:=2 -q -q --strict",
+    ],
+)
+def test_options_may_stand_anywhere(words: str) -> None:
+    arguments = parse_arguments(words.split())
+    assert arguments.command == "build"
+    assert arguments.words == ["robot.yaml"]
+    assert arguments.assignments == ["a:=1", "b:=2"]
+    assert arguments.options == {"output": "out", "quiet": "", "strict": ""}
+
+
+def test_commands_are_found_behind_options_and_variables() -> None:
+    arguments = parse_arguments(["-q", "a:=1", "check", "robot.yaml"])
+    assert (arguments.command, arguments.words) == ("check", ["robot.yaml"])
+
+
+def test_file_names_may_hold_what_looks_like_a_variable() -> None:
+    arguments = parse_arguments(["./a:=b.yaml", "c:=d/e", "--", "x:=-1"])
+    assert (arguments.words, arguments.assignments) == (["./a:=b.yaml"], ["c:=d/e", "x:=-1"])
+
+
+def test_words_after_two_dashes_are_no_options() -> None:
+    assert parse_arguments(["--", "-q"]).words == ["-q"]
+
+
+@pytest.mark.parametrize(
+    ("words", "message"),
+    [
+        ("", "no FILE is given"),
+        ("--", "no FILE is given"),
+        ("a:=1", "no FILE is given"),
+        ("check", "'yamaro check' needs a FILE"),
+        ("a.yaml b.yaml", "'b.yaml' is one FILE too many after 'a.yaml'"),
+        (
+            "a.yaml legs=6",
+            "'legs=6' is one FILE too many after 'a.yaml'; variables are set like 'legs:=6'",
+        ),
+        ("chekc a.yaml", "there is no command 'chekc'; did you mean 'check'?"),
+        ("--strct a.yaml", "there is no option '--strct'; did you mean '--strict'?"),
+        ("--colour always a.yaml", "there is no option '--colour'; did you mean '--color'?"),
+        ("-strict a.yaml", "there is no option '-strict'; did you mean '--strict'?"),
+        ("-qz a.yaml", "there is no option '-z'"),
+        ("--xyzzy a.yaml", "there is no option '--xyzzy'"),
+        ("a.yaml -o", "'-o' needs a file name after it"),
+        ("a.yaml --output=", "'--output' needs a file name after it"),
+        ("a.yaml -o x --output y", "'--output' is given twice"),
+        ("a.yaml --quiet=yes", "'--quiet' takes no value"),
+        ("a.yaml --color", "'--color' needs auto, always or never after it"),
+        ("a.yaml --color on", "'--color' takes auto, always or never, not 'on'"),
+        ("check a.yaml -o x", "'--output' has no meaning for 'yamaro check'"),
+        ("tree a.yaml --deps", "'--deps' has no meaning for 'yamaro tree'"),
+        ("completion", "'yamaro completion' needs a shell: bash, zsh, fish"),
+        ("completion tcsh", "'yamaro completion' needs a shell: bash, zsh, fish"),
+        ("completion bash zsh", "'yamaro completion' needs a shell: bash, zsh, fish"),
+        ("--\x1b[2J", "there is no option '--\\x1b[2J'"),
+    ],
+)
+def test_wrong_usage_is_told_in_one_line(
+    capsys: pytest.CaptureFixture[str], words: str, message: str
+) -> None:
+    status, out, err = outcome(capsys, *words.split())
+    assert (status, out) == (2, "")
+    assert err == f"yamaro: error: {message}\n{cli.USAGE}\n"
+
+
+def test_missing_main_file_is_wrong_usage(capsys: pytest.CaptureFixture[str]) -> None:
+    status, out, err = outcome(capsys, "nowhere.yaml")
+    assert (status, out) == (2, "")
+    assert err.startswith("yamaro: error: ")
+    assert "'nowhere.yaml'" in err
+    assert err.endswith(cli.USAGE + "\n")
+
+
+@pytest.mark.parametrize("word", ["1x:=2", ":=2", "a b:=2", "for:=1"])
+def test_malformed_variables_are_wrong_usage(capsys: pytest.CaptureFixture[str], word: str) -> None:
+    status, out, err = outcome(capsys, write(PLAIN), word)
+    assert (status, out) == (2, "")
+    assert err.startswith("yamaro: error: ")
+
+
+def test_help_is_short_and_wins(capsys: pytest.CaptureFixture[str]) -> None:
+    for words in (["-h"], ["--help"], ["check", "-h"], ["a", "b", "--help"]):
+        assert outcome(capsys, *words) == (0, cli.HELP, "")
+    lines = cli.HELP.splitlines()
+    assert len(lines) < 45
+    assert max(map(len, lines)) <= 100
+    for option in cli.OPTIONS:
+        assert option in cli.HELP
+    for command in set(cli.COMMANDS) - {"build"}:
+        assert f"yamaro {command} " in cli.HELP
+
+
+def test_version_is_that_of_the_package(capsys: pytest.CaptureFixture[str]) -> None:
+    from importlib.metadata import version
+
+    assert outcome(capsys, "--version") == (0, f"yamaro {version('yamaro')}\n", "")
+    assert outcome(capsys, "-V")[0] == 0
+
+
+@pytest.mark.parametrize("name", ["robot.yaml", "link.yaml", "hard.yaml", "./sub/../robot.yaml"])
+def test_output_that_is_the_main_file_is_refused(
+    capsys: pytest.CaptureFixture[str], name: str
+) -> None:
+    write(PLAIN)
+    os.mkdir("sub")
+    os.symlink("robot.yaml", "link.yaml")
+    os.link("robot.yaml", "hard.yaml")
+    status, out, err = outcome(capsys, "robot.yaml", "-o", name)
+    assert (status, out) == (2, "")
+    assert f"the output '{name}' is one of the files that are compiled" in err
+    assert Path("robot.yaml").read_text() == PLAIN
+
+
+def test_output_that_is_an_included_file_is_refused(capsys: pytest.CaptureFixture[str]) -> None:
+    leg = "model:\n  link/name=leg:\n"
+    write(leg, "leg.yaml")
+    write("model:\n  include: leg.yaml\n")
+    assert outcome(capsys, "robot.yaml", "-o", "leg.yaml")[0] == 2
+    assert Path("leg.yaml").read_text() == leg
+
+
+# --- faults -----------------------------------------------------------------------------------
+
+
+def test_a_fault_of_ours_is_told_apart_and_shows_no_traceback(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def build(path: str, **options: object) -> None:
+        raise KeyError("oops")
+
+    monkeypatch.setattr(compiler, "build", build)
+    status, out, err = outcome(capsys, write(PLAIN))
+    assert (status, out) == (70, "")
+    assert err.startswith("yamaro: internal error: KeyError: 'oops' (test_cli.py:")
+    assert "Traceback" not in err
+    monkeypatch.setenv("YAMARO_TRACEBACK", "1")
+    assert "Traceback" in outcome(capsys, write(PLAIN))[2]
+
+
+@pytest.mark.parametrize(
+    ("fault", "status", "said"),
+    [
+        (KeyboardInterrupt(), 130, ""),
+        (MemoryError(), 1, "yamaro: error: out of memory\n"),
+        (SystemExit(0), 1, "yamaro: error: Python code of the file ended the program"),
+    ],
+)
+def test_interrupts_do_not_pass_for_success(
+    capsys: pytest.CaptureFixture[str],
+    monkeypatch: pytest.MonkeyPatch,
+    fault: BaseException,
+    status: int,
+    said: str,
+) -> None:
+    def build(path: str, **options: object) -> None:
+        raise fault
+
+    monkeypatch.setattr(compiler, "build", build)
+    result = outcome(capsys, write(PLAIN), "-o", "arm.urdf")
+    assert result[:2] == (status, "")
+    assert result[2].startswith(said)
+    assert bool(result[2]) == bool(said)
+    assert not os.path.exists("arm.urdf")
+
+
+def test_sys_exit_in_the_file_is_no_success() -> None:
+    result = run(write("import: sys\nmodel:\n  process: sys.exit(0)\n"))
+    assert result.returncode == 1
+    assert result.stdout == b""
+    assert result.stderr != b""
+    assert b"Traceback" not in result.stderr
+
+
+def test_streams_are_given_back(capsys: pytest.CaptureFixture[str]) -> None:
+    before = (sys.stdout, sys.stderr, signal.getsignal(signal.SIGTERM))
+    for words in (["-q"], [], ["--strict"]):
+        for text in (PLAIN, WARNS, FAILS):
+            main([write(text), *words])
+    assert (sys.stdout, sys.stderr, signal.getsignal(signal.SIGTERM)) == before
+    assert "Traceback" not in capsys.readouterr().err
+
+
+def test_undecodable_and_odd_file_names_are_shown_escaped() -> None:
+    result = run(b"no\xff\x1b\nwhere.yaml")
+    assert result.returncode == 2
+    assert b"\\x1b\\x0awhere.yaml" in result.stderr
+    assert b"\x1b" not in result.stderr
+    assert b"Traceback" not in result.stderr
+
+
+@pytest.mark.skipif(sys.platform == "darwin", reason="macOS refuses such names")
+def test_undecodable_file_names_work() -> None:
+    name = b"r\xff.yaml"
+    with open(name, "w", encoding="utf-8") as file:
+        file.write(PLAIN)
+    result = run(name, "-o", b"o\xff.urdf")
+    assert (result.returncode, result.stderr) == (0, b"")
+    with open(b"o\xff.urdf", encoding="utf-8") as file:
+        assert file.read() == PLAIN_XML
+    assert run(name, "--deps").stdout.endswith(b"/r\xff.yaml\n")
+
+
+# --- colour -----------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("words", "environ", "is_colored"),
+    [
+        ([], {}, False),
+        (["--color", "always"], {}, True),
+        (["--color=always"], {"NO_COLOR": "1"}, True),
+        ([], {"FORCE_COLOR": "1"}, True),
+        ([], {"FORCE_COLOR": "1", "NO_COLOR": "1"}, False),
+        ([], {"FORCE_COLOR": "1", "NO_COLOR": ""}, True),
+        (["--color=never"], {"FORCE_COLOR": "1"}, False),
+    ],
+)
+def test_colour_follows_option_and_environment(
+    capsys: pytest.CaptureFixture[str],
+    monkeypatch: pytest.MonkeyPatch,
+    words: list[str],
+    environ: dict[str, str],
+    is_colored: bool,
+) -> None:
+    for name, value in environ.items():
+        monkeypatch.setenv(name, value)
+    _, out, err = outcome(capsys, write(WARNS), *words)
+    assert ("\033[" in err) == is_colored
+    assert "\033[" not in out
+
+
+@pytest.mark.parametrize(("term", "is_colored"), [("xterm", True), ("dumb", False)])
+@pytest.mark.parametrize("stream", ["stdout", "stderr"])
+def test_colour_is_for_terminals(term: str, is_colored: bool, stream: str) -> None:
+    import pty
+
+    master, slave = pty.openpty()
+    words = ["tree", write(ROBOT), "-q"] if stream == "stdout" else [write(WARNS)]
+    other = "stderr" if stream == "stdout" else "stdout"
+    subprocess.run(
+        [sys.executable, "-m", "yamaro", *words],
+        env={**os.environ, "TERM": term},
+        check=False,
+        timeout=60,
+        **{stream: slave, other: subprocess.DEVNULL},
+    )
+    os.close(slave)
+    shown = os.read(master, 65536)
+    os.close(master)
+    assert (b"\033[" in shown) == is_colored
+
+
+# --- a process of its own ---------------------------------------------------------------------
+
+NOISY = """\
+import atexit, os, sys, warnings
+print("import print")
+os.write(1, b"descriptor\\n")
+os.system("echo child")
+sys.__stdout__.write("late text\\n")
+atexit.register(print, "at exit")
+warnings.warn("python warning", DeprecationWarning)
+exec(compile("x = '\\\\d'; 1 is 1", "user", "exec"))
+"""
+NOISY_ROBOT = """\
+robot: arm
+import: noisy
+process: print('process print')
+model:
+  link/name=base_1.0:
+"""
+
+
+def test_nothing_user_code_does_reaches_standard_output() -> None:
+    write(NOISY, "noisy.py")
+    result = run(write(NOISY_ROBOT))
+    assert (result.returncode, result.stdout.decode()) == (0, PLAIN_XML)
+    said = result.stderr.decode().splitlines()
+    said.remove("late text")  # comes when Python empties its buffer
+    assert said == ["import print", "descriptor", "child", "process print", "at exit"]
+
+
+def test_quiet_run_silences_user_code_on_every_level() -> None:
+    write(NOISY + "os.system('echo err >&2')\nprint('x', file=sys.stderr)\n", "noisy.py")
+    result = run(write(NOISY_ROBOT), "-q")
+    assert (result.returncode, result.stdout.decode(), result.stderr) == (0, PLAIN_XML, b"")
+    result = run(write(NOISY_ROBOT + "  link/name=$(missing):\n"), "-q")
+    assert (result.returncode, result.stdout) == (1, b"")
+    assert result.stderr.startswith(b"error[")
+
+
+def test_print_lines_come_as_they_are_made() -> None:
+    write("print: first\nprocess: |\n  import time\n  time.sleep(30)\nmodel:\n")
+    process = subprocess.Popen(
+        [sys.executable, "-m", "yamaro", "robot.yaml"],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+    )
+    assert process.stdout is not None
+    assert process.stderr is not None
+    assert process.stderr.readline() == b"first\n"
+    process.send_signal(signal.SIGINT)
+    out, err = process.communicate(timeout=20)
+    assert (process.returncode, out, err) == (130, b"", b"")
+
+
+def test_python_warnings_about_user_code_are_shown_only_when_asked_for() -> None:
+    write(PLAIN + "  print: $('\\d')\n")
+    code = "import warnings\nwarnings.warn('python warning')\n"
+    write(code, "noisy.py")
+    write(NOISY_ROBOT.replace("print('process print')", "x = 1"))
+    assert run("robot.yaml").stderr == b""
+    assert b"python warning" in run("robot.yaml", python=("-W", "default")).stderr
+
+
+def test_closed_pipe_is_quiet() -> None:
+    body = "".join(f"  link/name=l{n}:\n" for n in range(5000))
+    write("robot: arm\nmodel:\n" + body)
+    read_end, write_end = os.pipe()
+    os.close(read_end)
+    process = subprocess.run(
+        [sys.executable, "-m", "yamaro", "robot.yaml"],
+        stdout=write_end,
+        stderr=subprocess.PIPE,
+        check=False,
+        timeout=60,
+    )
+    os.close(write_end)
+    assert (process.returncode, process.stderr) == (141, b"")
+
+
+@pytest.mark.skipif(not shutil.which("bash"), reason="needs bash")
+def test_head_gets_its_lines_and_no_complaint() -> None:
+    body = "".join(f"  link/name=l{n}:\n" for n in range(20000))
+    write("robot: arm\nmodel:\n" + body)
+    result = subprocess.run(
+        ["bash", "-c", f"'{sys.executable}' -m yamaro robot.yaml | head -1"],
+        capture_output=True,
+        check=False,
+        timeout=60,
+    )
+    assert (result.stdout, result.stderr) == (b'<?xml version="1.0"?>\n', b"")
+
+
+@pytest.mark.skipif(not os.path.exists("/dev/full"), reason="needs /dev/full")
+@pytest.mark.parametrize(
+    ("words", "name"), [([], "to standard output"), (["-o", "/dev/full"], "'/dev/full'")]
+)
+def test_full_disk_is_one_line(words: list[str], name: str) -> None:
+    write(PLAIN)
+    with open("/dev/full", "wb") as full:
+        process = subprocess.run(
+            [sys.executable, "-m", "yamaro", "robot.yaml", *words],
+            stdout=full,
+            stderr=subprocess.PIPE,
+            check=False,
+            timeout=60,
+        )
+    assert process.returncode == 1
+    assert process.stderr.decode() == (
+        f"yamaro: error: cannot write {name}: No space left on device\n"
+    )
+
+
+def test_output_that_cannot_be_made_is_one_line(capsys: pytest.CaptureFixture[str]) -> None:
+    write(PLAIN)
+    os.mkdir("out")
+    expected = "yamaro: error: cannot write 'out': Is a directory\n"
+    assert outcome(capsys, "robot.yaml", "-o", "out") == (1, "", expected)
+    expected = "yamaro: error: cannot write 'robot.yaml/x': Not a directory\n"
+    assert outcome(capsys, "robot.yaml", "-o", "robot.yaml/x") == (1, "", expected)
+
+
+@pytest.mark.parametrize("closed", [(0,), (1,), (2,), (0, 1, 2)])
+def test_closed_standard_streams_do_no_harm(closed: tuple[int, ...]) -> None:
+    write(PLAIN)
+    closing = " ".join(f"{number}>&-" for number in closed)
+    result = subprocess.run(
+        ["sh", "-c", f"'{sys.executable}' -m yamaro robot.yaml {closing}"],
+        capture_output=True,
+        check=False,
+        timeout=60,
+    )
+    assert result.returncode == (1 if 1 in closed else 0)
+    if 1 not in closed:
+        assert result.stdout.decode() == PLAIN_XML
+    assert result.stderr.decode() == (
+        "yamaro: error: cannot write to standard output: Bad file descriptor\n"
+        if closed == (1,)
+        else ""
+    )
+
+
+def test_module_and_script_are_the_same() -> None:
+    script = Path(sys.executable).with_name("yamaro")
+    if not script.exists():
+        pytest.skip("the script is not installed beside the interpreter")
+    write(PRINTS)
+    by_script = subprocess.run(
+        [str(script), "robot.yaml"], capture_output=True, check=False, timeout=60
+    )
+    by_module = run("robot.yaml")
+    assert by_script.stdout == by_module.stdout
+    assert by_script.stderr == by_module.stderr == b"one\ntwo\n"
+
+
+# Modules that cost start-up time and that a plain conversion must not import.
+HEAVY = {"argparse", "re", "pathlib", "dataclasses", "typing", "logging", "enum", "inspect", "ast"}
+HEAVY |= {"difflib", "signal", "threading", "importlib.metadata", "numpy", "unicodedata", "json"}
+
+
+@pytest.mark.parametrize("words", [["-q"], ["-o", "arm.urdf", "length:=2"], ["-"]])
+def test_plain_conversion_imports_little(words: list[str]) -> None:
+    import yaml
+
+    import yamaro
+
+    write(PLAIN)
+    files = [] if words == ["-"] else ["robot.yaml"]
+    code = "import sys; from yamaro.cli import main; status = main(); "
+    code += "sys.stderr.write(' '.join([str(status), *sys.modules])) "
+    paths = [str(Path(module.__file__ or "").parents[1]) for module in (yamaro, yaml)]
+    result = subprocess.run(
+        [sys.executable, "-S", "-c", code, *files, *(w for w in words if w != "-q")],
+        input=PLAIN.encode() if words == ["-"] else b"",
+        capture_output=True,
+        env={**os.environ, "PYTHONPATH": os.pathsep.join(paths)},
+        check=False,
+        timeout=60,
+    )
+    status, *modules = result.stderr.decode().split()
+    assert status == "0"
+    assert HEAVY.isdisjoint(modules), sorted(HEAVY.intersection(modules))
+
+
+# --- completion -------------------------------------------------------------------------------
+
+
+def test_variables_of_a_file_are_listed_without_running_it(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    write(
+        "import: danger\n"
+        "process: open('ran', 'w')\n"
+        "variables:\n"
+        "  length/global: 1.0\n"
+        "  legs: [1,\n    2]\n"
+        "  $(dynamic): 1\n"
+        "variables:\n"
+        "- side: left\n"
+        "- text: '" + "x" * 100 + "'\n"
+    )
+    write("open('ran', 'w')", "danger.py")
+    status, out, err = outcome(capsys, "completion", "variables", "robot.yaml")
+    assert (status, err) == (0, "")
+    shortened = "'" + "x" * 38 + "…"
+    assert out == f"length:=\t1.0\nlegs:=\t[1, 2]\nside:=\tleft\ntext:=\t{shortened}\n"
+    assert not os.path.exists("ran")
+
+
+@pytest.mark.parametrize("text", ["", "a: [", "- 1\n", "just text", "variables: 3\n"])
+def test_files_without_variables_list_none(capsys: pytest.CaptureFixture[str], text: str) -> None:
+    assert outcome(capsys, "completion", "variables", write(text)) == (0, "", "")
+
+
+def test_what_is_no_file_lists_no_variables(capsys: pytest.CaptureFixture[str]) -> None:
+    os.mkfifo("pipe")
+    Path("binary").write_bytes(b"\xff\xfe\x00")
+    for name in ("missing", ".", "pipe", "binary", "~/missing"):
+        assert outcome(capsys, "completion", "variables", name) == (0, "", "")
+
+
+@pytest.mark.parametrize("shell", completion.SHELLS)
+def test_completion_scripts_are_valid_and_name_every_option(
+    capsys: pytest.CaptureFixture[str], shell: str
+) -> None:
+    status, out, err = outcome(capsys, "completion", shell)
+    assert (status, err) == (0, "")
+    for option in cli.OPTIONS:
+        if shell == "fish":
+            option = f"-l {option[2:]}" if option.startswith("--") else f"-s {option[1:]}"
+        assert option in out
+    if shutil.which(shell):
+        write(out, "script")
+        result = subprocess.run([shell, "-n", "script"], capture_output=True, check=False)
+        assert (result.returncode, result.stderr) == (0, b"")
+
+
+def on_path() -> dict[str, str]:
+    """Return an environment in which `yamaro` is the one under test."""
+    os.makedirs("bin", exist_ok=True)
+    write(f"#!/bin/sh\nexec '{sys.executable}' -m yamaro \"$@\"\n", "bin/yamaro")
+    os.chmod("bin/yamaro", 0o755)
+    return {**os.environ, "PATH": f"{os.getcwd()}/bin{os.pathsep}{os.environ['PATH']}"}
+
+
+@pytest.mark.skipif(not shutil.which("bash"), reason="needs bash")
+@pytest.mark.parametrize(
+    ("line", "words", "expected"),
+    [
+        ("yamaro ", ["yamaro", ""], "bin check completion robot.yaml tree two.yml"),
+        ("yamaro ro", ["yamaro", "ro"], "robot.yaml"),
+        ("yamaro check ro", ["yamaro", "check", "ro"], "robot.yaml"),
+        ("yamaro robot.yaml ", ["yamaro", "robot.yaml", ""], "legs:= length:="),
+        ("yamaro robot.yaml le", ["yamaro", "robot.yaml", "le"], "legs:= length:="),
+        ("yamaro robot.yaml legs:=", ["yamaro", "robot.yaml", "legs", ":="], ""),
+        (
+            "yamaro robot.yaml legs:=3 len",
+            ["yamaro", "robot.yaml", "legs", ":=", "3", "len"],
+            "length:=",
+        ),
+        ("yamaro robot.yaml -o a", ["yamaro", "robot.yaml", "-o", "a"], "a.urdf"),
+        ("yamaro --st", ["yamaro", "--st"], "--strict"),
+        ("yamaro check --d", ["yamaro", "check", "--d"], ""),
+        ("yamaro --color=al", ["yamaro", "--color", "=", "al"], "always"),
+        ("yamaro completion z", ["yamaro", "completion", "z"], "zsh"),
+    ],
+)
+def test_bash_completes(line: str, words: list[str], expected: str) -> None:
+    write("variables: {length: 1, legs: 4}\n")
+    write("", "two.yml")
+    write("", "a.urdf")
+    write(completion.script("bash"), "script")
+    program = 'source ./script; COMP_LINE=$1; COMP_POINT=${#1}; shift; COMP_WORDS=("$@")\n'
+    program += 'COMP_CWORD=$(($# - 1)); _yamaro; printf "%s\\n" "${COMPREPLY[@]}"'
+    result = subprocess.run(
+        ["bash", "--norc", "-c", program, "bash", line, *words],
+        capture_output=True,
+        env=on_path(),
+        text=True,
+        check=True,
+        timeout=60,
+    )
+    assert result.stderr == ""
+    found = [word for word in result.stdout.split() if word != "script"]
+    assert sorted(found) == expected.split()
+
+
+@pytest.mark.skipif(not shutil.which("fish"), reason="needs fish")
+@pytest.mark.parametrize(
+    ("line", "expected"),
+    [
+        ("yamaro ro", "robot.yaml"),
+        ("yamaro robot.yaml ", "legs:= length:="),
+        ("yamaro check robot.yaml len", "length:="),
+        ("yamaro --st", "--strict"),
+        ("yamaro completion ", "bash fish zsh"),
+    ],
+)
+def test_fish_completes(line: str, expected: str) -> None:
+    write("variables: {length: 1, legs: 4}\n")
+    write(completion.script("fish"), "script")
+    result = subprocess.run(
+        ["fish", "--no-config", "-c", "source ./script; complete -C $argv[1]", line],
+        capture_output=True,
+        env={**on_path(), "HOME": os.getcwd()},
+        text=True,
+        check=True,
+        timeout=60,
+    )
+    found = [found.partition("\t")[0] for found in result.stdout.splitlines()]
+    assert sorted(found) == expected.split()
