@@ -201,7 +201,7 @@ def _advise_on_limit(joint: Element, context: CheckContext) -> None:
                 f"{shown(fabs(bound) / (2 * pi))} turns",
                 limit,
                 attribute=attribute,
-                hint=f"write `$(radians({shown(bound)}))` if it is in degrees",
+                hint=f"angles are in radians; for degrees write `$(radians({shown(bound)}))`",
             )
     if context.version == "1.2":
         return

@@ -208,7 +208,7 @@ def check_pose(element: Element, owner: Element, context: CheckContext) -> None:
                 f"'rpy' in {label(owner)} holds {shown(angle)}, more than a full turn",
                 origin,
                 attribute="rpy",
-                hint=f"angles are in radians: write `$(radians({shown(angle)}))` if it is in degrees",
+                hint=f"angles are in radians; for degrees write `$(radians({shown(angle)}))`",
             )
             return
 

@@ -64,6 +64,14 @@ GAZEBO_ONLY = frozenset(
     ("gravity", "implicitSpringDamper", "kd", "kinematic", "kp", "mu", "mu1", "mu2")
 ) | {"provideFeedback", "selfCollide", "self_collide", "surface", "turnGravityOff"}
 REPEATED_INERTIA = {"iyx": "ixy", "izx": "ixz", "izy": "iyz"}
+USED_LIKE: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
+    "link": ((), ("inertial", "visual", "collision")),
+    "joint": (("type",), ("parent", "child")),
+    "material": ((), ("color", "texture")),
+    "transmission": ((), ("type", "joint", "actuator")),
+    "ros2_control": (("type",), ("hardware", "joint")),
+}
+"""Attributes and children by which an element of a misspelt name is recognised."""
 PARENTS = {
     "origin": "a joint, visual, collision or inertial",
     "geometry": "a visual or collision",
@@ -390,8 +398,14 @@ def _near_outermost(child: Element) -> str | None:
     """Return the element meant, if the name is one slip away from it and it is used like it."""
     if ":" in child.name or "name" not in child.attributes:
         return None
-    for known in ("link", "joint", "material", "transmission", "ros2_control"):
-        if is_one_slip_away(child.name, known):
+    for known, (attributes, children) in USED_LIKE.items():
+        if not is_one_slip_away(child.name, known):
+            continue
+        is_used_like = any(name in child.attributes for name in attributes) or any(
+            inner.name in children for inner in child.elements()
+        )
+        # `<line name="l"/>` may be anything; `<lnik name="l"/>` has the very letters of a link.
+        if is_used_like or sorted(child.name.lower()) == sorted(known):
             return known
     return None
 
