@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 import os
 import shutil
 import signal
@@ -181,6 +182,13 @@ def test_standard_input_is_read_for_a_dash() -> None:
     result = run("-", "-o", "x.urdf", input="\ufeffmodel:\n  link/name=é:\n".encode())
     assert result.returncode == 0
     assert "é" in Path("x.urdf").read_text(encoding="utf-8")
+
+
+def test_standard_input_may_be_a_python_stream(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(sys, "stdin", io.StringIO(PLAIN))
+    assert outcome(capsys, "-") == (0, PLAIN_XML, "")
 
 
 def test_standard_input_that_is_no_utf8_is_an_error() -> None:
@@ -514,13 +522,13 @@ def test_colour_is_for_terminals(term: str, is_colored: bool, stream: str) -> No
 
     master, slave = pty.openpty()
     words = ["tree", write(ROBOT), "-q"] if stream == "stdout" else [write(WARNS)]
-    other = "stderr" if stream == "stdout" else "stdout"
     subprocess.run(
         [sys.executable, "-m", "yamaro", *words],
         env={**os.environ, "TERM": term},
+        stdout=slave if stream == "stdout" else subprocess.DEVNULL,
+        stderr=slave if stream == "stderr" else subprocess.DEVNULL,
         check=False,
         timeout=60,
-        **{stream: slave, other: subprocess.DEVNULL},
     )
     os.close(slave)
     shown = os.read(master, 65536)

@@ -260,10 +260,12 @@ def test_writing_works_outside_the_main_thread(tmp_path: Path) -> None:
 def test_writers_at_the_same_time_leave_one_whole_file(tmp_path: Path) -> None:
     target = str(tmp_path / "a")
     contents = [bytes([65 + n]) * 200_000 for n in range(4)]
-    threads = [
-        threading.Thread(target=lambda c=c: [write_file(target, c) for _ in range(5)])
-        for c in contents
-    ]
+
+    def rewrite(content: bytes) -> None:
+        for _ in range(5):
+            write_file(target, content)
+
+    threads = [threading.Thread(target=rewrite, args=(content,)) for content in contents]
     for thread in threads:
         thread.start()
     for thread in threads:

@@ -389,7 +389,9 @@ def _read_standard_input() -> str:
 
     if sys.stdin is None:
         raise WrongUsage("standard input is closed")
-    return decode(sys.stdin.buffer.read(), name="-", path="").text
+    buffer = getattr(sys.stdin, "buffer", None)
+    data = sys.stdin.read().encode() if buffer is None else buffer.read()
+    return decode(data, name="-", path="").text
 
 
 def _version() -> str:
