@@ -46,17 +46,23 @@ make_venv() {
 pip_install() { "$venv/bin/python" -m pip install -q --disable-pip-version-check "$@"; }
 
 # use_venv NAME EXTRAS: make NAME/ (once) with the project and its EXTRAS in it, and put it on PATH.
-# A copy of pyproject.toml inside tells whether it still holds what the project asks for.
+# With PYTHON the name gets the version too. A copy of pyproject.toml inside tells whether the
+# environment still holds what the project asks for.
 use_venv() {
-    venv=$root/$1
+    name=$1
+    if [ -n "${PYTHON:-}" ]; then
+        python=$(find_python)
+        name=$1-$("$python" -c 'import sys; print("%d.%d" % sys.version_info[:2])')
+    fi
+    venv=$root/$name
     stamp=$venv/pyproject-${2:-none}.toml
     if [ ! -x "$venv/bin/python" ] || ! is_recent "$venv/bin/python"; then
         python=$(find_python)
-        say "making $1 with $("$python" --version)"
+        say "making $name with $("$python" --version)"
         make_venv "$python" "$venv"
     fi
     if ! cmp -s pyproject.toml "$stamp"; then
-        say "installing Yamaro${2:+ with its $2 tools} into $1"
+        say "installing Yamaro${2:+ with its $2 tools} into $name"
         # Older ones, such as Debian 12's, search for minutes before they settle on versions.
         [ -z "$2" ] || pip_install 'pip>=24.1'
         pip_install -e ".${2:+[$2]}"
@@ -64,11 +70,4 @@ use_venv() {
     fi
     PATH=$venv/bin:$PATH
     export PATH
-}
-
-# Print the environment's folder: .venv, or one a version when PYTHON names the interpreter.
-venv_name() {
-    [ -n "${PYTHON:-}" ] || { printf '%s\n' "$1"; return; }
-    python=$(find_python)
-    "$python" -c "import sys; print('$1-%d.%d' % sys.version_info[:2])"
 }
