@@ -94,13 +94,15 @@ def check_once(lowering: Lowering, first: Element, second: Element) -> None:
         or first.span.key() == second.span.key()
     ):
         return
-    lowering.error(
-        "given-twice",
-        f"'{second.name}' is given twice",
-        second.span,
-        hint="remove one of the two",
-        notes=(f"first given at {first.span.place()}",),
-        trace=second.trace,
+    lowering.absorb(
+        failure(
+            "given-twice",
+            f"'{second.name}' is given twice",
+            second.span,
+            hint="remove one of the two",
+            notes=(f"first given at {first.span.place()}",),
+            trace=second.trace,
+        )
     )
 
 
@@ -129,23 +131,27 @@ def check_plain(lowering: Lowering, element: Element, place_name: str | None) ->
 
 
 def _refuse_list(lowering: Lowering, owner: Element, span: Span) -> None:
-    lowering.error(
-        "list-as-text",
-        f"a list cannot be the content of <{owner.name}>",
-        span,
-        hint="write the items as one text, such as 1 0 0, or give a list of elements",
-        trace=owner.trace,
+    lowering.absorb(
+        failure(
+            "list-as-text",
+            f"a list cannot be the content of <{owner.name}>",
+            span,
+            hint="write the items as one text, such as 1 0 0, or give a list of elements",
+            trace=owner.trace,
+        )
     )
 
 
 def refuse_part(lowering: Lowering, part: Element, place_name: str) -> None:
     """Record that a part stands inside a joint, link or section."""
-    lowering.error(
-        "misplaced-part",
-        f"a part cannot stand inside {_with_article(place_name)}",
-        part.span,
-        hint="write it beside the outer part, with 'parent' naming that part",
-        trace=part.trace,
+    lowering.absorb(
+        failure(
+            "misplaced-part",
+            f"a part cannot stand inside {_with_article(place_name)}",
+            part.span,
+            hint="write it beside the outer part, with 'parent' naming that part",
+            trace=part.trace,
+        )
     )
 
 
@@ -158,7 +164,7 @@ def _refuse_text(lowering: Lowering, owner: Element, text: Text, place: Place) -
     else:
         message = f"a list stands directly in {_with_article(place.name)}"
     hint = f"'{place.name}' takes keys, such as {place.example}"
-    lowering.error("unexpected-text", message, text.span, hint=hint, trace=owner.trace)
+    lowering.absorb(failure("unexpected-text", message, text.span, hint=hint, trace=owner.trace))
 
 
 # --- misspelt and misplaced keys --------------------------------------------------------------
@@ -175,14 +181,14 @@ def _warn_of_key(lowering: Lowering, child: Element, place: Place) -> None:
     hint = lowering.near_keys[question]
     if hint is None:
         return
-    is_misspelt = hint.startswith("did you mean")
-    lowering.reporter.warn(
-        "unknown-key" if is_misspelt else "misplaced-key",
-        f"'{name}' is no key of {_with_article(place.name)}, and comes out as the element <{name}>",
-        child.span,
-        hint=f"{hint} (<{name}>: is always an element)",
-        trace=child.trace,
+    message = (
+        f"'{name}' is no key of {_with_article(place.name)}, and comes out as the element <{name}>"
     )
+    hint = f"{hint} (<{name}>: is always an element)"
+    if hint.startswith("did you mean"):
+        lowering.reporter.warn("unknown-key", message, child.span, hint=hint, trace=child.trace)
+    else:
+        lowering.reporter.warn("misplaced-key", message, child.span, hint=hint, trace=child.trace)
 
 
 def _warning_hint(name: str, place: Place) -> str | None:

@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-from ..diagnostics import Diagnostic, YamaroError
-
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
+    from collections.abc import Callable
 
-    from ..diagnostics import Frame, Reporter
+    from ..diagnostics import Diagnostic, Reporter, YamaroError
     from ..source import Span
     from ..xmltree import Element
     from .mesh import SolidMoments
@@ -64,26 +62,10 @@ class Lowering:
         self.part_joints: dict[str, str] = {}
         self._reported: set[object] = set()
 
-    def error(
-        self,
-        code: str,
-        message: str,
-        span: Span,
-        *,
-        hint: str | None = None,
-        notes: Sequence[str] = (),
-        trace: Frame | None = None,
-    ) -> None:
-        """Record an error and go on; the same error at the same place counts once."""
-        self._record(Diagnostic(code, message, span, hint=hint, notes=notes, trace=trace))
-
     def absorb(self, error: YamaroError) -> None:
-        """Record the errors of an exception and go on."""
+        """Record the errors of an exception and go on; the same at the same place counts once."""
         for diagnostic in error.diagnostics:
-            self._record(diagnostic)
-
-    def _record(self, diagnostic: Diagnostic) -> None:
-        key = (diagnostic.code, diagnostic.message, diagnostic.span.key())
-        if key not in self._reported:
-            self._reported.add(key)
-            self.errors.append(diagnostic)
+            key = (diagnostic.code, diagnostic.message, diagnostic.span.key())
+            if key not in self._reported:
+                self._reported.add(key)
+                self.errors.append(diagnostic)

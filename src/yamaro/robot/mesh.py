@@ -266,7 +266,7 @@ def _parse_obj(data: bytes) -> TriangleMesh:
     corners: list[Vector] = []
     try:
         for line in data.replace(b"\\\n", b" ").splitlines():
-            words = line.split()
+            words = line.partition(b"#")[0].split()
             if not words:
                 continue
             if words[0] == b"v":

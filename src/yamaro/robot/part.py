@@ -222,12 +222,14 @@ def _read_names(lowering: Lowering, part: Element, fields: Fields) -> PartNames:
         lowering.absorb(error)
         return PartNames(None, UNNAMED, UNNAMED)
     if names is None and (own_link is None or (joint is not None and own_joint is None)):
-        lowering.error(
-            "missing-name",
-            "this part has no name",
-            part.span,
-            hint="write name: wheel, which names the joint 'wheel_joint' and the link 'wheel_link'",
-            trace=part.trace,
+        lowering.absorb(
+            failure(
+                "missing-name",
+                "this part has no name",
+                part.span,
+                hint="write name: wheel, which makes 'wheel_joint' and 'wheel_link'",
+                trace=part.trace,
+            )
         )
     if names is None:
         names = PartNames(None, UNNAMED, UNNAMED)
