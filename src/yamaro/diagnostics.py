@@ -132,9 +132,7 @@ class Reporter:
     ) -> None:
         """Collect a warning; see `Diagnostic`."""
         self.add(
-            Diagnostic(
-                code, message, span, hint=hint, notes=notes, severity=WARNING, trace=trace
-            )
+            Diagnostic(code, message, span, hint=hint, notes=notes, severity=WARNING, trace=trace)
         )
 
     def add(self, diagnostic: Diagnostic) -> None:

@@ -13,6 +13,7 @@ if TYPE_CHECKING:
 
     from ..diagnostics import Reporter
     from ..source import Span
+    from .urdf import AttributeRule
 
 SUGGESTION_BUDGET = 200_000
 """Names compared in one run to find the one meant; keeps a robot full of faults linear."""
@@ -48,12 +49,16 @@ class Finding:
 class CheckContext:
     """One run of the checks: where findings go, and what has been worked out so far."""
 
-    __slots__ = ("_found", "_numbers", "_suggestion_budget", "reporter", "version")
+    __slots__ = ("_found", "_numbers", "_suggestion_budget", "reporter", "sound", "version")
 
     def __init__(self, reporter: Reporter, *, version: str = "1.0") -> None:
-        """Report to `reporter`; `version` is the URDF version of the robot."""
+        """Report to `reporter`; `version` is the URDF version of the robot.
+
+        `sound` holds the texts that have been found right for a kind of attribute.
+        """
         self.reporter = reporter
         self.version = version
+        self.sound: set[tuple[str, AttributeRule]] = set()
         self._numbers: dict[str, tuple[float, ...] | NumberFault] = {}
         self._suggestion_budget = SUGGESTION_BUDGET
         self._found: dict[object, Finding] = {}

@@ -133,11 +133,15 @@ def _check_attributes(
     element: Element, rule: ElementRule, owner: Element, context: CheckContext
 ) -> None:
     attributes = element.attributes
-    for name in attributes:
-        attribute_rule = rule.attributes.get(name)
+    known = rule.attributes
+    sound = context.sound
+    for name, value in attributes.items():
+        attribute_rule = known.get(name)
         if attribute_rule is None:
             _check_unknown_attribute(name, element, rule, owner, context)
-        elif attribute_rule.count != TEXT:
+        elif attribute_rule.count != TEXT and (
+            type(value) is not str or (value, attribute_rule) not in sound
+        ):
             _check_numbers(name, attribute_rule, element, owner, context)
     for name in rule.required:
         if attributes.get(name) is None:
@@ -157,12 +161,12 @@ def _check_numbers(
     if len(found) != rule.count:
         _report_count(len(found), text, name, rule, element, owner, context)
         return
-    if rule.sign == ANY:
-        return
-    for number in found:
-        if number < 0 or (rule.sign == POSITIVE and number == 0):
-            _report_sign(number, name, rule, element, owner, context)
-            return
+    if rule.sign != ANY:
+        for number in found:
+            if number < 0 or (rule.sign == POSITIVE and number == 0):
+                _report_sign(number, name, rule, element, owner, context)
+                return
+    context.sound.add((text, rule))
 
 
 def _report_not_a_number(

@@ -8,7 +8,8 @@ value      = "'" … "'" | '"' … '"' | text without commas
 
 from __future__ import annotations
 
-from ..diagnostics import Reporter, failure
+from ..diagnostics import failure
+from .context import ParseContext
 from .names import bad_name_character
 from .nodes import Attribute
 from .template import Template, parse_template, skip_expression
@@ -32,14 +33,14 @@ def find_outside(text: str, characters: str, start: int, end: int) -> int:
 
 
 def parse_name(
-    key: ScalarNode, start: int, end: int, *, what: str, reporter: Reporter
+    key: ScalarNode, start: int, end: int, *, what: str, context: ParseContext
 ) -> str | Template:
     """Return the element's or attribute's name in `key.text[start:end]`, checked if it is known.
 
     Raises:
         YamaroError: it is no XML name.
     """
-    name = parse_template(key, start, end, reporter=reporter)
+    name = parse_template(key, start, end, context=context)
     if isinstance(name, str):
         fault = name_fault(name, what)
         if fault is not None:
@@ -80,7 +81,7 @@ def _name_hint(key: ScalarNode, name: str) -> str:
 
 
 def parse_attributes(
-    key: ScalarNode, start: int, end: int, *, reporter: Reporter
+    key: ScalarNode, start: int, end: int, *, context: ParseContext
 ) -> list[Attribute]:
     """Return the attributes in `key.text[start:end]`, what stands behind the slash.
 
@@ -91,7 +92,7 @@ def parse_attributes(
     seen: dict[str, Attribute] = {}
     at = start
     while at <= end:
-        attribute, at = _parse_attribute(key, at, end, reporter)
+        attribute, at = _parse_attribute(key, at, end, context)
         name = attribute.name
         if isinstance(name, str):
             if name in seen:
@@ -110,7 +111,7 @@ def parse_attributes(
 
 
 def _parse_attribute(
-    key: ScalarNode, start: int, end: int, reporter: Reporter
+    key: ScalarNode, start: int, end: int, context: ParseContext
 ) -> tuple[Attribute, int]:
     """Return the attribute that begins at `start`, and the index of the comma behind it."""
     text = key.text
@@ -120,7 +121,7 @@ def _parse_attribute(
     first, last = _trim(text, start, equals)
     if last > first and text[last - 1] == ":":
         first, last = _trim(text, first, last - 1)
-    name = parse_name(key, first, last, what="attribute", reporter=reporter)
+    name = parse_name(key, first, last, what="attribute", context=context)
     begin = equals + 1
     while begin < end and text[begin].isspace():
         begin += 1
@@ -147,7 +148,7 @@ def _parse_attribute(
         comma = find_outside(text, ",", begin, end)
         comma = end if comma < 0 else comma
         value_start, value_end = _trim(text, begin, comma)
-    value = parse_template(key, value_start, value_end, reporter=reporter)
+    value = parse_template(key, value_start, value_end, context=context)
     span = (
         key.span(value_start, value_end) if value_end > value_start else key.span(first, equals + 1)
     )

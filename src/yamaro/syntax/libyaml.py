@@ -70,7 +70,7 @@ def _choose() -> tuple[Any, Any]:
     """Return the event parser class and the base class of its errors."""
     try:
         binding = _load_binding()
-        return binding.CParser, sys.modules["yaml.error"].YAMLError  # type: ignore[attr-defined]
+        return binding.CParser, sys.modules["yaml.error"].YAMLError
     except ImportError:
         import yaml
 

@@ -14,6 +14,7 @@ STATEMENTS = (
     "print",
     "process",
 )
+ROOT_STATEMENTS = ("variables", "functions", "print", "process", "if", "elif", "else", "for")
 SECTIONS = (
     "robot",
     "import",

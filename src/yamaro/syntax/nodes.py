@@ -156,71 +156,73 @@ class PartNode:
 
 
 class Argument:
-    """One argument of a call or an include: a value, a block, or either until it is called.
+    """One argument of a call or an include; of a call with a block, the block's body.
 
-    Which of the two a key means is known only when the function is. `value` and `block` hold
-    what could be parsed, and `value_faults` and `block_faults` what was wrong with it.
+    Whether a capitalised key means a block or a value is known only when the function is, so such
+    an argument keeps its YAML node, and is read as the other kind when that turns out to be meant.
     """
 
-    __slots__ = ("block", "block_faults", "key", "name", "span", "value", "value_faults")
+    __slots__ = ("block", "name", "node", "span", "value")
 
-    def __init__(self, name: str | Template | None, key: ScalarNode | None, span: Span) -> None:
+    def __init__(self, name: str | None, node: YamlNode | None, span: Span) -> None:
         self.name = name
-        self.key = key
+        self.node = node
         self.span = span
         self.value: Value | None = None
         self.block: Body | None = None
-        self.value_faults: Sequence[Diagnostic] = ()
-        self.block_faults: Sequence[Diagnostic] = ()
 
 
 class CallNode:
-    """`Name:` or `ns.Name:`: a function call or the insertion of a block."""
+    """`Name:` or `ns.Name:`: a function call."""
 
-    __slots__ = ("arguments", "block", "block_faults", "faults", "name", "name_span", "span")
+    __slots__ = ("arguments", "name", "span")
 
-    def __init__(
-        self,
-        name: str | Template,
-        arguments: list[Argument],
-        *,
-        span: Span,
-        block: Body | None = None,
-    ) -> None:
-        """Hold a call.
-
-        Args:
-            name: the function's name, dotted where it is in a namespace.
-            arguments: positional ones (without a name) first.
-            span: the key.
-            block: the value read as a body: the default content, where a block is inserted.
-        """
+    def __init__(self, name: str, arguments: list[Argument], span: Span) -> None:
+        """Hold a call; positional arguments, which have no name, come first."""
         self.name = name
         self.arguments = arguments
         self.span = span
-        self.block = block
-        self.faults: Sequence[Diagnostic] = ()
-        self.block_faults: Sequence[Diagnostic] = ()
+
+
+class InsertNode:
+    """`Name:` inside a function that has a block of that name: the block, or else `default`."""
+
+    __slots__ = ("default", "name", "span")
+
+    def __init__(self, name: str, default: Body | None, span: Span) -> None:
+        self.name = name
+        self.default = default
+        self.span = span
 
 
 class DynamicNode:
-    """A key that is one `$(…)`: an element or a call, whatever its value turns out to be."""
+    """A bare key with `$(…)` in it: an element or a call, whatever its value turns out to be."""
 
-    __slots__ = ("call", "content", "content_faults", "key", "span")
+    __slots__ = ("call", "content", "faults", "key", "node", "span")
 
     def __init__(
         self,
         key: Template,
+        node: YamlNode,
         content: Content,
-        content_faults: Sequence[Diagnostic],
-        call: CallNode,
+        faults: Sequence[Diagnostic],
         span: Span,
     ) -> None:
+        """Hold both readings.
+
+        Args:
+            key: the key.
+            node: what stands under it, to be read as arguments if it is a call.
+            content: what stands under it, read as an element's content.
+            faults: what is wrong with that reading, told if it is an element.
+            span: the place of the key.
+        """
         self.key = key
+        self.node = node
         self.content = content
-        self.content_faults = content_faults
-        self.call = call
+        self.faults = faults
         self.span = span
+        self.call: list[Argument] | None = None
 
 
 class IfNode:
@@ -372,6 +374,7 @@ Statement = (
     | CommentNode
     | PartNode
     | CallNode
+    | InsertNode
     | DynamicNode
     | IfNode
     | ForNode

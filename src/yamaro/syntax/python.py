@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ..diagnostics import Diagnostic, failure
+from ..diagnostics import failure
 from .yaml_nodes import PLAIN
 
 TYPE_CHECKING = False
@@ -236,13 +236,24 @@ def ros_words(text: str) -> list[str] | None:
     return words
 
 
-def expression_without_dollars(node: ScalarNode) -> tuple[str, list[int]]:
-    """Return a scalar's text as one expression in which `$(e)` means `(e)`.
+def ros_call(words: list[str]) -> str:
+    """Return the Python call a ROS substitution stands for."""
+    form, name = words[0], words[1]
+    if form == "arg":
+        return name
+    if form == "env":
+        return f"__env__({name!r})"
+    if form == "optenv":
+        return f"__env__({name!r}, {' '.join(words[2:])!r})"
+    return f"__find__({name!r})"
 
-    Also returns the indices of every `$(` that stands inside a string, where it is plain text.
-    The text keeps its length, so that places stay right.
+
+def expression_without_dollars(text: str) -> tuple[str, list[int]]:
+    """Return a text as one expression in which `$(e)` means `(e)`.
+
+    Also returns the index of every `$(` that stands inside a string, where it is plain text.
+    The result is as long as the text, so that places stay right, unless it holds ROS's forms.
     """
-    text = node.text
     if "$(" not in text:
         return text, []
     pieces: list[str] = []
@@ -258,14 +269,11 @@ def expression_without_dollars(node: ScalarNode) -> tuple[str, list[int]]:
             pieces.append(text[at:end])
             at = end
         elif text.startswith("$(", at):
-            pieces.append(" (")
-            at += 2
+            close = find_close(text, at + 2)
+            words = ros_words(text[at + 2 : close]) if close >= 0 else None
+            pieces.append(f"({ros_call(words)}" if words else " (")
+            at = close if words else at + 2
         else:
             pieces.append(text[at])
             at += 1
     return "".join(pieces), quoted
-
-
-def diagnostics_of(error: Exception) -> list[Diagnostic]:
-    """Return the diagnostics an error holds."""
-    return getattr(error, "diagnostics", [])

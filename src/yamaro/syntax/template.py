@@ -2,11 +2,18 @@
 
 from __future__ import annotations
 
-from .python import PythonCode, compile_expression, find_close, ros_words, unclosed
+from .python import (
+    PythonCode,
+    compile_expression,
+    find_close,
+    ros_call,
+    ros_words,
+    unclosed,
+)
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from ..diagnostics import Reporter
+    from .context import ParseContext
     from ..source import Span
     from .yaml_nodes import ScalarNode
 
@@ -39,7 +46,7 @@ class Template:
 
 
 def parse_template(
-    node: ScalarNode, start: int = 0, end: int | None = None, *, reporter: Reporter
+    node: ScalarNode, start: int = 0, end: int | None = None, *, context: ParseContext
 ) -> str | Template:
     """Return `node.text[start:end]` as a template, or as plain text if it holds no expression.
 
@@ -70,11 +77,11 @@ def parse_template(
             if piece := "".join(literal):
                 parts.append(piece)
             literal = []
-            parts.append(parse_expression(node, dollar + 2, close))
+            parts.append(parse_expression(node, dollar + 2, close, context))
             at = close + 1
         else:
             if text.startswith("${", dollar):
-                _warn_of_xacro(node, dollar, reporter)
+                _warn_of_xacro(node, dollar, context)
             literal.append("$")
             at = dollar + 1
     if piece := "".join(literal):
@@ -84,31 +91,20 @@ def parse_template(
     return Template(tuple(parts), node, start, end)
 
 
-def parse_expression(node: ScalarNode, start: int, end: int) -> PythonCode:
+def parse_expression(node: ScalarNode, start: int, end: int, context: ParseContext) -> PythonCode:
     """Return the expression `node.text[start:end]`, ROS's own forms included."""
     text = node.text[start:end]
     words = ros_words(text)
-    if words is None:
-        return compile_expression(text, node, start)
-    return compile_expression(text, node, start, meaning=_ros_call(words))
+    meaning = ros_call(words) if words else None
+    code = compile_expression(text, node, start, meaning=meaning)
+    context.codes.append(code)
+    return code
 
 
-def _ros_call(words: list[str]) -> str:
-    """Return the Python call a ROS substitution stands for."""
-    form, name = words[0], words[1]
-    if form == "arg":
-        return f"__arg__({name!r})"
-    if form == "env":
-        return f"__env__({name!r})"
-    if form == "optenv":
-        return f"__env__({name!r}, {' '.join(words[2:])!r})"
-    return f"__find__({name!r})"
-
-
-def _warn_of_xacro(node: ScalarNode, index: int, reporter: Reporter) -> None:
+def _warn_of_xacro(node: ScalarNode, index: int, context: ParseContext) -> None:
     close = node.text.find("}", index)
     inner = node.text[index + 2 : close] if close >= 0 else "…"
-    reporter.warn(
+    context.warn(
         "xacro-syntax",
         "'${' is xacro's spelling and stays as it is here",
         node.span(index, index + 2),

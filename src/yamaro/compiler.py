@@ -1,0 +1,281 @@
+"""The pipeline: read → parse → evaluate → lower → check → write."""
+
+from __future__ import annotations
+
+import os
+import sys
+
+from .diagnostics import ERROR, Diagnostic, Reporter, YamaroError, YamaroWarning, suggest
+from .robot.check import check
+from .robot.part import lower
+from .runtime.interpreter import Interpreter
+from .runtime.loader import FileLoader, LoadError, decode
+from .runtime.predefined import plain_data
+from .source import Source, Span
+from .syntax.context import ParseContext
+from .syntax.names import is_identifier
+from .syntax.values import parse_inline
+from .syntax.yaml_nodes import PLAIN, ScalarNode
+from .xmltree import Element, write
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable, Mapping, Sequence
+
+    from .runtime.loader import Loader
+    from .runtime.packages import PackageFinder
+
+STANDARD_INPUT = "-"
+RECURSION_LIMIT = 40_000 if sys.version_info >= (3, 11) else 15_000
+
+
+class UsageError(Exception):
+    """The command was used wrongly: the main file is missing, or an argument is malformed."""
+
+
+class Build:
+    """A finished robot or other document."""
+
+    __slots__ = ("files", "meshes", "root", "warnings")
+
+    def __init__(
+        self, root: Element, *, warnings: list[Diagnostic], files: list[str], meshes: list[str]
+    ) -> None:
+        """Hold the results of a build.
+
+        Args:
+            root: the finished tree.
+            warnings: what was noticed, in order.
+            files: the absolute path of every file read, in order.
+            meshes: the meshes the robot refers to: absolute paths, or as written if not found.
+        """
+        self.root = root
+        self.warnings = warnings
+        self.files = files
+        self.meshes = meshes
+
+    def xml(self) -> str:
+        """Return the document as text; raise YamaroError where XML cannot hold a character."""
+        return write(self.root)
+
+
+def build(
+    path: str,
+    *,
+    command_line: Sequence[str] = (),
+    variables: Mapping[str, object] | None = None,
+    text: str | None = None,
+    strict: bool = False,
+    advice: bool = False,
+    on_message: Callable[[str], None] | None = None,
+    loader: Loader | None = None,
+) -> Build:
+    """Compile a file.
+
+    Args:
+        path: the main file; "-" with `text` for a text that is in no file.
+        command_line: variables as `name:=value`, the value in YAML.
+        variables: variables as Python objects.
+        text: what to compile in place of the content of `path`.
+        strict: raise warnings as errors.
+        advice: also warn of what is legal but seldom meant.
+        on_message: takes each line that `print` and `process` print; standard error by default.
+        loader: gives the text of files; the disk by default.
+
+    Raises:
+        YamaroError: the input has errors; it holds them, and the warnings found before.
+        UsageError: the main file cannot be read, or a `name:=value` is malformed.
+    """
+    if sys.getrecursionlimit() < RECURSION_LIMIT:
+        sys.setrecursionlimit(RECURSION_LIMIT)
+    reporter = Reporter()
+    loader = loader or FileLoader()
+    try:
+        passed, places = _read_command_line(command_line)
+        passed.update(variables or {})
+        source = _read_main(path, text, loader)
+        interpreter = Interpreter(
+            loader=loader, reporter=reporter, on_message=on_message or _print_to_standard_error
+        )
+        stem = _stem(path)
+        evaluated = interpreter.run_main(source, stem=stem, variables=passed)
+        _warn_of_unknown_variables(interpreter, places, reporter)
+        meshes = _MeshFinder(interpreter.packages)
+        root = lower(evaluated, reporter=reporter, resolve_mesh=meshes.resolve)
+        if root.name == "robot":
+            advisor = Reporter() if advice else None
+            check(
+                root,
+                reporter=reporter,
+                resolve_mesh=meshes.resolve,
+                places_searched=meshes.places_searched,
+                advice=advisor,
+            )
+            for diagnostic in advisor.diagnostics if advisor else ():
+                reporter.add(diagnostic)
+    except YamaroError as error:
+        raise YamaroError([*reporter.diagnostics, *error.diagnostics]) from None
+    if strict and reporter.diagnostics:
+        for diagnostic in reporter.diagnostics:
+            diagnostic.severity = ERROR
+        raise YamaroError(reporter.diagnostics)
+    return Build(
+        root,
+        warnings=reporter.diagnostics,
+        files=list(interpreter.files),
+        meshes=meshes.referred_to(root),
+    )
+
+
+def convert(path: str | os.PathLike[str], /, *assignments: str, **variables: object) -> str:
+    """Compile a file and return the XML.
+
+    What the file prints goes to standard error; warnings are issued as `YamaroWarning`.
+
+    Args:
+        path: the main file.
+        assignments: variables of the main file as on the command line: `"length:=2"`.
+        variables: variables of the main file as Python objects: `width=0.3`.
+
+    Raises:
+        YamaroError: the input has errors.
+        OSError: the main file cannot be read.
+        ValueError: an assignment is malformed.
+    """
+    try:
+        result = build(os.fspath(path), command_line=assignments, variables=variables)
+    except UsageError as error:
+        cause = error.__cause__
+        if isinstance(cause, LoadError):
+            raise FileNotFoundError(str(error)) from None
+        raise ValueError(str(error)) from None
+    if result.warnings:
+        import warnings
+
+        for diagnostic in result.warnings:
+            warnings.warn(str(YamaroError([diagnostic])), YamaroWarning, stacklevel=2)
+    return result.xml()
+
+
+def _print_to_standard_error(text: str) -> None:
+    print(text, file=sys.stderr)
+
+
+def _stem(path: str) -> str:
+    if path == STANDARD_INPUT:
+        return "robot"
+    name = os.path.basename(path)
+    stem = name.partition(".")[0]
+    return stem or "robot"
+
+
+def _read_main(path: str, text: str | None, loader: Loader) -> Source:
+    if text is not None:
+        is_file = path != STANDARD_INPUT
+        name = path if is_file else "<standard input>"
+        return Source(
+            text.removeprefix("\ufeff"), name=name, path=os.path.abspath(path) if is_file else ""
+        )
+    absolute = os.path.abspath(path)
+    try:
+        data = loader.read(absolute)
+    except LoadError as error:
+        raise UsageError(f"cannot read '{path}': {error}") from error
+    return decode(data, name=path, path=absolute)
+
+
+def _read_command_line(arguments: Sequence[str]) -> tuple[dict[str, object], dict[str, Span]]:
+    """Return the variables given as `name:=value`, and where each name stands."""
+    values: dict[str, object] = {}
+    places: dict[str, Span] = {}
+    for argument in arguments:
+        name, separator, _ = argument.partition(":=")
+        if not separator or not is_identifier(name):
+            raise UsageError(f"'{argument}' is not of the form name:=value")
+        source = Source(argument, name="<command line>")
+        node = ScalarNode(argument, PLAIN, source, 0, len(argument))
+        reporter = Reporter()
+        try:
+            if len(argument) == len(name) + 2:
+                values[name] = ""
+            else:
+                context = ParseContext(reporter)
+                start = len(name) + 2
+                value = parse_inline(node, start, len(argument), context, is_literal=True)
+                values[name] = plain_data(value)
+        except YamaroError as error:
+            raise UsageError(f"'{argument}': {error.diagnostics[0].message}") from None
+        places[name] = Span(source, 0, len(name))
+    return values, places
+
+
+def _warn_of_unknown_variables(
+    interpreter: Interpreter, places: Mapping[str, Span], reporter: Reporter
+) -> None:
+    """Warn of command-line variables that nothing in the program declares or reads."""
+    if not places:
+        return
+    declared = {
+        name
+        for document in interpreter.documents.values()
+        for name, scope, _ in document.declarations
+        if scope != "import" and not name[0].isupper()
+    }
+    read: set[str] = set()
+    for document in interpreter.documents.values():
+        read |= document.names_read
+    for name, span in places.items():
+        if name not in declared and name not in read:
+            near = suggest(name, declared)
+            reporter.warn(
+                "unknown-variable",
+                f"nothing in the program declares or reads the variable '{name}'",
+                span,
+                hint=f"did you mean '{near}'?" if near else None,
+            )
+
+
+class _MeshFinder:
+    """Finds the files that meshes and textures refer to."""
+
+    __slots__ = ("_found", "_packages")
+
+    def __init__(self, packages: PackageFinder) -> None:
+        self._packages = packages
+        self._found: dict[tuple[str, str], str | None] = {}
+
+    def resolve(self, filename: str, span: Span) -> str | None:
+        """Return the absolute path of a file referred to at a span, or None if it is not there."""
+        directory = _directory(span)
+        key = (filename, directory)
+        if key not in self._found:
+            path = None
+            if "\x00" not in filename:
+                path = self._packages.resolve_uri(filename, directory)
+            self._found[key] = path if path is not None and os.path.isfile(path) else None
+        return self._found[key]
+
+    def places_searched(self, package: str, span: Span) -> list[str] | None:
+        """Return where a package was looked for, or None if it is known."""
+        directory = _directory(span)
+        if self._packages.find(package, directory) is not None:
+            return None
+        return self._packages.looked_at(package, directory)
+
+    def referred_to(self, root: Element) -> list[str]:
+        """Return the files of every mesh and texture in a tree, each once, in order."""
+        files: dict[str, None] = {}
+        pending = [root]
+        while pending:
+            element = pending.pop()
+            if element.name in ("mesh", "texture") and element.attributes.get("filename"):
+                filename = str(element.attributes["filename"])
+                span = element.value_span("filename")
+                files.setdefault(self.resolve(filename, span) or filename)
+            pending.extend(reversed(element.elements()))
+        return list(files)
+
+
+def _directory(span: Span) -> str:
+    path = span.source.path
+    return os.path.dirname(path) if path else os.getcwd()

@@ -1,0 +1,290 @@
+"""Runs the Python in a file, and turns what goes wrong in it into diagnostics.
+
+The only module that calls `eval` and `exec`. An error is shown at the innermost place in the YAML
+that its traceback goes through: the expression, or the line of the process block whose function
+it called.
+"""
+
+from __future__ import annotations
+
+from ..diagnostics import Diagnostic, Frame, YamaroError, did_you_mean, failure
+from ..source import Span
+from ..syntax.python import PythonCode
+from .scope import Namespace, Scope
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+    from types import TracebackType
+    from typing import Any, NoReturn
+
+
+class InputFault(Exception):
+    """A fault a helper function finds, such as a package that `find` cannot find."""
+
+    def __init__(self, code: str, message: str, hint: str | None = None) -> None:
+        """Hold what a diagnostic needs, but for the place, which the caller knows."""
+        super().__init__(message)
+        self.code = code
+        self.message = message
+        self.hint = hint
+
+
+class Evaluator:
+    """Evaluates expressions and runs statements in scopes."""
+
+    __slots__ = ("_where_declared", "codes", "frame")
+
+    def __init__(self, where_declared: Callable[[str], list[tuple[str, Span]]]) -> None:
+        """Start; `where_declared` gives scope and place of every declaration of a name."""
+        self.codes: dict[str, PythonCode] = {}  # by file name, all code that defines functions
+        self.frame: Frame | None = None
+        self._where_declared = where_declared
+
+    def evaluate(self, python: PythonCode, scope: Scope) -> Any:
+        """Return the value of an expression.
+
+        Raises:
+            YamaroError: it raised an exception.
+        """
+        try:
+            return eval(python.code, scope, scope)  # type: ignore[arg-type]
+        except KeyboardInterrupt:
+            raise
+        except BaseException as error:
+            self.explain(error, python, scope)
+
+    def execute(self, python: PythonCode, scope: Scope) -> None:
+        """Run statements.
+
+        Raises:
+            YamaroError: they raised an exception.
+        """
+        try:
+            exec(python.code, scope, scope)  # type: ignore[arg-type]
+        except KeyboardInterrupt:
+            raise
+        except BaseException as error:
+            self.explain(error, python, scope)
+
+    def guard(self, function: Callable[[Any], Any], value: Any, span: Span) -> Any:
+        """Return `function(value)`, where a method of a user's value may raise anything.
+
+        Raises:
+            YamaroError: it raised an exception.
+        """
+        try:
+            return function(value)
+        except (KeyboardInterrupt, YamaroError):
+            raise
+        except BaseException as error:
+            raise self._failure(error, span, None) from None
+
+    def explain(self, error: BaseException, python: PythonCode, scope: Scope) -> NoReturn:
+        """Raise the YamaroError that tells where in the YAML an exception came from, and why."""
+        if isinstance(error, YamaroError):
+            raise error
+        place = self._innermost(error.__traceback__, python)
+        span = place.span
+        frame = self.frame
+        if place.function is not None:
+            frame = Frame("called", place.function, python.span(), parent=frame)
+        if type(error) is NameError and error.name:
+            name_span = _find_name(place.python, error.name, place.index) or span
+            raise self._undefined(error.name, name_span, scope, frame) from None
+        raise self._failure(error, span, frame, place.outside) from None
+
+    def _failure(
+        self, error: BaseException, span: Span, frame: Frame | None, outside: str | None = None
+    ) -> YamaroError:
+        if isinstance(error, InputFault):
+            return failure(error.code, error.message, span, hint=error.hint, trace=frame)
+        if isinstance(error, RecursionError):
+            return failure(
+                "too-deep",
+                "this calls itself without end",
+                span,
+                hint="a function that calls itself needs a condition under which it stops",
+                trace=frame,
+            )
+        notes = [f"raised in {outside}"] if outside else []
+        return failure(
+            "python-error",
+            _describe(error),
+            span,
+            hint=_hint(error),
+            notes=notes,
+            trace=frame,
+        )
+
+    def _undefined(self, name: str, span: Span, scope: Scope, frame: Frame | None) -> YamaroError:
+        hint = did_you_mean(name, variable_names(scope))
+        notes = []
+        for kind, place in self._where_declared(name)[:3]:
+            if place.source is span.source and place.start > span.start and kind != "import":
+                notes.append(f"'{name}' is declared later, at {place.place()}")
+            elif kind == "local":
+                notes.append(
+                    f"'{name}' at {place.place()} is local to its file or function; "
+                    "declare it as parent, child or global to see it here"
+                )
+            else:
+                notes.append(f"'{name}' is declared at {place.place()} with scope {kind}")
+        return failure(
+            "undefined-name",
+            f"name '{name}' is not defined",
+            span,
+            hint=hint,
+            notes=notes,
+            trace=frame,
+        )
+
+    def _innermost(self, traceback: TracebackType | None, python: PythonCode) -> _Place:
+        """Return the last place in the YAML that a traceback goes through."""
+        place = _Place(python, python.span(), None, None)
+        own = python.code.co_filename if python.code is not None else ""
+        while traceback is not None:
+            code = traceback.tb_frame.f_code
+            found = python if code.co_filename == own else self.codes.get(code.co_filename)
+            if found is not None:
+                index, span = _traceback_span(traceback, found)
+                is_function = (
+                    code.co_name not in ("<module>", "<lambda>") and code.co_name[0] != "<"
+                )
+                function = code.co_name if is_function else place.function
+                place = _Place(found, span, index, function)
+            elif code.co_filename != __file__:
+                place.outside = f"{_base_name(code.co_filename)}:{traceback.tb_lineno}"
+            traceback = traceback.tb_next
+        return place
+
+
+class _Place:
+    """A place in the YAML found in a traceback."""
+
+    __slots__ = ("function", "index", "outside", "python", "span")
+
+    def __init__(
+        self, python: PythonCode, span: Span, index: int | None, function: str | None
+    ) -> None:
+        self.python = python
+        self.span = span
+        self.index = index  # into the Python text, where the failing piece begins
+        self.function = function  # the user's function it lies in
+        self.outside: str | None = None  # the module's line behind it that raised
+
+
+def variable_names(scope: Scope) -> list[str]:
+    """Return the names of variables, imports and predefined names visible from a scope."""
+    return [name for name in scope.visible_names() if name.isidentifier() and name[:2] != "__"]
+
+
+def function_names(scope: Scope) -> list[str]:
+    """Return the names of functions and blocks visible from a scope."""
+    names = list(scope.visible_names())
+    found = [name[:-2] for name in names if name.endswith("()")]
+    for name in names:
+        if name.endswith("()") or not name.isidentifier():
+            continue
+        value = scope.find(name)
+        if isinstance(value, Namespace):
+            found.extend(f"{name}.{inner[:-2]}" for inner in value._names if inner.endswith("()"))
+    return found
+
+
+def _base_name(path: str) -> str:
+    return path.replace("\\", "/").rpartition("/")[2]
+
+
+def _traceback_span(traceback: TracebackType, python: PythonCode) -> tuple[int | None, Span]:
+    """Return the failing piece of Python: exact where Python tells columns, else its line."""
+    code = traceback.tb_frame.f_code
+    if hasattr(code, "co_positions"):
+        from itertools import islice
+
+        positions = next(islice(code.co_positions(), traceback.tb_lasti // 2, None), None)
+        if positions is not None and None not in positions:
+            line, end_line, column, end_column = positions
+            assert line and end_line and column is not None and end_column is not None
+            start = python.byte_position(line, column)
+            end = python.byte_position(end_line, end_column)
+            if start < end and python.text[start:end].strip():
+                return start, python.span(start, end)
+    line = traceback.tb_lineno
+    start = python.position(line, 0 if line > 1 else len(python.opening))
+    end = python.text.find("\n", start)
+    end = len(python.text) if end < 0 else end
+    text = python.text[start:end]
+    if not text.strip():
+        return None, python.span()
+    start += len(text) - len(text.lstrip())
+    return start, python.span(start, start + len(text.strip()))
+
+
+def _find_name(python: PythonCode, name: str, index: int | None) -> Span | None:
+    """Return the place where a name is read: at `index` if it is there, else the first one."""
+    text = python.text
+    if index is not None and text.startswith(name, index):
+        return python.span(index, index + len(name))
+    import ast
+
+    try:
+        tree = ast.parse(f"{python.opening}{text}\n{')' if python.opening else ''}")
+    except SyntaxError:
+        return None
+    places = [
+        python.byte_position(node.lineno, node.col_offset)
+        for node in ast.walk(tree)
+        if isinstance(node, ast.Name) and node.id == name
+    ]
+    start = min((place for place in places if place >= (index or 0)), default=None)
+    return None if start is None else python.span(start, start + len(name))
+
+
+def _describe(error: BaseException) -> str:
+    kind = type(error).__name__
+    if isinstance(error, SystemExit):
+        return "the program may not be ended from here"
+    if isinstance(error, KeyError) and error.args:
+        return f"there is no key {error.args[0]!r} ({kind})"
+    try:
+        text = " ".join(str(error).split())
+    except Exception:
+        text = ""
+    return f"{text} ({kind})" if text else kind
+
+
+def _hint(error: BaseException) -> str | None:
+    text = str(error)
+    if isinstance(error, AttributeError) and isinstance(error.obj, dict):
+        return f"an entry of a mapping is read as d['{error.name}']"
+    if isinstance(error, AttributeError) and error.name and error.obj is not None:
+        return did_you_mean(error.name, [name for name in dir(error.obj) if name[:1] != "_"])
+    if isinstance(error, KeyError) and error.args:
+        return None
+    if isinstance(error, TypeError) and "concatenate str" in text:
+        return "a text and a number do not add up: write str(…) around the number"
+    if isinstance(error, TypeError) and "'str'" in text and "operand" in text:
+        return "one side is a text; is a number quoted where it is declared?"
+    if isinstance(error, TypeError) and "'NoneType'" in text:
+        return "one of the values is empty (null)"
+    if isinstance(error, SystemExit):
+        return "leave out exit(); to stop with an error, raise an exception"
+    return None
+
+
+def add_trace(error: YamaroError, frame: Frame | None) -> None:
+    """Note how the run came to an error, unless a step further in has told already."""
+    for diagnostic in error.diagnostics:
+        if diagnostic.trace is None:
+            diagnostic.trace = frame
+
+
+__all__ = [
+    "Diagnostic",
+    "Evaluator",
+    "InputFault",
+    "add_trace",
+    "function_names",
+    "variable_names",
+]

@@ -1,0 +1,125 @@
+"""Loaders: where the text of a file comes from, and what is wrong when it does not."""
+
+from __future__ import annotations
+
+import os
+
+from ..diagnostics import failure
+from ..source import Source, Span
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+    from typing import Protocol
+
+    class Loader(Protocol):
+        """Gives the bytes of files; paths are absolute."""
+
+        def read(self, path: str) -> bytes:
+            """Return a file's content; raise LoadError if there is none."""
+
+        def neighbours(self, path: str) -> list[str]:
+            """Return the names of the files in the folder of `path`."""
+
+
+class LoadError(Exception):
+    """A file cannot be read; the text says why, without the path."""
+
+
+class FileLoader:
+    """Reads files from the disk."""
+
+    __slots__ = ()
+
+    def read(self, path: str) -> bytes:
+        """Return a file's content; raise LoadError if there is none."""
+        try:
+            # O_NONBLOCK: a FIFO that nobody writes to must not hang the build.
+            descriptor = os.open(path, os.O_RDONLY | getattr(os, "O_NONBLOCK", 0))
+        except (OSError, ValueError) as error:
+            raise LoadError(_reason(error)) from None
+        try:
+            mode = os.fstat(descriptor).st_mode
+            if mode & 0o170000 == 0o040000:
+                raise LoadError("it is a folder")
+            if mode & 0o170000 != 0o100000:
+                raise LoadError("it is no regular file")
+            with open(descriptor, "rb", closefd=False) as file:
+                return file.read()
+        except OSError as error:
+            raise LoadError(_reason(error)) from None
+        finally:
+            os.close(descriptor)
+
+    def neighbours(self, path: str) -> list[str]:
+        """Return the names of the files in the folder of `path`."""
+        try:
+            return os.listdir(os.path.dirname(path))
+        except OSError:
+            return []
+
+
+class MemoryLoader:
+    """Reads files from a mapping of absolute paths to texts; for tests and programs."""
+
+    __slots__ = ("files",)
+
+    def __init__(self, files: Mapping[str, str]) -> None:
+        """Hold the files."""
+        self.files = dict(files)
+
+    def read(self, path: str) -> bytes:
+        """Return a file's content; raise LoadError if there is none."""
+        if path not in self.files:
+            raise LoadError("there is no such file")
+        return self.files[path].encode("utf-8", "surrogatepass")
+
+    def neighbours(self, path: str) -> list[str]:
+        """Return the names of the files in the folder of `path`."""
+        folder = os.path.dirname(path)
+        return [os.path.basename(own) for own in self.files if os.path.dirname(own) == folder]
+
+
+def _reason(error: Exception) -> str:
+    if isinstance(error, FileNotFoundError):
+        return "there is no such file"
+    if isinstance(error, NotADirectoryError):
+        return "a part of the path is no folder"
+    if isinstance(error, IsADirectoryError):
+        return "it is a folder"
+    if isinstance(error, PermissionError):
+        return "reading it is not permitted"
+    if isinstance(error, OSError) and error.strerror:
+        return error.strerror.lower()
+    return str(error)
+
+
+def decode(data: bytes, *, name: str, path: str) -> Source:
+    """Return the bytes of a file as a source.
+
+    Raises:
+        YamaroError: the text is not UTF-8.
+    """
+    if data.startswith((b"\xff\xfe", b"\xfe\xff")) or b"\x00" in data[:2]:
+        encoding = "utf-16-be" if data.startswith((b"\xfe\xff", b"\x00")) else "utf-16-le"
+        source = Source(data.decode(encoding, "replace").lstrip("\ufeff"), name=name, path=path)
+        raise failure(
+            "not-utf-8",
+            "the file is written in UTF-16",
+            Span(source, 0, 1),
+            hint="save it as UTF-8",
+        )
+    try:
+        return Source(data.decode("utf-8-sig"), name=name, path=path)
+    except UnicodeDecodeError as error:
+        before = data[: error.start].decode("utf-8-sig")
+        source = Source(data.decode("utf-8-sig", "replace"), name=name, path=path)
+        guess = data[error.start : error.start + 1].decode("latin-1")
+        raise failure(
+            "not-utf-8",
+            f"the byte 0x{data[error.start]:02X} is not UTF-8",
+            Span(source, len(before), len(before) + 1),
+            hint=f"save the file as UTF-8; in Latin-1 this byte is '{guess}'"
+            if guess.isprintable()
+            else "save the file as UTF-8",
+        ) from None

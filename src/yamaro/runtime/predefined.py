@@ -1,0 +1,131 @@
+"""The names every expression sees: mathematics, and helpers that depend on the file."""
+
+from __future__ import annotations
+
+import builtins
+import math
+import os
+
+from ..diagnostics import Reporter
+from ..syntax.context import ParseContext
+from ..syntax.nodes import Constant, DictValue, ListValue
+from ..syntax.values import parse_value
+from ..syntax.yaml_reader import read
+from .expressions import InputFault
+from .loader import LoadError, decode
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+    from typing import Any
+
+    from ..syntax.nodes import Value
+    from .loader import Loader
+    from .packages import PackageFinder
+
+MATHEMATICS = (
+    "pi tau e sin cos tan asin acos atan atan2 sqrt hypot radians degrees floor ceil fabs log exp"
+).split()
+CONSTANTS = {
+    **vars(builtins),
+    "true": True,
+    "false": False,
+    "null": None,
+    **{name: getattr(math, name) for name in MATHEMATICS},
+}
+_REQUIRED: Any = object()
+
+
+class Helpers:
+    """The helpers of one file: relative paths start at its folder."""
+
+    __slots__ = ("_directory", "_loader", "_note_file", "_packages")
+
+    def __init__(
+        self,
+        directory: str,
+        loader: Loader,
+        packages: PackageFinder,
+        note_file: Callable[[str], None],
+    ) -> None:
+        """Serve a file in `directory`; `note_file` is told of every file read."""
+        self._directory = directory
+        self._loader = loader
+        self._packages = packages
+        self._note_file = note_file
+
+    def names(self) -> dict[str, Any]:
+        """Return the helpers by the names expressions call them."""
+        return {
+            "load_yaml": self.load_yaml,
+            "find": self.find,
+            "env": self.env,
+            "file_dir": lambda: self._directory,
+            "dirname": self._directory,
+            "cwd": os.getcwd(),
+            "__find__": self.find,
+            "__env__": self.env,
+        }
+
+    def load_yaml(self, path: str) -> Any:
+        """Return the data in a YAML file as dicts, lists and scalars; nothing is evaluated."""
+        text = os.fspath(path)
+        absolute = self._packages.resolve_uri(text, self._directory)
+        if absolute is None:
+            absolute = os.path.normpath(os.path.join(self._directory, text))
+        try:
+            data = self._loader.read(absolute)
+        except LoadError as error:
+            raise InputFault(
+                "missing-file",
+                f"the file '{text}' cannot be read: {error}",
+                f"looked for {absolute}",
+            ) from None
+        self._note_file(absolute)
+        source = decode(data, name=text, path=absolute)
+        reporter = Reporter()
+        root = read(source, reporter=reporter)
+        return plain_data(parse_value(root, ParseContext(reporter), is_literal=True))
+
+    def find(self, package: str) -> str:
+        """Return the folder of a ROS package."""
+        found = self._packages.find(package, self._directory)
+        if found is None:
+            places = self._packages.looked_at(package, self._directory)
+            raise InputFault(
+                "unknown-package",
+                f"the package '{package}' is not found",
+                f"looked in {', '.join(places)}; source its workspace, or set ROS_PACKAGE_PATH"
+                if places
+                else "source its workspace, or set ROS_PACKAGE_PATH",
+            )
+        return found
+
+    def env(self, name: str, default: Any = _REQUIRED) -> Any:
+        """Return an environment variable, or the default if there is one."""
+        value = os.environ.get(name, default)
+        if value is _REQUIRED:
+            raise InputFault(
+                "unset-environment",
+                f"the environment variable '{name}' is not set",
+                f"set it, or give a default: env('{name}', 'default')",
+            )
+        return value
+
+
+def plain_data(value: Value) -> Any:
+    """Return a value without expressions as Python data."""
+    if isinstance(value, Constant):
+        return value.value
+    if isinstance(value, ListValue):
+        return [plain_data(item) for item in value.items]
+    assert isinstance(value, DictValue)
+    return gather_pairs([(plain_data(key), plain_data(item)) for key, item in value.pairs])
+
+
+def gather_pairs(pairs: list[tuple[Any, Any]]) -> dict[Any, Any]:
+    """Return a dict of pairs; a key that stands several times has the list of its values."""
+    gathered: dict[Any, list[Any]] = {}
+    for key, value in pairs:
+        gathered.setdefault(key, []).append(value)
+    return {key: values[0] if len(values) == 1 else values for key, values in gathered.items()}

@@ -1,0 +1,310 @@
+"""Names and where they are visible: contexts, the five scopes, lookup and assignment.
+
+A `Scope` is the dict that Python expressions are evaluated in: a name it does not hold itself is
+looked up along the rules of the language. Functions and blocks live in the same dicts as variables,
+under a key no variable can have (`function_key`), so that the scopes mean the same for all three.
+"""
+
+from __future__ import annotations
+
+from ..syntax.nodes import BRIDGE, CHILD, GLOBAL, LOCAL, PARENT
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+    from typing import Any
+
+    from ..diagnostics import Frame
+    from ..source import Source
+
+MISSING: Any = type("Missing", (), {"__repr__": lambda self: "MISSING"})()
+
+
+def function_key(name: str) -> str:
+    """Return the key under which a scope keeps a function or block of that name."""
+    return f"{name}()"
+
+
+class Shared:
+    """What all contexts of one conversion share: global and bridge names."""
+
+    __slots__ = ("bridges", "globals")
+
+    def __init__(self) -> None:
+        """Start without names."""
+        self.globals: dict[str, Any] = {}
+        self.bridges: dict[str, Any] = {}
+
+
+class Home:
+    """A file being run: what its expressions see whatever the context.
+
+    Attributes:
+        names: the file's imports over the predefined names over Python's builtins.
+        directory: where its relative paths start.
+        frame: the include that brought it in, or None for the main file.
+    """
+
+    __slots__ = ("directory", "frame", "names", "source")
+
+    def __init__(
+        self, source: Source, directory: str, names: dict[str, Any], frame: Frame | None
+    ) -> None:
+        self.source = source
+        self.directory = directory
+        self.names = names
+        self.frame = frame
+
+
+class Scope(dict[str, "Any"]):
+    """One context: a run of a file, or one call of a function.
+
+    As a dict it holds the names of its own; asking for another one looks it up, and setting one
+    assigns as `process` does. `declare` is what `variables:` does.
+    """
+
+    __slots__ = ("bridged", "caller", "closure", "dynamic", "home", "kinds", "passed", "shared")
+
+    def __init__(
+        self, home: Home, shared: Shared, *, closure: Scope | None, caller: Scope | None
+    ) -> None:
+        """Begin a context.
+
+        Args:
+            home: the file whose imports it sees.
+            shared: the conversion's global and bridge names.
+            closure: the context its function was defined in.
+            caller: the context that called or included it.
+        """
+        self.home = home
+        self.shared = shared
+        self.closure = closure
+        self.caller = caller
+        self.kinds: dict[str, str] = {}  # scope of each own name that is not local
+        self.bridged: set[str] = set()  # names that mean the bridge variable here
+        self.passed: frozenset[str] = frozenset()
+        self.dynamic: Scope | None = None  # the nearest caller that has `child` names
+        if caller is not None:
+            self.dynamic = caller if CHILD in caller.kinds.values() else caller.dynamic
+        dict.__setitem__(self, "__builtins__", home.names)
+
+    # --- looking up ---
+
+    def __missing__(self, name: str) -> Any:
+        value = self.find(name)
+        if value is MISSING:
+            raise KeyError(name)
+        return value
+
+    def find(self, name: str) -> Any:
+        """Return what a name means here, or MISSING."""
+        holder = self.holder(name)
+        if holder is not None:
+            return holder.own(name)
+        value = self.find_child(name)
+        if value is not MISSING:
+            return value
+        shared = self.shared
+        if name in shared.bridges:
+            return shared.bridges[name]
+        if name in shared.globals:
+            return shared.globals[name]
+        return self.home.names.get(name, MISSING)
+
+    def holder(self, name: str) -> Scope | None:
+        """Return the context that has the name as its own: this one or one around it."""
+        scope: Scope | None = self
+        while scope is not None:
+            if name in scope or name in scope.bridged:
+                return scope
+            scope = scope.closure
+            if type(scope) is BlockScope:
+                return scope.holder(name)
+        return None
+
+    def own(self, name: str) -> Any:
+        """Return the value of a name that `holder` found here."""
+        if name in self:
+            return dict.__getitem__(self, name)
+        return self.shared.bridges[name]
+
+    def find_child(self, name: str) -> Any:
+        """Return the value of the nearest caller's `child` name, or MISSING."""
+        scope = self.dynamic
+        while scope is not None:
+            if scope.kinds.get(name) == CHILD:
+                return dict.__getitem__(scope, name)
+            scope = scope.dynamic
+        return MISSING
+
+    def is_passed_in(self, name: str) -> bool:
+        """Tell whether a file's own `variables:` entry is only a default for this name."""
+        if name in self.passed or self.find_child(name) is not MISSING:
+            return True
+        return name in self.shared.bridges and name not in self.bridged
+
+    def visible_names(self) -> Iterator[str]:
+        """Give every name that can be seen from here; functions under their keys."""
+        scope: Scope | None = self
+        while scope is not None:
+            yield from scope
+            yield from scope.bridged
+            if isinstance(scope, BlockScope):
+                yield from scope.host
+            scope = scope.closure
+        scope = self.dynamic
+        while scope is not None:
+            yield from (name for name, kind in scope.kinds.items() if kind == CHILD)
+            scope = scope.dynamic
+        yield from self.shared.bridges
+        yield from self.shared.globals
+        yield from self.home.names
+
+    # --- changing ---
+
+    @property
+    def context(self) -> Scope:
+        """Return the context that declarations go to."""
+        return self
+
+    def declare(self, name: str, value: Any, kind: str = LOCAL) -> None:
+        """Declare a name in this context, as `variables:` does."""
+        if kind == LOCAL:
+            dict.__setitem__(self, name, value)
+            if self.kinds:
+                self.kinds.pop(name, None)
+        elif kind in (PARENT, CHILD):
+            dict.__setitem__(self, name, value)
+            self.kinds[name] = kind
+        elif kind == GLOBAL:
+            self._forget(name)
+            self.shared.globals[name] = value
+        elif kind == BRIDGE:
+            self.shared.bridges[name] = value
+            scope: Scope | None = self
+            while scope is not None:
+                scope._forget(name)
+                scope.bridged.add(name)
+                scope = scope.caller
+        else:
+            raise AssertionError(f"unknown scope {kind}")
+
+    def _forget(self, name: str) -> None:
+        if name in self:
+            dict.__delitem__(self, name)
+            self.kinds.pop(name, None)
+        self.bridged.discard(name)
+
+    def __setitem__(self, name: str, value: Any) -> None:
+        """Assign as `process` does: change the variable that is seen, or make a local."""
+        holder = self.holder(name)
+        if holder is not None:
+            holder.set_own(name, value)
+        elif self.find_child(name) is not MISSING:
+            self.context.declare(name, value)
+        elif name in self.shared.bridges:
+            self.shared.bridges[name] = value
+        elif name in self.shared.globals:
+            self.shared.globals[name] = value
+        else:
+            self.context.declare(name, value)
+
+    def set_own(self, name: str, value: Any) -> None:
+        """Change a name that `holder` found here."""
+        if name in self:
+            dict.__setitem__(self, name, value)
+        else:
+            self.shared.bridges[name] = value
+
+    def __delitem__(self, name: str) -> None:
+        if name not in self:
+            raise KeyError(name)
+        self._forget(name)
+
+    def exported(self) -> list[tuple[str, Any]]:
+        """Return the `parent` names with their values, for whoever called or included this."""
+        return [
+            (name, dict.__getitem__(self, name))
+            for name, kind in self.kinds.items()
+            if kind == PARENT
+        ]
+
+
+class BlockScope(Scope):
+    """A block being run: sees the call that inserts it, then the place it was written in.
+
+    Variables it declares go to the call. Functions and blocks are looked up only where the block
+    was written; those it defines are its own.
+    """
+
+    __slots__ = ("host",)
+
+    def __init__(self, host: Scope, written: Scope) -> None:
+        """Run a block written in `written` inside the call `host`."""
+        super().__init__(written.home, host.shared, closure=written, caller=host.caller)
+        self.host = host
+        self.dynamic = host.dynamic
+
+    def holder(self, name: str) -> Scope | None:
+        """Return the context that has the name as its own."""
+        if name in self:
+            return self
+        host = self.host
+        if not name.endswith("()") and name != "__builtins__":
+            if name in host or name in host.bridged:
+                return host
+        return self.closure.holder(name) if self.closure is not None else None
+
+    def find(self, name: str) -> Any:
+        """Return what a name means here, or MISSING."""
+        if name.endswith("()") and name not in self and self.closure is not None:
+            return self.closure.find(name)
+        return super().find(name)
+
+    @property
+    def context(self) -> Scope:
+        """Return the call that declarations go to."""
+        return self.host
+
+    def declare(self, name: str, value: Any, kind: str = LOCAL) -> None:
+        """Declare a variable in the call, or a local function in the block itself."""
+        if name.endswith("()") and kind == LOCAL:
+            dict.__setitem__(self, name, value)
+        else:
+            self.host.declare(name, value, kind)
+
+
+class Namespace:
+    """What an include with `namespace:` brought back; read as `$(Legs.index)`, `Legs.BuildLeg:`."""
+
+    def __init__(self, name: str, shared: Shared) -> None:
+        """Start empty."""
+        self.__dict__["_name"] = name
+        self.__dict__["_shared"] = shared
+        self.__dict__["_names"] = {}
+
+    def _add(self, name: str, value: Any) -> None:
+        """Add a name with its value; MISSING stands for a global or bridge name, read live."""
+        self._names[name] = value
+
+    def _get(self, name: str) -> Any:
+        """Return the value of a name, or MISSING."""
+        value = self._names.get(name, MISSING)
+        if value is MISSING and name in self._names:
+            shared = self._shared
+            value = shared.bridges.get(name, shared.globals.get(name, MISSING))
+        return value
+
+    def __getattr__(self, name: str) -> Any:
+        value = self._get(name)
+        if value is MISSING:
+            raise AttributeError(
+                f"the namespace '{self._name}' has no '{name}'", name=name, obj=self
+            )
+        return value
+
+    def __dir__(self) -> list[str]:
+        return [name for name in self._names if not name.endswith("()")]
+
+    def __repr__(self) -> str:
+        return f"<namespace {self._name}>"

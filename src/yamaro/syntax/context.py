@@ -1,0 +1,52 @@
+"""What is gathered while one file is parsed: errors, warnings and compiled Python."""
+
+from __future__ import annotations
+
+from ..diagnostics import Diagnostic, Reporter, YamaroError
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+    from typing import ParamSpec, TypeVar
+
+    from ..source import Span
+    from .python import PythonCode
+
+    P = ParamSpec("P")
+    T = TypeVar("T")
+
+
+class ParseContext:
+    """Gathers the findings of one parse, so that one error does not hide the next."""
+
+    __slots__ = ("at_root", "blocks", "codes", "declarations", "errors", "known_names", "reporter")
+
+    def __init__(self, reporter: Reporter) -> None:
+        """Start with nothing gathered.
+
+        Attributes:
+            at_root: whether the statements being parsed stand at the root of the file.
+            blocks: names of the blocks of the functions around the place being parsed.
+            codes: every expression and process block compiled.
+            declarations: name, scope and place of everything that declares a name.
+            known_names: element names found not to look like misspelt statements.
+        """
+        self.reporter = reporter
+        self.errors: list[Diagnostic] = []
+        self.codes: list[PythonCode] = []
+        self.blocks: tuple[str, ...] = ()
+        self.declarations: list[tuple[str, str, Span]] = []
+        self.known_names: set[str] = set()
+        self.at_root = False
+
+    def attempt(self, parse: Callable[P, T], *args: P.args, **kwargs: P.kwargs) -> T | None:
+        """Return what `parse` returns, or keep its errors and return None."""
+        try:
+            return parse(*args, **kwargs)
+        except YamaroError as error:
+            self.errors.extend(error.diagnostics)
+            return None
+
+    def warn(self, code: str, message: str, span: Span, *, hint: str | None = None) -> None:
+        """Keep a warning."""
+        self.reporter.warn(code, message, span, hint=hint)

@@ -1,0 +1,229 @@
+"""Parses a file: its sections, its root element, and every error that can be found unrun."""
+
+from __future__ import annotations
+
+from ..diagnostics import Reporter, YamaroError, failure, suggest
+from ..source import Source
+from .context import ParseContext
+from .names import SECTIONS, STATEMENTS, is_function_name, is_identifier
+from .nodes import Document, ElementNode, ImportNode, TextContent, VariablesNode
+from .python import PythonCode
+from .statements import Pairs, pairs_of, parse_body, parse_pairs, parse_statement
+from .template import parse_template
+from .values import is_empty
+from .yaml_nodes import ScalarNode, SequenceNode
+from .yaml_reader import read
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from types import CodeType
+
+    from .yaml_nodes import YamlNode
+
+
+def parse(source: Source, *, reporter: Reporter) -> Document:
+    """Return the syntax tree of a file.
+
+    Raises:
+        YamaroError: with every error that can be found without running the file; a file that is
+            no YAML gives one.
+    """
+    root = read(source, reporter=reporter)
+    context = ParseContext(reporter)
+    document = Document(source)
+    context.attempt(_parse_root, root, document, context)
+    if context.errors:
+        raise YamaroError(sorted(context.errors, key=lambda error: error.span.start))
+    document.declarations = context.declarations
+    for python in context.codes:
+        register(document, python)
+    return document
+
+
+def register(document: Document, python: PythonCode) -> None:
+    """Note the names that some Python reads, and where its functions are written."""
+    assert python.code is not None
+    pending: list[CodeType] = [python.code]
+    while pending:
+        code = pending.pop()
+        document.names_read.update(code.co_names)
+        for constant in code.co_consts:
+            if isinstance(constant, type(code)):
+                document.codes[code.co_filename] = python
+                pending.append(constant)
+
+
+def _parse_root(root: YamlNode, document: Document, context: ParseContext) -> None:
+    statements: Pairs = []
+    context.at_root = True
+    for key, node in pairs_of(root, "a file", context):
+        word = key.text
+        if word == "robot" and isinstance(node, ScalarNode):
+            context.attempt(_parse_robot_name, key, node, document, context)
+        elif word == "import":
+            context.attempt(_parse_imports, node, document, context)
+        elif word == "model":
+            context.attempt(_parse_model, key, node, document, context)
+        elif word in STATEMENTS or is_function_name(word):
+            statements.append((key, node))
+        else:
+            context.attempt(_parse_root_element, key, node, document, context)
+    document.sections = parse_pairs(statements, root.span(), context).statements
+    for section in document.sections:
+        if isinstance(section, VariablesNode):
+            section.is_root = True
+
+
+def _parse_robot_name(
+    key: ScalarNode, node: ScalarNode, document: Document, context: ParseContext
+) -> None:
+    if document.robot_name is not None:
+        raise failure(
+            "given-twice",
+            "the robot's name is given twice",
+            key.span(),
+            hint="keep one `robot:`",
+            notes=[f"first given at {document.robot_name.span.place()}"],
+        )
+    if document.root is not None:
+        _refuse_two_roots(key, document)
+    if not is_empty(node):
+        document.robot_name = TextContent(parse_template(node, context=context), node.span())
+
+
+def _parse_model(
+    key: ScalarNode, node: YamlNode, document: Document, context: ParseContext
+) -> None:
+    if document.root is not None:
+        _refuse_two_roots(key, document)
+    document.has_model = True
+    context.at_root = False
+    body = context.attempt(parse_body, node, "`model`", context)
+    context.at_root = True
+    if body is not None:
+        document.model.append(body)
+
+
+def _parse_root_element(
+    key: ScalarNode, node: YamlNode, document: Document, context: ParseContext
+) -> None:
+    word = key.text
+    bare = word.partition("/")[0]
+    near = suggest(bare, SECTIONS) if not bare.startswith("<") and bare not in SECTIONS else None
+    if near is not None and "/" not in word:
+        raise failure(
+            "unknown-section",
+            f"'{word}' is no section of a file",
+            key.span(),
+            hint=f"did you mean `{near}`? An output root of that name is written <{word}>:",
+        )
+    context.at_root = False
+    try:
+        element = parse_statement(key, node, context)
+    finally:
+        context.at_root = True
+    if not isinstance(element, ElementNode):
+        raise failure(
+            "bad-root",
+            f"'{word}' cannot be the root element",
+            key.span(),
+            hint="the root element has a fixed name, such as `sdf/version='1.11':`",
+        )
+    if document.root is not None or document.has_model or document.robot_name is not None:
+        _refuse_two_roots(key, document)
+    document.root = element
+
+
+def _refuse_two_roots(key: ScalarNode, document: Document) -> None:
+    if document.root is not None:
+        raise failure(
+            "two-roots",
+            f"'{key.text}' stands beside the root element, and a file makes one",
+            key.span(),
+            hint="put it inside the root element; elements of a robot go under `model:`",
+            notes=[f"the root element is at {document.root.span.place()}"],
+        )
+    other = "model" if document.has_model else "robot"
+    raise failure(
+        "two-roots",
+        f"'{key.text}' stands beside `{other}:`, and would be a second root element",
+        key.span(),
+        hint="elements of a robot go under `model:`"
+        if other == "model"
+        else f"leave `robot:` out when '{key.text}' is the root element",
+    )
+
+
+# --- imports ----------------------------------------------------------------------------------
+
+
+def _parse_imports(node: YamlNode, document: Document, context: ParseContext) -> None:
+    scalars = node.items if isinstance(node, SequenceNode) else [node]
+    for scalar in scalars:
+        if not isinstance(scalar, ScalarNode):
+            raise failure(
+                "bad-import",
+                "`import` lists Python modules",
+                scalar.span(),
+                hint="write import: [math, numpy as np], or one a line behind a dash",
+            )
+        if not is_empty(scalar):
+            context.attempt(_parse_import, scalar, document, context)
+
+
+def _parse_import(node: ScalarNode, document: Document, context: ParseContext) -> None:
+    words = node.text.split()
+    if words and words[0] == "from":
+        document.imports.append(_parse_from(node, words))
+    else:
+        for piece in node.text.split(","):
+            document.imports.append(_parse_module(node, piece))
+    for entry in document.imports[-1:]:
+        names = [name for _, name in entry.names] if entry.names else [entry.alias or entry.module]
+        for name in names:
+            context.declarations.append((name, "import", entry.span))
+
+
+def _parse_module(node: ScalarNode, text: str) -> ImportNode:
+    words = text.split()
+    if len(words) == 3 and words[1] == "as" and _is_module(words[0]) and is_identifier(words[2]):
+        return ImportNode(words[0], words[2], None, node.span())
+    if len(words) == 1 and _is_module(words[0]):
+        return ImportNode(words[0], None, None, node.span())
+    rest = " ".join(words[1:])
+    raise failure(
+        "bad-import",
+        f"'{text.strip()}' is no module to import",
+        node.span(),
+        hint=f"write '{rest}' without the word import"
+        if words[:1] == ["import"]
+        else "write math, or numpy as np, or from math import pi, sin",
+    )
+
+
+def _parse_from(node: ScalarNode, words: list[str]) -> ImportNode:
+    if len(words) < 4 or words[2] != "import" or not _is_module(words[1]):
+        raise failure(
+            "bad-import",
+            f"'{node.text}' is no import",
+            node.span(),
+            hint="write from math import pi, sin",
+        )
+    names: list[tuple[str, str]] = []
+    for piece in " ".join(words[3:]).strip("()").split(","):
+        parts = piece.split()
+        is_plain = len(parts) == 1 and is_identifier(parts[0])
+        is_alias = len(parts) == 3 and parts[1] == "as" and is_identifier(parts[2])
+        if not (is_plain or is_alias) or not is_identifier(parts[0]):
+            raise failure(
+                "bad-import",
+                f"'{piece.strip()}' is no name to import",
+                node.span(),
+                hint="name what you need: from math import pi, sin",
+            )
+        names.append((parts[0], parts[-1]))
+    return ImportNode(words[1], None, names, node.span())
+
+
+def _is_module(text: str) -> bool:
+    return all(is_identifier(part) for part in text.split("."))

@@ -1,0 +1,187 @@
+"""Parses what functions take and get: `input` and the arguments of calls and includes."""
+
+from __future__ import annotations
+
+from ..diagnostics import failure
+from .context import ParseContext
+from .keys import find_outside
+from .names import is_identifier
+from .nodes import Argument, Parameter, Value
+from .template import parse_template
+from .values import is_empty, parse_inline, split_inline
+from .yaml_nodes import MappingNode, ScalarNode
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from .yaml_nodes import YamlNode
+
+
+def parse_input(node: YamlNode, context: ParseContext) -> list[Parameter]:
+    """Return the parameters that `input:` declares, as a text or a list.
+
+    Raises:
+        YamaroError: a parameter is misspelt or declared twice.
+    """
+    if is_empty(node):
+        return []
+    if isinstance(node, MappingNode):
+        raise failure(
+            "bad-input",
+            "`input` lists names; this is a mapping",
+            node.span(),
+            hint="write input: side, length=1.0, **Block",
+        )
+    scalars = [node] if isinstance(node, ScalarNode) else node.items
+    parameters: list[Parameter] = []
+    seen: dict[str, Parameter] = {}
+    for scalar in scalars:
+        if not isinstance(scalar, ScalarNode):
+            raise failure(
+                "bad-input",
+                "a parameter is a name, a name=default or a **Block",
+                scalar.span(),
+                hint="quote a parameter whose default holds brackets: 'sizes=[1, 2]'",
+            )
+        stretches = split_inline(scalar) if scalar is node else [(0, len(scalar.text))]
+        for start, end in stretches:
+            parameter = _parse_parameter(scalar, start, end, context)
+            earlier = seen.get(parameter.name)
+            if earlier is not None:
+                raise failure(
+                    "given-twice",
+                    f"the parameter '{parameter.name}' is declared twice",
+                    parameter.span,
+                    notes=[f"first declared at {earlier.span.place()}"],
+                )
+            seen[parameter.name] = parameter
+            parameters.append(parameter)
+            context.declarations.append((parameter.name, "local", parameter.span))
+    return parameters
+
+
+def _parse_parameter(node: ScalarNode, start: int, end: int, context: ParseContext) -> Parameter:
+    text = node.text
+    start, end = _trim(text, start, end)
+    written = text[start:end]
+    if not written:
+        raise failure(
+            "bad-input",
+            "a parameter is missing here",
+            node.span(max(start - 1, 0), max(start, 1)) if text else node.span(),
+            hint="commas stand only between parameters",
+        )
+    span = node.span(start, end)
+    if written.startswith("*"):
+        return _parse_block(written, span)
+    equals = find_outside(text, "=", start, end)
+    name_end = equals if equals >= 0 else end
+    name = text[start:name_end].rstrip().removesuffix(":").rstrip()
+    if not is_identifier(name):
+        raise failure(
+            "bad-input",
+            f"'{name}' cannot be the name of a parameter",
+            node.span(start, max(name_end, start + 1)),
+            hint=_name_hint(name),
+        )
+    default: Value | None = None
+    if equals >= 0:
+        default = parse_inline(node, equals + 1, end, context)
+    return Parameter(name, default, is_block=False, span=span, text=written)
+
+
+def _parse_block(written: str, span: object) -> Parameter:
+    from ..source import Span
+
+    assert isinstance(span, Span)
+    name = written.lstrip("*").strip()
+    stars = len(written) - len(written.lstrip("*"))
+    if stars != 2:
+        raise failure(
+            "bad-input",
+            f"a block has two stars, not {stars}",
+            span,
+            hint=f"write **{name}",
+        )
+    if not is_identifier(name) or not name[0].isupper():
+        raise failure(
+            "bad-input",
+            f"'{name}' cannot be the name of a block",
+            span,
+            hint=f"a block's name begins with a capital letter, and it has no default: "
+            f"**{name[:1].upper()}{name[1:].partition('=')[0]}",
+        )
+    return Parameter(name, None, is_block=True, span=span, text=written)
+
+
+def _name_hint(name: str) -> str:
+    if "-" in name:
+        return f"use an underscore: {name.replace('-', '_')}"
+    return "a name begins with a letter or _ and goes on with letters, digits and _"
+
+
+def parse_short_arguments(node: ScalarNode, context: ParseContext) -> list[Argument]:
+    """Return the arguments of a short call: `right, length=0.8`.
+
+    Raises:
+        YamaroError: one is missing between commas, or a positional one follows a named one.
+    """
+    arguments: list[Argument] = []
+    text = node.text
+    for start, end in split_inline(node):
+        start, end = _trim(text, start, end)
+        if start == end:
+            raise failure(
+                "bad-argument",
+                "an argument is missing here",
+                node.span(max(start - 1, 0), max(start, 1)),
+                hint="commas stand only between arguments; an empty text is ''",
+            )
+        equals = _equals_of_name(text, start, end)
+        name = None if equals < 0 else text[start:equals].rstrip().removesuffix(":").rstrip()
+        argument = Argument(name, None, node.span(start, end))
+        argument.value = parse_inline(node, equals + 1 if equals >= 0 else start, end, context)
+        if name is None and arguments and arguments[-1].name is not None:
+            raise failure(
+                "bad-argument",
+                "an argument without a name follows one with a name",
+                argument.span,
+                hint="put the arguments without a name first",
+            )
+        arguments.append(argument)
+    return arguments
+
+
+def _equals_of_name(text: str, start: int, end: int) -> int:
+    """Return the index of the `=` of `name=value`, or -1 if the argument is positional."""
+    equals = find_outside(text, "=", start, end)
+    if equals < 0 or text.startswith("==", equals):
+        return -1
+    name = text[start:equals].rstrip().removesuffix(":").rstrip()
+    return equals if is_identifier(name) else -1
+
+
+def parse_argument_name(key: ScalarNode, context: ParseContext) -> str:
+    """Return the name an argument is given under.
+
+    Raises:
+        YamaroError: it is no name.
+    """
+    name = parse_template(key, context=context)
+    if isinstance(name, str) and is_identifier(name.strip()):
+        return name.strip()
+    raise failure(
+        "bad-argument",
+        f"'{key.text}' is no name of an argument",
+        key.span(),
+        hint="arguments are written name: value; statements such as `if` go around the call"
+        if isinstance(name, str)
+        else "the names of arguments are fixed; compute their values",
+    )
+
+
+def _trim(text: str, start: int, end: int) -> tuple[int, int]:
+    while start < end and text[start].isspace():
+        start += 1
+    while end > start and text[end - 1].isspace():
+        end -= 1
+    return start, end

@@ -1,0 +1,844 @@
+"""Parses bodies: sequences of statements, from mappings or lists of mappings."""
+
+from __future__ import annotations
+
+from ..diagnostics import YamaroError, did_you_mean, failure, suggest
+from ..source import Span
+from .context import ParseContext
+from .keys import find_outside, parse_attributes, parse_name
+from .names import ROOT_STATEMENTS, STATEMENTS, is_function_name, is_identifier, is_keyword
+from .nodes import (
+    SCOPES,
+    Argument,
+    Body,
+    CallNode,
+    CommentNode,
+    Constant,
+    Content,
+    DynamicNode,
+    ElementNode,
+    ForNode,
+    FunctionNode,
+    FunctionsNode,
+    IfNode,
+    IncludeNode,
+    InsertNode,
+    ListContent,
+    ListValue,
+    PartNode,
+    PrintNode,
+    ProcessNode,
+    Statement,
+    TextContent,
+    TextNode,
+    Value,
+    VariableEntry,
+    VariablesNode,
+)
+from .python import PythonCode, compile_statements
+from .signatures import parse_argument_name, parse_input, parse_short_arguments
+from .template import Template, parse_template
+from .values import (
+    is_empty,
+    parse_bare_expression,
+    parse_condition,
+    parse_value,
+    warn_of_hidden_value,
+)
+from .yaml_nodes import MappingNode, ScalarNode, SequenceNode
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable, Sequence
+
+    from .yaml_nodes import YamlNode
+
+Pairs = list[tuple[ScalarNode, "YamlNode"]]
+
+
+# --- mappings and their list form -------------------------------------------------------------
+
+
+def pairs_of(node: YamlNode, what: str, context: ParseContext) -> Pairs:
+    """Return the pairs of a mapping, a list of mappings, or nothing at all.
+
+    Raises:
+        YamaroError: it is something else.
+    """
+    if isinstance(node, MappingNode):
+        return node.pairs
+    if isinstance(node, ScalarNode):
+        if is_empty(node):
+            warn_of_hidden_value(node, context)
+            return []
+        raise failure(
+            "not-a-body",
+            f"{what} holds entries such as `name: value`; this is a text",
+            node.span(),
+            hint=_body_hint(node.text),
+        )
+    pairs: Pairs = []
+    for item in node.items:
+        if isinstance(item, MappingNode):
+            pairs.extend(item.pairs)
+        elif not (isinstance(item, ScalarNode) and item.text and is_empty(item)):
+            raise failure(
+                "not-a-body",
+                f"in {what}, each item of the list must be an entry such as `name: value`",
+                item.span(),
+                hint=_body_hint(item.text) if isinstance(item, ScalarNode) else None,
+            )
+    return pairs
+
+
+def _body_hint(text: str) -> str | None:
+    if is_function_name(text):
+        return f"write `{text}:` with a colon to call a function"
+    return None
+
+
+class Fields:
+    """The entries of a statement, each meant once, taken out one by one."""
+
+    __slots__ = ("_known", "_pairs", "span", "what")
+
+    def __init__(self, what: str, pairs: Pairs, known: Sequence[str], span: Span) -> None:
+        """Check the entries of the statement `what`, written at `span`.
+
+        Raises:
+            YamaroError: a key is unknown, or given twice.
+        """
+        self.what = what
+        self.span = span
+        self._known = known
+        self._pairs: dict[str, tuple[ScalarNode, YamlNode]] = {}
+        for key, node in pairs:
+            if key.text not in known:
+                raise failure(
+                    "unknown-key",
+                    f"`{what}` has no entry '{key.text}'",
+                    key.span(),
+                    hint=did_you_mean(key.text, known)
+                    or f"it takes {', '.join(f'`{name}`' for name in known)}",
+                )
+            refuse_twice(self._pairs.get(key.text), key, what)
+            self._pairs[key.text] = (key, node)
+
+    def get(self, name: str) -> YamlNode | None:
+        """Return the value of an entry, or None if it is not there."""
+        pair = self._pairs.get(name)
+        return pair[1] if pair else None
+
+    def key(self, name: str) -> ScalarNode:
+        """Return the key of an entry that is there."""
+        return self._pairs[name][0]
+
+    def need(self, name: str, example: str) -> YamlNode:
+        """Return the value of an entry, or raise YamaroError if it is not there."""
+        node = self.get(name)
+        if node is None:
+            raise failure(
+                "missing-key",
+                f"`{self.what}` needs an entry `{name}`",
+                self.span,
+                hint=f"write {name}: {example}",
+            )
+        return node
+
+
+def refuse_twice(first: tuple[ScalarNode, YamlNode] | None, key: ScalarNode, what: str) -> None:
+    """Raise YamaroError if an entry that is meant once was there before."""
+    if first is not None:
+        raise failure(
+            "given-twice",
+            f"'{key.text}' is given twice in this `{what}`",
+            key.span(),
+            hint="keep one of the two",
+            notes=[f"first given at {first[0].span().place()}"],
+        )
+
+
+# --- bodies -----------------------------------------------------------------------------------
+
+
+def parse_body(node: YamlNode, what: str, context: ParseContext) -> Body:
+    """Return the statements of a body; what is wrong with one does not hide the others.
+
+    Raises:
+        YamaroError: it is no mapping and no list of mappings.
+    """
+    return parse_pairs(pairs_of(node, what, context), node.span(), context)
+
+
+def parse_pairs(pairs: Pairs, span: Span, context: ParseContext) -> Body:
+    """Return the statements that a body's pairs stand for."""
+    statements: list[Statement] = []
+    chain: IfNode | None = None  # the `if` that an `elif` or `else` may follow
+    for key, node in pairs:
+        word = key.text
+        if word in ("elif", "else"):
+            chain = context.attempt(_extend_if, chain, key, node, context)
+            continue
+        statement = context.attempt(parse_statement, key, node, context)
+        chain = statement if isinstance(statement, IfNode) else None
+        if statement is None and word == "if":
+            chain = IfNode([], key.span())
+        if statement is not None:
+            statements.append(statement)
+    return Body(statements, span)
+
+
+def parse_statement(key: ScalarNode, node: YamlNode, context: ParseContext) -> Statement:
+    """Return the statement that one pair of a body stands for.
+
+    Raises:
+        YamaroError: the statement is faulty.
+    """
+    word = key.text
+    if context.at_root:
+        _refuse_at_root(key)
+    parse = _PARSERS.get(word)
+    if parse is not None:
+        return parse(key, node, context)
+    if word.startswith("<") and word.endswith(">"):
+        return _parse_angled(key, node, context)
+    if word in ("#text", "#comment"):
+        return _parse_text_or_comment(word, key, node, context)
+    slash = find_outside(word, "/", 0, len(word))
+    if slash < 0:
+        return _parse_bare(key, node, context)
+    if word[:slash] in STATEMENTS:
+        raise failure(
+            "statement-with-attributes",
+            f"`{word[:slash]}` is a statement and takes no attributes",
+            key.span(),
+            hint=f"write <{word}>: for an XML element of that name",
+        )
+    return _parse_element(key, 0, len(word), node, context, verbatim=False)
+
+
+def _refuse_at_root(key: ScalarNode) -> None:
+    """Raise YamaroError if a statement may not stand at the root of a file."""
+    word = key.text
+    if word in ROOT_STATEMENTS:
+        return
+    if word in STATEMENTS or is_function_name(word):
+        what = f"`{word}`" if word in STATEMENTS else f"the call `{word}`"
+        raise failure(
+            "misplaced-statement",
+            f"{what} cannot stand at the root of a file",
+            key.span(),
+            hint="move it under `model:` or into the body of a function",
+        )
+    raise failure(
+        "misplaced-statement",
+        f"'{word}' cannot stand in an `if` or `for` at the root of a file",
+        key.span(),
+        hint=did_you_mean(word, ROOT_STATEMENTS)
+        or "elements go under `model:`, and so does an `if` that makes them",
+    )
+
+
+def _parse_bare(key: ScalarNode, node: YamlNode, context: ParseContext) -> Statement:
+    """Parse a key without attributes: a call, an insertion, an element, or one of `$(…)`."""
+    word = key.text
+    if is_function_name(word):
+        if word in context.blocks:
+            default = None if is_empty(node) else parse_body(node, f"the block {word}", context)
+            return InsertNode(word, default, key.span())
+        return CallNode(word, parse_arguments(word, node, context), key.span())
+    if "$" in word:
+        template = parse_template(key, context=context)
+        if isinstance(template, Template):
+            return _parse_dynamic(key, template, node, context)
+    element = _parse_element(key, 0, len(word), node, context, verbatim=False)
+    if word not in context.known_names:
+        _warn_of_misspelt_statement(key, node, context)
+    return element
+
+
+def _parse_dynamic(
+    key: ScalarNode, template: Template, node: YamlNode, context: ParseContext
+) -> DynamicNode:
+    inner = ParseContext(context.reporter)
+    inner.blocks, inner.codes = context.blocks, context.codes
+    inner.declarations = context.declarations
+    content = inner.attempt(parse_content, node, inner)
+    return DynamicNode(template, node, content, inner.errors, key.span())
+
+
+def _warn_of_misspelt_statement(key: ScalarNode, node: YamlNode, context: ParseContext) -> None:
+    """Warn of an element that reads like a misspelt statement, such as `inlcude: leg.yaml`."""
+    word = key.text
+    context.known_names.add(word)
+    near = suggest(word, STATEMENTS) if 2 <= len(word) <= 10 else None
+    if near is None or word in ("port", "path", "parts", "park", "parent", "sort", "farm"):
+        return
+    inside = {own.text for own, _ in node.pairs} if isinstance(node, MappingNode) else set()
+    telling = {"condition", "body", "iterator", "range", "in", "path", "name", "joint", "link"}
+    if near in ("include", "variables", "functions", "process") or inside & telling:
+        context.warn(
+            "misspelt-statement",
+            f"'{word}' makes an XML element; did you mean the statement `{near}`?",
+            key.span(),
+            hint=f"write {near}: for the statement, or <{word}>: for the element",
+        )
+
+
+# --- elements ---------------------------------------------------------------------------------
+
+
+def _parse_element(
+    key: ScalarNode,
+    start: int,
+    end: int,
+    node: YamlNode,
+    context: ParseContext,
+    *,
+    verbatim: bool,
+) -> ElementNode:
+    """Parse `name/attributes` in `key.text[start:end]` with its content.
+
+    Faults of the key do not hide those of the content.
+    """
+    text = key.text
+    slash = find_outside(text, "/", start, end)
+    name_end = slash if slash >= 0 else end
+    while name_end > start and text[name_end - 1].isspace():
+        name_end -= 1
+    content = context.attempt(parse_content, node, context)
+    name = parse_name(key, start, name_end, what="element", context=context)
+    attributes = []
+    if slash >= 0:
+        attributes = parse_attributes(key, slash + 1, end, context=context)
+    return ElementNode(name, attributes, content, span=key.span(), verbatim=verbatim)
+
+
+def _parse_angled(key: ScalarNode, node: YamlNode, context: ParseContext) -> Statement:
+    inner = key.text[1:-1]
+    if inner in ("#text", "#comment"):
+        return _parse_text_or_comment(inner, key, node, context)
+    return _parse_element(key, 1, len(key.text) - 1, node, context, verbatim=True)
+
+
+def _parse_text_or_comment(
+    word: str, key: ScalarNode, node: YamlNode, context: ParseContext
+) -> TextNode | CommentNode:
+    if not isinstance(node, ScalarNode):
+        raise failure(
+            "not-a-text",
+            f"<{word}> takes a text",
+            node.span(),
+            hint="use one such entry for each stretch of text",
+        )
+    text = "" if is_empty(node) else parse_template(node, context=context)
+    make = TextNode if word == "#text" else CommentNode
+    return make(text, node.span())
+
+
+def parse_content(node: YamlNode, context: ParseContext) -> Content:
+    """Return what stands under an element: text, a body, a list of plain values, or nothing.
+
+    Raises:
+        YamaroError: a list mixes entries and values.
+    """
+    if isinstance(node, ScalarNode):
+        if is_empty(node):
+            warn_of_hidden_value(node, context)
+            return None
+        return TextContent(parse_template(node, context=context), node.span())
+    if isinstance(node, SequenceNode):
+        mappings = sum(isinstance(item, MappingNode) for item in node.items)
+        if mappings == 0 and node.items:
+            value = parse_value(node, context)
+            assert isinstance(value, ListValue)
+            return ListContent(value, node.span())
+        if mappings < len(node.items):
+            plain = next(item for item in node.items if not isinstance(item, MappingNode))
+            raise failure(
+                "mixed-list",
+                "this list mixes entries such as `name: value` with plain values",
+                plain.span(),
+                hint=_body_hint(plain.text) if isinstance(plain, ScalarNode) else None,
+            )
+    return parse_body(node, "an element", context)
+
+
+# --- calls and includes -----------------------------------------------------------------------
+
+
+def parse_arguments(name: str, node: YamlNode, context: ParseContext) -> list[Argument]:
+    """Return the arguments of a call, in the short form or as a mapping.
+
+    Raises:
+        YamaroError: an argument has no proper name, or is given twice.
+    """
+    if isinstance(node, ScalarNode):
+        if is_empty(node) and node.style == "":
+            warn_of_hidden_value(node, context)
+            return []
+        return parse_short_arguments(node, context)
+    pairs = pairs_of(node, f"a call of {name}", context)
+    arguments = [
+        argument
+        for key, value in pairs
+        if (argument := context.attempt(_parse_argument, key, value, context)) is not None
+    ]
+    seen: dict[str, Argument] = {}
+    for argument in arguments:
+        assert argument.name is not None
+        if argument.name in seen:
+            raise failure(
+                "given-twice",
+                f"the argument '{argument.name}' is given twice",
+                argument.span,
+                hint="keep one of the two",
+                notes=[f"first given at {seen[argument.name].span.place()}"],
+            )
+        seen[argument.name] = argument
+    return arguments
+
+
+def _parse_argument(key: ScalarNode, node: YamlNode, context: ParseContext) -> Argument:
+    name = parse_argument_name(key, context)
+    argument = Argument(name, node, key.span())
+    if name[0].isupper() and (is_empty(node) or _is_body(node)):
+        argument.block = parse_body(node, f"the block {name}", context)
+    else:
+        argument.value = parse_value(node, context)
+    return argument
+
+
+def _is_body(node: YamlNode) -> bool:
+    if isinstance(node, SequenceNode):
+        return all(isinstance(item, MappingNode) for item in node.items)
+    return isinstance(node, MappingNode)
+
+
+def _parse_include(key: ScalarNode, node: YamlNode, context: ParseContext) -> IncludeNode:
+    if isinstance(node, ScalarNode):
+        path = _parse_path(node, key, context)
+        return IncludeNode(path, None, [], path_span=node.span(), span=key.span())
+    path_pair: tuple[ScalarNode, YamlNode] | None = None
+    namespace_pair: tuple[ScalarNode, YamlNode] | None = None
+    rest: Pairs = []
+    for own, value in pairs_of(node, "an include", context):
+        if own.text == "path":
+            refuse_twice(path_pair, own, "include")
+            path_pair = (own, value)
+        elif own.text == "namespace":
+            refuse_twice(namespace_pair, own, "include")
+            namespace_pair = (own, value)
+        else:
+            rest.append((own, value))
+    if path_pair is None:
+        near = suggest("path", [own.text for own, _ in rest])
+        raise failure(
+            "missing-key",
+            "`include` needs an entry `path`",
+            key.span(),
+            hint=f"did you mean `path` by '{near}'?" if near else "write path: other.yaml",
+        )
+    path = _parse_path(path_pair[1], path_pair[0], context)
+    namespace = _parse_namespace(namespace_pair[1], context) if namespace_pair else None
+    arguments = _include_arguments(rest, context)
+    path_span = path_pair[1].span()
+    return IncludeNode(path, namespace, arguments, path_span=path_span, span=key.span())
+
+
+def _include_arguments(pairs: Pairs, context: ParseContext) -> list[Argument]:
+    arguments: list[Argument] = []
+    seen: dict[str, tuple[ScalarNode, YamlNode]] = {}
+    for own, value in pairs:
+        refuse_twice(seen.get(own.text), own, "include")
+        seen[own.text] = (own, value)
+        argument = Argument(parse_argument_name(own, context), value, own.span())
+        argument.value = parse_value(value, context)
+        arguments.append(argument)
+        assert argument.name is not None
+        context.declarations.append((argument.name, "local", argument.span))
+    return arguments
+
+
+def _parse_path(node: YamlNode, key: ScalarNode, context: ParseContext) -> str | Template:
+    if not isinstance(node, ScalarNode) or is_empty(node):
+        raise failure(
+            "missing-key",
+            "`include` needs the path of a file",
+            key.span(),
+            hint="write include: other.yaml, or include: {path: other.yaml, length: 2}",
+        )
+    return parse_template(node, context=context)
+
+
+def _parse_namespace(node: YamlNode, context: ParseContext) -> str | Template:
+    if isinstance(node, ScalarNode) and not is_empty(node):
+        name = parse_template(node, context=context)
+        if not isinstance(name, str) or is_identifier(name):
+            return name
+    raise failure(
+        "bad-namespace",
+        "a namespace is a single name",
+        node.span(),
+        hint="write namespace: Legs, and then Legs.BuildLeg: and $(Legs.index)",
+    )
+
+
+# --- control flow -----------------------------------------------------------------------------
+
+
+def _parse_if(key: ScalarNode, node: YamlNode, context: ParseContext) -> IfNode:
+    return IfNode([_parse_branch(key, node, context)], key.span())
+
+
+def _parse_branch(
+    key: ScalarNode, node: YamlNode, context: ParseContext
+) -> tuple[PythonCode | Constant | None, Body]:
+    word = key.text
+    if isinstance(node, ScalarNode) and not is_empty(node):
+        raise failure(
+            "not-a-body",
+            f"`{word}` has the entries `condition` and `body`",
+            node.span(),
+            hint=f"write {word}: {{condition: …, body: …}}, or each on a line of its own",
+        )
+    pairs = pairs_of(node, f"`{word}`", context)
+    fields = Fields(word, pairs, ("condition", "body"), key.span())
+    body_node = fields.get("body")
+    body = Body([], key.span())
+    if body_node is not None:
+        body = context.attempt(parse_body, body_node, f"`{word}`", context) or body
+    condition = parse_condition(fields.need("condition", "length > 1.0"), context)
+    return condition, body
+
+
+def _extend_if(
+    chain: IfNode | None, key: ScalarNode, node: YamlNode, context: ParseContext
+) -> IfNode | None:
+    """Add an `elif` or `else` to the `if` right before it, and return what may follow."""
+    if chain is None:
+        raise failure(
+            "lone-else",
+            f"this `{key.text}` has no `if` right before it",
+            key.span(),
+            hint="an `elif` or `else` follows its `if` directly, at the same indentation",
+        )
+    if key.text == "elif":
+        branch = context.attempt(_parse_branch, key, node, context)
+        if branch is not None:
+            chain.branches.append(branch)
+        return chain
+    pairs = pairs_of(node, "`else`", context)
+    if any(own.text == "condition" for own, _ in pairs):
+        own = next(own for own, _ in pairs if own.text == "condition")
+        raise failure(
+            "unknown-key",
+            "`else` has no condition",
+            own.span(),
+            hint="write `elif` for another condition",
+        )
+    if len(pairs) == 1 and pairs[0][0].text == "body":
+        body = parse_body(pairs[0][1], "`else`", context)
+    else:
+        body = parse_pairs(pairs, node.span(), context)
+    chain.branches.append((None, body))
+    return None
+
+
+def _parse_for(key: ScalarNode, node: YamlNode, context: ParseContext) -> ForNode:
+    pairs = pairs_of(node, "`for`", context)
+    fields = Fields("for", pairs, ("iterator", "range", "in", "body"), key.span())
+    body_node = fields.get("body")
+    body = Body([], key.span())
+    if body_node is not None:
+        body = context.attempt(parse_body, body_node, "`for`", context) or body
+    names = _parse_iterator(fields.need("iterator", "i"), context)
+    range_node, in_node = fields.get("range"), fields.get("in")
+    if range_node is not None and in_node is not None:
+        raise failure(
+            "given-twice",
+            "`for` takes `range` or `in`, not both",
+            fields.key("in").span(),
+            notes=[f"`range` is given at {fields.key('range').span().place()}"],
+        )
+    if range_node is not None:
+        if len(names) > 1:
+            raise failure(
+                "bad-iterator",
+                "a `range` gives one number at a time, so it takes one name",
+                fields.key("iterator").span(),
+                hint="use `in` for pairs, as in `in: [[a, 1], [b, 2]]`",
+            )
+        ranges = _parse_range(range_node, context)
+        return ForNode(names, ranges, body, is_range=True, span=key.span())
+    if in_node is None:
+        fields.need("range", "0, 6  (or: in: [left, right])")
+        raise AssertionError("need raises")
+    return ForNode(names, _parse_in(in_node, context), body, is_range=False, span=key.span())
+
+
+def _parse_iterator(node: YamlNode, context: ParseContext) -> list[str]:
+    scalars = node.items if isinstance(node, SequenceNode) else [node]
+    names: list[str] = []
+    for scalar in scalars:
+        if not isinstance(scalar, ScalarNode):
+            raise failure(
+                "bad-iterator", "an iterator is a name", scalar.span(), hint="iterator: i"
+            )
+        for piece in scalar.text.split(","):
+            name = piece.strip()
+            if not is_identifier(name) or name in names:
+                raise failure(
+                    "bad-iterator",
+                    f"'{name}' is named twice" if name in names else bad_variable_name(name),
+                    scalar.span(),
+                    hint="write iterator: i, or iterator: name, length",
+                )
+            names.append(name)
+            context.declarations.append((name, "local", scalar.span()))
+    if not names:
+        raise failure("bad-iterator", "the iterator has no name", node.span(), hint="iterator: i")
+    return names
+
+
+def _parse_range(node: YamlNode, context: ParseContext) -> list[PythonCode | Constant] | PythonCode:
+    if isinstance(node, SequenceNode):
+        if not 1 <= len(node.items) <= 3:
+            raise failure(
+                "bad-range",
+                f"`range` takes one to three numbers, and these are {len(node.items)}",
+                node.span(),
+                hint="write range: 6, or range: 0, 6, or range: 0, 6, 2",
+            )
+        return [parse_condition(item, context) for item in node.items]
+    if not isinstance(node, ScalarNode) or is_empty(node):
+        raise failure(
+            "bad-range",
+            "`range` takes one to three numbers",
+            node.span(),
+            hint="write range: 6, or range: 0, 6, or range: 0, 6, 2",
+        )
+    return parse_bare_expression(node, context)
+
+
+def _parse_in(node: YamlNode, context: ParseContext) -> Value | PythonCode:
+    if isinstance(node, ScalarNode):
+        if is_empty(node):
+            raise failure(
+                "missing-key",
+                "`in` is empty",
+                node.span(),
+                hint="write in: [left, right], or the name of a list",
+            )
+        return parse_bare_expression(node, context)
+    return parse_value(node, context)
+
+
+# --- declarations -----------------------------------------------------------------------------
+
+
+def split_scope(key: ScalarNode, what: str) -> tuple[int, str]:
+    """Return where the name in `name/scope` ends, and the scope.
+
+    Raises:
+        YamaroError: the scope is none.
+    """
+    text = key.text
+    slash = find_outside(text, "/", 0, len(text))
+    if slash < 0:
+        return len(text), "local"
+    scope = text[slash + 1 :].strip()
+    if scope not in SCOPES:
+        raise failure(
+            "unknown-scope",
+            f"'{scope}' is no scope of a {what}",
+            key.span(slash + 1, max(len(text), slash + 2)) if scope else key.span(),
+            hint=did_you_mean(scope, SCOPES) or f"the scopes are {', '.join(SCOPES)}",
+        )
+    return slash, scope
+
+
+def bad_variable_name(name: str) -> str:
+    """Return what is wrong with the name of a variable."""
+    if is_keyword(name):
+        return f"'{name}' is a word of Python and cannot name a variable"
+    return f"'{name}' cannot name a variable"
+
+
+def _parse_variables(
+    key: ScalarNode, node: YamlNode, context: ParseContext, *, is_root: bool = False
+) -> VariablesNode:
+    entries: dict[str, VariableEntry] = {}
+    every: list[VariableEntry] = []
+    for own, value in pairs_of(node, "`variables`", context):
+        entry = context.attempt(_parse_variable, own, value, context)
+        if entry is None:
+            continue
+        if isinstance(entry.name, str):
+            earlier = entries.get(entry.name)
+            if earlier is not None:
+                context.attempt(_join_entries, earlier, entry)
+                continue
+            entries[entry.name] = entry
+            context.declarations.append((entry.name, entry.scope, entry.span))
+        every.append(entry)
+    return VariablesNode(every, is_root=is_root, span=key.span())
+
+
+def _parse_variable(key: ScalarNode, node: YamlNode, context: ParseContext) -> VariableEntry:
+    value = parse_value(node, context)
+    end, scope = split_scope(key, "variable")
+    while end > 0 and key.text[end - 1].isspace():
+        end -= 1
+    name = parse_template(key, 0, end, context=context)
+    span = key.span(0, end) if end else key.span()
+    if isinstance(name, str) and not is_identifier(name):
+        raise failure("bad-variable-name", bad_variable_name(name), span, hint=name_hint(name))
+    return VariableEntry(name, scope, [value], span)
+
+
+def name_hint(name: str) -> str:
+    """Return how to spell a name that is no identifier."""
+    fixed = "".join(char if char.isalnum() or char == "_" else "_" for char in name)
+    if fixed and fixed[0].isdigit():
+        fixed = f"_{fixed}"
+    if is_keyword(fixed):
+        fixed = f"{fixed}_"
+    if is_identifier(fixed) and fixed.strip("_"):
+        return f"write {fixed}: names are letters, digits and _, and do not begin with a digit"
+    return "names are letters, digits and _, and do not begin with a digit"
+
+
+def _join_entries(earlier: VariableEntry, entry: VariableEntry) -> None:
+    if earlier.scope != entry.scope:
+        raise failure(
+            "given-twice",
+            f"'{entry.name}' is declared here with two scopes, {earlier.scope} and {entry.scope}",
+            entry.span,
+            notes=[f"first declared at {earlier.span.place()}"],
+        )
+    earlier.values.extend(entry.values)
+
+
+def _parse_functions(key: ScalarNode, node: YamlNode, context: ParseContext) -> FunctionsNode:
+    functions: list[FunctionNode] = []
+    seen: dict[str, FunctionNode] = {}
+    for own, value in pairs_of(node, "`functions`", context):
+        function = context.attempt(_parse_function, own, value, context)
+        if function is None:
+            continue
+        if function.name in seen:
+            context.attempt(_refuse_second_function, seen[function.name], function)
+            continue
+        seen[function.name] = function
+        functions.append(function)
+        context.declarations.append((function.name, function.scope, function.span))
+    return FunctionsNode(functions, key.span())
+
+
+def _refuse_second_function(first: FunctionNode, second: FunctionNode) -> None:
+    raise failure(
+        "defined-twice",
+        f"the function '{second.name}' is defined twice",
+        second.span,
+        hint="give one of them another name",
+        notes=[f"first defined at {first.span.place()}"],
+    )
+
+
+def _parse_function(key: ScalarNode, node: YamlNode, context: ParseContext) -> FunctionNode:
+    end, scope = split_scope(key, "function")
+    name = key.text[:end].strip()
+    if not is_function_name(name) or "." in name:
+        raise failure(
+            "bad-function-name",
+            f"'{name}' cannot name a function",
+            key.span(),
+            hint=f"a function's name begins with a capital letter: {name[:1].upper()}{name[1:]}"
+            if is_identifier(name)
+            else "a function's name is one word that begins with a capital letter",
+        )
+    fields = Fields(
+        name, pairs_of(node, f"the function {name}", context), ("input", "body"), key.span()
+    )
+    input_node, body_node = fields.get("input"), fields.get("body")
+    parameters = []
+    if input_node is not None:
+        parameters = context.attempt(parse_input, input_node, context) or []
+    outer, at_root = context.blocks, context.at_root
+    context.at_root = False
+    own = tuple(parameter.name for parameter in parameters if parameter.is_block)
+    hidden = {parameter.name for parameter in parameters if not parameter.is_block}
+    context.blocks = (*(block for block in outer if block not in hidden), *own)
+    try:
+        body = Body([], key.span())
+        if body_node is not None:
+            body = context.attempt(parse_body, body_node, f"the function {name}", context) or body
+    finally:
+        context.blocks, context.at_root = outer, at_root
+    return FunctionNode(name, scope, parameters, body, key.span())
+
+
+# --- the rest ---------------------------------------------------------------------------------
+
+
+def _parse_part(key: ScalarNode, node: YamlNode, context: ParseContext) -> PartNode:
+    return PartNode(parse_body(node, "a part", context), key.span())
+
+
+def _parse_print(key: ScalarNode, node: YamlNode, context: ParseContext) -> PrintNode:
+    if isinstance(node, ScalarNode):
+        text = "" if is_empty(node) else parse_template(node, context=context)
+        return PrintNode(text, node.span())
+    return PrintNode(parse_value(node, context), node.span())
+
+
+def _parse_process(key: ScalarNode, node: YamlNode, context: ParseContext) -> ProcessNode:
+    if not isinstance(node, ScalarNode):
+        raise failure(
+            "not-a-text",
+            "`process` takes Python statements as a text",
+            node.span(),
+            hint="write process: | and the statements, indented, on the lines below",
+        )
+    if node.anchor is not None:
+        context.warn(
+            "anchored-expression",
+            f"'&{node.anchor}' is a YAML anchor here and no part of the statement",
+            node.span(),
+            hint="quote the statement, or delete the anchor",
+        )
+    code = compile_statements(node)
+    context.codes.append(code)
+    return ProcessNode(code, key.span())
+
+
+_PARSERS: dict[str, Callable[[ScalarNode, YamlNode, ParseContext], Statement]] = {
+    "part": _parse_part,
+    "if": _parse_if,
+    "for": _parse_for,
+    "include": _parse_include,
+    "variables": _parse_variables,
+    "functions": _parse_functions,
+    "print": _parse_print,
+    "process": _parse_process,
+}
+
+# --- what is read only when it is known what it means -----------------------------------------
+
+
+def late_value(argument: Argument, context: ParseContext) -> Value:
+    """Return a capitalised argument as a value, once its parameter turned out to be no block."""
+    if argument.value is None:
+        assert argument.node is not None
+        argument.value = parse_value(argument.node, context)
+    return argument.value
+
+
+def late_call(dynamic: DynamicNode, name: str, context: ParseContext) -> list[Argument]:
+    """Return what stands under a dynamic key as arguments, once it turned out to be a call."""
+    if dynamic.call is None:
+        dynamic.call = parse_arguments(name, dynamic.node, context)
+        if context.errors:
+            raise YamaroError(context.errors)
+    return dynamic.call
