@@ -24,6 +24,7 @@ COMMANDS = {"cat", "check_urdf", "cp", "diff", "echo", "grep", "head", "ls", "mk
 COMMANDS |= {"wc", "yamaro"}
 
 ELISION = re.compile(r"\s*(?:…|\.\.\.|<!-- (?:…|\.\.\.) -->)\s*")
+PART = re.compile(r"^[ -]*part\b", re.MULTILINE)
 FENCE = re.compile(r"^(?P<indent> *)(?P<fence>`{3,}|~{3,})(?P<info>[^`\n]*)$")
 
 # Compiles with the command's arguments; gives exit status, standard output, standard error.
@@ -93,14 +94,15 @@ def matches(expected: str, actual: str) -> bool:
 
 
 def wrap(fragment: str, links: list[str]) -> str:
-    """Return a whole file whose model has the links, then the fragment."""
+    """Return a whole file: a robot of the links and the fragment, or, without part, other XML."""
     written = [line for line in fragment.splitlines() if line.strip() and line.lstrip()[0] != "#"]
     dash = "- " if written and written[0].startswith("- ") else ""
     head = "".join(f"{dash}link/name={link}:\n" for link in links)
     body = "".join(
         f"  {line}" if line.strip() else line for line in (head + fragment).splitlines(True)
     )
-    return f"robot: example\nmodel:\n{body}"
+    is_robot = links or PART.search(fragment)
+    return f"robot: example\nmodel:\n{body}" if is_robot else f"fragment:\n{body}"
 
 
 def content_of(xml: str, links: list[str]) -> str:

@@ -52,19 +52,20 @@ def failures_of(tmp_path: Path, compile_in_folder: Compile):
 
 
 RIGHT = {
-    "a whole file": '```yaml\nmodel:\n  a: 1\n```\n```xml\n<robot name="robot">\n  <a>1</a>\n'
-    "</robot>\n```\n",
+    "a whole file": "```yaml\nlaunch:\n  a: 1\n```\n```xml\n<launch>\n  <a>1</a>\n</launch>\n```\n",
     "a fragment": "```yaml fragment\na: 1\n```\nwhich is\n```xml\n<a>1</a>\n```\n",
     "a fragment in list form": "```yaml fragment links=base\n- a: 1\n```\n```xml\n<a>1</a>\n```\n",
+    "a fragment with a part": "```yaml fragment links=base\npart:\n  name: tip\n"
+    '  joint: {type: fixed, parent: base}\n```\n```xml\n…\n<link name="tip_link"/>\n```\n',
     "an argument": "```yaml fragment n:=3\na: $(n)\n```\n```xml\n<a>3</a>\n```\n",
     "a continued fragment": "```yaml fragment\nvariables: {n: 2}\n```\n"
     "```yaml fragment continued\na: $(n)\n```\n```xml\n<a>2</a>\n```\n",
-    "an error": "```yaml error\nmodel:\n  a: $(oops)\n```\n```text\n…\n2 |   a: $(oops)\n…\n```\n",
-    "a print": "```yaml\nmodel:\n  print: hello\n```\n```text\nhello\n```\n",
+    "an error": "```yaml error\nlaunch:\n  a: $(oops)\n```\n```text\n…\n2 |   a: $(oops)\n…\n```\n",
+    "a print": "```yaml\nlaunch:\n  print: hello\n```\n```text\nhello\n```\n",
     "an included file": "```yaml file=part.yaml included\nmodel:\n  a: $(n)\n```\n"
     "```yaml fragment\ninclude: {path: part.yaml, n: 4}\n```\n```xml\n<a>4</a>\n```\n",
     "python": "```python\nprint(1 + 1)\n```\n```text\n2\n```\n",
-    "a session": "```yaml\nmodel:\n  a: 1\n```\n```console\n$ yamaro robot.yaml\n…\n  <a>1</a>\n"
+    "a session": "```yaml\nlaunch:\n  a: 1\n```\n```console\n$ yamaro robot.yaml\n…\n  <a>1</a>\n"
     "…\n$ echo a\na\n$ ros2 run\n```\n",
     "a script": "```sh\npip install yamaro\nyamaro --version\n```\n",
     "no example": "```xml not-run\n<a/>\n```\n```toml\nx = 1\n```\n",
@@ -73,10 +74,10 @@ RIGHT = {
 WRONG = {
     "other XML": RIGHT["a whole file"].replace("<a>1", "<a>2"),
     "other content": RIGHT["a fragment"].replace("<a>1", "<a>2"),
-    "an error unannounced": "```yaml\nmodel:\n  a: $(oops)\n```\n",
-    "an error that is none": "```yaml error\nmodel:\n  a: 1\n```\n```text\n…\n```\n",
-    "an error not shown": "```yaml error\nmodel:\n  a: $(oops)\n```\n",
-    "a print not shown": "```yaml\nmodel:\n  print: hello\n```\n",
+    "an error unannounced": "```yaml\nlaunch:\n  a: $(oops)\n```\n",
+    "an error that is none": "```yaml error\nlaunch:\n  a: 1\n```\n```text\n…\n```\n",
+    "an error not shown": "```yaml error\nlaunch:\n  a: $(oops)\n```\n",
+    "a print not shown": "```yaml\nlaunch:\n  print: hello\n```\n",
     "other output": RIGHT["python"].replace("\n2\n", "\n3\n"),
     "a failing program": "```python\nraise SystemExit(3)\n```\n",
     "another session": RIGHT["a session"].replace("\na\n", "\nb\n"),
