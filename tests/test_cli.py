@@ -184,6 +184,17 @@ def test_standard_input_is_read_for_a_dash() -> None:
     assert "é" in Path("x.urdf").read_text(encoding="utf-8")
 
 
+def test_named_pipe_is_read_like_standard_input() -> None:
+    os.mkfifo("pipe.yaml")
+    with subprocess.Popen(["sh", "-c", "cat > pipe.yaml"], stdin=subprocess.PIPE) as writer:
+        assert writer.stdin is not None
+        writer.stdin.write(PLAIN.encode())
+        writer.stdin.close()
+        result = run("pipe.yaml")
+    assert (result.returncode, result.stdout.decode(), result.stderr) == (0, PLAIN_XML, b"")
+    assert run("/dev/stdin", input=PLAIN.encode()).stdout.decode() == PLAIN_XML
+
+
 def test_standard_input_may_be_a_python_stream(
     capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -193,9 +204,9 @@ def test_standard_input_may_be_a_python_stream(
 
 def test_standard_input_that_is_no_utf8_is_an_error() -> None:
     result = run("-", input=b"robot: \xff\xfe\n")
-    assert result.returncode == 1
-    assert result.stdout == b""
-    assert result.stderr.startswith(b"error[")
+    assert (result.returncode, result.stdout) == (1, b"")
+    assert result.stderr.startswith(b"error[not-utf-8]: ")
+    assert b" --> <standard input>:1:8\n" in result.stderr
 
 
 def test_closed_standard_input_is_wrong_usage(
@@ -600,8 +611,7 @@ def test_python_warnings_about_user_code_are_shown_only_when_asked_for() -> None
 
 
 def test_closed_pipe_is_quiet() -> None:
-    body = "".join(f"  link/name=l{n}:\n" for n in range(5000))
-    write("robot: arm\nmodel:\n" + body)
+    write("list:\n" + "".join(f"  item: {n}\n" for n in range(5000)))
     read_end, write_end = os.pipe()
     os.close(read_end)
     process = subprocess.run(
@@ -617,8 +627,7 @@ def test_closed_pipe_is_quiet() -> None:
 
 @pytest.mark.skipif(not shutil.which("bash"), reason="needs bash")
 def test_head_gets_its_lines_and_no_complaint() -> None:
-    body = "".join(f"  link/name=l{n}:\n" for n in range(20000))
-    write("robot: arm\nmodel:\n" + body)
+    write("list:\n" + "".join(f"  item: {n}\n" for n in range(20000)))
     result = subprocess.run(
         ["bash", "-c", f"'{sys.executable}' -m yamaro robot.yaml | head -1"],
         capture_output=True,

@@ -18,6 +18,9 @@ if TYPE_CHECKING:
     from .compiler import Build
     from .diagnostics import Diagnostic
 
+STANDARD_INPUT = "-"
+STANDARD_INPUT_NAME = "<standard input>"
+
 DONE = 0
 INPUT_ERROR = 1
 USAGE_ERROR = 2
@@ -172,7 +175,7 @@ def _add_word(arguments: Arguments, word: str, *, is_plain: bool) -> None:
     elif arguments.command == "build" and not arguments.words and word in COMMANDS and not is_plain:
         arguments.command = word
     else:
-        arguments.words.append(word)
+        arguments.words.append(STANDARD_INPUT if word == "/dev/stdin" else word)
 
 
 def _add_long_option(arguments: Arguments, word: str, pending: list[str]) -> None:
@@ -316,7 +319,7 @@ def _build(arguments: Arguments, streams: Streams) -> tuple[Build, bytes]:
     from . import compiler
 
     path = arguments.words[0]
-    text = _read_standard_input() if path == "-" else None
+    text = _read_pipe(path)
     streams.divert()
     try:
         with warnings.catch_warnings():
@@ -384,14 +387,23 @@ def _refuse_overwriting(arguments: Arguments, inputs: Sequence[str]) -> None:
         raise WrongUsage(f"the output {_quote(output)} is one of the files that are compiled")
 
 
-def _read_standard_input() -> str:
+def _read_pipe(path: str) -> str | None:
+    """Return the text of standard input or of a named pipe, None for what can be read by name."""
     from .runtime.loader import decode
 
-    if sys.stdin is None:
-        raise WrongUsage("standard input is closed")
-    buffer = getattr(sys.stdin, "buffer", None)
-    data = sys.stdin.read().encode() if buffer is None else buffer.read()
-    return decode(data, name="-", path="").text
+    if path == STANDARD_INPUT:
+        if sys.stdin is None:
+            raise WrongUsage("standard input is closed")
+        buffer = getattr(sys.stdin, "buffer", None)
+        data = sys.stdin.read().encode() if buffer is None else buffer.read()
+        return decode(data, name=STANDARD_INPUT_NAME, path="").text
+    try:
+        if os.stat(path).st_mode & 0o170000 != 0o010000:
+            return None
+        with open(path, "rb") as file:
+            return decode(file.read(), name=path, path=os.path.abspath(path)).text
+    except OSError:
+        return None
 
 
 def _version() -> str:
@@ -427,7 +439,7 @@ def _display_name(arguments: Arguments) -> str:
     from .diagnostics import printable
 
     path = arguments.words[0]
-    return "standard input" if path == "-" else printable(path)
+    return STANDARD_INPUT_NAME if path == STANDARD_INPUT else printable(path)
 
 
 def _drop(message: str) -> None:
