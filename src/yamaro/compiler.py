@@ -8,6 +8,7 @@ import sys
 from .diagnostics import ERROR, Diagnostic, Reporter, YamaroError, YamaroWarning, suggest
 from .robot.check import check
 from .robot.part import lower
+from .runtime.deep_stack import run_on_deep_stack
 from .runtime.interpreter import Interpreter
 from .runtime.loader import FileLoader, LoadError, decode
 from .runtime.predefined import plain_data
@@ -26,7 +27,6 @@ if TYPE_CHECKING:
     from .runtime.packages import PackageFinder
 
 STANDARD_INPUT = "-"
-RECURSION_LIMIT = 40_000 if sys.version_info >= (3, 11) else 15_000
 
 
 class UsageError(Exception):
@@ -36,27 +36,35 @@ class UsageError(Exception):
 class Build:
     """A finished robot or other document."""
 
-    __slots__ = ("files", "meshes", "root", "warnings")
+    __slots__ = ("_xml", "files", "meshes", "root", "warnings")
 
     def __init__(
-        self, root: Element, *, warnings: list[Diagnostic], files: list[str], meshes: list[str]
+        self,
+        root: Element,
+        *,
+        xml: str,
+        warnings: list[Diagnostic],
+        files: list[str],
+        meshes: list[str],
     ) -> None:
         """Hold the results of a build.
 
         Args:
             root: the finished tree.
+            xml: the document.
             warnings: what was noticed, in order.
             files: the absolute path of every file read, in order.
             meshes: the meshes the robot refers to: absolute paths, or as written if not found.
         """
         self.root = root
+        self._xml = xml
         self.warnings = warnings
         self.files = files
         self.meshes = meshes
 
     def xml(self) -> str:
-        """Return the document as text; raise YamaroError where XML cannot hold a character."""
-        return write(self.root)
+        """Return the document as text."""
+        return self._xml
 
 
 def build(
@@ -86,41 +94,51 @@ def build(
         YamaroError: the input has errors; it holds them, and the warnings found before.
         UsageError: the main file cannot be read, or a `name:=value` is malformed.
     """
-    if sys.getrecursionlimit() < RECURSION_LIMIT:
-        sys.setrecursionlimit(RECURSION_LIMIT)
-    reporter = Reporter()
     loader = loader or FileLoader()
-    try:
-        passed, places = _read_command_line(command_line)
-        passed.update(variables or {})
-        source = _read_main(path, text, loader)
-        interpreter = Interpreter(
-            loader=loader, reporter=reporter, on_message=on_message or _print_to_standard_error
-        )
-        stem = _stem(path)
-        evaluated = interpreter.run_main(source, stem=stem, variables=passed)
+    passed, places = _read_command_line(command_line)
+    passed.update(variables or {})
+    source = _read_main(path, text, loader)
+    reporter = Reporter()
+    interpreter = Interpreter(
+        loader=loader, reporter=reporter, on_message=on_message or _print_to_standard_error
+    )
+
+    def compile_robot() -> Build:
+        evaluated = interpreter.run_main(source, stem=_stem(path), variables=passed)
         _warn_of_unknown_variables(interpreter, places, reporter)
-        meshes = _MeshFinder(interpreter.packages)
-        root = lower(evaluated, reporter=reporter, resolve_mesh=meshes.resolve)
-        if root.name == "robot":
-            advisor = Reporter() if advice else None
-            check(
-                root,
-                reporter=reporter,
-                resolve_mesh=meshes.resolve,
-                places_searched=meshes.places_searched,
-                advice=advisor,
-            )
-            for diagnostic in advisor.diagnostics if advisor else ():
-                reporter.add(diagnostic)
+        return _finish(evaluated, interpreter, reporter, advice=advice)
+
+    try:
+        result = run_on_deep_stack(compile_robot)
     except YamaroError as error:
         raise YamaroError([*reporter.diagnostics, *error.diagnostics]) from None
     if strict and reporter.diagnostics:
         for diagnostic in reporter.diagnostics:
             diagnostic.severity = ERROR
         raise YamaroError(reporter.diagnostics)
+    return result
+
+
+def _finish(
+    evaluated: Element, interpreter: Interpreter, reporter: Reporter, *, advice: bool
+) -> Build:
+    """Lower, check and write what was evaluated."""
+    meshes = _MeshFinder(interpreter.packages)
+    root = lower(evaluated, reporter=reporter, resolve_mesh=meshes.resolve)
+    if root.name == "robot":
+        advisor = Reporter() if advice else None
+        check(
+            root,
+            reporter=reporter,
+            resolve_mesh=meshes.resolve,
+            places_searched=meshes.places_searched,
+            advice=advisor,
+        )
+        for diagnostic in advisor.diagnostics if advisor else ():
+            reporter.add(diagnostic)
     return Build(
         root,
+        xml=write(root),
         warnings=reporter.diagnostics,
         files=list(interpreter.files),
         meshes=meshes.referred_to(root),
