@@ -175,8 +175,11 @@ def test_corners_that_differ_by_rounding_are_the_same(tmp_path):
     corners, triangles = [], []
     for number, face in enumerate(CUBE.triangles):
         shift = 1e-9 * (number % 3)
-        triangles.append(tuple(range(len(corners), len(corners) + 3)))
-        corners += [tuple(c + shift for c in CUBE.vertices[index]) for index in face]
+        first = len(corners)
+        triangles.append((first, first + 1, first + 2))
+        for index in face:
+            x, y, z = CUBE.vertices[index]
+            corners.append((x + shift, y + shift, z + shift))
     mesh = read_mesh(write_obj(tmp_path / "cube.obj", TriangleMesh(corners, triangles)))
     assert is_closed(mesh)
     assert solid_moments(mesh).volume == pytest.approx(1)

@@ -336,7 +336,8 @@ def _is_attribute(child: Element) -> bool:
 
 
 def _read_scalar(key: Element, text: Text, scalar: str | None, record: Record) -> None:
-    if text.value is None or text.value == "":
+    value = text.value
+    if value is None or (type(value) is str and not value):
         return
     if scalar is None:
         raise failure(

@@ -118,7 +118,7 @@ def _read_origin(lowering: Lowering, fields: Fields, origin: Element) -> Pose:
 
 def _read_vector(lowering: Lowering, key: Element) -> Numbers:
     value, span = read_value(key)
-    if value == "":
+    if type(value) is str and not value:
         raise empty_value(key)
     return _numbers(lowering, value, span, key.name, key.trace)
 
