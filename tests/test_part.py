@@ -1288,6 +1288,43 @@ def test_elements_that_robots_hold_are_not_warned_of(name):
     assert reporter.diagnostics == []
 
 
+def test_parts_in_elements_beside_a_part():
+    lowered = lower_text("part: {name: a, group: {part: {name: b}, x: 1}}")
+    assert names(lowered.find("group").children) == ["link", "x"]
+    assert lowered.codes() == ["misplaced-part"]
+    error = error_of("part: {name: a, <joint/name=j>: {part: {name: b}}}")
+    assert error.code == "misplaced-part"
+    assert "inside a joint" in error.message
+
+
+def test_a_mass_in_angle_brackets_serves_for_the_inertia():
+    lowered = link("geometry: box\nscale: 1 2 3\ninertial: {<mass/value=12>: }")
+    assert inertia_of(lowered) == pytest.approx([13, 0, 0, 10, 0, 5])
+
+
+@pytest.mark.parametrize("kind", ["joint", "link"])
+def test_an_empty_name_of_a_joint_or_link_is_an_error(kind):
+    tree = build("part: {name: a, joint: {type: fixed, parent: w}, link: }")
+    own = next(child for child in tree.children[0].children if child.name == kind)
+    own.attributes = {"name": ""}
+    with pytest.raises(YamaroError) as caught:
+        lower_tree(tree)
+    assert [error.code for error in caught.value.diagnostics] == ["empty-value"]
+
+
+def test_elements_in_angle_brackets_in_a_material_are_plain():
+    lowered = link(f"{BOX}visual: {{material: {{name: m, <color/rgba=1 1 1 1>: }}}}")
+    assert names(lowered.find("link/visual/material").children) == ["color"]
+    assert lowered.find("link/visual/material/color").attributes == {"rgba": "1 1 1 1"}
+
+
+def test_texts_among_texts_are_joined_to_one_value():
+    tree = build("part: {name: a, link: {xyz: 1 0, geometry: box, scale: 1 1 1, visual: }}")
+    xyz = tree.children[0].children[1].children[0]
+    xyz.children.append(Text(" 2.0", xyz.span))
+    assert lower_tree(tree).find("link/visual/origin").attributes["xyz"] == "1 0 2.0"
+
+
 # --- provenance -------------------------------------------------------------------------------
 
 

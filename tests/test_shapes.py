@@ -172,7 +172,8 @@ def test_reading_an_obj_with_polygons_slashes_and_negative_numbers(tmp_path):
 
 
 def test_corners_that_differ_by_rounding_are_the_same(tmp_path):
-    corners, triangles = [], []
+    corners: list[tuple[float, float, float]] = []
+    triangles = []
     for number, face in enumerate(CUBE.triangles):
         shift = 1e-9 * (number % 3)
         first = len(corners)

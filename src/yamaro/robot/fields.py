@@ -35,19 +35,41 @@ class Fields:
 def sort_fields(lowering: Lowering, owner: Element, place: Place) -> Fields:
     """Sort the children of `owner` by what `place` knows; record what is wrong, and go on."""
     fields = Fields()
+    keys, rest, known, ordered = fields.keys, fields.rest, place.known, place.ordered
     for child in owner.children:
         if type(child) is Element:
-            _sort_element(lowering, child, place, fields)
+            name = child.name
+            if name not in known or child.verbatim:
+                _sort_element(lowering, child, place, fields)
+            elif is_left_out(child):
+                continue
+            elif name in keys:
+                _replace_key(lowering, child, fields)
+            else:
+                keys[name] = child
+                if name in ordered:
+                    rest.append(child)
         elif isinstance(child, Text):
             _refuse_text(lowering, owner, child, place)
         elif place.has_parts or isinstance(child, Comment):
-            fields.rest.append(child)
+            rest.append(child)
         else:
             refuse_part(lowering, child, place.name)
     return fields
 
 
+def _replace_key(lowering: Lowering, child: Element, fields: Fields) -> None:
+    """Take a key meant once that is reached again: the last one counts."""
+    first = fields.keys[child.name]
+    check_once(lowering, first, child)
+    fields.keys[child.name] = child
+    if first in fields.rest:
+        fields.rest.remove(first)
+        fields.rest.append(child)
+
+
 def _sort_element(lowering: Lowering, child: Element, place: Place, fields: Fields) -> None:
+    """Sort an element that is no key meant once."""
     name = child.name
     if child.verbatim:
         if not place.has_parts:
@@ -55,17 +77,6 @@ def _sort_element(lowering: Lowering, child: Element, place: Place, fields: Fiel
         if name in place.stand_ins:
             fields.plain[name] = child
         else:
-            fields.rest.append(child)
-    elif name in place.keys or name in place.ordered:
-        if is_left_out(child):
-            return
-        is_ordered = name in place.ordered
-        if name in fields.keys:
-            check_once(lowering, fields.keys[name], child)
-            if is_ordered:
-                fields.rest.remove(fields.keys[name])
-        fields.keys[name] = child
-        if is_ordered:
             fields.rest.append(child)
     elif name in place.repeated:
         fields.rest.append(child)
@@ -79,10 +90,10 @@ def _sort_element(lowering: Lowering, child: Element, place: Place, fields: Fiel
 def is_left_out(key: Element) -> bool:
     """Tell whether a key's value is None, which leaves it out as it does an attribute."""
     children = key.children
-    if len(children) != 1 or key.attributes:
+    if len(children) != 1:
         return False
     only = children[0]
-    return type(only) is Text and only.value is None
+    return type(only) is Text and only.value is None and not key.attributes
 
 
 def check_once(lowering: Lowering, first: Element, second: Element) -> None:
@@ -316,23 +327,20 @@ def read_record(lowering: Lowering, key: Element, scalar: str | None) -> Record:
     for child in key.children:
         if isinstance(child, Text):
             _read_scalar(key, child, scalar, record)
-        elif isinstance(child, Comment) or not _is_attribute(child):
+        elif type(child) is not Element or not _is_attribute(child):
             if isinstance(child, Element):
                 check_plain(lowering, child, key.name)
             record.others.append(child)
-        elif not is_left_out(child) and child.children:
+        elif child.children and not is_left_out(child):
             _read_child(lowering, key, child, record, written)
     return record
 
 
 def _is_attribute(child: Element) -> bool:
     """Tell whether a child is a key with a value, and not an XML element."""
-    return (
-        type(child) is Element
-        and not child.verbatim
-        and not child.attributes
-        and not any(isinstance(grandchild, Element) for grandchild in child.children)
-    )
+    if child.verbatim or child.attributes:
+        return False
+    return all(not isinstance(grandchild, Element) for grandchild in child.children)
 
 
 def _read_scalar(key: Element, text: Text, scalar: str | None, record: Record) -> None:

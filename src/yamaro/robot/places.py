@@ -27,6 +27,7 @@ class Place:
         repeated: keys that may repeat, output where they are written.
         stand_ins: generated elements that one in angle brackets replaces.
         elements: XML elements that are never taken for misspelt or misplaced keys.
+        known: the keys meant once.
         all_keys: every key of the place.
         has_parts: whether parts may stand in it.
         example: keys to show in a hint.
@@ -38,6 +39,7 @@ class Place:
         "example",
         "has_parts",
         "keys",
+        "known",
         "name",
         "ordered",
         "repeated",
@@ -63,7 +65,8 @@ class Place:
         self.repeated = repeated
         self.stand_ins = stand_ins
         self.elements = elements
-        self.all_keys = keys | ordered | repeated
+        self.known = keys | ordered
+        self.all_keys = self.known | repeated
         self.has_parts = has_parts
         self.example = example
 
