@@ -30,7 +30,9 @@ SECONDS = 20
 """How long one input may take, on a busy machine, before it counts as a hang."""
 
 SEEDS = sorted((ROOT / "examples").rglob("*.yaml")) + sorted((ROOT / "tests/cases").rglob("*.yaml"))
-HARMFUL = re.compile(r"\b(open|while|system|exec|eval|breakpoint|remove|input\(|iter)\b|\*\*\s*\w|\d{7}")
+HARMFUL = re.compile(
+    r"\b(open|while|system|exec|eval|breakpoint|remove|input|iter)\b|\*\*\s*\w|\d{7}"
+)
 
 
 class Hang(BaseException):
@@ -59,17 +61,22 @@ def outcome(text: str) -> str:
         try:
             xml = build(path, loader=loader, on_message=lambda _: None).xml()
         except YamaroError as error:
-            assert error.diagnostics
-            for diagnostic in error.diagnostics:
-                shown = render(diagnostic)
-                assert shown.startswith((f"error[{diagnostic.code}]", "warning["))
-                line, column = diagnostic.span.location()
-                assert line >= 1 and column >= 1
+            require_readable(error)
             return "diagnostic"
         except UsageError:
             return "usage"
     etree.fromstring(xml.encode())
     return "xml"
+
+
+def require_readable(error: YamaroError) -> None:
+    """Require that an error says something, with a code and a place."""
+    assert any(diagnostic.severity == "error" for diagnostic in error.diagnostics)
+    for diagnostic in error.diagnostics:
+        assert render(diagnostic).startswith(f"{diagnostic.severity}[{diagnostic.code}]: ")
+        line, column = diagnostic.span.location()
+        assert line >= 1
+        assert column >= 1
 
 
 def mutate(text: str, rng: random.Random) -> str:
@@ -82,7 +89,7 @@ def mutate(text: str, rng: random.Random) -> str:
         if kind == 0:
             text = text[:at] + text[at + rng.randint(1, 3) :]
         elif kind == 1:
-            text = text[:at] + rng.choice("{}[]()'\"$:#,&*!|>%@`/\\-=<?\t\n\x00\x07é\u2028 ") + text[at:]
+            text = text[:at] + rng.choice(SIGNS) + text[at:]
         elif kind == 2:
             lines.insert(row, lines[rng.randrange(len(lines))])
             text = "\n".join(lines)
@@ -117,10 +124,11 @@ def mutate(text: str, rng: random.Random) -> str:
     return text
 
 
+SIGNS = "{}[]()'\"$:#,&*!|>%@`/\\-=<?\t\n\x00\x07é\u2028 "
 VALUES = (
     " ", " null", " 1e400", " .nan", " -1", " $(1/0)", " $(x", " [1, 2]", " {a: 1}", " [{a: 1}]",
-    " $([1, 2])", " $(None)", " ''", " a b c", " 1 2", " $(lambda: 1)", " *x", " &x y", " !t z", " |",
-    " $(print)", " $('é')", " 0x1F", " package://nowhere/x.stl", " true",
+    " $([1, 2])", " $(None)", " ''", " a b c", " 1 2", " $(lambda: 1)", " *x", " &x y", " !t z",
+    " |", " $(print)", " $('é')", " 0x1F", " package://nowhere/x.stl", " true",
 )  # fmt: skip
 KEYS = (
     "part", "if", "elif", "else", "for", "include", "variables", "functions", "print", "model",

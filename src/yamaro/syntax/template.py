@@ -13,8 +13,8 @@ from .python import (
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from .context import ParseContext
     from ..source import Span
+    from .context import ParseContext
     from .yaml_nodes import ScalarNode
 
 

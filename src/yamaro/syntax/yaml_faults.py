@@ -189,7 +189,7 @@ def _colon(reading: Reading, problem: str, context: str, begin: int, at: int) ->
     first = text[begin:end]
     if len(first.partition(": ")[0]) > MAX_KEY:
         return _long_key(reading, begin)
-    begin_line, begin_end = _line_around(text, begin)
+    _, begin_end = _line_around(text, begin)
     return failure(
         "yaml-syntax",
         "this line has no ':', so it is neither a key nor a value",
