@@ -123,7 +123,7 @@ def _finish(
     evaluated: Element, interpreter: Interpreter, reporter: Reporter, *, advice: bool
 ) -> Build:
     """Lower, check and write what was evaluated."""
-    meshes = _MeshFinder(interpreter.packages)
+    meshes = _MeshFinder(interpreter.files.packages)
     root = lower(evaluated, reporter=reporter, resolve_mesh=meshes.resolve)
     if root.name == "robot":
         advisor = Reporter() if advice else None
@@ -140,7 +140,7 @@ def _finish(
         root,
         xml=write(root),
         warnings=reporter.diagnostics,
-        files=list(interpreter.files),
+        files=list(interpreter.files.read),
         meshes=meshes.referred_to(root),
     )
 
@@ -235,12 +235,12 @@ def _warn_of_unknown_variables(
         return
     declared = {
         name
-        for document in interpreter.documents.values()
+        for document in interpreter.files.documents
         for name, scope, _ in document.declarations
         if scope != "import" and not name[0].isupper()
     }
     read: set[str] = set()
-    for document in interpreter.documents.values():
+    for document in interpreter.files.documents:
         read |= document.names_read
     for name, span in places.items():
         if name not in declared and name not in read:

@@ -35,9 +35,18 @@ class Evaluator:
 
     __slots__ = ("_where_declared", "codes", "frame")
 
-    def __init__(self, where_declared: Callable[[str], list[tuple[str, Span]]]) -> None:
-        """Start; `where_declared` gives scope and place of every declaration of a name."""
-        self.codes: dict[str, PythonCode] = {}  # by file name, all code that defines functions
+    def __init__(
+        self,
+        codes: dict[str, PythonCode],
+        where_declared: Callable[[str], list[tuple[str, Span]]],
+    ) -> None:
+        """Begin.
+
+        Args:
+            codes: all code that defines functions, by its file name; may grow later.
+            where_declared: gives scope and place of every declaration of a name.
+        """
+        self.codes = codes
         self.frame: Frame | None = None
         self._where_declared = where_declared
 

@@ -6,11 +6,8 @@ later. Every element made carries the span of its key and the calls and includes
 
 from __future__ import annotations
 
-import os
-
-from ..diagnostics import Frame, Reporter, YamaroError, did_you_mean, failure
+from ..diagnostics import Frame, Reporter, YamaroError, failure
 from ..source import Source, Span
-from ..syntax.context import ParseContext
 from ..syntax.keys import name_fault
 from ..syntax.names import STATEMENTS, is_function_name, is_identifier
 from ..syntax.nodes import (
@@ -22,41 +19,36 @@ from ..syntax.nodes import (
     CommentNode,
     Constant,
     Content,
-    DictValue,
     Document,
     DynamicNode,
     ElementNode,
     ForNode,
-    FunctionNode,
     FunctionsNode,
     IfNode,
     IncludeNode,
     InsertNode,
     ListContent,
-    ListValue,
     PartNode,
     PrintNode,
     ProcessNode,
     TextContent,
     TextNode,
-    Value,
     VariablesNode,
 )
-from ..syntax.parser import parse, register
 from ..syntax.python import PythonCode
-from ..syntax.statements import bad_variable_name, late_call, late_value, name_hint
+from ..syntax.statements import bad_variable_name, late_call, name_hint
 from ..syntax.template import Template
-from ..xmltree import Comment, Element, LiteralList, PartElement, Text, format_value, plain_value
-from .expressions import Evaluator, add_trace, function_names
-from .loader import LoadError, decode
-from .modules import LocalModules, import_names
-from .packages import PackageFinder
-from .predefined import CONSTANTS, Helpers, gather_pairs
-from .scope import MISSING, BlockScope, Home, Namespace, Scope, Shared, function_key
+from ..xmltree import Comment, Element, LiteralList, PartElement, Text, format_value
+from .calls import Block, Function, bind, find_function, match_arguments
+from .expressions import Evaluator, add_trace
+from .files import Files
+from .loops import iterate, unpack
+from .scope import MISSING, BlockScope, Namespace, Scope, Shared, function_key
+from .values import Values
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator
+    from collections.abc import Callable
     from typing import Any
 
     from ..xmltree import Node
@@ -64,26 +56,6 @@ if TYPE_CHECKING:
 
 MAX_DEPTH = 1500
 """How deep calls and includes may nest."""
-
-
-class Function:
-    """A function as defined: what it says, and the context it was defined in."""
-
-    __slots__ = ("closure", "node")
-
-    def __init__(self, node: FunctionNode, closure: Scope) -> None:
-        self.node = node
-        self.closure = closure
-
-
-class Block:
-    """A block as given to a call: its body, and the context it was written in."""
-
-    __slots__ = ("body", "written")
-
-    def __init__(self, body: Body, written: Scope) -> None:
-        self.body = body
-        self.written = written
 
 
 class Interpreter:
@@ -95,7 +67,6 @@ class Interpreter:
         loader: Loader,
         reporter: Reporter,
         on_message: Callable[[str], None],
-        packages: PackageFinder | None = None,
     ) -> None:
         """Begin a conversion.
 
@@ -103,21 +74,17 @@ class Interpreter:
             loader: gives the text of files.
             reporter: takes the warnings.
             on_message: takes what `print` and `process` print, without a final line break.
-            packages: finds ROS packages.
         """
-        self.loader = loader
         self.reporter = reporter
         self.on_message = on_message
-        self.packages = packages or PackageFinder()
         self.shared = Shared()
-        self.evaluator = Evaluator(self._where_declared)
-        self.documents: dict[str, Document] = {}
-        self.files: dict[str, None] = {}  # every file read, in order
-        self.modules: dict[str, LocalModules] = {}
+        self.files = Files(loader, reporter=reporter, print_function=self._print)
+        self.evaluator = Evaluator(self.files.codes, self.files.where_declared)
+        self.values = Values(self.evaluator)
         self.frame: Frame | None = None
         self.depth = 0
         self.part_depth = 0
-        self._run: dict[type, Callable[[Any, Scope, list[Node], Body], None]] = {
+        self._run: dict[type, Callable[[Any, Scope, list[Node], Body | None], None]] = {
             ElementNode: self._run_element,
             TextNode: self._run_text,
             CommentNode: self._run_comment,
@@ -148,16 +115,14 @@ class Interpreter:
             YamaroError: the input has errors.
         """
         try:
-            self.files[source.path or source.name] = None
-            document = self._parse(source)
+            document = self.files.parse(source)
             scope = self._begin_file(document, caller=None)
             for name, value in variables.items():
                 scope.declare(name, value)
             scope.passed = frozenset(variables)
             return self._run_root(document, scope, stem)
         finally:
-            for modules in self.modules.values():
-                modules.close()
+            self.files.close()
 
     def _run_root(self, document: Document, scope: Scope, stem: str) -> Element:
         self._run_sections(document, scope)
@@ -176,56 +141,21 @@ class Interpreter:
         if document.robot_name is not None:
             content = document.robot_name
             root.span = content.span
-            name = self._text_value(content.value, scope)
+            name = self.values.text(content.value, scope)
             root.attributes["name"] = stem if name is None else name
         return root
 
     def _begin_file(self, document: Document, *, caller: Scope | None) -> Scope:
         """Return the context for a run of a file."""
-        source = document.source
-        directory = os.path.dirname(source.path) if source.path else os.getcwd()
-        helpers = Helpers(directory, self.loader, self.packages, self._note_file)
-        names = {**CONSTANTS, **helpers.names(), "print": self._print}
-        names["__import__"] = self._local_modules(directory).import_hook
-        home = Home(source, directory, names, self.frame)
+        home = self.files.begin(document, self.frame)
         return Scope(home, self.shared, closure=None, caller=caller)
 
     def _run_sections(self, document: Document, scope: Scope) -> None:
         """Run what stands before the model: imports first, the others as written."""
-        modules = self._local_modules(scope.home.directory)
-        for node in document.imports:
-
-            def load(node: Any = node) -> dict[str, Any]:
-                return import_names(node, modules)
-
-            scope.home.names.update(self.evaluator.guard(lambda _: load(), None, node.span))
-        for path in modules.files:
-            self.files.setdefault(path)
+        self.files.import_modules(document, scope.home, self.evaluator)
         nothing: list[Node] = []
         for statement in document.sections:
-            self._run[type(statement)](statement, scope, nothing, None)  # type: ignore[arg-type]
-
-    def _local_modules(self, directory: str) -> LocalModules:
-        if directory not in self.modules:
-            self.modules[directory] = LocalModules(directory)
-        return self.modules[directory]
-
-    def _note_file(self, path: str) -> None:
-        self.files.setdefault(path)
-
-    def _parse(self, source: Source) -> Document:
-        document = parse(source, reporter=self.reporter)
-        self.documents[source.path or source.name] = document
-        self.evaluator.codes.update(document.codes)
-        return document
-
-    def _where_declared(self, name: str) -> list[tuple[str, Span]]:
-        return [
-            (scope, span)
-            for document in self.documents.values()
-            for declared, scope, span in document.declarations
-            if declared == name
-        ]
+            self._run[type(statement)](statement, scope, nothing, None)
 
     # --- bodies ---
 
@@ -266,8 +196,8 @@ class Interpreter:
         if isinstance(content, Body):
             self.run_body(content, scope, element.children)
         elif isinstance(content, TextContent):
-            value = self._text_value(content.value, scope)
-            if value is not None and value != "" if isinstance(value, str) else value is not None:
+            value = self.values.text(content.value, scope)
+            if value is not None or self.part_depth:  # in a part, None leaves the key out
                 element.children.append(Text(value, content.span))
         elif isinstance(content, ListContent):
             if not self.part_depth:
@@ -277,7 +207,7 @@ class Interpreter:
                     content.span,
                     hint="write the values as a text: 0 0 1; or elements as `- name: value`",
                 )
-            items = self._list(content.value, scope)
+            items = self.values.list_of(content.value, scope)
             element.children.append(Text(LiteralList(items), content.span))
 
     def _add_attribute(
@@ -294,7 +224,7 @@ class Interpreter:
                 return
         value = attribute.value
         if not isinstance(value, str):
-            result = self._text_value(value, scope)
+            result = self.values.text(value, scope)
             if result is None:
                 return
         else:
@@ -311,7 +241,7 @@ class Interpreter:
 
     def _name(self, template: Template, scope: Scope, span: Span, what: str) -> str:
         """Return an evaluated name; an empty one drops what it would have named."""
-        name = self._key_text(template, scope)
+        name = self.values.joined(template, scope)
         fault = name_fault(name, what) if name else None
         if fault is not None:
             raise failure(
@@ -322,13 +252,15 @@ class Interpreter:
             )
         return name
 
-    def _run_text(self, node: TextNode, scope: Scope, out: list[Node], body: Body) -> None:
-        value = self._text_value(node.value, scope)
+    def _run_text(self, node: TextNode, scope: Scope, out: list[Node], body: Body | None) -> None:
+        value = self.values.text(node.value, scope)
         if value is not None:
             out.append(Text(value, node.span))
 
-    def _run_comment(self, node: CommentNode, scope: Scope, out: list[Node], body: Body) -> None:
-        text = format_value(self._text_value(node.value, scope))
+    def _run_comment(
+        self, node: CommentNode, scope: Scope, out: list[Node], body: Body | None
+    ) -> None:
+        text = format_value(self.values.text(node.value, scope))
         if "--" in text or text.endswith("-"):
             raise failure(
                 "bad-comment",
@@ -338,7 +270,7 @@ class Interpreter:
             )
         out.append(Comment(text, node.span))
 
-    def _run_part(self, node: PartNode, scope: Scope, out: list[Node], body: Body) -> None:
+    def _run_part(self, node: PartNode, scope: Scope, out: list[Node], body: Body | None) -> None:
         part = PartElement("part", node.span, trace=self.frame, body=body)
         self.part_depth += 1
         try:
@@ -347,15 +279,16 @@ class Interpreter:
             self.part_depth -= 1
         out.append(part)
 
-    def _run_dynamic(self, node: DynamicNode, scope: Scope, out: list[Node], body: Body) -> None:
+    def _run_dynamic(
+        self, node: DynamicNode, scope: Scope, out: list[Node], body: Body | None
+    ) -> None:
         """Run a bare key that holds `$(…)`: what its text names decides what it is."""
-        text = self._key_text(node.key, scope)
+        text = self.values.joined(node.key, scope)
         if not text:
             return
         if is_function_name(text):
-            context = ParseContext(self.reporter)
-            arguments = late_call(node, text, context)
-            self._adopt(context)
+            arguments = late_call(node, text, self.files.late)
+            self.files.adopt()
             self._call(text, arguments, node.span, scope, out)
             return
         if text in STATEMENTS:
@@ -382,15 +315,6 @@ class Interpreter:
         self._fill(element, node.content, scope)
         out.append(element)
 
-    def _adopt(self, context: ParseContext) -> None:
-        """Take up Python that was compiled only now."""
-        if not context.codes:
-            return
-        document = next(iter(self.documents.values()))
-        for python in context.codes:
-            register(document, python)
-        self.evaluator.codes.update(document.codes)
-
     # --- control flow ---
 
     def _run_if(self, node: IfNode, scope: Scope, out: list[Node], body: Body | None) -> None:
@@ -411,102 +335,13 @@ class Interpreter:
         context = scope.context
         names = node.names
         single = names[0] if len(names) == 1 else None
-        for item in self._iterate(node, scope):
+        for item in iterate(node, scope, self.values):
             if single is not None:
                 context.declare(single, item)
             else:
-                for name, value in zip(names, self._unpack(item, node), strict=True):
+                for name, value in zip(names, unpack(item, node, self.evaluator), strict=True):
                     context.declare(name, value)
             self.run_body(node.body, scope, out)
-
-    def _iterate(self, node: ForNode, scope: Scope) -> Iterator[Any]:
-        if node.is_range:
-            yield from self._range(node, scope)
-            return
-        iterable = node.iterable
-        if isinstance(iterable, PythonCode):
-            span = iterable.span()
-            values = self.evaluator.evaluate(iterable, scope)
-        else:
-            assert not isinstance(iterable, list)
-            span = iterable.node.span() if isinstance(iterable, Constant) else _span(iterable)
-            values = self.value(iterable, scope)
-        if isinstance(values, dict):
-            values = list(values.items() if len(node.names) > 1 else values)
-        if not hasattr(type(values), "__iter__") and not hasattr(type(values), "__getitem__"):
-            raise failure(
-                "not-iterable",
-                f"`in` needs a list, and this is {_a_kind_of(values)}",
-                span,
-                hint="write range: for a number of turns"
-                if isinstance(values, (int, float))
-                else "write in: [left, right], or the name of a list",
-            )
-        iterator = self.evaluator.guard(iter, values, span)
-        while True:
-            item = self.evaluator.guard(_next, iterator, span)
-            if item is MISSING:
-                return
-            yield item
-
-    def _range(self, node: ForNode, scope: Scope) -> range:
-        iterable = node.iterable
-        spans: list[Span]
-        if isinstance(iterable, PythonCode):
-            result = self.evaluator.evaluate(iterable, scope)
-            values = list(result) if isinstance(result, (tuple, list)) else [result]
-            spans = [iterable.span()] * len(values)
-        else:
-            assert isinstance(iterable, list)
-            values, spans = [], []
-            for item in iterable:
-                is_code = isinstance(item, PythonCode)
-                values.append(
-                    self.evaluator.evaluate(item, scope) if is_code else item.value  # type: ignore[union-attr, arg-type]
-                )
-                spans.append(item.span() if is_code else item.node.span())  # type: ignore[union-attr]
-        if not 1 <= len(values) <= 3:
-            raise failure(
-                "bad-range",
-                f"`range` takes one to three numbers, and these are {len(values)}",
-                spans[0] if spans else node.span,
-                hint="write range: 6, or range: 0, 6, or range: 0, 6, 2",
-            )
-        for value, span in zip(values, spans, strict=True):
-            if isinstance(value, bool) or not hasattr(type(value), "__index__"):
-                raise failure(
-                    "bad-range",
-                    f"`range` takes whole numbers, and this is {_a_kind_of(value)}",
-                    span,
-                    hint=f"write int(…) around it to cut {value} off to a whole number"
-                    if isinstance(value, float)
-                    else "write range: 0, 6, or in: for the items of a list",
-                )
-        if len(values) == 3 and values[2] == 0:
-            raise failure(
-                "bad-range",
-                "the step of a `range` cannot be 0",
-                spans[2],
-                hint="write range: start, stop, step with a step such as 1 or -1",
-            )
-        return range(*values)
-
-    def _unpack(self, item: Any, node: ForNode) -> list[Any]:
-        wanted = len(node.names)
-        if isinstance(item, str) or not hasattr(type(item), "__iter__"):
-            values: list[Any] | None = None
-        else:
-            values = list(self.evaluator.guard(list, item, node.span))
-        if values is None or len(values) != wanted:
-            found = _a_kind_of(item) if values is None else f"{len(values)} values"
-            raise failure(
-                "bad-iterator",
-                f"the iterator names {wanted} variables ({', '.join(node.names)}), "
-                f"and an item is {found}",
-                node.span,
-                hint="give each item as a list: in: [[a, 1.0], [b, 2.0]]",
-            )
-        return values
 
     # --- declarations ---
 
@@ -516,7 +351,7 @@ class Interpreter:
         for entry in node.entries:
             name = entry.name
             if not isinstance(name, str):
-                name = self._key_text(name, scope)
+                name = self.values.joined(name, scope)
                 if not name:
                     continue
                 if not is_identifier(name):
@@ -531,9 +366,9 @@ class Interpreter:
                     continue
                 value = scope.find(name)
             elif len(entry.values) == 1:
-                value = self.value(entry.values[0], scope)
+                value = self.values.value(entry.values[0], scope)
             else:
-                value = [self.value(item, scope) for item in entry.values]
+                value = [self.values.value(item, scope) for item in entry.values]
             scope.declare(name, value, entry.scope)
 
     def _run_functions(
@@ -557,21 +392,7 @@ class Interpreter:
             scope.declare(key, Function(function, scope), function.scope)
 
     def _run_print(self, node: PrintNode, scope: Scope, out: list[Node], body: Body | None) -> None:
-        value = node.value
-        if isinstance(value, str):
-            text = value
-        elif isinstance(value, Template):
-            text = "".join(
-                part
-                if isinstance(part, str)
-                else self.evaluator.guard(
-                    print_text, self.evaluator.evaluate(part, scope), part.span()
-                )
-                for part in value.parts
-            )
-        else:
-            text = self.evaluator.guard(print_text, self.value(value, scope), node.span)
-        self.on_message(text)
+        self.on_message(self.values.message(node.value, scope, node.span))
 
     def _run_process(
         self, node: ProcessNode, scope: Scope, out: list[Node], body: Body | None
@@ -596,10 +417,12 @@ class Interpreter:
 
     # --- calls ---
 
-    def _run_call(self, node: CallNode, scope: Scope, out: list[Node], body: Body) -> None:
+    def _run_call(self, node: CallNode, scope: Scope, out: list[Node], body: Body | None) -> None:
         self._call(node.name, node.arguments, node.span, scope, out)
 
-    def _run_insert(self, node: InsertNode, scope: Scope, out: list[Node], body: Body) -> None:
+    def _run_insert(
+        self, node: InsertNode, scope: Scope, out: list[Node], body: Body | None
+    ) -> None:
         block = scope.find(function_key(node.name))
         if isinstance(block, Block):
             self.run_body(block.body, BlockScope(scope.context, block.written), out)
@@ -609,7 +432,7 @@ class Interpreter:
     def _call(
         self, name: str, arguments: list[Argument], span: Span, scope: Scope, out: list[Node]
     ) -> None:
-        function = self._find_function(name, span, scope)
+        function = find_function(name, span, scope, self.files.where_declared)
         if isinstance(function, Block):
             self.run_body(function.body, BlockScope(scope.context, function.written), out)
             return
@@ -618,11 +441,19 @@ class Interpreter:
         closure = function.closure
         context = scope.context
         callee = Scope(closure.home, self.shared, closure=closure, caller=context)
-        given = self._match(function.node, arguments, span, scope)
+        given = match_arguments(
+            function.node,
+            arguments,
+            span,
+            scope=scope,
+            values=self.values,
+            late_context=self.files.late,
+        )
+        self.files.adopt()
         frame = Frame("called", name, span, parent=self.frame, home=closure.home.frame)
         self._enter(frame, span)
         try:
-            self._bind(function.node, given, callee)
+            bind(function.node, given, callee, self.values)
             self.run_body(function.node.body, callee, out)
             for key, value in callee.exported():
                 self._receive(context, key, value, span)
@@ -653,121 +484,6 @@ class Interpreter:
             hint="a function or file that uses itself needs a condition under which it stops",
         )
 
-    def _find_function(self, name: str, span: Span, scope: Scope) -> Function | Block | None:
-        namespace, _, last = name.rpartition(".")
-        key = function_key(last)
-        if namespace:
-            found = self._namespace(namespace, scope)
-            value = MISSING if found is None else found._get(key)
-        else:
-            value = scope.find(key)
-        if value is not MISSING:
-            assert value is None or isinstance(value, (Function, Block))
-            return value
-        names = function_names(scope)
-        notes = [
-            f"a function '{last}' is defined at {place.place()} with scope {kind}"
-            for kind, place in self._where_declared(last)[:3]
-        ]
-        hint = did_you_mean(name, names)
-        raise failure(
-            "undefined-function",
-            f"function '{name}' is not defined",
-            span,
-            hint=hint or f"for an XML element of that name write <{name}>:",
-            notes=notes,
-        )
-
-    def _namespace(self, path: str, scope: Scope) -> Namespace | None:
-        first, *rest = path.split(".")
-        found = scope.find(first)
-        for part in rest:
-            found = found._get(part) if isinstance(found, Namespace) else None
-        return found if isinstance(found, Namespace) else None
-
-    def _match(
-        self, node: FunctionNode, arguments: list[Argument], span: Span, scope: Scope
-    ) -> dict[str, Any]:
-        """Return the arguments' values by parameter, evaluated where the call stands."""
-        given: dict[str, Any] = {}
-        spans: dict[str, Span] = {}
-        parameters = {parameter.name: parameter for parameter in node.parameters}
-        positional = [parameter for parameter in node.parameters if not parameter.is_block]
-        for index, argument in enumerate(arguments):
-            name = argument.name
-            if name is None:
-                if index >= len(positional):
-                    raise self._bad_call(
-                        "unknown-argument",
-                        f"'{node.name}' takes {_count(len(positional), 'argument')}, "
-                        f"and this is number {index + 1}",
-                        argument.span,
-                        node,
-                    )
-                name = positional[index].name
-            parameter = parameters.get(name)
-            if parameter is None:
-                raise self._bad_call(
-                    "unknown-argument",
-                    f"'{node.name}' has no parameter '{name}'",
-                    argument.span,
-                    node,
-                    hint=did_you_mean(name, parameters),
-                )
-            if name in given:
-                raise self._bad_call(
-                    "given-twice",
-                    f"the argument '{name}' is given twice",
-                    argument.span,
-                    node,
-                    hint=f"it is given first at {spans[name].place()}",
-                )
-            spans[name] = argument.span
-            if parameter.is_block:
-                given[name] = self._block(argument, node, scope)
-            else:
-                context = ParseContext(self.reporter)
-                value = argument.value or late_value(argument, context)
-                self._adopt(context)
-                given[name] = self.value(value, scope)
-        for parameter in positional:
-            if parameter.name not in given and parameter.default is None:
-                raise self._bad_call(
-                    "missing-argument",
-                    f"'{node.name}' needs the argument '{parameter.name}'",
-                    span,
-                    node,
-                )
-        return given
-
-    def _block(self, argument: Argument, node: FunctionNode, scope: Scope) -> Block:
-        if argument.block is None:
-            raise self._bad_call(
-                "not-a-body",
-                f"the block '{argument.name}' takes a body, and this is a value",
-                argument.span,
-                node,
-                hint="write the statements of the block below its name, indented",
-            )
-        return Block(argument.block, scope)
-
-    def _bind(self, node: FunctionNode, given: dict[str, Any], callee: Scope) -> None:
-        """Give the parameters their values; defaults may use the parameters before them."""
-        for parameter in node.parameters:
-            name = parameter.name
-            if parameter.is_block:
-                callee.declare(function_key(name), given.get(name))
-            elif name in given:
-                callee.declare(name, given[name])
-            elif parameter.default is not None:
-                callee.declare(name, self.value(parameter.default, callee))
-
-    def _bad_call(
-        self, code: str, message: str, span: Span, node: FunctionNode, *, hint: str | None = None
-    ) -> YamaroError:
-        note = f"it is defined as {node.signature()} at {node.span.place()}"
-        return failure(code, message, span, hint=hint, notes=[note])
-
     def _receive(self, context: Scope, key: str, value: Any, span: Span) -> None:
         """Take a `parent` name into the context that called or included."""
         self._warn_of_replacement(context.find(key), value, key, span)
@@ -793,20 +509,22 @@ class Interpreter:
 
     # --- includes ---
 
-    def _run_include(self, node: IncludeNode, scope: Scope, out: list[Node], body: Body) -> None:
+    def _run_include(
+        self, node: IncludeNode, scope: Scope, out: list[Node], body: Body | None
+    ) -> None:
         path = self._include_path(node, scope)
         namespace = self._include_namespace(node, scope)
         passed = {}
         for argument in node.arguments:
             assert argument.name is not None and argument.value is not None
-            passed[argument.name] = self.value(argument.value, scope)
-        source = self._load(path, node, scope)
+            passed[argument.name] = self.values.value(argument.value, scope)
+        source = self.files.load(path, node.path_span, scope.home)
         context = scope.context
         frame = Frame("included", source.name, node.span, parent=self.frame)
         self._enter(frame, node.path_span)
         try:
-            document = self.documents.get(source.path) or self._parse(source)
-            before = (set(self.shared.globals), set(self.shared.bridges))
+            document = self.files.parse(source)
+            before = self._shared_names() if namespace else frozenset()
             inner = self._begin_file(document, caller=context)
             for name, value in passed.items():
                 inner.declare(name, value)
@@ -833,7 +551,7 @@ class Interpreter:
                     out.extend(element.children)
 
     def _include_path(self, node: IncludeNode, scope: Scope) -> str:
-        text = format_value(self._text_value(node.path, scope)).strip()
+        text = format_value(self.values.text(node.path, scope)).strip()
         if not text or "\x00" in text:
             raise failure(
                 "missing-file",
@@ -848,7 +566,7 @@ class Interpreter:
     def _include_namespace(self, node: IncludeNode, scope: Scope) -> str | None:
         if node.namespace is None or isinstance(node.namespace, str):
             return node.namespace
-        name = self._key_text(node.namespace, scope)
+        name = self.values.joined(node.namespace, scope)
         if name and not is_identifier(name):
             raise failure(
                 "bad-namespace",
@@ -858,44 +576,12 @@ class Interpreter:
             )
         return name or None
 
-    def _load(self, path: str, node: IncludeNode, scope: Scope) -> Source:
-        """Return the source of an included file, read once a conversion."""
-        home = scope.home
-        resolved = self.packages.resolve_uri(path, home.directory)
-        if resolved is None:
-            package = path.partition("://")[2].partition("/")[0]
-            places = self.packages.looked_at(package, home.directory)
-            raise failure(
-                "unknown-package",
-                f"the package '{package}' is not found",
-                node.path_span,
-                hint="source its workspace, or set ROS_PACKAGE_PATH",
-                notes=[f"looked in {place}" for place in places[:6]],
-            )
-        absolute = os.path.normpath(resolved)
-        known = self.documents.get(absolute)
-        if known is not None:
-            return known.source
-        try:
-            data = self.loader.read(absolute)
-        except LoadError as error:
-            near = did_you_mean(os.path.basename(absolute), self.loader.neighbours(absolute))
-            raise failure(
-                "missing-file",
-                f"the file '{path}' cannot be included: {error}",
-                node.path_span,
-                hint=near,
-                notes=[f"looked for {absolute}"],
-            ) from None
-        self.files.setdefault(absolute)
-        return decode(data, name=_shown_name(path, absolute, home.source), path=absolute)
-
     def _hand_back(
         self,
         inner: Scope,
         context: Scope,
         namespace: str | None,
-        before: tuple[set[str], set[str]],
+        before: frozenset[str],
         span: Span,
     ) -> None:
         """Bring the names of an included file to the one that included it."""
@@ -911,99 +597,8 @@ class Interpreter:
             self._warn_of_replacement(space._get(key), value, key, span)
             space._add(key, value)
         for key in (*self.shared.globals, *self.shared.bridges):
-            if key not in before[0] and key not in before[1]:
+            if key not in before:
                 space._add(key, MISSING)
 
-    # --- values ---
-
-    def value(self, value: Value, scope: Scope) -> Any:
-        """Return the Python object that a value stands for."""
-        if isinstance(value, Constant):
-            return value.value
-        if isinstance(value, Template):
-            return self._text_value(value, scope)
-        if isinstance(value, ListValue):
-            return self._list(value, scope)
-        return self._dict(value, scope)
-
-    def _list(self, value: ListValue, scope: Scope) -> list[Any]:
-        return [self.value(item, scope) for item in value.items]
-
-    def _dict(self, value: DictValue, scope: Scope) -> dict[Any, Any]:
-        pairs = []
-        for key_value, item in value.pairs:
-            key = self.value(key_value, scope)
-            if isinstance(key_value, Template) and (key is None or key == ""):
-                continue
-            self.evaluator.guard(hash, key, _span(key_value))
-            pairs.append((key, self.value(item, scope)))
-        return gather_pairs(pairs)
-
-    def _text_value(self, value: str | Template, scope: Scope) -> Any:
-        """Return a text as written, the typed value of a single `$(…)`, or the parts joined."""
-        if isinstance(value, str):
-            return value
-        parts = value.parts
-        first = parts[0]
-        if len(parts) == 1 and isinstance(first, PythonCode):
-            return self.evaluator.evaluate(first, scope)
-        return self._joined(value, scope)
-
-    def _joined(self, template: Template, scope: Scope) -> str:
-        pieces = []
-        for part in template.parts:
-            if isinstance(part, str):
-                pieces.append(part)
-            else:
-                value = self.evaluator.evaluate(part, scope)
-                if type(value) is str:
-                    pieces.append(value)
-                else:
-                    pieces.append(self.evaluator.guard(format_value, value, part.span()))
-        return "".join(pieces)
-
-    def _key_text(self, template: Template, scope: Scope) -> str:
-        return self._joined(template, scope)
-
-
-def print_text(value: Any) -> str:
-    """Return the text of a value in `print`: floats as in XML, all else as Python shows it."""
-    plain = plain_value(value)
-    return format_value(plain) if type(plain) is float else str(plain)
-
-
-def _next(iterator: Iterator[Any]) -> Any:
-    return next(iterator, MISSING)
-
-
-def _span(value: Value) -> Span:
-    if isinstance(value, Constant):
-        return value.node.span()
-    return value.span() if isinstance(value, Template) else value.span
-
-
-def _a_kind_of(value: Any) -> str:
-    """Return what a value is, in words."""
-    if value is None:
-        return "empty (null)"
-    if isinstance(value, bool):
-        return f"the boolean {'true' if value else 'false'}"
-    if isinstance(value, (int, float)):
-        return f"the number {format_value(value)}"
-    if isinstance(value, str):
-        return f"the text '{value[:40]}'"
-    return f"a {type(value).__name__}"
-
-
-def _count(number: int, noun: str) -> str:
-    return f"{'no' if number == 0 else number} {noun}{'' if number == 1 else 's'}"
-
-
-def _shown_name(path: str, absolute: str, includer: Source) -> str:
-    """Return the name to show for an included file: relative as the includer's is."""
-    if "://" in path or os.path.isabs(path) or path.startswith("~"):
-        return absolute
-    return os.path.normpath(os.path.join(os.path.dirname(includer.name), path))
-
-
-__all__ = ["Block", "Function", "Interpreter"]
+    def _shared_names(self) -> frozenset[str]:
+        return frozenset((*self.shared.globals, *self.shared.bridges))

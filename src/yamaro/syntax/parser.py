@@ -122,7 +122,7 @@ def _parse_root_element(
         element = parse_statement(key, node, context)
     finally:
         context.at_root = True
-    if not isinstance(element, ElementNode):
+    if not isinstance(element, ElementNode) or not isinstance(element.name, str):
         raise failure(
             "bad-root",
             f"'{word}' cannot be the root element",

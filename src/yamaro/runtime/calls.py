@@ -1,0 +1,188 @@
+"""Calls: finds the function that is meant, and matches arguments with parameters."""
+
+from __future__ import annotations
+
+from ..diagnostics import YamaroError, did_you_mean, failure
+from ..source import Span
+from ..syntax.context import ParseContext
+from ..syntax.nodes import Argument, Body, FunctionNode
+from ..syntax.statements import late_value
+from .expressions import function_names
+from .scope import MISSING, Namespace, Scope, function_key
+from .values import Values
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+    from typing import Any
+
+
+class Function:
+    """A function as defined: what it says, and the context it was defined in."""
+
+    __slots__ = ("closure", "node")
+
+    def __init__(self, node: FunctionNode, closure: Scope) -> None:
+        self.node = node
+        self.closure = closure
+
+
+class Block:
+    """A block as given to a call: its body, and the context it was written in."""
+
+    __slots__ = ("body", "written")
+
+    def __init__(self, body: Body, written: Scope) -> None:
+        self.body = body
+        self.written = written
+
+
+def find_function(
+    name: str,
+    span: Span,
+    scope: Scope,
+    where_declared: Callable[[str], list[tuple[str, Span]]],
+) -> Function | Block | None:
+    """Return the function or block a call names; None for a block that was not given.
+
+    Raises:
+        YamaroError: there is none of that name.
+    """
+    namespace, _, last = name.rpartition(".")
+    key = function_key(last)
+    if namespace:
+        found = _namespace(namespace, scope)
+        value = MISSING if found is None else found._get(key)
+    else:
+        value = scope.find(key)
+    if value is not MISSING:
+        assert value is None or isinstance(value, (Function, Block))
+        return value
+    names = function_names(scope)
+    notes = [
+        f"a function '{last}' is defined at {place.place()} with scope {kind}"
+        for kind, place in where_declared(last)[:3]
+    ]
+    hint = did_you_mean(name, names)
+    raise failure(
+        "undefined-function",
+        f"function '{name}' is not defined",
+        span,
+        hint=hint or f"for an XML element of that name write <{name}>:",
+        notes=notes,
+    )
+
+
+def _namespace(path: str, scope: Scope) -> Namespace | None:
+    first, *rest = path.split(".")
+    found = scope.find(first)
+    for part in rest:
+        found = found._get(part) if isinstance(found, Namespace) else None
+    return found if isinstance(found, Namespace) else None
+
+
+def match_arguments(
+    node: FunctionNode,
+    arguments: list[Argument],
+    span: Span,
+    *,
+    scope: Scope,
+    values: Values,
+    late_context: ParseContext,
+) -> dict[str, Any]:
+    """Return the arguments' values by parameter, evaluated where the call stands.
+
+    Args:
+        node: the function called.
+        arguments: what the call gives.
+        span: the place of the call.
+        scope: where the call stands.
+        values: evaluates the arguments.
+        late_context: gathers what is parsed only now.
+
+    Raises:
+        YamaroError: an argument is missing, unknown, given twice or of the wrong kind.
+    """
+    given: dict[str, Any] = {}
+    spans: dict[str, Span] = {}
+    parameters = {parameter.name: parameter for parameter in node.parameters}
+    positional = [parameter for parameter in node.parameters if not parameter.is_block]
+    for index, argument in enumerate(arguments):
+        name = argument.name
+        if name is None:
+            if index >= len(positional):
+                raise _bad_call(
+                    "unknown-argument",
+                    f"'{node.name}' takes {_count(len(positional), 'argument')}, "
+                    f"and this is number {index + 1}",
+                    argument.span,
+                    node,
+                )
+            name = positional[index].name
+        parameter = parameters.get(name)
+        if parameter is None:
+            raise _bad_call(
+                "unknown-argument",
+                f"'{node.name}' has no parameter '{name}'",
+                argument.span,
+                node,
+                hint=did_you_mean(name, parameters),
+            )
+        if name in given:
+            raise _bad_call(
+                "given-twice",
+                f"the argument '{name}' is given twice",
+                argument.span,
+                node,
+                hint=f"it is given first at {spans[name].place()}",
+            )
+        spans[name] = argument.span
+        if parameter.is_block:
+            given[name] = _block(argument, node, scope)
+        else:
+            value = argument.value or late_value(argument, late_context)
+            given[name] = values.value(value, scope)
+    for parameter in positional:
+        if parameter.name not in given and parameter.default is None:
+            raise _bad_call(
+                "missing-argument",
+                f"'{node.name}' needs the argument '{parameter.name}'",
+                span,
+                node,
+            )
+    return given
+
+
+def _block(argument: Argument, node: FunctionNode, scope: Scope) -> Block:
+    if argument.block is None:
+        raise _bad_call(
+            "not-a-body",
+            f"the block '{argument.name}' takes a body, and this is a value",
+            argument.span,
+            node,
+            hint="write the statements of the block below its name, indented",
+        )
+    return Block(argument.block, scope)
+
+
+def bind(node: FunctionNode, given: dict[str, Any], callee: Scope, values: Values) -> None:
+    """Give the parameters their values; defaults may use the parameters before them."""
+    for parameter in node.parameters:
+        name = parameter.name
+        if parameter.is_block:
+            callee.declare(function_key(name), given.get(name))
+        elif name in given:
+            callee.declare(name, given[name])
+        elif parameter.default is not None:
+            callee.declare(name, values.value(parameter.default, callee))
+
+
+def _bad_call(
+    code: str, message: str, span: Span, node: FunctionNode, *, hint: str | None = None
+) -> YamaroError:
+    note = f"it is defined as {node.signature()} at {node.span.place()}"
+    return failure(code, message, span, hint=hint, notes=[note])
+
+
+def _count(number: int, noun: str) -> str:
+    return f"{'no' if number == 0 else number} {noun}{'' if number == 1 else 's'}"

@@ -1,0 +1,177 @@
+"""The files of one conversion: each read and parsed once, with what its expressions see."""
+
+from __future__ import annotations
+
+import os
+
+from ..diagnostics import Frame, Reporter, did_you_mean, failure
+from ..source import Source, Span
+from ..syntax.context import ParseContext
+from ..syntax.nodes import Document, ImportNode
+from ..syntax.parser import parse, register
+from ..syntax.python import PythonCode
+from .expressions import Evaluator
+from .loader import LoadError, decode
+from .modules import LocalModules, import_names
+from .packages import PackageFinder
+from .predefined import CONSTANTS, Helpers
+from .scope import Home
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+    from typing import Any
+
+    from .loader import Loader
+
+
+class Files:
+    """Loads files and gives them their imports and predefined names.
+
+    Attributes:
+        read: the absolute path of every file read, in order, as the keys of a dict.
+        codes: the Python code in all files that defines functions, by its file name.
+        late: gathers what is parsed only while the program runs; see `adopt`.
+    """
+
+    __slots__ = ("_documents", "_loader", "_modules", "_print", "codes", "late", "packages", "read")
+
+    def __init__(
+        self, loader: Loader, *, reporter: Reporter, print_function: Callable[..., None]
+    ) -> None:
+        """Begin without files.
+
+        Args:
+            loader: gives the text of files.
+            reporter: takes the warnings of parsing.
+            print_function: stands in for Python's `print`.
+        """
+        self._loader = loader
+        self._print = print_function
+        self._documents: dict[str, Document] = {}
+        self._modules: dict[str, LocalModules] = {}
+        self.packages = PackageFinder()
+        self.read: dict[str, None] = {}
+        self.codes: dict[str, PythonCode] = {}
+        self.late = ParseContext(reporter)
+
+    @property
+    def documents(self) -> list[Document]:
+        """Return the files parsed so far."""
+        return list(self._documents.values())
+
+    def close(self) -> None:
+        """Forget the Python modules that were loaded from beside the files."""
+        for modules in self._modules.values():
+            modules.close()
+
+    def parse(self, source: Source) -> Document:
+        """Return the syntax tree of a file; raise YamaroError if it has errors."""
+        key = source.path or source.name
+        document = self._documents.get(key)
+        if document is None:
+            self.note(key)
+            document = parse(source, reporter=self.late.reporter)
+            self._documents[key] = document
+            self.codes.update(document.codes)
+        return document
+
+    def note(self, path: str) -> None:
+        """Note that a file was read."""
+        self.read.setdefault(path)
+
+    def adopt(self) -> None:
+        """Take up the Python that was compiled late."""
+        if self.late.codes:
+            document = next(iter(self._documents.values()))
+            for python in self.late.codes:
+                register(document, python)
+            self.late.codes.clear()
+            self.codes.update(document.codes)
+
+    def where_declared(self, name: str) -> list[tuple[str, Span]]:
+        """Return scope and place of everything that declares a name, in any file."""
+        return [
+            (scope, span)
+            for document in self._documents.values()
+            for declared, scope, span in document.declarations
+            if declared == name
+        ]
+
+    def begin(self, document: Document, frame: Frame | None) -> Home:
+        """Return what expressions see in a run of a file, but for its imports."""
+        source = document.source
+        directory = os.path.dirname(source.path) if source.path else os.getcwd()
+        helpers = Helpers(directory, self._loader, self.packages, self.note)
+        names = {**CONSTANTS, **helpers.names(), "print": self._print}
+        names["__import__"] = self._modules_in(directory).import_hook
+        return Home(source, directory, names, frame)
+
+    def import_modules(self, document: Document, home: Home, evaluator: Evaluator) -> None:
+        """Bind the names of a file's imports; raise YamaroError if one fails."""
+        if not document.imports:
+            return
+        modules = self._modules_in(home.directory)
+
+        def load(node: ImportNode) -> dict[str, Any]:
+            return import_names(node, modules)
+
+        for node in document.imports:
+            home.names.update(evaluator.guard(load, node, node.span))
+        for path in modules.files:
+            self.note(path)
+
+    def _modules_in(self, directory: str) -> LocalModules:
+        if directory not in self._modules:
+            self._modules[directory] = LocalModules(directory)
+        return self._modules[directory]
+
+    def load(self, path: str, span: Span, home: Home) -> Source:
+        """Return the source of the file that `path` means in a file.
+
+        Args:
+            path: relative to that file, or with `~`, `package://` or `file://`.
+            span: where the path is written.
+            home: the file it is written in.
+
+        Raises:
+            YamaroError: there is no such file or package, or it is not text in UTF-8.
+        """
+        resolved = self.packages.resolve_uri(path, home.directory)
+        if resolved is None:
+            raise self._unknown_package(path, span, home)
+        absolute = os.path.normpath(resolved)
+        known = self._documents.get(absolute)
+        if known is not None:
+            return known.source
+        try:
+            data = self._loader.read(absolute)
+        except LoadError as error:
+            neighbours = self._loader.neighbours(absolute)
+            raise failure(
+                "missing-file",
+                f"the file '{path}' cannot be included: {error}",
+                span,
+                hint=did_you_mean(os.path.basename(absolute), neighbours),
+                notes=[f"looked for {absolute}"],
+            ) from None
+        self.note(absolute)
+        return decode(data, name=_shown_name(path, absolute, home.source), path=absolute)
+
+    def _unknown_package(self, path: str, span: Span, home: Home) -> Exception:
+        package = path.partition("://")[2].partition("/")[0]
+        places = self.packages.looked_at(package, home.directory)
+        return failure(
+            "unknown-package",
+            f"the package '{package}' is not found",
+            span,
+            hint="source its workspace, or set ROS_PACKAGE_PATH",
+            notes=[f"looked in {place}" for place in places[:6]],
+        )
+
+
+def _shown_name(path: str, absolute: str, includer: Source) -> str:
+    """Return the name to show for an included file: relative as the includer's is."""
+    if "://" in path or os.path.isabs(path) or path.startswith("~"):
+        return absolute
+    return os.path.normpath(os.path.join(os.path.dirname(includer.name), path))

@@ -1,0 +1,123 @@
+"""What a `for` runs over: ranges, lists, dicts, and whatever else Python iterates."""
+
+from __future__ import annotations
+
+from ..diagnostics import failure
+from ..source import Span
+from ..syntax.nodes import ForNode
+from ..syntax.python import PythonCode
+from .expressions import Evaluator
+from .scope import MISSING, Scope
+from .values import Values, a_kind_of, span_of
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+    from typing import Any
+
+
+def iterate(node: ForNode, scope: Scope, values_of: Values) -> Iterator[Any]:
+    """Give the items a `for` runs over; those of a dict as pairs if it names two variables.
+
+    Raises:
+        YamaroError: there is nothing to run over.
+    """
+    evaluator = values_of.evaluator
+    if node.is_range:
+        yield from _range(node, scope, evaluator)
+        return
+    iterable = node.iterable
+    if isinstance(iterable, PythonCode):
+        span = iterable.span()
+        values = evaluator.evaluate(iterable, scope)
+    else:
+        assert not isinstance(iterable, list)
+        span = span_of(iterable)
+        values = values_of.value(iterable, scope)
+    if isinstance(values, dict):
+        values = list(values.items() if len(node.names) > 1 else values)
+    if not hasattr(type(values), "__iter__") and not hasattr(type(values), "__getitem__"):
+        raise failure(
+            "not-iterable",
+            f"`in` needs a list, and this is {a_kind_of(values)}",
+            span,
+            hint="write range: for a number of turns"
+            if isinstance(values, (int, float))
+            else "write in: [left, right], or the name of a list",
+        )
+    iterator = evaluator.guard(iter, values, span)
+    while True:
+        item = evaluator.guard(_next, iterator, span)
+        if item is MISSING:
+            return
+        yield item
+
+
+def _range(node: ForNode, scope: Scope, evaluator: Evaluator) -> range:
+    iterable = node.iterable
+    spans: list[Span]
+    if isinstance(iterable, PythonCode):
+        result = evaluator.evaluate(iterable, scope)
+        values = list(result) if isinstance(result, (tuple, list)) else [result]
+        spans = [iterable.span()] * len(values)
+    else:
+        assert isinstance(iterable, list)
+        values, spans = [], []
+        for item in iterable:
+            is_code = isinstance(item, PythonCode)
+            values.append(
+                evaluator.evaluate(item, scope) if is_code else item.value  # type: ignore[union-attr, arg-type]
+            )
+            spans.append(item.span() if is_code else item.node.span())  # type: ignore[union-attr]
+    if not 1 <= len(values) <= 3:
+        raise failure(
+            "bad-range",
+            f"`range` takes one to three numbers, and these are {len(values)}",
+            spans[0] if spans else node.span,
+            hint="write range: 6, or range: 0, 6, or range: 0, 6, 2",
+        )
+    for value, span in zip(values, spans, strict=True):
+        if isinstance(value, bool) or not hasattr(type(value), "__index__"):
+            raise failure(
+                "bad-range",
+                f"`range` takes whole numbers, and this is {a_kind_of(value)}",
+                span,
+                hint=f"write int(…) around it to cut {value} off to a whole number"
+                if isinstance(value, float)
+                else "write range: 0, 6, or in: for the items of a list",
+            )
+    if len(values) == 3 and values[2] == 0:
+        raise failure(
+            "bad-range",
+            "the step of a `range` cannot be 0",
+            spans[2],
+            hint="write range: start, stop, step with a step such as 1 or -1",
+        )
+    return range(*values)
+
+
+def unpack(item: Any, node: ForNode, evaluator: Evaluator) -> list[Any]:
+    """Return the values of one item for an iterator of several names.
+
+    Raises:
+        YamaroError: it has another number of values.
+    """
+    wanted = len(node.names)
+    if isinstance(item, str) or not hasattr(type(item), "__iter__"):
+        values: list[Any] | None = None
+    else:
+        values = list(evaluator.guard(list, item, node.span))
+    if values is None or len(values) != wanted:
+        found = a_kind_of(item) if values is None else f"{len(values)} values"
+        raise failure(
+            "bad-iterator",
+            f"the iterator names {wanted} variables ({', '.join(node.names)}), "
+            f"and an item is {found}",
+            node.span,
+            hint="give each item as a list: in: [[a, 1.0], [b, 2.0]]",
+        )
+    return values
+
+
+def _next(iterator: Iterator[Any]) -> Any:
+    return next(iterator, MISSING)

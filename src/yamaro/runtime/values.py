@@ -1,0 +1,115 @@
+"""Evaluates values: what stands behind a variable, an argument, an attribute or in a text."""
+
+from __future__ import annotations
+
+from ..source import Span
+from ..syntax.nodes import Constant, DictValue, ListValue, Value
+from ..syntax.python import PythonCode
+from ..syntax.template import Template
+from ..xmltree import format_value, plain_value
+from .expressions import Evaluator
+from .predefined import gather_pairs
+from .scope import Scope
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+
+class Values:
+    """Gives the Python objects that the syntax tree's values stand for."""
+
+    __slots__ = ("evaluator",)
+
+    def __init__(self, evaluator: Evaluator) -> None:
+        """Evaluate expressions with `evaluator`."""
+        self.evaluator = evaluator
+
+    def value(self, value: Value, scope: Scope) -> Any:
+        """Return the object a value stands for; lists and dicts are new each time."""
+        if isinstance(value, Constant):
+            return value.value
+        if isinstance(value, Template):
+            return self.text(value, scope)
+        if isinstance(value, ListValue):
+            return self.list_of(value, scope)
+        return self._dict_of(value, scope)
+
+    def list_of(self, value: ListValue, scope: Scope) -> list[Any]:
+        """Return the objects in a list."""
+        return [self.value(item, scope) for item in value.items]
+
+    def _dict_of(self, value: DictValue, scope: Scope) -> dict[Any, Any]:
+        pairs = []
+        for key_value, item in value.pairs:
+            key = self.value(key_value, scope)
+            if isinstance(key_value, Template) and (key is None or key == ""):
+                continue
+            self.evaluator.guard(hash, key, span_of(key_value))
+            pairs.append((key, self.value(item, scope)))
+        return gather_pairs(pairs)
+
+    def text(self, value: str | Template, scope: Scope) -> Any:
+        """Return a text as written, the typed value of a single `$(…)`, or the parts joined."""
+        if isinstance(value, str):
+            return value
+        parts = value.parts
+        first = parts[0]
+        if len(parts) == 1 and isinstance(first, PythonCode):
+            return self.evaluator.evaluate(first, scope)
+        return self.joined(value, scope)
+
+    def joined(self, template: Template, scope: Scope) -> str:
+        """Return the parts of a template as one text, as in a key."""
+        pieces = []
+        for part in template.parts:
+            if isinstance(part, str):
+                pieces.append(part)
+            else:
+                value = self.evaluator.evaluate(part, scope)
+                if type(value) is str:
+                    pieces.append(value)
+                else:
+                    pieces.append(self.evaluator.guard(format_value, value, part.span()))
+        return "".join(pieces)
+
+    def message(self, value: str | Template | Value, scope: Scope, span: Span) -> str:
+        """Return the text of a `print`."""
+        if isinstance(value, str):
+            return value
+        if not isinstance(value, Template):
+            return str(self.evaluator.guard(print_text, self.value(value, scope), span))
+        pieces = []
+        for part in value.parts:
+            if isinstance(part, str):
+                pieces.append(part)
+            else:
+                result = self.evaluator.evaluate(part, scope)
+                pieces.append(self.evaluator.guard(print_text, result, part.span()))
+        return "".join(pieces)
+
+
+def print_text(value: Any) -> str:
+    """Return the text of a value in `print`: floats as in XML, all else as Python shows it."""
+    plain = plain_value(value)
+    return format_value(plain) if type(plain) is float else str(plain)
+
+
+def span_of(value: Value) -> Span:
+    """Return where a value is written."""
+    if isinstance(value, Constant):
+        return value.node.span()
+    return value.span() if isinstance(value, Template) else value.span
+
+
+def a_kind_of(value: Any) -> str:
+    """Return what a value is, in words for a message."""
+    if value is None:
+        return "empty (null)"
+    if isinstance(value, bool):
+        return f"the boolean {'true' if value else 'false'}"
+    if isinstance(value, (int, float)):
+        return f"the number {format_value(value)}"
+    if isinstance(value, str):
+        return f"the text '{value[:40]}'"
+    return f"a {type(value).__name__}"
