@@ -75,6 +75,8 @@ def _name_hint(key: ScalarNode, name: str) -> str:
                 "the key, so quote such a key or give it a line of its own"
             )
         return "attributes stand behind a slash: name/attribute=value"
+    if ")" in name and "(" not in name:
+        return "the commas of { } and [ ] split an expression: quote it, or use a line of its own"
     if name.startswith("xacro:"):
         return "xacro's tags do not exist here; see docs/coming-from-xacro.md"
     return "a name begins with a letter or _ and goes on with letters, digits, - _ ."

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from ..diagnostics import failure
+from .yaml_faults import quoted
 from .yaml_nodes import PLAIN
 
 TYPE_CHECKING = False
@@ -149,6 +150,10 @@ def _syntax_failure(python: PythonCode, error: SyntaxError, message: str) -> Exc
 
 def _syntax_hint(python: PythonCode, reason: str) -> str | None:
     text = python.text
+    if ("unterminated" in reason or "never closed" in reason) and _is_cut_by_comment(python.node):
+        return (
+            f"' #' begins a YAML comment: write {_whole_value(python.node, len(python.node.text))}"
+        )
     if "&&" in text or "||" in text:
         return "Python writes `and`, `or` and `not`"
     if "${" in text or "$(" in text:
@@ -210,10 +215,10 @@ def _end_of_string(text: str, start: int) -> int:
 def unclosed(node: ScalarNode, index: int) -> Exception:
     """Return the error for a `$(` at `node.text[index]` that is never closed."""
     after = node.source.text[node.end : node.end + 200].split("\n", 1)[0]
-    if node.style == PLAIN and after.lstrip(" ").startswith("#"):
-        hint = "' #' begins a YAML comment: quote the value if it belongs to the expression"
+    if _is_cut_by_comment(node):
+        hint = f"' #' begins a YAML comment: write {_whole_value(node, index)}"
     elif node.style == PLAIN and after.lstrip(" ").startswith((",", "]", "}")):
-        hint = "the commas of { } and [ ] split an expression: quote it, or use a line of its own"
+        hint = f"the commas of {{ }} and [ ] split an expression: write {_whole_value(node, index)}"
     else:
         hint = "write $$( for a literal $("
     return failure(
@@ -222,6 +227,18 @@ def unclosed(node: ScalarNode, index: int) -> Exception:
         node.span(index, min(index + 2, len(node.text))),
         hint=hint,
     )
+
+
+def _is_cut_by_comment(node: ScalarNode) -> bool:
+    after = node.source.text[node.end : node.end + 200].split("\n", 1)[0]
+    return node.style == PLAIN and after.lstrip(" ").startswith("#")
+
+
+def _whole_value(node: ScalarNode, index: int) -> str:
+    """Return a value that YAML cut short inside the `$(…)` at `index`, quoted."""
+    rest = node.source.text[node.start :].split("\n", 1)[0].rstrip()
+    close = find_close(rest, index + 2)
+    return quoted(rest[: close + 1] if close >= 0 else rest)
 
 
 def ros_words(text: str) -> list[str] | None:

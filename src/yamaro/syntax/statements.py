@@ -81,20 +81,36 @@ def pairs_of(node: YamlNode, what: str, context: ParseContext) -> Pairs:
     for item in node.items:
         if isinstance(item, MappingNode):
             pairs.extend(item.pairs)
-        elif not (isinstance(item, ScalarNode) and item.text and is_empty(item)):
+        else:
             raise failure(
                 "not-a-body",
                 f"in {what}, each item of the list must be an entry such as `name: value`",
                 item.span(),
-                hint=_body_hint(item.text) if isinstance(item, ScalarNode) else None,
+                hint=_item_hint(item),
             )
     return pairs
 
 
-def _body_hint(text: str) -> str | None:
+def _item_hint(item: YamlNode) -> str:
+    if not isinstance(item, ScalarNode):
+        return "write the entries of an inner list as items of this one: - name: value"
+    if is_empty(item):
+        return "delete this dash, or write an entry behind it: - name: value"
+    return _body_hint(item.text)
+
+
+def _body_hint(text: str) -> str:
+    """Return how to write the entry that a text stands for."""
+    name, colon, value = text.partition(":")
     if is_function_name(text):
         return f"write `{text}:` with a colon to call a function"
-    return None
+    if text.startswith("<"):
+        return 'this looks like XML; in YAML <link name="base"/> is written link/name=base:'
+    if colon and is_identifier(name) and value:
+        return f"put a space behind the colon: {name}: {value}"
+    if find_outside(text, " ", 0, len(text)) < 0 or "/" in text:
+        return f"write `{text}:` with a colon for an entry without a value"
+    return "write each entry as `name: value`, on a line of its own"
 
 
 class Fields:
@@ -359,7 +375,7 @@ def parse_content(node: YamlNode, context: ParseContext) -> Content:
                 "mixed-list",
                 "this list mixes entries such as `name: value` with plain values",
                 plain.span(),
-                hint=_body_hint(plain.text) if isinstance(plain, ScalarNode) else None,
+                hint=_item_hint(plain),
             )
     return parse_body(node, "an element", context)
 
@@ -805,7 +821,7 @@ def _parse_process(key: ScalarNode, node: YamlNode, context: ParseContext) -> Pr
         context.warn(
             "anchored-expression",
             f"'&{node.anchor}' is a YAML anchor here and no part of the statement",
-            node.span(),
+            node.anchor_span(),
             hint="quote the statement, or delete the anchor",
         )
     code = compile_statements(node)

@@ -38,6 +38,8 @@ def parse_value(node: YamlNode, context: ParseContext, *, is_literal: bool = Fal
         return ListValue(items, node.span())
     pairs: list[tuple[Value, Value]] = []
     for key, value in node.pairs:
+        if node.is_flow:
+            _warn_of_missing_space(key, value, context)
         pairs.append(
             (
                 _parse_scalar(key, context, is_literal=is_literal),
@@ -90,6 +92,19 @@ def warn_of_hidden_value(node: ScalarNode, context: ParseContext) -> None:
         Span(node.source, at, at + len(hidden)),
         hint=f"quote the value: '{hidden}'; put a space behind # if it is a comment",
     )
+
+
+def _warn_of_missing_space(key: ScalarNode, value: YamlNode, context: ParseContext) -> None:
+    """Warn of `{x:1}`, where YAML reads a key `x:1` without a value."""
+    name, _, rest = key.text.partition(":")
+    is_missing = isinstance(value, ScalarNode) and value.style == PLAIN and not value.text
+    if is_missing and key.style == PLAIN and name.isidentifier() and rest:
+        context.warn(
+            "hidden-value",
+            f"'{key.text}' is a key to YAML, and its value is empty",
+            key.span(),
+            hint=f"put a space behind the colon: {name}: {rest}",
+        )
 
 
 def parse_inline(
@@ -185,7 +200,7 @@ def parse_bare_expression(node: ScalarNode, context: ParseContext) -> PythonCode
         context.warn(
             "anchored-expression",
             f"'&{node.anchor}' is a YAML anchor here and no part of the expression",
-            node.span(),
+            node.anchor_span(),
             hint="quote the whole expression, or delete the anchor",
         )
     text = node.text

@@ -49,7 +49,7 @@ def _refuse_character(source: Source, at: int) -> NoReturn:
         "control-character",
         f"the character U+{ord(source.text[at]):04X} cannot stand in a YAML file",
         Span(source, at, at + 1),
-        hint='delete it, or write it as an escape in double quotes, such as "\\x07"',
+        hint="delete this invisible character",
     )
 
 
@@ -65,7 +65,7 @@ def refuse_yaml(error: Any, reading: Reading) -> NoReturn:
             if at < len(reading.text)
             else f"the file cannot be read as YAML: {problem}",
             reading.span(at, at + 1),
-            hint='delete it, or write it as an escape in double quotes, such as "\\x07"',
+            hint="delete this invisible character",
         )
     context = str(getattr(error, "context", None) or "")
     context_mark = getattr(error, "context_mark", None)
@@ -98,7 +98,10 @@ def _line_around(text: str, at: int) -> tuple[int, int]:
     return start, min(ends) if ends else len(text)
 
 
-def _quoted(value: str) -> str:
+def quoted(value: str) -> str:
+    """Return a text as a quoted YAML scalar, in the quotes that leave it most readable."""
+    if "'" in value and '"' not in value and "\\" not in value and value.isprintable():
+        return f'"{value}"'
     return "'" + value.replace("'", "''") + "'"
 
 
@@ -133,7 +136,7 @@ def _start_of_value(
         "yaml-quote",
         f"a value cannot begin with {char} in YAML unless it is quoted",
         reading.span(at, at + max(len(value), 1)),
-        hint=f"write {text[start:at].lstrip()}{_quoted(value)}",
+        hint=f"write {text[start:at].lstrip()}{quoted(value)}",
     )
 
 
@@ -158,12 +161,19 @@ def _open_bracket(
         return None
     closing = "]" if text[begin] == "[" else "}"
     found = text[at : at + 1].strip()
+    hint = "quote a value that contains , : # [ ] { } and is meant as one text or expression"
+    if found and "\n" not in text[begin:at]:
+        return failure(
+            "yaml-open",
+            f"expected , or {closing} here, found {found}",
+            reading.span(at, at + 1),
+            hint=hint,
+        )
     return failure(
         "yaml-open",
-        f"this {text[begin]} is not closed: expected , or {closing}"
-        + (f", found {found}" if found else ""),
-        reading.span(begin, begin + 1) if not found else reading.span(at, at + 1),
-        hint="quote a value that contains , : # [ ] { } and is meant as one text or expression",
+        f"this {text[begin]} is not closed: there is no {closing} behind it",
+        reading.span(begin, begin + 1),
+        hint=f"put a {closing} at its end; {hint}",
     )
 
 
@@ -189,13 +199,40 @@ def _colon(reading: Reading, problem: str, context: str, begin: int, at: int) ->
     first = text[begin:end]
     if len(first.partition(": ")[0]) > MAX_KEY:
         return _long_key(reading, begin)
-    _, begin_end = _line_around(text, begin)
+    return _no_colon(reading, begin)
+
+
+def _no_colon(reading: Reading, begin: int) -> Exception:
+    """Return the error for the line that begins at `begin` and is no `key: value`."""
+    text = reading.text
+    _, end = _line_around(text, begin)
+    key, colon, value = text[begin:end].partition(":")
+    if colon and key.isidentifier():
+        return failure(
+            "yaml-syntax",
+            "there is no space behind the ':', so this is neither a key nor a value",
+            reading.span(begin + len(key), begin + len(key) + 1),
+            hint=f"write {key}: {value.strip()}",
+        )
     return failure(
         "yaml-syntax",
         "this line has no ':', so it is neither a key nor a value",
-        reading.span(begin, max(begin_end, begin + 1)),
+        reading.span(begin, max(begin + len(text[begin:end].rstrip()), begin + 1)),
         hint="put a ':' behind a key; indent a longer text deeper than its key",
     )
+
+
+def _line_without_key_above(text: str, start: int) -> int | None:
+    """Return where the line above `start` begins if it is as deep and holds no key, or None."""
+    _, end = _line_around(text, start)
+    line = text[start:end]
+    above, above_end = _line_around(text, max(start - 1, 0))
+    before = text[above:above_end]
+    margin = len(before) - len(before.lstrip())
+    is_key = ": " in before or before.rstrip().endswith(":")
+    if not before.strip() or is_key or margin != len(line) - len(line.lstrip()):
+        return None
+    return above + margin
 
 
 def _long_key(reading: Reading, at: int) -> Exception:
@@ -220,8 +257,11 @@ def _second_colon(reading: Reading, start: int, end: int, at: int) -> Exception:
             "yaml-quote",
             "a value that contains ': ' must be quoted",
             reading.span(where, max(where + len(value), where + 1)),
-            hint=f"write {key.strip()}: {_quoted(value)}",
+            hint=f"write {key.strip()}: {quoted(value)}",
         )
+    above = _line_without_key_above(text, start)
+    if above is not None:
+        return _no_colon(reading, above)
     return failure(
         "yaml-syntax",
         "a key stands here, but the lines above do not allow one at this indentation",
@@ -236,14 +276,18 @@ def _rest(reading: Reading, problem: str, context: str, begin: int, at: int) -> 
     before = text[start:at].rstrip()
     if before.endswith(("]", "}", '"', "'")) and text[at:end].strip():
         key, colon, value = text[start:end].partition(": ")
-        where = start + len(key) + 2 if colon else start
-        value = (value if colon else text[start:end]).strip()
-        shown = f"{key.strip()}: {_quoted(value)}" if colon else _quoted(value)
+        where = start + len(key) + 2
+        if not colon:
+            where, value = start + len(key) - len(key.lstrip(" -")), key.lstrip(" -")
+        value = value.strip()
+        return _text_behind_quote(reading, key.strip() if colon else "", value, where, at)
+    if text[start:end].lstrip().startswith(": "):
+        colon_at = text.index(":", start)
         return failure(
-            "yaml-quote",
-            f"text follows behind the closing {before[-1]} of this value",
-            reading.span(where, max(where + len(value), where + 1)),
-            hint=f"quote the whole value: {shown}",
+            "yaml-syntax",
+            "the key is missing in front of this ':'",
+            reading.span(colon_at, colon_at + 1),
+            hint="write name: value",
         )
     if "block" not in context and "document start" not in problem:
         return None
@@ -253,4 +297,20 @@ def _rest(reading: Reading, problem: str, context: str, begin: int, at: int) -> 
         "this line does not fit into the mapping or list around it",
         reading.span(start + column, max(end, start + column + 1)),
         hint="entries of one mapping or list begin in the same column",
+    )
+
+
+def _text_behind_quote(reading: Reading, key: str, value: str, where: int, at: int) -> Exception:
+    """Return the error for a value whose quotes or brackets close before its end."""
+    text = reading.text
+    closing = text[:at].rstrip()[-1]
+    advice, meant = "quote the whole value:", value
+    if text[at - 1] == closing == value[0] == value[-1] and text[at].isalnum():
+        advice, meant = f"a {closing} inside the text ends it; write", value[1:-1]
+    shown = f"{key}: {quoted(meant)}" if key else quoted(meant)
+    return failure(
+        "yaml-quote",
+        f"text follows behind the closing {closing} of this value",
+        reading.span(where, max(where + len(value), where + 1)),
+        hint=f"{advice} {shown}",
     )

@@ -42,6 +42,12 @@ class ScalarNode:
         last = self.offset(end - 1) + 1 if end > start else first
         return Span(self.source, first, max(first, last))
 
+    def anchor_span(self) -> Span:
+        """Return the place of the scalar's anchor, such as `&name`."""
+        written = f"&{self.anchor}"
+        start = max(self.source.text.rfind(written, 0, self.start), 0)
+        return Span(self.source, start, start + len(written))
+
     def offset(self, index: int) -> int:
         """Return the offset in the source of the character `text[index]`."""
         length = len(self.text)

@@ -20,8 +20,8 @@ from .libyaml import (
     StreamEndEvent,
     YAMLError,
 )
-from .yaml_faults import refuse_characters, refuse_yaml
-from .yaml_nodes import MappingNode, ScalarNode, SequenceNode
+from .yaml_faults import quoted, refuse_characters, refuse_yaml
+from .yaml_nodes import PLAIN, MappingNode, ScalarNode, SequenceNode
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -42,7 +42,7 @@ def read(source: Source, *, reporter: Reporter) -> YamlNode:
     """
     refuse_characters(source)
     root = _Builder(source).build()
-    if root is None:
+    if root is None or (isinstance(root, ScalarNode) and root.style == PLAIN and not root.text):
         raise failure(
             "empty-file",
             "the file is empty",
@@ -285,7 +285,7 @@ class _Builder:
             "complex-key",
             "a key must be a plain or quoted text, not a list or mapping",
             node.span(),
-            hint="quote the key if its brackets are meant as text",
+            hint=_hint_for_key(self.source, node),
         )
 
     def _refuse_depth(self, event: Any) -> None:
@@ -303,6 +303,13 @@ class _Builder:
             self.span(event.start_mark.index, event.end_mark.index),
             hint="put the other document into a file of its own and `include` it",
         )
+
+
+def _hint_for_key(source: Source, node: YamlNode) -> str:
+    written = source.text[node.start : node.end]
+    if written.startswith("{") and isinstance(node, MappingNode):
+        return f"an expression is written $({written.strip('{} ')})"
+    return f"quote the key if it is meant as text: {quoted(written)}"
 
 
 def _children(node: YamlNode) -> list[Any]:
