@@ -468,6 +468,29 @@ def test_sys_exit_in_the_file_is_no_success() -> None:
     assert b"Traceback" not in result.stderr
 
 
+def test_output_does_not_follow_a_change_of_folder(capsys: pytest.CaptureFixture[str]) -> None:
+    os.mkdir("elsewhere")
+    write("import: os\nprocess: os.chdir('elsewhere')\nmodel:\n  link/name=base:\n")
+    assert outcome(capsys, "robot.yaml", "-o", "arm.urdf") == (0, "", "")
+    assert os.listdir(".") == []
+    assert os.path.exists("../arm.urdf")
+
+
+def test_working_directory_that_is_gone_is_told() -> None:
+    os.mkdir("gone")
+    write(PLAIN)
+    robot = os.path.abspath("robot.yaml")
+    program = 'cd gone && rmdir ../gone && exec "$0" -m yamaro "$1"'
+    result = subprocess.run(
+        ["sh", "-c", program, sys.executable, robot],
+        capture_output=True,
+        check=False,
+        timeout=60,
+    )
+    assert result.returncode == 2
+    assert b"error: the working directory does not exist any more" in result.stderr
+
+
 def test_streams_are_given_back(capsys: pytest.CaptureFixture[str]) -> None:
     before = (sys.stdout, sys.stderr, signal.getsignal(signal.SIGTERM))
     for words in (["-q"], [], ["--strict"]):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import errno
+import io
 import os
 import signal
 import stat
@@ -15,7 +16,7 @@ from typing import Any
 import pytest
 
 from yamaro import output
-from yamaro.output import is_input, write_all, write_file
+from yamaro.output import Streams, is_input, write_all, write_file
 
 OLD = b"<robot name='old'/>\n"
 NEW = b"<robot name='new'/>\n"
@@ -290,3 +291,60 @@ def test_an_input_is_recognised_under_any_name(tmp_path: Path) -> None:
 
 def test_standard_output_has_all_its_names() -> None:
     assert {"-", "/dev/stdout"} <= output.STANDARD_OUTPUT
+
+
+# --- standard streams -------------------------------------------------------------------------
+
+
+def test_result_goes_to_streams_with_and_without_bytes(monkeypatch: pytest.MonkeyPatch) -> None:
+    text_stream = io.StringIO()
+    monkeypatch.setattr(sys, "stdout", text_stream)
+    Streams(quiet=False).write_result("é".encode())
+    assert text_stream.getvalue() == "é"
+    byte_stream = io.TextIOWrapper(io.BytesIO(), encoding="ascii")
+    monkeypatch.setattr(sys, "stdout", byte_stream)
+    Streams(quiet=False).write_result("é".encode())
+    assert byte_stream.buffer.getvalue() == "é".encode()
+
+
+def test_diverted_prints_go_to_standard_error_or_nowhere(monkeypatch: pytest.MonkeyPatch) -> None:
+    out, err = io.StringIO(), io.StringIO()
+    monkeypatch.setattr(sys, "stdout", out)
+    monkeypatch.setattr(sys, "stderr", err)
+    for quiet in (False, True):
+        streams = Streams(quiet=quiet)
+        streams.divert()
+        print("stray", quiet)
+        print("error", quiet, file=sys.stderr)
+        streams.say(f"said {quiet}")
+        streams.restore()
+        assert sys.stdout is out
+        assert sys.stderr is err
+    assert out.getvalue() == ""
+    assert err.getvalue() == "stray False\nerror False\nsaid False\nsaid True\n"
+
+
+def test_what_the_encoding_lacks_is_escaped(monkeypatch: pytest.MonkeyPatch) -> None:
+    stream = io.TextIOWrapper(io.BytesIO(), encoding="ascii")
+    monkeypatch.setattr(sys, "stderr", stream)
+    Streams(quiet=False).say("a…\udcff")
+    assert stream.buffer.getvalue() == b"a\\u2026\\udcff\n"
+
+
+def test_streams_that_are_missing_or_closed_do_no_harm(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(sys, "stdout", None)
+    monkeypatch.setattr(sys, "stderr", None)
+    streams = Streams(quiet=False)
+    streams.divert()
+    streams.say("unheard")
+    streams.restore()
+    assert not streams.is_terminal()
+    assert streams.result_encoding() == "utf-8"
+    with pytest.raises(OSError, match="Bad file descriptor"):
+        streams.write_result(NEW)
+    closed = io.StringIO()
+    closed.close()
+    monkeypatch.setattr(sys, "stderr", closed)
+    streams = Streams(quiet=False)
+    streams.say("unheard")
+    assert not streams.is_terminal()

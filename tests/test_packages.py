@@ -95,6 +95,17 @@ def test_beside_a_package_only_its_siblings_are_searched(tmp_path: Path) -> None
     assert finder.find("foot", own) is None
 
 
+def test_names_of_all_packages_are_told(tmp_path: Path) -> None:
+    install_package(tmp_path / "opt", "gripper")
+    make_package(tmp_path / "ros1" / "arm")
+    own = make_package(tmp_path / "src" / "hand")
+    prefixes = os.pathsep.join([str(tmp_path / "none"), str(tmp_path / "opt")])
+    finder = PackageFinder(
+        {"AMENT_PREFIX_PATH": prefixes, "ROS_PACKAGE_PATH": str(tmp_path / "ros1")}
+    )
+    assert finder.names(own) == ["arm", "gripper", "hand"]
+
+
 def test_a_bare_folder_is_not_searched(tmp_path: Path) -> None:
     make_package(tmp_path / "home" / "projects" / "arm")
     assert find_package("arm", start=str(tmp_path / "home"), environ={}) is None

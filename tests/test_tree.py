@@ -128,6 +128,26 @@ def test_axes_along_a_direction_have_its_name(axis: str, shown: str) -> None:
     assert shown in render_tree(robot(body)).splitlines()[1]
 
 
+@pytest.mark.parametrize(
+    ("limit", "shown"),
+    [
+        ("lower='-1' upper='1'", "x  -1 … 1 rad"),
+        ("upper='2'", "x  0 … 2 rad"),
+        ("lower='a' upper='1'", "x"),
+        ("effort='1' velocity='1'", "x"),
+    ],
+)
+def test_limits_are_a_range(limit: str, shown: str) -> None:
+    body = link("a") + link("b") + joint("a", "b", "revolute", f"<limit {limit}/><dynamics/>")
+    assert render_tree(robot(body)).splitlines()[1].endswith(f"revolute  {shown}")
+
+
+def test_continuous_joints_have_no_range() -> None:
+    body = link("a") + link("b")
+    body += joint("a", "b", "continuous", "<limit lower='-1' upper='1' effort='1'/>")
+    assert render_tree(robot(body)).splitlines()[1].endswith("continuous  x")
+
+
 def test_axis_defaults_to_x() -> None:
     text = render_tree(robot(link("a") + link("b") + joint("a", "b", "continuous")))
     assert text.splitlines()[1].endswith("continuous  x")

@@ -87,7 +87,7 @@ COMMANDS = {
 class Arguments:
     """What the command line asks for."""
 
-    __slots__ = ("assignments", "command", "options", "words")
+    __slots__ = ("assignments", "command", "options", "output_path", "words")
 
     def __init__(self) -> None:
         """Start with a plain build of nothing."""
@@ -95,10 +95,18 @@ class Arguments:
         self.words: list[str] = []
         self.assignments: list[str] = []
         self.options: dict[str, str] = {}
+        self.output_path = ""
 
     def has(self, option: str) -> bool:
         """Tell whether an option is given."""
         return option in self.options
+
+    def resolve_output(self) -> None:
+        """Settle where the output goes before user code can change the working directory."""
+        try:
+            self.output_path = os.path.join(os.getcwd(), self.options.get("output", ""))
+        except OSError:
+            raise WrongUsage("the working directory does not exist any more") from None
 
 
 class WrongUsage(Exception):
@@ -282,6 +290,7 @@ def _run_on_file(arguments: Arguments, streams: Streams) -> int:
     """Build the file, say what there is to say, and write the result."""
     from .diagnostics import YamaroError
 
+    arguments.resolve_output()
     _refuse_overwriting(arguments, arguments.words)
     try:
         build, content = _build(arguments, streams)
@@ -302,7 +311,7 @@ def _deliver(content: bytes, arguments: Arguments, streams: Streams) -> int:
         if output in STANDARD_OUTPUT:
             streams.write_result(content)
         else:
-            write_file(output, content)
+            write_file(arguments.output_path, content)
     except BrokenPipeError:
         raise
     except OSError as error:
@@ -383,7 +392,7 @@ def _completion(words: list[str]) -> bytes:
 
 def _refuse_overwriting(arguments: Arguments, inputs: Sequence[str]) -> None:
     output = arguments.options.get("output", "-")
-    if output not in STANDARD_OUTPUT and is_input(output, inputs):
+    if output not in STANDARD_OUTPUT and is_input(arguments.output_path, inputs):
         raise WrongUsage(f"the output {_quote(output)} is one of the files that are compiled")
 
 
