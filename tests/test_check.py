@@ -378,6 +378,36 @@ def test_a_capsule_that_a_part_has_warned_of_is_not_told_again() -> None:
     assert [d.message for d in reporter.diagnostics] == ["told"]
 
 
+def density_told(shape: str, mass: float) -> str:
+    text = (
+        SHORTHANDS["{moving}"] + f'<inertial><mass value="{mass}"/>{SHORTHANDS["{inertia}"]}'
+        f"</inertial><visual><geometry>{shape}</geometry></visual></link>"
+    )
+    message = only(f'<robot name="r" version="1.1">{text}</robot>', advice=True).message
+    return message.split("density ")[1].split(" ")[0]
+
+
+def test_the_density_is_mass_over_the_volume_of_the_shape() -> None:
+    shapes = {
+        '<box size="0.1 0.2 0.3"/>': trimesh.creation.box(extents=(0.1, 0.2, 0.3)),
+        '<sphere radius="0.2"/>': trimesh.primitives.Sphere(radius=0.2),
+        '<cylinder radius="0.1" length="0.5"/>': trimesh.primitives.Cylinder(
+            radius=0.1, height=0.5
+        ),
+        '<capsule radius="0.1" length="0.5"/>': trimesh.primitives.Capsule(radius=0.1, height=0.5),
+    }
+    for shape, solid in shapes.items():
+        assert float(density_told(shape, 1e4)) == pytest.approx(1e4 / solid.volume, rel=0.02)
+
+
+def test_a_link_with_a_mesh_gets_no_advice_on_its_density() -> None:
+    text = SHORTHANDS["{moving}"] + (
+        f'<inertial><mass value="1000"/>{SHORTHANDS["{inertia}"]}</inertial>'
+        '<visual><geometry><mesh filename="a.stl"/></geometry></visual></link>'
+    )
+    assert found(f'<robot name="r">{text}</robot>', advice=True) == []
+
+
 # --- numbers ----------------------------------------------------------------------------------
 
 
