@@ -280,7 +280,9 @@ def _run(arguments: Arguments, streams: Streams) -> int:
     if arguments.has("help"):
         return _deliver(HELP.encode(), arguments, streams)
     if arguments.has("version"):
-        return _deliver(f"yamaro {_version()}\n".encode(), arguments, streams)
+        from . import __version__
+
+        return _deliver(f"yamaro {__version__}\n".encode(), arguments, streams)
     if arguments.command == "completion":
         return _deliver(_completion(arguments.words), arguments, streams)
     return _run_on_file(arguments, streams)
@@ -413,15 +415,6 @@ def _read_pipe(path: str) -> str | None:
             return decode(file.read(), name=path, path=os.path.abspath(path)).text
     except OSError:
         return None
-
-
-def _version() -> str:
-    from importlib.metadata import PackageNotFoundError, version
-
-    try:
-        return version("yamaro")
-    except PackageNotFoundError:
-        return "(not installed)"
 
 
 # --- what is said -----------------------------------------------------------------------------
