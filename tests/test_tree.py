@@ -52,7 +52,7 @@ ARM = (
 def test_an_arm_is_drawn_with_joints_limits_and_masses() -> None:
     assert render_tree(robot(ARM)) == (
         "base            2 kg\n"
-        "├─ upper      1.5 kg  upper_joint   revolute    z        -1.571 … 1.57 rad\n"
+        "├─ upper      1.5 kg  upper_joint   revolute    z        -1.57 … 1.57 rad\n"
         "│  └─ slide  0.25 kg  slide_joint   prismatic   -y       0 … 0.3 m\n"
         "├─ wheel      0.5 kg  wheel_joint   continuous  (0 1 1)\n"
         "└─ camera             camera_joint  fixed\n"
@@ -99,7 +99,7 @@ def test_mimic_joints_move_but_are_not_free() -> None:
 
 @pytest.mark.parametrize(
     ("kind", "freedom"),
-    # pinocchio's nv: JointModelRX and RUBX 1, PX 1, Planar 3, FreeFlyer 6
+    # nv of the model that pinocchio 3 builds from a URDF with one joint of the type
     [("revolute", 1), ("continuous", 1), ("prismatic", 1), ("planar", 3), ("floating", 6)],
 )
 def test_degrees_of_freedom_follow_the_joint_type(kind: str, freedom: int) -> None:

@@ -286,7 +286,7 @@ def _limits(element: Element, *, kind: str, dots: str) -> str:
     if None in numbers or ("lower" not in element.attributes and "upper" not in element.attributes):
         return ""
     unit = {"revolute": " rad", "prismatic": " m"}.get(kind, "")
-    lower, upper = (f"{number:.4g}" for number in numbers)
+    lower, upper = (f"{number:.3g}" for number in numbers)
     return f"{lower} {dots} {upper}{unit}"
 
 
