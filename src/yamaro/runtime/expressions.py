@@ -19,6 +19,9 @@ if TYPE_CHECKING:
     from typing import Any, NoReturn
 
 
+_OWN_FOLDER = __file__[: -len("runtime/expressions.py")]
+
+
 class InputFault(Exception):
     """A fault a helper function finds, such as a package that `find` cannot find."""
 
@@ -87,7 +90,7 @@ class Evaluator:
         except (KeyboardInterrupt, YamaroError):
             raise
         except BaseException as error:
-            raise self._failure(error, span, None) from None
+            raise self._failure(error, span, None, _outside(error.__traceback__)) from None
 
     def explain(self, error: BaseException, python: PythonCode, scope: Scope) -> NoReturn:
         """Raise the YamaroError that tells where in the YAML an exception came from, and why."""
@@ -162,7 +165,7 @@ class Evaluator:
                 )
                 function = code.co_name if is_function else place.function
                 place = _Place(found, span, index, function)
-            elif code.co_filename != __file__:
+            elif not code.co_filename.startswith(_OWN_FOLDER):
                 place.outside = f"{_base_name(code.co_filename)}:{traceback.tb_lineno}"
             traceback = traceback.tb_next
         return place
@@ -199,6 +202,17 @@ def function_names(scope: Scope) -> list[str]:
         if isinstance(value, Namespace):
             found.extend(f"{name}.{inner[:-2]}" for inner in value._names if inner.endswith("()"))
     return found
+
+
+def _outside(traceback: TracebackType | None) -> str | None:
+    """Return the last line of the user's modules that a traceback goes through."""
+    place = None
+    while traceback is not None:
+        filename = traceback.tb_frame.f_code.co_filename
+        if not filename.startswith((_OWN_FOLDER, "<")):
+            place = f"{_base_name(filename)}:{traceback.tb_lineno}"
+        traceback = traceback.tb_next
+    return place
 
 
 def _base_name(path: str) -> str:

@@ -9,7 +9,13 @@ from __future__ import annotations
 from ..diagnostics import Frame, Reporter, YamaroError, failure
 from ..source import Source, Span
 from ..syntax.keys import name_fault
-from ..syntax.names import STATEMENTS, is_function_name, is_identifier
+from ..syntax.names import (
+    STATEMENTS,
+    bad_variable_name,
+    is_function_name,
+    is_identifier,
+    name_hint,
+)
 from ..syntax.nodes import (
     LOCAL,
     Argument,
@@ -36,7 +42,7 @@ from ..syntax.nodes import (
     VariablesNode,
 )
 from ..syntax.python import PythonCode
-from ..syntax.statements import bad_variable_name, late_call, name_hint
+from ..syntax.statements import late_call
 from ..syntax.template import Template
 from ..xmltree import Comment, Element, LiteralList, PartElement, Text, format_value
 from .calls import Block, Function, bind, find_function, match_arguments
@@ -183,6 +189,7 @@ class Interpreter:
             name,
             node.span,
             attributes=attributes,
+            trace=self.frame,
             value_spans=value_spans,
             verbatim=node.verbatim,
             body=body,

@@ -122,7 +122,8 @@ def import_names(node: ImportNode, local: LocalModules) -> dict[str, Any]:
         raise InputFault(
             "unknown-module",
             f"there is no Python module '{error.name}'",
-            "modules are looked for beside this file, and then where Python finds them; "
+            node.hint
+            or "modules are looked for beside this file, and then where Python finds them; "
             "is it installed?",
         ) from None
     if node.names is None:

@@ -43,6 +43,25 @@ def is_keyword(text: str) -> bool:
     return text in _KEYWORDS
 
 
+def bad_variable_name(name: str) -> str:
+    """Return what is wrong with the name of a variable."""
+    if is_keyword(name):
+        return f"'{name}' is a word of Python and cannot name a variable"
+    return f"'{name}' cannot name a variable"
+
+
+def name_hint(name: str) -> str:
+    """Return how to spell a name that is no identifier."""
+    fixed = "".join(char if char.isalnum() or char == "_" else "_" for char in name)
+    if fixed and fixed[0].isdigit():
+        fixed = f"_{fixed}"
+    if is_keyword(fixed):
+        fixed = f"{fixed}_"
+    if is_identifier(fixed) and fixed.strip("_"):
+        return f"write {fixed}: names are letters, digits and _, and do not begin with a digit"
+    return "names are letters, digits and _, and do not begin with a digit"
+
+
 def is_function_name(text: str) -> bool:
     """Tell whether a bare key calls a function: `Name` or `ns.Name`, with a capital N."""
     namespace, _, name = text.rpartition(".")

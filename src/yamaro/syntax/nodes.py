@@ -389,7 +389,7 @@ Statement = (
 class ImportNode:
     """One module to import, or names of one."""
 
-    __slots__ = ("alias", "module", "names", "span")
+    __slots__ = ("alias", "hint", "module", "names", "span")
 
     def __init__(
         self, module: str, alias: str | None, names: list[tuple[str, str]] | None, span: Span
@@ -406,6 +406,7 @@ class ImportNode:
         self.alias = alias
         self.names = names
         self.span = span
+        self.hint: str | None = None  # what was probably meant, if there is no such module
 
 
 class Document:

@@ -5,13 +5,14 @@ from __future__ import annotations
 from ..diagnostics import Reporter, YamaroError, failure, suggest
 from ..source import Source
 from .context import ParseContext
+from .mappings import Pairs, pairs_of
 from .names import SECTIONS, STATEMENTS, is_function_name, is_identifier
 from .nodes import Document, ElementNode, ImportNode, TextContent, VariablesNode
 from .python import PythonCode
-from .statements import Pairs, pairs_of, parse_body, parse_pairs, parse_statement
+from .statements import parse_body, parse_pairs, parse_statement
 from .template import parse_template
 from .values import is_empty
-from .yaml_nodes import ScalarNode, SequenceNode
+from .yaml_nodes import MappingNode, ScalarNode, SequenceNode
 from .yaml_reader import read
 
 TYPE_CHECKING = False
@@ -64,6 +65,8 @@ def _parse_root(root: YamlNode, document: Document, context: ParseContext) -> No
             context.attempt(_parse_imports, node, document, context)
         elif word == "model":
             context.attempt(_parse_model, key, node, document, context)
+        elif is_function_name(word) and word.lower() in SECTIONS:
+            context.attempt(_refuse_misspelt, key, word.lower())
         elif word in STATEMENTS or is_function_name(word):
             statements.append((key, node))
         else:
@@ -86,7 +89,7 @@ def _parse_robot_name(
             notes=[f"first given at {document.robot_name.span.place()}"],
         )
     if document.root is not None:
-        _refuse_two_roots(key, document)
+        _refuse_two_roots(key, document, context)
     if not is_empty(node):
         document.robot_name = TextContent(parse_template(node, context=context), node.span())
 
@@ -95,7 +98,7 @@ def _parse_model(
     key: ScalarNode, node: YamlNode, document: Document, context: ParseContext
 ) -> None:
     if document.root is not None:
-        _refuse_two_roots(key, document)
+        _refuse_two_roots(key, document, context)
     document.has_model = True
     context.at_root = False
     body = context.attempt(parse_body, node, "`model`", context)
@@ -111,11 +114,21 @@ def _parse_root_element(
     bare = word.partition("/")[0]
     near = suggest(bare, SECTIONS) if not bare.startswith("<") and bare not in SECTIONS else None
     if near is not None and "/" not in word:
+        _refuse_misspelt(key, near)
+    if bare.startswith("xacro:"):
         raise failure(
             "unknown-section",
-            f"'{word}' is no section of a file",
+            f"'{bare}' belongs to xacro and is no section of a file",
             key.span(),
-            hint=f"did you mean `{near}`? An output root of that name is written <{word}>:",
+            hint="properties go under `variables:`, macros under `functions:`, includes and calls "
+            "under `model:`; see docs/coming-from-xacro.md",
+        )
+    if word == "robot" and isinstance(node, SequenceNode) and not _has_entries(node):
+        raise failure(
+            "not-a-text",
+            "`robot` takes a name or a body, and this is a list of values",
+            node.span(),
+            hint="write robot: NAME",
         )
     context.at_root = False
     try:
@@ -130,11 +143,27 @@ def _parse_root_element(
             hint="the root element has a fixed name, such as `sdf/version='1.11':`",
         )
     if document.root is not None or document.has_model or document.robot_name is not None:
-        _refuse_two_roots(key, document)
+        _refuse_two_roots(key, document, context)
     document.root = element
 
 
-def _refuse_two_roots(key: ScalarNode, document: Document) -> None:
+def _has_entries(node: SequenceNode) -> bool:
+    return not node.items or any(isinstance(item, MappingNode) for item in node.items)
+
+
+def _refuse_misspelt(key: ScalarNode, near: str) -> None:
+    raise failure(
+        "unknown-section",
+        f"'{key.text}' is no section of a file",
+        key.span(),
+        hint=f"did you mean `{near}`? An output root of that name is written <{key.text}>:",
+    )
+
+
+def _refuse_two_roots(key: ScalarNode, document: Document, context: ParseContext) -> None:
+    """Raise YamaroError for a second root element; once a file, since many may follow."""
+    if any(error.code == "two-roots" for error in context.errors):
+        return
     if document.root is not None:
         raise failure(
             "two-roots",
@@ -142,6 +171,14 @@ def _refuse_two_roots(key: ScalarNode, document: Document) -> None:
             key.span(),
             hint="put it inside the root element; elements of a robot go under `model:`",
             notes=[f"the root element is at {document.root.span.place()}"],
+        )
+    if document.robot_name is not None and key.text.partition("/")[0] == "robot":
+        raise failure(
+            "two-roots",
+            f"'{key.text}' makes a root element, and `robot:` has named one before",
+            key.span(),
+            hint="write robot/name=NAME: above the body, or `model:` instead of this `robot:`",
+            notes=[f"the robot is named at {document.robot_name.span.place()}"],
         )
     other = "model" if document.has_model else "robot"
     raise failure(
@@ -169,6 +206,21 @@ def _parse_imports(node: YamlNode, document: Document, context: ParseContext) ->
             )
         if not is_empty(scalar):
             context.attempt(_parse_import, scalar, document, context)
+    if isinstance(node, SequenceNode) and node.is_flow:
+        _note_split_names([s for s in node.items if isinstance(s, ScalarNode)], document)
+
+
+def _note_split_names(items: list[ScalarNode], document: Document) -> None:
+    """Give `sin` in `[from math import pi, sin]` a hint, should there be no such module."""
+    start: int | None = None
+    for index, item in enumerate(items):
+        if item.text.startswith("from "):
+            start = index
+        elif start is not None:
+            whole = ", ".join(each.text for each in items[start : index + 1])
+            for entry in document.imports:
+                if entry.span.start == item.start:
+                    entry.hint = f"the commas of [ ] split a list of names: write '{whole}'"
 
 
 def _parse_import(node: ScalarNode, document: Document, context: ParseContext) -> None:

@@ -5,10 +5,12 @@ from __future__ import annotations
 from ..diagnostics import YamaroError, did_you_mean, failure, suggest
 from ..source import Span
 from .context import ParseContext
+from .includes import parse_include
+from .iterations import parse_in, parse_iterator, parse_range
 from .keys import find_outside, parse_attributes, parse_name
-from .names import ROOT_STATEMENTS, STATEMENTS, is_function_name, is_identifier, is_keyword
+from .mappings import Fields, Pairs, item_hint, pairs_of
+from .names import ROOT_STATEMENTS, STATEMENTS, is_function_name, is_identifier
 from .nodes import (
-    SCOPES,
     Argument,
     Body,
     CallNode,
@@ -21,7 +23,6 @@ from .nodes import (
     FunctionNode,
     FunctionsNode,
     IfNode,
-    IncludeNode,
     InsertNode,
     ListContent,
     ListValue,
@@ -32,147 +33,19 @@ from .nodes import (
     TextContent,
     TextNode,
     Value,
-    VariableEntry,
-    VariablesNode,
 )
 from .python import PythonCode, compile_statements
 from .signatures import parse_argument_name, parse_input, parse_short_arguments
 from .template import Template, parse_template
-from .values import (
-    is_empty,
-    parse_bare_expression,
-    parse_condition,
-    parse_value,
-    warn_of_hidden_value,
-)
+from .values import is_empty, parse_condition, parse_value, warn_of_hidden_value
+from .variables import parse_variables, split_scope
 from .yaml_nodes import MappingNode, ScalarNode, SequenceNode
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
+    from collections.abc import Callable
 
     from .yaml_nodes import YamlNode
-
-Pairs = list[tuple[ScalarNode, "YamlNode"]]
-
-
-# --- mappings and their list form -------------------------------------------------------------
-
-
-def pairs_of(node: YamlNode, what: str, context: ParseContext) -> Pairs:
-    """Return the pairs of a mapping, a list of mappings, or nothing at all.
-
-    Raises:
-        YamaroError: it is something else.
-    """
-    if isinstance(node, MappingNode):
-        return node.pairs
-    if isinstance(node, ScalarNode):
-        if is_empty(node):
-            warn_of_hidden_value(node, context)
-            return []
-        raise failure(
-            "not-a-body",
-            f"{what} holds entries such as `name: value`; this is a text",
-            node.span(),
-            hint=_body_hint(node.text),
-        )
-    pairs: Pairs = []
-    for item in node.items:
-        if isinstance(item, MappingNode):
-            pairs.extend(item.pairs)
-        else:
-            raise failure(
-                "not-a-body",
-                f"in {what}, each item of the list must be an entry such as `name: value`",
-                item.span(),
-                hint=_item_hint(item),
-            )
-    return pairs
-
-
-def _item_hint(item: YamlNode) -> str:
-    if not isinstance(item, ScalarNode):
-        return "write the entries of an inner list as items of this one: - name: value"
-    if is_empty(item):
-        return "delete this dash, or write an entry behind it: - name: value"
-    return _body_hint(item.text)
-
-
-def _body_hint(text: str) -> str:
-    """Return how to write the entry that a text stands for."""
-    name, colon, value = text.partition(":")
-    if is_function_name(text):
-        return f"write `{text}:` with a colon to call a function"
-    if text.startswith("<"):
-        return 'this looks like XML; in YAML <link name="base"/> is written link/name=base:'
-    if colon and is_identifier(name) and value:
-        return f"put a space behind the colon: {name}: {value}"
-    if find_outside(text, " ", 0, len(text)) < 0 or "/" in text:
-        return f"write `{text}:` with a colon for an entry without a value"
-    return "write each entry as `name: value`, on a line of its own"
-
-
-class Fields:
-    """The entries of a statement, each meant once, taken out one by one."""
-
-    __slots__ = ("_known", "_pairs", "span", "what")
-
-    def __init__(self, what: str, pairs: Pairs, known: Sequence[str], span: Span) -> None:
-        """Check the entries of the statement `what`, written at `span`.
-
-        Raises:
-            YamaroError: a key is unknown, or given twice.
-        """
-        self.what = what
-        self.span = span
-        self._known = known
-        self._pairs: dict[str, tuple[ScalarNode, YamlNode]] = {}
-        for key, node in pairs:
-            if key.text not in known:
-                raise failure(
-                    "unknown-key",
-                    f"`{what}` has no entry '{key.text}'",
-                    key.span(),
-                    hint=did_you_mean(key.text, known)
-                    or f"it takes {', '.join(f'`{name}`' for name in known)}",
-                )
-            refuse_twice(self._pairs.get(key.text), key, what)
-            self._pairs[key.text] = (key, node)
-
-    def get(self, name: str) -> YamlNode | None:
-        """Return the value of an entry, or None if it is not there."""
-        pair = self._pairs.get(name)
-        return pair[1] if pair else None
-
-    def key(self, name: str) -> ScalarNode:
-        """Return the key of an entry that is there."""
-        return self._pairs[name][0]
-
-    def need(self, name: str, example: str) -> YamlNode:
-        """Return the value of an entry, or raise YamaroError if it is not there."""
-        node = self.get(name)
-        if node is None:
-            raise failure(
-                "missing-key",
-                f"`{self.what}` needs an entry `{name}`",
-                self.span,
-                hint=f"write {name}: {example}",
-            )
-        return node
-
-
-def refuse_twice(first: tuple[ScalarNode, YamlNode] | None, key: ScalarNode, what: str) -> None:
-    """Raise YamaroError if an entry that is meant once was there before."""
-    if first is not None:
-        raise failure(
-            "given-twice",
-            f"'{key.text}' is given twice in this `{what}`",
-            key.span(),
-            hint="keep one of the two",
-            notes=[f"first given at {first[0].span().place()}"],
-        )
-
 
 # --- bodies -----------------------------------------------------------------------------------
 
@@ -375,7 +248,7 @@ def parse_content(node: YamlNode, context: ParseContext) -> Content:
                 "mixed-list",
                 "this list mixes entries such as `name: value` with plain values",
                 plain.span(),
-                hint=_item_hint(plain),
+                hint=item_hint(plain),
             )
     return parse_body(node, "an element", context)
 
@@ -429,75 +302,6 @@ def _is_body(node: YamlNode) -> bool:
     if isinstance(node, SequenceNode):
         return all(isinstance(item, MappingNode) for item in node.items)
     return isinstance(node, MappingNode)
-
-
-def _parse_include(key: ScalarNode, node: YamlNode, context: ParseContext) -> IncludeNode:
-    if isinstance(node, ScalarNode):
-        path = _parse_path(node, key, context)
-        return IncludeNode(path, None, [], path_span=node.span(), span=key.span())
-    path_pair: tuple[ScalarNode, YamlNode] | None = None
-    namespace_pair: tuple[ScalarNode, YamlNode] | None = None
-    rest: Pairs = []
-    for own, value in pairs_of(node, "an include", context):
-        if own.text == "path":
-            refuse_twice(path_pair, own, "include")
-            path_pair = (own, value)
-        elif own.text == "namespace":
-            refuse_twice(namespace_pair, own, "include")
-            namespace_pair = (own, value)
-        else:
-            rest.append((own, value))
-    if path_pair is None:
-        near = suggest("path", [own.text for own, _ in rest])
-        raise failure(
-            "missing-key",
-            "`include` needs an entry `path`",
-            key.span(),
-            hint=f"did you mean `path` by '{near}'?" if near else "write path: other.yaml",
-        )
-    path = _parse_path(path_pair[1], path_pair[0], context)
-    namespace = _parse_namespace(namespace_pair[1], context) if namespace_pair else None
-    arguments = _include_arguments(rest, context)
-    path_span = path_pair[1].span()
-    return IncludeNode(path, namespace, arguments, path_span=path_span, span=key.span())
-
-
-def _include_arguments(pairs: Pairs, context: ParseContext) -> list[Argument]:
-    arguments: list[Argument] = []
-    seen: dict[str, tuple[ScalarNode, YamlNode]] = {}
-    for own, value in pairs:
-        refuse_twice(seen.get(own.text), own, "include")
-        seen[own.text] = (own, value)
-        argument = Argument(parse_argument_name(own, context), value, own.span())
-        argument.value = parse_value(value, context)
-        arguments.append(argument)
-        assert argument.name is not None
-        context.declarations.append((argument.name, "local", argument.span))
-    return arguments
-
-
-def _parse_path(node: YamlNode, key: ScalarNode, context: ParseContext) -> str | Template:
-    if not isinstance(node, ScalarNode) or is_empty(node):
-        raise failure(
-            "missing-key",
-            "`include` needs the path of a file",
-            key.span(),
-            hint="write include: other.yaml, or include: {path: other.yaml, length: 2}",
-        )
-    return parse_template(node, context=context)
-
-
-def _parse_namespace(node: YamlNode, context: ParseContext) -> str | Template:
-    if isinstance(node, ScalarNode) and not is_empty(node):
-        name = parse_template(node, context=context)
-        if not isinstance(name, str) or is_identifier(name):
-            return name
-    raise failure(
-        "bad-namespace",
-        "a namespace is a single name",
-        node.span(),
-        hint="write namespace: Legs, and then Legs.BuildLeg: and $(Legs.index)",
-    )
 
 
 # --- control flow -----------------------------------------------------------------------------
@@ -568,7 +372,7 @@ def _parse_for(key: ScalarNode, node: YamlNode, context: ParseContext) -> ForNod
     body = Body([], key.span())
     if body_node is not None:
         body = context.attempt(parse_body, body_node, "`for`", context) or body
-    names = _parse_iterator(fields.need("iterator", "i"), context)
+    names = parse_iterator(fields.need("iterator", "i"), context)
     range_node, in_node = fields.get("range"), fields.get("in")
     if range_node is not None and in_node is not None:
         raise failure(
@@ -585,155 +389,15 @@ def _parse_for(key: ScalarNode, node: YamlNode, context: ParseContext) -> ForNod
                 fields.key("iterator").span(),
                 hint="use `in` for pairs, as in `in: [[a, 1], [b, 2]]`",
             )
-        ranges = _parse_range(range_node, context)
+        ranges = parse_range(range_node, context)
         return ForNode(names, ranges, body, is_range=True, span=key.span())
     if in_node is None:
         fields.need("range", "0, 6  (or: in: [left, right])")
         raise AssertionError("need raises")
-    return ForNode(names, _parse_in(in_node, context), body, is_range=False, span=key.span())
-
-
-def _parse_iterator(node: YamlNode, context: ParseContext) -> list[str]:
-    scalars = node.items if isinstance(node, SequenceNode) else [node]
-    names: list[str] = []
-    for scalar in scalars:
-        if not isinstance(scalar, ScalarNode):
-            raise failure(
-                "bad-iterator", "an iterator is a name", scalar.span(), hint="iterator: i"
-            )
-        for piece in scalar.text.split(","):
-            name = piece.strip()
-            if not is_identifier(name) or name in names:
-                raise failure(
-                    "bad-iterator",
-                    f"'{name}' is named twice" if name in names else bad_variable_name(name),
-                    scalar.span(),
-                    hint="write iterator: i, or iterator: name, length",
-                )
-            names.append(name)
-            context.declarations.append((name, "local", scalar.span()))
-    if not names:
-        raise failure("bad-iterator", "the iterator has no name", node.span(), hint="iterator: i")
-    return names
-
-
-def _parse_range(node: YamlNode, context: ParseContext) -> list[PythonCode | Constant] | PythonCode:
-    if isinstance(node, SequenceNode):
-        if not 1 <= len(node.items) <= 3:
-            raise failure(
-                "bad-range",
-                f"`range` takes one to three numbers, and these are {len(node.items)}",
-                node.span(),
-                hint="write range: 6, or range: 0, 6, or range: 0, 6, 2",
-            )
-        return [parse_condition(item, context) for item in node.items]
-    if not isinstance(node, ScalarNode) or is_empty(node):
-        raise failure(
-            "bad-range",
-            "`range` takes one to three numbers",
-            node.span(),
-            hint="write range: 6, or range: 0, 6, or range: 0, 6, 2",
-        )
-    return parse_bare_expression(node, context)
-
-
-def _parse_in(node: YamlNode, context: ParseContext) -> Value | PythonCode:
-    if isinstance(node, ScalarNode):
-        if is_empty(node):
-            raise failure(
-                "missing-key",
-                "`in` is empty",
-                node.span(),
-                hint="write in: [left, right], or the name of a list",
-            )
-        return parse_bare_expression(node, context)
-    return parse_value(node, context)
+    return ForNode(names, parse_in(in_node, context), body, is_range=False, span=key.span())
 
 
 # --- declarations -----------------------------------------------------------------------------
-
-
-def split_scope(key: ScalarNode, what: str) -> tuple[int, str]:
-    """Return where the name in `name/scope` ends, and the scope.
-
-    Raises:
-        YamaroError: the scope is none.
-    """
-    text = key.text
-    slash = find_outside(text, "/", 0, len(text))
-    if slash < 0:
-        return len(text), "local"
-    scope = text[slash + 1 :].strip()
-    if scope not in SCOPES:
-        raise failure(
-            "unknown-scope",
-            f"'{scope}' is no scope of a {what}",
-            key.span(slash + 1, max(len(text), slash + 2)) if scope else key.span(),
-            hint=did_you_mean(scope, SCOPES) or f"the scopes are {', '.join(SCOPES)}",
-        )
-    return slash, scope
-
-
-def bad_variable_name(name: str) -> str:
-    """Return what is wrong with the name of a variable."""
-    if is_keyword(name):
-        return f"'{name}' is a word of Python and cannot name a variable"
-    return f"'{name}' cannot name a variable"
-
-
-def _parse_variables(
-    key: ScalarNode, node: YamlNode, context: ParseContext, *, is_root: bool = False
-) -> VariablesNode:
-    entries: dict[str, VariableEntry] = {}
-    every: list[VariableEntry] = []
-    for own, value in pairs_of(node, "`variables`", context):
-        entry = context.attempt(_parse_variable, own, value, context)
-        if entry is None:
-            continue
-        if isinstance(entry.name, str):
-            earlier = entries.get(entry.name)
-            if earlier is not None:
-                context.attempt(_join_entries, earlier, entry)
-                continue
-            entries[entry.name] = entry
-            context.declarations.append((entry.name, entry.scope, entry.span))
-        every.append(entry)
-    return VariablesNode(every, is_root=is_root, span=key.span())
-
-
-def _parse_variable(key: ScalarNode, node: YamlNode, context: ParseContext) -> VariableEntry:
-    value = parse_value(node, context)
-    end, scope = split_scope(key, "variable")
-    while end > 0 and key.text[end - 1].isspace():
-        end -= 1
-    name = parse_template(key, 0, end, context=context)
-    span = key.span(0, end) if end else key.span()
-    if isinstance(name, str) and not is_identifier(name):
-        raise failure("bad-variable-name", bad_variable_name(name), span, hint=name_hint(name))
-    return VariableEntry(name, scope, [value], span)
-
-
-def name_hint(name: str) -> str:
-    """Return how to spell a name that is no identifier."""
-    fixed = "".join(char if char.isalnum() or char == "_" else "_" for char in name)
-    if fixed and fixed[0].isdigit():
-        fixed = f"_{fixed}"
-    if is_keyword(fixed):
-        fixed = f"{fixed}_"
-    if is_identifier(fixed) and fixed.strip("_"):
-        return f"write {fixed}: names are letters, digits and _, and do not begin with a digit"
-    return "names are letters, digits and _, and do not begin with a digit"
-
-
-def _join_entries(earlier: VariableEntry, entry: VariableEntry) -> None:
-    if earlier.scope != entry.scope:
-        raise failure(
-            "given-twice",
-            f"'{entry.name}' is declared here with two scopes, {earlier.scope} and {entry.scope}",
-            entry.span,
-            notes=[f"first declared at {earlier.span.place()}"],
-        )
-    earlier.values.extend(entry.values)
 
 
 def _parse_functions(key: ScalarNode, node: YamlNode, context: ParseContext) -> FunctionsNode:
@@ -833,8 +497,8 @@ _PARSERS: dict[str, Callable[[ScalarNode, YamlNode, ParseContext], Statement]] =
     "part": _parse_part,
     "if": _parse_if,
     "for": _parse_for,
-    "include": _parse_include,
-    "variables": _parse_variables,
+    "include": parse_include,
+    "variables": parse_variables,
     "functions": _parse_functions,
     "print": _parse_print,
     "process": _parse_process,

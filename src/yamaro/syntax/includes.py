@@ -1,0 +1,91 @@
+"""Parses `include`: a path, a namespace, and what is passed to the file."""
+
+from __future__ import annotations
+
+from ..diagnostics import failure, suggest
+from .context import ParseContext
+from .mappings import Pairs, pairs_of, refuse_twice
+from .names import is_identifier
+from .nodes import Argument, IncludeNode
+from .signatures import parse_argument_name
+from .template import Template, parse_template
+from .values import is_empty, parse_value
+from .yaml_nodes import ScalarNode
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from .yaml_nodes import YamlNode
+
+
+def parse_include(key: ScalarNode, node: YamlNode, context: ParseContext) -> IncludeNode:
+    """Return an `include`, short or with arguments.
+
+    Raises:
+        YamaroError: it has no path, or an argument has no proper name.
+    """
+    if isinstance(node, ScalarNode):
+        path = _parse_path(node, key, context)
+        return IncludeNode(path, None, [], path_span=node.span(), span=key.span())
+    path_pair: tuple[ScalarNode, YamlNode] | None = None
+    namespace_pair: tuple[ScalarNode, YamlNode] | None = None
+    rest: Pairs = []
+    for own, value in pairs_of(node, "an include", context):
+        if own.text == "path":
+            refuse_twice(path_pair, own, "include")
+            path_pair = (own, value)
+        elif own.text == "namespace":
+            refuse_twice(namespace_pair, own, "include")
+            namespace_pair = (own, value)
+        else:
+            rest.append((own, value))
+    if path_pair is None:
+        near = suggest("path", [own.text for own, _ in rest])
+        raise failure(
+            "missing-key",
+            "`include` needs an entry `path`",
+            key.span(),
+            hint=f"did you mean `path` by '{near}'?" if near else "write path: other.yaml",
+        )
+    path = _parse_path(path_pair[1], path_pair[0], context)
+    namespace = _parse_namespace(namespace_pair[1], context) if namespace_pair else None
+    arguments = _include_arguments(rest, context)
+    path_span = path_pair[1].span()
+    return IncludeNode(path, namespace, arguments, path_span=path_span, span=key.span())
+
+
+def _include_arguments(pairs: Pairs, context: ParseContext) -> list[Argument]:
+    arguments: list[Argument] = []
+    seen: dict[str, tuple[ScalarNode, YamlNode]] = {}
+    for own, value in pairs:
+        refuse_twice(seen.get(own.text), own, "include")
+        seen[own.text] = (own, value)
+        argument = Argument(parse_argument_name(own, context), value, own.span())
+        argument.value = parse_value(value, context)
+        arguments.append(argument)
+        assert argument.name is not None
+        context.declarations.append((argument.name, "local", argument.span))
+    return arguments
+
+
+def _parse_path(node: YamlNode, key: ScalarNode, context: ParseContext) -> str | Template:
+    if not isinstance(node, ScalarNode) or is_empty(node):
+        raise failure(
+            "missing-key",
+            "`include` needs the path of a file",
+            key.span(),
+            hint="write include: other.yaml, or include: {path: other.yaml, length: 2}",
+        )
+    return parse_template(node, context=context)
+
+
+def _parse_namespace(node: YamlNode, context: ParseContext) -> str | Template:
+    if isinstance(node, ScalarNode) and not is_empty(node):
+        name = parse_template(node, context=context)
+        if not isinstance(name, str) or is_identifier(name):
+            return name
+    raise failure(
+        "bad-namespace",
+        "a namespace is a single name",
+        node.span(),
+        hint="write namespace: Legs, and then Legs.BuildLeg: and $(Legs.index)",
+    )

@@ -1,0 +1,83 @@
+"""Parses what a `for` runs over, and the names it gives to it."""
+
+from __future__ import annotations
+
+from ..diagnostics import failure
+from .context import ParseContext
+from .names import bad_variable_name, is_identifier
+from .nodes import Constant, Value
+from .python import PythonCode
+from .values import is_empty, parse_bare_expression, parse_condition, parse_value
+from .yaml_nodes import ScalarNode, SequenceNode
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from .yaml_nodes import YamlNode
+
+
+def parse_iterator(node: YamlNode, context: ParseContext) -> list[str]:
+    """Return the names in `iterator`; raise YamaroError if one cannot name a variable."""
+    scalars = node.items if isinstance(node, SequenceNode) else [node]
+    names: list[str] = []
+    for scalar in scalars:
+        if not isinstance(scalar, ScalarNode):
+            raise failure(
+                "bad-iterator", "an iterator is a name", scalar.span(), hint="iterator: i"
+            )
+        for piece in scalar.text.split(","):
+            name = piece.strip()
+            if not is_identifier(name) or name in names:
+                raise failure(
+                    "bad-iterator",
+                    f"'{name}' is named twice" if name in names else bad_variable_name(name),
+                    scalar.span(),
+                    hint="write iterator: i, or iterator: name, length",
+                )
+            names.append(name)
+            context.declarations.append((name, "local", scalar.span()))
+    if not names:
+        raise failure("bad-iterator", "the iterator has no name", node.span(), hint="iterator: i")
+    return names
+
+
+def parse_range(node: YamlNode, context: ParseContext) -> list[PythonCode | Constant] | PythonCode:
+    """Return the numbers of a `range`, as one expression or a list of them.
+
+    Raises:
+        YamaroError: they are no expressions, or none, or more than three.
+    """
+    if isinstance(node, SequenceNode):
+        if not 1 <= len(node.items) <= 3:
+            raise failure(
+                "bad-range",
+                f"`range` takes one to three numbers, and these are {len(node.items)}",
+                node.span(),
+                hint="write range: 6, or range: 0, 6, or range: 0, 6, 2",
+            )
+        return [parse_condition(item, context) for item in node.items]
+    if not isinstance(node, ScalarNode) or is_empty(node):
+        raise failure(
+            "bad-range",
+            "`range` takes one to three numbers",
+            node.span(),
+            hint="write range: 6, or range: 0, 6, or range: 0, 6, 2",
+        )
+    return parse_bare_expression(node, context)
+
+
+def parse_in(node: YamlNode, context: ParseContext) -> Value | PythonCode:
+    """Return what stands behind `in`: a YAML list or mapping, or an expression.
+
+    Raises:
+        YamaroError: it is empty or no expression.
+    """
+    if isinstance(node, ScalarNode):
+        if is_empty(node):
+            raise failure(
+                "missing-key",
+                "`in` is empty",
+                node.span(),
+                hint="write in: [left, right], or the name of a list",
+            )
+        return parse_bare_expression(node, context)
+    return parse_value(node, context)

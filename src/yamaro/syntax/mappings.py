@@ -1,0 +1,135 @@
+"""Mappings of the language: as repeated keys or as a list, and statements' own entries."""
+
+from __future__ import annotations
+
+from ..diagnostics import did_you_mean, failure
+from ..source import Span
+from .context import ParseContext
+from .keys import find_outside
+from .names import is_function_name, is_identifier
+from .values import is_empty, warn_of_hidden_value
+from .yaml_nodes import MappingNode, ScalarNode
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from .yaml_nodes import YamlNode
+
+Pairs = list[tuple[ScalarNode, "YamlNode"]]
+
+
+def pairs_of(node: YamlNode, what: str, context: ParseContext) -> Pairs:
+    """Return the pairs of a mapping, a list of mappings, or nothing at all.
+
+    Raises:
+        YamaroError: it is something else.
+    """
+    if isinstance(node, MappingNode):
+        return node.pairs
+    if isinstance(node, ScalarNode):
+        if is_empty(node):
+            warn_of_hidden_value(node, context)
+            return []
+        raise failure(
+            "not-a-body",
+            f"{what} holds entries such as `name: value`; this is a text",
+            node.span(),
+            hint=body_hint(node.text),
+        )
+    pairs: Pairs = []
+    for item in node.items:
+        if isinstance(item, MappingNode):
+            pairs.extend(item.pairs)
+        else:
+            raise failure(
+                "not-a-body",
+                f"in {what}, each item of the list must be an entry such as `name: value`",
+                item.span(),
+                hint=item_hint(item),
+            )
+    return pairs
+
+
+def item_hint(item: YamlNode) -> str:
+    """Return what a list item in place of an entry was probably meant to be."""
+    if not isinstance(item, ScalarNode):
+        return "write the entries of an inner list as items of this one: - name: value"
+    if is_empty(item):
+        return "delete this dash, or write an entry behind it: - name: value"
+    return body_hint(item.text)
+
+
+def body_hint(text: str) -> str:
+    """Return how to write the entry that a text stands for."""
+    name, colon, value = text.partition(":")
+    if is_function_name(text):
+        return f"write `{text}:` with a colon to call a function"
+    if text.startswith("<"):
+        return 'this looks like XML; in YAML <link name="base"/> is written link/name=base:'
+    if colon and is_identifier(name) and value:
+        return f"put a space behind the colon: {name}: {value}"
+    if find_outside(text, " ", 0, len(text)) < 0 or "/" in text:
+        return f"write `{text}:` with a colon for an entry without a value"
+    return "write each entry as `name: value`, on a line of its own"
+
+
+class Fields:
+    """The entries of a statement, each meant once, taken out one by one."""
+
+    __slots__ = ("_known", "_pairs", "span", "what")
+
+    def __init__(self, what: str, pairs: Pairs, known: Sequence[str], span: Span) -> None:
+        """Check the entries of the statement `what`, written at `span`.
+
+        Raises:
+            YamaroError: a key is unknown, or given twice.
+        """
+        self.what = what
+        self.span = span
+        self._known = known
+        self._pairs: dict[str, tuple[ScalarNode, YamlNode]] = {}
+        for key, node in pairs:
+            if key.text not in known:
+                raise failure(
+                    "unknown-key",
+                    f"`{what}` has no entry '{key.text}'",
+                    key.span(),
+                    hint=did_you_mean(key.text, known)
+                    or f"it takes {', '.join(f'`{name}`' for name in known)}",
+                )
+            refuse_twice(self._pairs.get(key.text), key, what)
+            self._pairs[key.text] = (key, node)
+
+    def get(self, name: str) -> YamlNode | None:
+        """Return the value of an entry, or None if it is not there."""
+        pair = self._pairs.get(name)
+        return pair[1] if pair else None
+
+    def key(self, name: str) -> ScalarNode:
+        """Return the key of an entry that is there."""
+        return self._pairs[name][0]
+
+    def need(self, name: str, example: str) -> YamlNode:
+        """Return the value of an entry, or raise YamaroError if it is not there."""
+        node = self.get(name)
+        if node is None:
+            raise failure(
+                "missing-key",
+                f"`{self.what}` needs an entry `{name}`",
+                self.span,
+                hint=f"write {name}: {example}",
+            )
+        return node
+
+
+def refuse_twice(first: tuple[ScalarNode, YamlNode] | None, key: ScalarNode, what: str) -> None:
+    """Raise YamaroError if an entry that is meant once was there before."""
+    if first is not None:
+        raise failure(
+            "given-twice",
+            f"'{key.text}' is given twice in this `{what}`",
+            key.span(),
+            hint="keep one of the two",
+            notes=[f"first given at {first[0].span().place()}"],
+        )
