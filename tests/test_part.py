@@ -639,7 +639,7 @@ def test_faulty_numbers_are_underlined(value, code, underlined):
     ("value", "hint"),
     [
         ("length 0 0", "to use a variable or an expression, write $(length)"),
-        ("10mm 0 0", "numbers are in SI units and radians, written without the unit: 10"),
+        ("10mm 0 0", "numbers are in SI units and radians, written without the unit: 0.01"),
         ("pi/2 0 0", "an expression stands in $(…): $(pi/2)"),
         ("1,,x 0", "to use a variable or an expression, write $(x)"),
         ("nan 0 0", "URDF readers refuse NaN and infinities; write a number"),

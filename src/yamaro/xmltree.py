@@ -221,7 +221,7 @@ def _write_element(element: Element, indent: str, out: list[str], prefixes: froz
         if isinstance(child, Element):
             _write_element(child, deeper, out, prefixes)
         elif isinstance(child, Comment):
-            out.append(f"{deeper}<!--{_comment_text(child)}-->\n")
+            out.append(f"{deeper}<!--{_comment_text(child, element)}-->\n")
     out.append(f"{indent}</{name}>\n")
 
 
@@ -232,7 +232,7 @@ def _write_mixed(element: Element, head: str, out: list[str], prefixes: frozense
         if isinstance(child, Text):
             inner.append(_element_text(format_value(child.value), child.span, element))
         elif isinstance(child, Comment):
-            inner.append(f"<!--{_comment_text(child)}-->")
+            inner.append(f"<!--{_comment_text(child, element)}-->")
         else:
             _write_element(child, "", inner, prefixes)
             inner[-1] = inner[-1].rstrip("\n")
@@ -255,8 +255,8 @@ def _attribute_text(text: str, element: Element, key: str) -> str:
     return text.translate(_ATTRIBUTE_TABLE)
 
 
-def _comment_text(comment: Comment) -> str:
-    check_characters(comment.text, comment.span)
+def _comment_text(comment: Comment, element: Element) -> str:
+    check_characters(comment.text, comment.span, trace=element.trace)
     return comment.text
 
 
@@ -272,7 +272,9 @@ def _check_prefix(name: str, element: Element, prefixes: frozenset[str]) -> None
             "undeclared-prefix",
             f"the XML prefix '{prefix}' of '{name}' is not declared",
             element.span,
-            hint=f"declare it on this or an outer element: xmlns:{prefix}=https://…",
+            hint="xacro's tags do not exist here; see docs/coming-from-xacro.md"
+            if prefix == "xacro"
+            else f"declare it on this or an outer element: xmlns:{prefix}=https://…",
             trace=element.trace,
         )
 

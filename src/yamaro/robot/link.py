@@ -39,6 +39,7 @@ def lower_link(lowering: Lowering, key: Element, name: str) -> Element:
         pose = NO_POSE
     frame = LinkFrame(fields, pose)
     children: list[Node] = []
+    is_faulty = False
     for child in fields.rest:
         if type(child) is not Element or child.verbatim:
             children.append(child)
@@ -47,10 +48,13 @@ def lower_link(lowering: Lowering, key: Element, name: str) -> Element:
             section = _lower_child(lowering, child, fields, frame)
         except YamaroError as error:
             lowering.absorb(error)
+            is_faulty = True
             continue
         if section is not None:
             children.append(section)
-    _warn_of_unused(lowering, frame.geometry)
+    # A faulty section may be the one that was to use the geometry.
+    if not is_faulty:
+        _warn_of_unused(lowering, frame.geometry)
     attributes = {"name": name, **{k: v for k, v in key.attributes.items() if k != "name"}}
     return Element(
         "link",

@@ -14,6 +14,9 @@ if TYPE_CHECKING:
 NEGLIGIBLE = 1e-12
 """Components of a pose below this, in metres or radians, come out as 0."""
 
+DECIMALS = 13
+"""Decimals of a computed component of a pose: with π/2 cut to 15 digits, 0.75 stays 0.75."""
+
 MAX_SHOWN = 40
 """Characters of a value shown in a message."""
 
@@ -31,6 +34,10 @@ LAYOUTS = {
     "scale of a mesh": "a factor for x, y and z",
 }
 """What the numbers of a key are, for hints."""
+
+
+UNITS = {"mm": 1e-3, "cm": 1e-2, "dm": 0.1, "km": 1e3, "g": 1e-3, "t": 1e3}
+"""What the units that people write are in SI units."""
 
 
 class Numbers:
@@ -54,8 +61,8 @@ class Numbers:
 
 
 def format_component(value: float) -> str:
-    """Return a computed component of a pose as text; what is only rounding comes out as 0."""
-    return "0" if abs(value) < NEGLIGIBLE else format_number(value)
+    """Return a computed component of a pose as text, without the digits that are only rounding."""
+    return "0" if abs(value) < NEGLIGIBLE else format_number(round(value, DECIMALS))
 
 
 def read_numbers(
@@ -102,7 +109,7 @@ def _read_text(
     for index, word in enumerate(words):
         value = _parse(word)
         if value is None or value - value != 0:
-            raise _bad_word(word, _place(text, span, words, index), name, trace)
+            raise _bad_word(word, _place(span, words, index), name, trace)
         values.append(value)
         spelled.append(str(int(word, 0)) if word[1:2] in ("x", "o") else word)
     return tuple(spelled), tuple(values)
@@ -201,10 +208,20 @@ def _word_hint(word: str, name: str) -> str:
         return f"to use a variable or an expression, write $({word})"
     number = word.rstrip("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ°%")
     if number and number != word and _parse(number) is not None:
-        return f"numbers are in SI units and radians, written without the unit: {number}"
+        without = _in_base_unit(number, word[len(number) :])
+        return f"numbers are in SI units and radians, written without the unit: {without}"
     if any(sign in word for sign in "*/()") or word.strip("0123456789.+-") == "":
         return f"an expression stands in $(…): $({word})"
     return f"{_label(name)} takes {LAYOUTS.get(name, 'a number, such as 1.0')}"
+
+
+def _in_base_unit(number: str, unit: str) -> str:
+    """Return how to write a number that people give in another unit."""
+    if unit.lower() in ("°", "deg", "degree", "degrees"):
+        return f"$(radians({number}))"
+    if unit not in UNITS:
+        return number
+    return f"{float(number) * UNITS[unit]:.12g}"
 
 
 def _label(name: str) -> str:
@@ -231,16 +248,25 @@ def _wrong_count(
     )
 
 
-def _place(text: str, span: Span, words: list[str], index: int) -> Span:
-    """Return where word number `index` stands, if the span covers the text as it was written."""
+def _place(span: Span, words: list[str], index: int) -> Span:
+    """Return where word number `index` stands, if the span covers the words as they are written."""
     written = span.text()
-    start = written.find(text) if text else -1
-    if start < 0:
-        return span
-    for word in words[:index]:
-        start = written.index(word, start) + len(word)
-    start = span.start + written.index(words[index], start)
-    return Span(span.source, start, start + len(words[index]))
+    # The first line of a block scalar is its header: `|-`.
+    at = written.find("\n") if written[:1] in ("|", ">") else 0
+    for number, word in enumerate(words):
+        at = _skip_separators(written, max(at, 0))
+        if not written.startswith(word, at):
+            return span
+        if number == index:
+            return Span(span.source, span.start + at, span.start + at + len(word))
+        at += len(word)
+    return span
+
+
+def _skip_separators(written: str, at: int) -> int:
+    while at < len(written) and written[at] in " \t\r\n,'\"":
+        at += 1
+    return at
 
 
 def _item_place(item: str, span: Span) -> Span:

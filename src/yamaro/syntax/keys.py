@@ -77,6 +77,10 @@ def _name_hint(key: ScalarNode, name: str) -> str:
         return "attributes stand behind a slash: name/attribute=value"
     if ")" in name and "(" not in name:
         return "the commas of { } and [ ] split an expression: quote it, or use a line of its own"
+    if name.startswith("#"):
+        return "write <#text>: for text between elements, <#comment>: for an XML comment"
+    if name.startswith("<"):
+        return f"close the bracket: <{key.text.lstrip('<').rstrip('/')}>:"
     if name.startswith("xacro:"):
         return "xacro's tags do not exist here; see docs/coming-from-xacro.md"
     return "a name begins with a letter or _ and goes on with letters, digits, - _ ."
@@ -171,7 +175,9 @@ def _refuse_bare(key: ScalarNode, start: int, end: int) -> None:
         "bad-key",
         f"'{word}' is no attribute: it has no '='",
         key.span(first, last),
-        hint=f"write {word}=value; a value that holds commas needs quotes: attribute='1, 2'",
+        hint="a value that holds commas needs quotes: attribute='1, 2'"
+        if name_fault(word, "attribute")
+        else f"write {word}=value; a value that holds commas needs quotes: attribute='1, 2'",
     )
 
 
