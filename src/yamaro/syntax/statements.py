@@ -156,12 +156,21 @@ def _parse_dynamic(
     return DynamicNode(template, node, content, inner.errors, key.span())
 
 
+# Elements of URDF, SDF, MJCF and others that are near a statement's name.
+_LOOK_MISSPELT = frozenset(
+    "dart exclude far farm fog force fov friction included pair parent park parts path pin point "
+    "port pos sort".split()
+)
+
+
 def _warn_of_misspelt_statement(key: ScalarNode, node: YamlNode, context: ParseContext) -> None:
     """Warn of an element that reads like a misspelt statement, such as `inlcude: leg.yaml`."""
     word = key.text
     context.known_names.add(word)
+    if word in _LOOK_MISSPELT:
+        return
     near = suggest(word, STATEMENTS) if 2 <= len(word) <= 10 else None
-    if near is None or word in ("port", "path", "parts", "park", "parent", "sort", "farm"):
+    if near is None:
         return
     inside = {own.text for own, _ in node.pairs} if isinstance(node, MappingNode) else set()
     telling = {"condition", "body", "iterator", "range", "in", "path", "name", "joint", "link"}
