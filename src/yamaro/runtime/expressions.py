@@ -94,7 +94,9 @@ class Evaluator:
 
     def explain(self, error: BaseException, python: PythonCode, scope: Scope) -> NoReturn:
         """Raise the YamaroError that tells where in the YAML an exception came from, and why."""
-        if isinstance(error, YamaroError):
+        if isinstance(error, YamaroError):  # in a file that `load_yaml` reads
+            loaded = error.diagnostics[0].span.source.name
+            add_trace(error, Frame("loaded", loaded, python.span(), parent=self.frame))
             raise error
         place = self._innermost(error.__traceback__, python)
         span = place.span
@@ -165,7 +167,7 @@ class Evaluator:
                 )
                 function = code.co_name if is_function else place.function
                 place = _Place(found, span, index, function)
-            elif not code.co_filename.startswith(_OWN_FOLDER):
+            elif not code.co_filename.startswith((_OWN_FOLDER, "<")):
                 place.outside = f"{_base_name(code.co_filename)}:{traceback.tb_lineno}"
             traceback = traceback.tb_next
         return place

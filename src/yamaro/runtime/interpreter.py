@@ -147,7 +147,7 @@ class Interpreter:
         if document.robot_name is not None:
             content = document.robot_name
             root.span = content.span
-            name = self.values.text(content.value, scope)
+            name = self.values.written(content.value, scope)
             root.attributes["name"] = stem if name is None else name
         return root
 
@@ -203,7 +203,7 @@ class Interpreter:
         if isinstance(content, Body):
             self.run_body(content, scope, element.children)
         elif isinstance(content, TextContent):
-            value = self.values.text(content.value, scope)
+            value = self.values.written(content.value, scope)
             if value is not None or self.part_depth:  # in a part, None leaves the key out
                 element.children.append(Text(value, content.span))
         elif isinstance(content, ListContent):
@@ -214,7 +214,7 @@ class Interpreter:
                     content.span,
                     hint="write the values as a text: 0 0 1; or elements as `- name: value`",
                 )
-            items = self.values.list_of(content.value, scope)
+            items = self.values.spelled_list(content.value, scope)
             element.children.append(Text(LiteralList(items), content.span))
 
     def _add_attribute(
@@ -231,7 +231,7 @@ class Interpreter:
                 return
         value = attribute.value
         if not isinstance(value, str):
-            result = self.values.text(value, scope)
+            result = self.values.written(value, scope)
             if result is None:
                 return
         else:
@@ -260,14 +260,14 @@ class Interpreter:
         return name
 
     def _run_text(self, node: TextNode, scope: Scope, out: list[Node], body: Body | None) -> None:
-        value = self.values.text(node.value, scope)
+        value = self.values.written(node.value, scope)
         if value is not None:
             out.append(Text(value, node.span))
 
     def _run_comment(
         self, node: CommentNode, scope: Scope, out: list[Node], body: Body | None
     ) -> None:
-        text = format_value(self.values.text(node.value, scope))
+        text = format_value(self.values.written(node.value, scope))
         if "--" in text or text.endswith("-"):
             raise failure(
                 "bad-comment",
@@ -304,7 +304,7 @@ class Interpreter:
                 f"this key gives '{text}', and a statement cannot be computed",
                 node.span,
                 hint="write the statement as it is, inside an `if`; "
-                f"for an XML element of that name write <$(…)/>: or <{text}>:",
+                f"for an XML element of that name write <{text}>:",
             )
         if node.faults:
             raise YamaroError(node.faults)
@@ -558,7 +558,7 @@ class Interpreter:
                     out.extend(element.children)
 
     def _include_path(self, node: IncludeNode, scope: Scope) -> str:
-        text = format_value(self.values.text(node.path, scope)).strip()
+        text = format_value(self.values.written(node.path, scope)).strip()
         if not text or "\x00" in text:
             raise failure(
                 "missing-file",

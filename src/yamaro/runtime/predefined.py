@@ -6,7 +6,7 @@ import builtins
 import math
 import os
 
-from ..diagnostics import Reporter
+from ..diagnostics import Reporter, did_you_mean
 from ..syntax.context import ParseContext
 from ..syntax.nodes import Constant, DictValue, ListValue
 from ..syntax.values import parse_value
@@ -79,7 +79,8 @@ class Helpers:
             raise InputFault(
                 "missing-file",
                 f"the file '{text}' cannot be read: {error}",
-                f"looked for {absolute}",
+                did_you_mean(os.path.basename(absolute), self._loader.neighbours(absolute))
+                or f"looked for {absolute}",
             ) from None
         self._note_file(absolute)
         source = decode(data, name=text, path=absolute)

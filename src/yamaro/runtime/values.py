@@ -6,14 +6,17 @@ from ..source import Span
 from ..syntax.nodes import Constant, DictValue, ListValue, Value
 from ..syntax.python import PythonCode
 from ..syntax.template import Template
-from ..xmltree import format_value, plain_value
+from ..xmltree import format_value, is_number, plain_value
 from .expressions import Evaluator
 from .predefined import gather_pairs
 from .scope import Scope
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from typing import Any
+    from typing import Any, TypeGuard
+
+
+_ALWAYS_WRITABLE = (str, float, bool, type(None))
 
 
 class Values:
@@ -39,6 +42,12 @@ class Values:
         """Return the objects in a list."""
         return [self.value(item, scope) for item in value.items]
 
+    def spelled_list(self, value: ListValue, scope: Scope) -> list[Any]:
+        """Return the objects in a list that is only passed on: its numbers keep their spelling."""
+        return [
+            item.node.text if _is_number(item) else self.value(item, scope) for item in value.items
+        ]
+
     def _dict_of(self, value: DictValue, scope: Scope) -> dict[Any, Any]:
         pairs = []
         for key_value, item in value.pairs:
@@ -59,6 +68,13 @@ class Values:
             return self.evaluator.evaluate(first, scope)
         return self.joined(value, scope)
 
+    def written(self, value: str | Template, scope: Scope) -> Any:
+        """Return what `text` does, sure that it can be written: any `__str__` may fail."""
+        result = self.text(value, scope)
+        if isinstance(value, Template) and type(result) not in _ALWAYS_WRITABLE:
+            self.evaluator.guard(format_value, result, value.expression_span())
+        return result
+
     def joined(self, template: Template, scope: Scope) -> str:
         """Return the parts of a template as one text, as in a key."""
         pieces = []
@@ -69,6 +85,8 @@ class Values:
                 value = self.evaluator.evaluate(part, scope)
                 if type(value) is str:
                     pieces.append(value)
+                elif value is None and len(template.parts) > 1:
+                    pieces.append("None")
                 else:
                     pieces.append(self.evaluator.guard(format_value, value, part.span()))
         return "".join(pieces)
@@ -93,6 +111,11 @@ def print_text(value: Any) -> str:
     """Return the text of a value in `print`: floats as in XML, all else as Python shows it."""
     plain = plain_value(value)
     return format_value(plain) if type(plain) is float else str(plain)
+
+
+def _is_number(value: Value) -> TypeGuard[Constant]:
+    """Tell whether a value is a number as the text has it."""
+    return isinstance(value, Constant) and is_number(value.value)
 
 
 def span_of(value: Value) -> Span:

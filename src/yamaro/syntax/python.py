@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 from ..diagnostics import failure
-from .yaml_faults import quoted
-from .yaml_nodes import PLAIN
+from .yaml_nodes import PLAIN, quoted
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -98,7 +97,7 @@ def compile_expression(
             node.span(max(index - 2, 0), min(index + len(text) + 1, len(node.text)))
             if node.text
             else node.span(),
-            hint="write a Python expression, or quote '$$(' to mean a literal $(",
+            hint="write a Python expression between the parentheses, or $$( for a literal $(",
         )
     _compile(
         python,
@@ -150,6 +149,11 @@ def _syntax_failure(python: PythonCode, error: SyntaxError, message: str) -> Exc
 
 def _syntax_hint(python: PythonCode, reason: str) -> str | None:
     text = python.text
+    first, _, rest = text.strip().partition(" ")
+    if python.opening and first == "eval" and rest:
+        return f"leave out the word eval: $({rest.strip()})"
+    if python.opening and first in ("import", "from"):
+        return "modules are listed at the root of the file: import: [math]"
     if ("unterminated" in reason or "never closed" in reason) and _is_cut_by_comment(python.node):
         return (
             f"' #' begins a YAML comment: write {_whole_value(python.node, len(python.node.text))}"

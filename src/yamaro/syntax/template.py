@@ -38,6 +38,10 @@ class Template:
         first = self.parts[0]
         return first if len(self.parts) == 1 and isinstance(first, PythonCode) else None
 
+    def expression_span(self) -> Span:
+        """Return the place of the first expression."""
+        return next(part.span() for part in self.parts if isinstance(part, PythonCode))
+
     def span(self) -> Span:
         """Return the place of the text."""
         if self.start == 0 and self.end == len(self.node.text):

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from ..diagnostics import failure
 from ..source import Source, Span
+from .python import find_close
+from .yaml_nodes import quoted
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -98,13 +100,6 @@ def _line_around(text: str, at: int) -> tuple[int, int]:
     return start, min(ends) if ends else len(text)
 
 
-def quoted(value: str) -> str:
-    """Return a text as a quoted YAML scalar, in the quotes that leave it most readable."""
-    if "'" in value and '"' not in value and "\\" not in value and value.isprintable():
-        return f'"{value}"'
-    return "'" + value.replace("'", "''") + "'"
-
-
 def _tab(reading: Reading, problem: str, context: str, begin: int, at: int) -> Exception | None:
     text = reading.text
     start, end = _line_around(text, at)
@@ -162,6 +157,15 @@ def _open_bracket(
     closing = "]" if text[begin] == "[" else "}"
     found = text[at : at + 1].strip()
     hint = "quote a value that contains , : # [ ] { } and is meant as one text or expression"
+    dollar = text.rfind("$(", begin, at)
+    close = find_close(text, dollar + 2) if dollar >= 0 else -1
+    if close > at:
+        return failure(
+            "yaml-quote",
+            f"an expression that holds {found} must be quoted inside {{ }} and [ ]",
+            reading.span(dollar, close + 1),
+            hint=f"write {quoted(text[dollar : close + 1])}",
+        )
     if found and "\n" not in text[begin:at]:
         return failure(
             "yaml-open",
@@ -249,6 +253,9 @@ def _second_colon(reading: Reading, start: int, end: int, at: int) -> Exception:
     line = text[start:end]
     if at - start > MAX_KEY and ": " not in text[start:at]:
         return _long_key(reading, start + len(line) - len(line.lstrip()))
+    in_key = _colon_in_key(reading, line, start)
+    if in_key is not None:
+        return in_key
     key, colon, value = line.partition(": ")
     if colon and start + len(key) < at:
         where = start + len(key) + 2
@@ -270,11 +277,30 @@ def _second_colon(reading: Reading, start: int, end: int, at: int) -> Exception:
     )
 
 
+def _colon_in_key(reading: Reading, line: str, start: int) -> Exception | None:
+    """Return the error for `item/a=$({'k': 1}['k']):`, where an expression in a key has a `: `."""
+    before = line.partition(": ")[0]
+    key = line.rpartition(":")[0]
+    is_open = "$(" in before and before.count("(") > before.count(")")
+    if not is_open or before == key or key.count("(") != key.count(")"):
+        return None
+    where = len(key) - len(key.lstrip(" -"))
+    return failure(
+        "yaml-quote",
+        "a key that contains ': ' must be quoted",
+        reading.span(start + where, start + len(key)),
+        hint=f"write {quoted(key[where:])}:",
+    )
+
+
 def _rest(reading: Reading, problem: str, context: str, begin: int, at: int) -> Exception | None:
     text = reading.text
     start, end = _line_around(text, at)
     before = text[start:at].rstrip()
     if before.endswith(("]", "}", '"', "'")) and text[at:end].strip():
+        in_key = _colon_in_key(reading, text[start:end], start)
+        if in_key is not None:
+            return in_key
         key, colon, value = text[start:end].partition(": ")
         where = start + len(key) + 2
         if not colon:

@@ -112,6 +112,14 @@ YamlNode = ScalarNode | SequenceNode | MappingNode
 
 # --- from a scalar's text back to its spelling ------------------------------------------------
 
+
+def quoted(value: str) -> str:
+    """Return a text as a quoted YAML scalar, in the quotes that leave it most readable."""
+    if "'" in value and '"' not in value and "\\" not in value and value.isprintable():
+        return f'"{value}"'
+    return "'" + value.replace("'", "''") + "'"
+
+
 _BREAKS = "\r\n\x85\u2028\u2029"
 _WHITE = " \t" + _BREAKS
 

@@ -20,8 +20,8 @@ from .libyaml import (
     StreamEndEvent,
     YAMLError,
 )
-from .yaml_faults import quoted, refuse_characters, refuse_yaml
-from .yaml_nodes import PLAIN, MappingNode, ScalarNode, SequenceNode
+from .yaml_faults import refuse_characters, refuse_yaml
+from .yaml_nodes import PLAIN, MappingNode, ScalarNode, SequenceNode, quoted
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
