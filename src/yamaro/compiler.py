@@ -214,13 +214,10 @@ def _read_command_line(arguments: Sequence[str]) -> tuple[dict[str, object], dic
         node = ScalarNode(argument, PLAIN, source, 0, len(argument))
         reporter = Reporter()
         try:
-            if len(argument) == len(name) + 2:
-                values[name] = ""
-            else:
-                context = ParseContext(reporter)
-                start = len(name) + 2
-                value = parse_inline(node, start, len(argument), context, is_literal=True)
-                values[name] = plain_data(value)
+            context = ParseContext(reporter)
+            start = len(name) + 2
+            value = parse_inline(node, start, len(argument), context, is_literal=True)
+            values[name] = plain_data(value)
         except YamaroError as error:
             raise UsageError(f"'{argument}': {error.diagnostics[0].message}") from None
         places[name] = Span(source, 0, len(name))

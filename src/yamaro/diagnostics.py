@@ -151,6 +151,8 @@ def suggest(word: str, candidates: Iterable[str]) -> str | None:
     folded = [name for name in names if name.casefold() == word.casefold()]
     if folded:
         return folded[0]
+    if len(word) < 2:
+        return None
     near = get_close_matches(word, names, n=1, cutoff=0.7 if len(word) > 3 else 0.6)
     return near[0] if near else None
 
@@ -222,12 +224,28 @@ def trace_lines(trace: Frame | None) -> list[str]:
             seen.add(id(step))
             steps.append(step)
             step = step.parent
-    lines = [f"in {step.name}, {step.kind} at {step.span.place()}" for step in steps]
+    lines = _fold(f"in {step.name}, {step.kind} at {step.span.place()}" for step in steps)
     if len(lines) > MAX_TRACE_LINES:
         keep = MAX_TRACE_LINES // 2
         hidden = len(lines) - 2 * keep
         lines[keep:-keep] = [f"… {hidden} more steps …"]
     return lines
+
+
+def _fold(lines: Iterable[str]) -> list[str]:
+    """Return lines with those that repeat the line before counted in place of shown."""
+    folded: list[str] = []
+    times: list[int] = []
+    for line in lines:
+        if folded and folded[-1] == line:
+            times[-1] += 1
+        else:
+            folded.append(line)
+            times.append(1)
+    return [
+        line if number == 1 else f"{line} ({number} times)"
+        for line, number in zip(folded, times, strict=True)
+    ]
 
 
 def _excerpt(span: Span) -> tuple[int, str, str]:

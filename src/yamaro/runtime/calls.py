@@ -5,15 +5,17 @@ from __future__ import annotations
 from ..diagnostics import YamaroError, did_you_mean, failure
 from ..source import Span
 from ..syntax.context import ParseContext
+from ..syntax.names import STATEMENTS
 from ..syntax.nodes import Argument, Body, FunctionNode
 from ..syntax.statements import late_value
+from .declared import Declaration, notes_on
 from .expressions import function_names
 from .scope import MISSING, Namespace, Scope, function_key
-from .values import Values
+from .values import Values, count
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Sequence
     from typing import Any
 
 
@@ -41,7 +43,7 @@ def find_function(
     name: str,
     span: Span,
     scope: Scope,
-    where_declared: Callable[[str], list[tuple[str, Span]]],
+    where_declared: Callable[[str], list[Declaration]],
 ) -> Function | Block | None:
     """Return the function or block a call names; None for a block that was not given.
 
@@ -58,18 +60,14 @@ def find_function(
     if value is not MISSING:
         assert value is None or isinstance(value, (Function, Block))
         return value
-    names = function_names(scope)
-    notes = [
-        f"a function '{last}' is defined at {place.place()} with scope {kind}"
-        for kind, place in where_declared(last)[:3]
-    ]
-    hint = did_you_mean(name, names)
+    notes = notes_on(f"the function '{last}'", where_declared(last), span)
+    hint = did_you_mean(name, function_names(scope))
+    if hint is None and name.lower() in STATEMENTS:
+        hint = f"the statement is written `{name.lower()}:`; the XML element <{name}>:"
+    elif hint is None and not notes:
+        hint = f"for an XML element of that name write <{name}>:"
     raise failure(
-        "undefined-function",
-        f"function '{name}' is not defined",
-        span,
-        hint=hint or f"for an XML element of that name write <{name}>:",
-        notes=notes,
+        "undefined-function", f"function '{name}' is not defined", span, hint=hint, notes=notes
     )
 
 
@@ -113,7 +111,7 @@ def match_arguments(
             if index >= len(positional):
                 raise _bad_call(
                     "unknown-argument",
-                    f"'{node.name}' takes {_count(len(positional), 'argument')}, "
+                    f"'{node.name}' takes {count(len(positional), 'argument')}, "
                     f"and this is number {index + 1}",
                     argument.span,
                     node,
@@ -134,7 +132,7 @@ def match_arguments(
                 f"the argument '{name}' is given twice",
                 argument.span,
                 node,
-                hint=f"it is given first at {spans[name].place()}",
+                notes=[f"first given at {spans[name].place()}"],
             )
         spans[name] = argument.span
         if parameter.is_block:
@@ -142,14 +140,14 @@ def match_arguments(
         else:
             value = argument.value or late_value(argument, late_context)
             given[name] = values.value(value, scope)
-    for parameter in positional:
-        if parameter.name not in given and parameter.default is None:
-            raise _bad_call(
-                "missing-argument",
-                f"'{node.name}' needs the argument '{parameter.name}'",
-                span,
-                node,
-            )
+    missing = [
+        f"'{parameter.name}'"
+        for parameter in positional
+        if parameter.name not in given and parameter.default is None
+    ]
+    if missing:
+        what = f"argument{'s' if len(missing) > 1 else ''} {' and '.join(missing)}"
+        raise _bad_call("missing-argument", f"'{node.name}' needs the {what}", span, node)
     return given
 
 
@@ -158,7 +156,7 @@ def _block(argument: Argument, node: FunctionNode, scope: Scope) -> Block:
         raise _bad_call(
             "not-a-body",
             f"the block '{argument.name}' takes a body, and this is a value",
-            argument.span,
+            argument.node.span() if argument.node is not None else argument.span,
             node,
             hint="write the statements of the block below its name, indented",
         )
@@ -178,11 +176,14 @@ def bind(node: FunctionNode, given: dict[str, Any], callee: Scope, values: Value
 
 
 def _bad_call(
-    code: str, message: str, span: Span, node: FunctionNode, *, hint: str | None = None
+    code: str,
+    message: str,
+    span: Span,
+    node: FunctionNode,
+    *,
+    hint: str | None = None,
+    notes: Sequence[str] = (),
 ) -> YamaroError:
     note = f"it is defined as {node.signature()} at {node.span.place()}"
-    return failure(code, message, span, hint=hint, notes=[note])
+    return failure(code, message, span, hint=hint, notes=[*notes, note])
 
-
-def _count(number: int, noun: str) -> str:
-    return f"{'no' if number == 0 else number} {noun}{'' if number == 1 else 's'}"

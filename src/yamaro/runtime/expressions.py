@@ -10,6 +10,7 @@ from __future__ import annotations
 from ..diagnostics import Diagnostic, Frame, YamaroError, did_you_mean, failure
 from ..source import Span
 from ..syntax.python import PythonCode
+from .declared import Declaration, notes_on
 from .scope import Namespace, Scope
 
 TYPE_CHECKING = False
@@ -41,13 +42,13 @@ class Evaluator:
     def __init__(
         self,
         codes: dict[str, PythonCode],
-        where_declared: Callable[[str], list[tuple[str, Span]]],
+        where_declared: Callable[[str], list[Declaration]],
     ) -> None:
         """Begin.
 
         Args:
             codes: all code that defines functions, by its file name; may grow later.
-            where_declared: gives scope and place of every declaration of a name.
+            where_declared: gives every declaration of a name.
         """
         self.codes = codes
         self.frame: Frame | None = None
@@ -133,23 +134,12 @@ class Evaluator:
 
     def _undefined(self, name: str, span: Span, scope: Scope, frame: Frame | None) -> YamaroError:
         hint = did_you_mean(name, variable_names(scope))
-        notes = []
-        for kind, place in self._where_declared(name)[:3]:
-            if place.source is span.source and place.start > span.start and kind != "import":
-                notes.append(f"'{name}' is declared later, at {place.place()}")
-            elif kind == "local":
-                notes.append(
-                    f"'{name}' at {place.place()} is local to its file or function; "
-                    "declare it as parent, child or global to see it here"
-                )
-            else:
-                notes.append(f"'{name}' is declared at {place.place()} with scope {kind}")
         return failure(
             "undefined-name",
             f"name '{name}' is not defined",
             span,
             hint=hint,
-            notes=notes,
+            notes=notes_on(f"'{name}'", self._where_declared(name), span),
             trace=frame,
         )
 

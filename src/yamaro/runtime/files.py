@@ -10,6 +10,7 @@ from ..syntax.context import ParseContext
 from ..syntax.nodes import Document, ImportNode
 from ..syntax.parser import parse, register
 from ..syntax.python import PythonCode
+from .declared import Declaration
 from .expressions import Evaluator
 from .loader import LoadError, decode
 from .modules import LocalModules, import_names
@@ -89,10 +90,10 @@ class Files:
             self.late.codes.clear()
             self.codes.update(document.codes)
 
-    def where_declared(self, name: str) -> list[tuple[str, Span]]:
-        """Return scope and place of everything that declares a name, in any file."""
+    def where_declared(self, name: str) -> list[Declaration]:
+        """Return every declaration of a name, in any file."""
         return [
-            (scope, span)
+            Declaration(scope, span, document.extent_around(span))
             for document in self._documents.values()
             for declared, scope, span in document.declarations
             if declared == name

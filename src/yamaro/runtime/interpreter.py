@@ -17,6 +17,8 @@ from ..syntax.names import (
     name_hint,
 )
 from ..syntax.nodes import (
+    BRIDGE,
+    GLOBAL,
     LOCAL,
     Argument,
     Attribute,
@@ -90,6 +92,7 @@ class Interpreter:
         self.frame: Frame | None = None
         self.depth = 0
         self.part_depth = 0
+        self._unfinished_line = ""  # what `print` wrote with another `end`
         self._run: dict[type, Callable[[Any, Scope, list[Node], Body | None], None]] = {
             ElementNode: self._run_element,
             TextNode: self._run_text,
@@ -128,11 +131,12 @@ class Interpreter:
             scope.passed = frozenset(variables)
             return self._run_root(document, scope, stem)
         finally:
+            if self._unfinished_line:
+                self.on_message(self._unfinished_line)
             self.files.close()
 
     def _run_root(self, document: Document, scope: Scope, stem: str) -> Element:
         self._run_sections(document, scope)
-        start = Span(document.source, 0, 0)
         if document.root is not None:
             out: list[Node] = []
             self._run_element(document.root, scope, out, None)
@@ -141,6 +145,7 @@ class Interpreter:
             if root.name == "robot" and "name" not in root.attributes:
                 root.attributes = {"name": stem, **root.attributes}
             return root
+        start = document.model_span or Span(document.source, 0, 0)
         root = Element("robot", start, attributes={"name": stem})
         for body in document.model:
             self.run_body(body, scope, root.children)
@@ -342,11 +347,12 @@ class Interpreter:
         context = scope.context
         names = node.names
         single = names[0] if len(names) == 1 else None
-        for item in iterate(node, scope, self.values):
+        for index, item in enumerate(iterate(node, scope, self.values)):
             if single is not None:
                 context.declare(single, item)
             else:
-                for name, value in zip(names, unpack(item, node, self.evaluator), strict=True):
+                values = unpack(item, index, node, self.evaluator)
+                for name, value in zip(names, values, strict=True):
                     context.declare(name, value)
             self.run_body(node.body, scope, out)
 
@@ -396,10 +402,14 @@ class Interpreter:
                     hint="give one of them another name",
                     notes=[f"first defined at {earlier.node.span.place()}"],
                 )
-            scope.declare(key, Function(function, scope), function.scope)
+            defined = Function(function, scope)
+            if function.scope in (GLOBAL, BRIDGE):
+                self._warn_of_replacement(self.shared.find(key), defined, key, function.span)
+            scope.declare(key, defined, function.scope)
 
     def _run_print(self, node: PrintNode, scope: Scope, out: list[Node], body: Body | None) -> None:
-        self.on_message(self.values.message(node.value, scope, node.span))
+        text = self.values.message(node.value, scope, node.span)
+        self._say(text.removesuffix("\n") + "\n")
 
     def _run_process(
         self, node: ProcessNode, scope: Scope, out: list[Node], body: Body | None
@@ -420,7 +430,13 @@ class Interpreter:
             return
         text = (" " if sep is None else sep).join(str(value) for value in values)
         text += "\n" if end is None else end
-        self.on_message(text.removesuffix("\n"))
+        self._say(text)
+
+    def _say(self, text: str) -> None:
+        """Pass text on to whoever takes messages, as soon as its line is complete."""
+        *lines, self._unfinished_line = f"{self._unfinished_line}{text}".rsplit("\n", 1)
+        if lines:
+            self.on_message(lines[0])
 
     # --- calls ---
 
@@ -463,7 +479,7 @@ class Interpreter:
             bind(function.node, given, callee, self.values)
             self.run_body(function.node.body, callee, out)
             for key, value in callee.exported():
-                self._receive(context, key, value, span)
+                self._receive(scope, key, value, span)
         except YamaroError as error:
             add_trace(error, frame)
             raise
@@ -491,10 +507,10 @@ class Interpreter:
             hint="a function or file that uses itself needs a condition under which it stops",
         )
 
-    def _receive(self, context: Scope, key: str, value: Any, span: Span) -> None:
-        """Take a `parent` name into the context that called or included."""
-        self._warn_of_replacement(context.find(key), value, key, span)
-        context.declare(key, value)
+    def _receive(self, scope: Scope, key: str, value: Any, span: Span) -> None:
+        """Take a `parent` name to where the call or include stands."""
+        self._warn_of_replacement(scope.get(key), value, key, span)
+        scope.declare(key, value)
 
     def _warn_of_replacement(self, earlier: Any, value: Any, key: str, span: Span) -> None:
         if (
@@ -504,7 +520,7 @@ class Interpreter:
         ):
             self.reporter.warn(
                 "function-replaced",
-                f"the function '{key[:-2]}' that arrives here replaces another one",
+                f"the function '{key[:-2]}' that comes here replaces another one",
                 span,
                 hint="rename one of them, or include the file with a namespace",
                 notes=[
@@ -545,7 +561,7 @@ class Interpreter:
             raise self._too_deep(node.path_span) from None
         finally:
             self._leave(frame)
-        self._hand_back(inner, context, namespace, before, node.span)
+        self._hand_back(inner, scope, namespace, before, node.span)
 
     def _run_included_model(self, document: Document, inner: Scope, out: list[Node]) -> None:
         for model in document.model:
@@ -586,7 +602,7 @@ class Interpreter:
     def _hand_back(
         self,
         inner: Scope,
-        context: Scope,
+        scope: Scope,
         namespace: str | None,
         before: frozenset[str],
         span: Span,
@@ -594,8 +610,9 @@ class Interpreter:
         """Bring the names of an included file to the one that included it."""
         if namespace is None:
             for key, value in inner.exported():
-                self._receive(context, key, value, span)
+                self._receive(scope, key, value, span)
             return
+        context = scope.context
         space = context.find(namespace) if namespace in context else None
         if not isinstance(space, Namespace):
             space = Namespace(namespace, self.shared)

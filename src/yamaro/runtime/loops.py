@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from ..diagnostics import failure
+from ..diagnostics import YamaroError, failure
 from ..source import Span
-from ..syntax.nodes import ForNode
+from ..syntax.nodes import ForNode, ListValue
 from ..syntax.python import PythonCode
 from .expressions import Evaluator
 from .scope import MISSING, Scope
-from .values import Values, a_kind_of, span_of
+from .values import Values, a_kind_of, count, span_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -29,7 +29,7 @@ def iterate(node: ForNode, scope: Scope, values_of: Values) -> Iterator[Any]:
     iterable = node.iterable
     if isinstance(iterable, PythonCode):
         span = iterable.span()
-        values = evaluator.evaluate(iterable, scope)
+        values = _evaluate_items(iterable, scope, evaluator)
     else:
         assert not isinstance(iterable, list)
         span = span_of(iterable)
@@ -51,6 +51,19 @@ def iterate(node: ForNode, scope: Scope, values_of: Values) -> Iterator[Any]:
         if item is MISSING:
             return
         yield item
+
+
+def _evaluate_items(iterable: PythonCode, scope: Scope, evaluator: Evaluator) -> Any:
+    """Return what an expression behind `in` gives; texts written there without brackets fail."""
+    try:
+        return evaluator.evaluate(iterable, scope)
+    except YamaroError as error:
+        for diagnostic in error.diagnostics:
+            if diagnostic.code == "undefined-name" and not diagnostic.hint:
+                diagnostic.hint = (
+                    f"this is an expression; texts go in a list: in: [{iterable.text}]"
+                )
+        raise
 
 
 def _range(node: ForNode, scope: Scope, evaluator: Evaluator) -> range:
@@ -82,9 +95,7 @@ def _range(node: ForNode, scope: Scope, evaluator: Evaluator) -> range:
                 "bad-range",
                 f"`range` takes whole numbers, and this is {a_kind_of(value)}",
                 span,
-                hint=f"write int(…) around it to cut {value} off to a whole number"
-                if isinstance(value, float)
-                else "write range: 0, 6, or in: for the items of a list",
+                hint=_range_hint(value, iterable),
             )
     if len(values) == 3 and values[2] == 0:
         raise failure(
@@ -96,7 +107,15 @@ def _range(node: ForNode, scope: Scope, evaluator: Evaluator) -> range:
     return range(*values)
 
 
-def unpack(item: Any, node: ForNode, evaluator: Evaluator) -> list[Any]:
+def _range_hint(value: object, iterable: object) -> str:
+    if isinstance(value, float):
+        return f"write int(…) around it to cut {value} off to a whole number"
+    if isinstance(iterable, PythonCode):
+        return f"to go through the items of a list write in: {iterable.text.strip()}"
+    return "write range: 0, 6, or in: for the items of a list"
+
+
+def unpack(item: Any, index: int, node: ForNode, evaluator: Evaluator) -> list[Any]:
     """Return the values of one item for an iterator of several names.
 
     Raises:
@@ -108,15 +127,24 @@ def unpack(item: Any, node: ForNode, evaluator: Evaluator) -> list[Any]:
     else:
         values = list(evaluator.guard(list, item, node.span))
     if values is None or len(values) != wanted:
-        found = a_kind_of(item) if values is None else f"{len(values)} values"
+        found = a_kind_of(item) if values is None else count(len(values), "value")
         raise failure(
             "bad-iterator",
             f"the iterator names {wanted} variables ({', '.join(node.names)}), "
             f"and an item is {found}",
-            node.span,
+            _item_span(node, index),
             hint="give each item as a list: in: [[a, 1.0], [b, 2.0]]",
         )
     return values
+
+
+def _item_span(node: ForNode, index: int) -> Span:
+    """Return where the item of a turn is written, or what it comes from."""
+    iterable = node.iterable
+    if isinstance(iterable, PythonCode):
+        return iterable.span()
+    assert not isinstance(iterable, list), "a range gives single numbers"
+    return span_of(iterable.items[index] if isinstance(iterable, ListValue) else iterable)
 
 
 def _next(iterator: Iterator[Any]) -> Any:

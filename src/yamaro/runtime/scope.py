@@ -35,6 +35,12 @@ class Shared:
         self.globals: dict[str, Any] = {}
         self.bridges: dict[str, Any] = {}
 
+    def find(self, name: str) -> Any:
+        """Return what a name means everywhere, or MISSING."""
+        if name in self.bridges:
+            return self.bridges[name]
+        return self.globals.get(name, MISSING)
+
 
 class Home:
     """A file being run: what its expressions see whatever the context.
@@ -104,11 +110,9 @@ class Scope(dict[str, "Any"]):
         value = self.find_child(name)
         if value is not MISSING:
             return value
-        shared = self.shared
-        if name in shared.bridges:
-            return shared.bridges[name]
-        if name in shared.globals:
-            return shared.globals[name]
+        value = self.shared.find(name)
+        if value is not MISSING:
+            return value
         return self.home.names.get(name, MISSING)
 
     def holder(self, name: str) -> Scope | None:
@@ -217,9 +221,13 @@ class Scope(dict[str, "Any"]):
             self.shared.bridges[name] = value
 
     def __delitem__(self, name: str) -> None:
-        if name not in self:
+        holder = self.holder(name)
+        if holder is not None:
+            holder._forget(name)
+        elif name in self.shared.globals:
+            del self.shared.globals[name]
+        else:
             raise KeyError(name)
-        self._forget(name)
 
     def exported(self) -> list[tuple[str, Any]]:
         """Return the `parent` names with their values, for whoever called or included this."""
@@ -267,10 +275,10 @@ class BlockScope(Scope):
         return self.host
 
     def declare(self, name: str, value: Any, kind: str = LOCAL) -> None:
-        """Declare a variable in the call, or a local function in the block itself."""
-        if name.endswith("()") and kind == LOCAL:
+        """Declare a variable in the call; a function in the block, which is what can name it."""
+        if name.endswith("()") and kind in (LOCAL, PARENT, CHILD):
             dict.__setitem__(self, name, value)
-        else:
+        if not (name.endswith("()") and kind == LOCAL):
             self.host.declare(name, value, kind)
 
 
@@ -291,8 +299,7 @@ class Namespace:
         """Return the value of a name, or MISSING."""
         value = self._names.get(name, MISSING)
         if value is MISSING and name in self._names:
-            shared = self._shared
-            value = shared.bridges.get(name, shared.globals.get(name, MISSING))
+            value = self._shared.find(name)
         return value
 
     def __getattr__(self, name: str) -> Any:

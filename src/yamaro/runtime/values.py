@@ -125,6 +125,11 @@ def span_of(value: Value) -> Span:
     return value.span() if isinstance(value, Template) else value.span
 
 
+def count(number: int, noun: str) -> str:
+    """Return a number of things, in words for a message."""
+    return f"{'no' if number == 0 else number} {noun}{'' if number == 1 else 's'}"
+
+
 def a_kind_of(value: Any) -> str:
     """Return what a value is, in words for a message."""
     if value is None:

@@ -19,7 +19,16 @@ if TYPE_CHECKING:
 class ParseContext:
     """Gathers the findings of one parse, so that one error does not hide the next."""
 
-    __slots__ = ("at_root", "blocks", "codes", "declarations", "errors", "known_names", "reporter")
+    __slots__ = (
+        "at_root",
+        "blocks",
+        "codes",
+        "declarations",
+        "errors",
+        "extents",
+        "known_names",
+        "reporter",
+    )
 
     def __init__(self, reporter: Reporter) -> None:
         """Start with nothing gathered.
@@ -29,6 +38,7 @@ class ParseContext:
             blocks: names of the blocks of the functions around the place being parsed.
             codes: every expression and process block compiled.
             declarations: name, scope and place of everything that declares a name.
+            extents: the place of each function with its body; inner ones come first.
             known_names: element names found not to look like misspelt statements.
         """
         self.reporter = reporter
@@ -36,6 +46,7 @@ class ParseContext:
         self.codes: list[PythonCode] = []
         self.blocks: tuple[str, ...] = ()
         self.declarations: list[tuple[str, str, Span]] = []
+        self.extents: list[Span] = []
         self.known_names: set[str] = set()
         self.at_root = False
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from ..diagnostics import failure
 from .context import ParseContext
-from .names import bad_variable_name, is_identifier
+from .names import bad_variable_name, is_identifier, name_hint
 from .nodes import Constant, Value
 from .python import PythonCode
 from .values import is_empty, parse_bare_expression, parse_condition, parse_value
@@ -24,17 +24,25 @@ def parse_iterator(node: YamlNode, context: ParseContext) -> list[str]:
             raise failure(
                 "bad-iterator", "an iterator is a name", scalar.span(), hint="iterator: i"
             )
+        start = 0
         for piece in scalar.text.split(","):
             name = piece.strip()
-            if not is_identifier(name) or name in names:
+            first = start + len(piece) - len(piece.lstrip())
+            span = scalar.span(first, first + len(name)) if name else scalar.span()
+            start += len(piece) + 1
+            if name in names:
+                raise failure("bad-iterator", f"'{name}' is named twice", span)
+            if not is_identifier(name):
                 raise failure(
                     "bad-iterator",
-                    f"'{name}' is named twice" if name in names else bad_variable_name(name),
-                    scalar.span(),
-                    hint="write iterator: i, or iterator: name, length",
+                    bad_variable_name(name) if name else "an iterator is a name",
+                    span,
+                    hint=name_hint(name)
+                    if name
+                    else "write iterator: i, or iterator: name, length",
                 )
             names.append(name)
-            context.declarations.append((name, "local", scalar.span()))
+            context.declarations.append((name, "local", span))
     if not names:
         raise failure("bad-iterator", "the iterator has no name", node.span(), hint="iterator: i")
     return names
@@ -69,15 +77,8 @@ def parse_in(node: YamlNode, context: ParseContext) -> Value | PythonCode:
     """Return what stands behind `in`: a YAML list or mapping, or an expression.
 
     Raises:
-        YamaroError: it is empty or no expression.
+        YamaroError: it is no expression.
     """
     if isinstance(node, ScalarNode):
-        if is_empty(node):
-            raise failure(
-                "missing-key",
-                "`in` is empty",
-                node.span(),
-                hint="write in: [left, right], or the name of a list",
-            )
         return parse_bare_expression(node, context)
     return parse_value(node, context)

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from ..diagnostics import failure
 from .context import ParseContext
-from .names import bad_name_character
+from .names import STATEMENTS, bad_name_character
 from .nodes import Attribute
 from .template import Template, parse_template, skip_expression
 from .yaml_nodes import ScalarNode
@@ -68,6 +68,11 @@ def name_fault(name: str, what: str) -> str | None:
 
 
 def _name_hint(key: ScalarNode, name: str) -> str:
+    word, space, rest = name.partition(" ")
+    if word == "else" and rest.lstrip().startswith("if"):
+        return "write `elif:`, and `condition:` and `body:` below it"
+    if space and word in STATEMENTS:
+        return f"the statement is `{word}:`, and its entries stand below it"
     if "=" in name:
         if "/" not in key.text:
             return (

@@ -67,11 +67,24 @@ def body_hint(text: str) -> str:
         return f"write `{text}:` with a colon to call a function"
     if text.startswith("<"):
         return 'this looks like XML; in YAML <link name="base"/> is written link/name=base:'
+    variable, equals, value_of_variable = text.partition("=")
+    if equals and is_identifier(variable.strip()) and value_of_variable[:1] != "=":
+        return f"write {variable.strip()}: {value_of_variable.strip()}"
     if colon and is_identifier(name) and value:
         return f"put a space behind the colon: {name}: {value}"
     if find_outside(text, " ", 0, len(text)) < 0 or "/" in text:
         return f"write `{text}:` with a colon for an entry without a value"
     return "write each entry as `name: value`, on a line of its own"
+
+
+def _entries_hint(text: str, known: Sequence[str]) -> str:
+    """Return what a statement takes, and where its statements go."""
+    if "condition" in known and find_outside(text, " ", 0, len(text)) >= 0:
+        return f"write condition: {text}, and the statements under `body:`"
+    names = [f"`{name}`" for name in known if name != "body"]
+    if "body" in known:
+        return f"it takes {', '.join(names)}; statements and elements go under `body:`"
+    return f"it takes {', '.join(names)}"
 
 
 class Fields:
@@ -95,8 +108,7 @@ class Fields:
                     "unknown-key",
                     f"`{what}` has no entry '{key.text}'",
                     key.span(),
-                    hint=did_you_mean(key.text, known)
-                    or f"it takes {', '.join(f'`{name}`' for name in known)}",
+                    hint=did_you_mean(key.text, known) or _entries_hint(key.text, known),
                 )
             refuse_twice(self._pairs.get(key.text), key, what)
             self._pairs[key.text] = (key, node)

@@ -57,6 +57,8 @@ def name_hint(name: str) -> str:
         fixed = f"_{fixed}"
     if is_keyword(fixed):
         fixed = f"{fixed}_"
+    if fixed == f"{name}_":
+        return f"write {fixed}"
     if is_identifier(fixed) and fixed.strip("_"):
         return f"write {fixed}: names are letters, digits and _, and do not begin with a digit"
     return "names are letters, digits and _, and do not begin with a digit"

@@ -335,6 +335,8 @@ class FunctionNode:
 
     def signature(self) -> str:
         """Return name and parameters as they are written."""
+        if not self.parameters:
+            return f"{self.name}, without parameters,"
         return f"{self.name}: {', '.join(parameter.text for parameter in self.parameters)}"
 
 
@@ -415,9 +417,10 @@ class Document:
     __slots__ = (
         "codes",
         "declarations",
-        "has_model",
+        "extents",
         "imports",
         "model",
+        "model_span",
         "names_read",
         "robot_name",
         "root",
@@ -432,22 +435,32 @@ class Document:
             imports: the modules, in order.
             sections: the other sections but the model, in order.
             model: the bodies of the `model:` sections, in order.
+            model_span: where `model:` stands first, or None without one.
             root: the root element written in place of `model`, if there is one.
             robot_name: what stands behind `robot:`.
             codes: Python code by its file name, to find the place of an error in a function.
             declarations: every name declared, with the scope and place.
+            extents: the place of each function with its body; inner ones come first.
             names_read: every name that some expression reads.
         """
         self.source = source
         self.imports: list[ImportNode] = []
         self.sections: list[Statement] = []
         self.model: list[Body] = []
-        self.has_model = False
+        self.model_span: Span | None = None
         self.root: ElementNode | None = None
         self.robot_name: TextContent | None = None
         self.codes: dict[str, PythonCode] = {}
         self.declarations: list[tuple[str, str, Span]] = []
+        self.extents: list[Span] = []
         self.names_read: set[str] = set()
+
+    def extent_around(self, span: Span) -> Span | None:
+        """Return all of the innermost function that a place is in, or None."""
+        for extent in self.extents:
+            if extent.start <= span.start < extent.end:
+                return extent
+        return None
 
 
 __all__ = [name for name in globals() if name[0].isupper()] + ["YamlNode"]

@@ -36,6 +36,7 @@ def parse(source: Source, *, reporter: Reporter) -> Document:
     if context.errors:
         raise YamaroError(sorted(context.errors, key=lambda error: error.span.start))
     document.declarations = context.declarations
+    document.extents = context.extents
     for python in context.codes:
         register(document, python)
     return document
@@ -99,7 +100,7 @@ def _parse_model(
 ) -> None:
     if document.root is not None:
         _refuse_two_roots(key, document, context)
-    document.has_model = True
+    document.model_span = document.model_span or key.span()
     context.at_root = False
     body = context.attempt(parse_body, node, "`model`", context)
     context.at_root = True
@@ -142,7 +143,7 @@ def _parse_root_element(
             key.span(),
             hint="the root element has a fixed name, such as `sdf/version='1.11':`",
         )
-    if document.root is not None or document.has_model or document.robot_name is not None:
+    if document.root is not None or document.model_span or document.robot_name is not None:
         _refuse_two_roots(key, document, context)
     document.root = element
 
@@ -180,7 +181,7 @@ def _refuse_two_roots(key: ScalarNode, document: Document, context: ParseContext
             hint="write robot/name=NAME: above the body, or `model:` instead of this `robot:`",
             notes=[f"the robot is named at {document.robot_name.span.place()}"],
         )
-    other = "model" if document.has_model else "robot"
+    other = "model" if document.model_span else "robot"
     raise failure(
         "two-roots",
         f"'{key.text}' stands beside `{other}:`, and would be a second root element",

@@ -139,12 +139,22 @@ def _syntax_failure(python: PythonCode, error: SyntaxError, message: str) -> Exc
     end = start + 1
     if error.end_offset and error.end_offset > 0 and error.end_lineno == error.lineno:
         end = max(python.position(line, error.end_offset - 1), start + 1)
-    if start >= len(python.text.rstrip()):
+    if isinstance(error, IndentationError):
+        span = _line_span(python, line)
+    elif start >= len(python.text.rstrip()):
         span = python.span()
     else:
         span = python.span(start, min(end, len(python.text)))
     reason = (error.msg or "invalid syntax").strip()
     return failure("python-syntax", f"{message}: {reason}", span, hint=_syntax_hint(python, reason))
+
+
+def _line_span(python: PythonCode, line: int) -> Span:
+    """Return the place of a line without its indentation: versions of Python differ in columns."""
+    start = python.position(line, 0)
+    text = python.text[start:].split("\n", 1)[0]
+    start += len(text) - len(text.lstrip())
+    return python.span(start, start + max(len(text.strip()), 1))
 
 
 def _syntax_hint(python: PythonCode, reason: str) -> str | None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from ..diagnostics import failure
 from .context import ParseContext
 from .keys import find_outside
-from .names import is_identifier
+from .names import is_identifier, name_hint
 from .nodes import Argument, Parameter, Value
 from .template import parse_template
 from .values import is_empty, parse_inline, split_inline
@@ -40,11 +40,15 @@ def parse_input(node: YamlNode, context: ParseContext) -> list[Parameter]:
                 "bad-input",
                 "a parameter is a name, a name=default or a **Block",
                 scalar.span(),
-                hint="quote a parameter whose default holds brackets: 'sizes=[1, 2]'",
+                hint="write a default behind an equals sign: length=1.0"
+                if isinstance(scalar, MappingNode)
+                else "quote a parameter whose default holds brackets: 'sizes=[1, 2]'",
             )
         stretches = split_inline(scalar) if scalar is node else [(0, len(scalar.text))]
         for start, end in stretches:
-            parameter = _parse_parameter(scalar, start, end, context)
+            parameter = context.attempt(_parse_parameter, scalar, start, end, context)
+            if parameter is None:
+                continue
             earlier = seen.get(parameter.name)
             if earlier is not None:
                 raise failure(
@@ -81,7 +85,7 @@ def _parse_parameter(node: ScalarNode, start: int, end: int, context: ParseConte
             "bad-input",
             f"'{name}' cannot be the name of a parameter",
             node.span(start, max(name_end, start + 1)),
-            hint=_name_hint(name),
+            hint=name_hint(name),
         )
     default: Value | None = None
     if equals >= 0:
@@ -111,12 +115,6 @@ def _parse_block(written: str, span: object) -> Parameter:
             f"**{name[:1].upper()}{name[1:].partition('=')[0]}",
         )
     return Parameter(name, None, is_block=True, span=span, text=written)
-
-
-def _name_hint(name: str) -> str:
-    if "-" in name:
-        return f"use an underscore: {name.replace('-', '_')}"
-    return "a name begins with a letter or _ and goes on with letters, digits and _"
 
 
 def parse_short_arguments(node: ScalarNode, context: ParseContext) -> list[Argument]:
@@ -173,7 +171,7 @@ def parse_argument_name(key: ScalarNode, context: ParseContext) -> str:
         "bad-argument",
         f"'{key.text}' is no name of an argument",
         key.span(),
-        hint="arguments are written name: value; statements such as `if` go around the call"
+        hint="arguments are written name: value; statements and elements go under a block's name"
         if isinstance(name, str)
         else "the names of arguments are fixed; compute their values",
     )

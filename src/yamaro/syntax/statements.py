@@ -151,7 +151,7 @@ def _parse_dynamic(
 ) -> DynamicNode:
     inner = ParseContext(context.reporter)
     inner.blocks, inner.codes = context.blocks, context.codes
-    inner.declarations = context.declarations
+    inner.declarations, inner.extents = context.declarations, context.extents
     content = inner.attempt(parse_content, node, inner)
     return DynamicNode(template, node, content, inner.errors, key.span())
 
@@ -329,14 +329,14 @@ def _parse_branch(
             "not-a-body",
             f"`{word}` has the entries `condition` and `body`",
             node.span(),
-            hint=f"write {word}: {{condition: …, body: …}}, or each on a line of its own",
+            hint=f"write `condition: {' '.join(node.text.split())}` below it, and then `body:`",
         )
     pairs = pairs_of(node, f"`{word}`", context)
     fields = Fields(word, pairs, ("condition", "body"), key.span())
     body_node = fields.get("body")
     body = Body([], key.span())
     if body_node is not None:
-        body = context.attempt(parse_body, body_node, f"`{word}`", context) or body
+        body = context.attempt(parse_body, body_node, f"the body of `{word}`", context) or body
     condition = parse_condition(fields.need("condition", "length > 1.0"), context)
     return condition, body
 
@@ -375,12 +375,23 @@ def _extend_if(
 
 
 def _parse_for(key: ScalarNode, node: YamlNode, context: ParseContext) -> ForNode:
+    if isinstance(node, ScalarNode) and not is_empty(node):
+        iterator, word, items = node.text.partition(" in ")
+        raise failure(
+            "not-a-body",
+            "`for` has the entries `iterator`, `range` or `in`, and `body`",
+            node.span(),
+            hint=f"write `iterator: {iterator.strip()}` and `in: {items.strip()}` below it, "
+            "and then `body:`"
+            if word
+            else "write each entry as `name: value`, on a line of its own",
+        )
     pairs = pairs_of(node, "`for`", context)
     fields = Fields("for", pairs, ("iterator", "range", "in", "body"), key.span())
     body_node = fields.get("body")
     body = Body([], key.span())
     if body_node is not None:
-        body = context.attempt(parse_body, body_node, "`for`", context) or body
+        body = context.attempt(parse_body, body_node, "the body of `for`", context) or body
     names = parse_iterator(fields.need("iterator", "i"), context)
     range_node, in_node = fields.get("range"), fields.get("in")
     if range_node is not None and in_node is not None:
@@ -401,8 +412,19 @@ def _parse_for(key: ScalarNode, node: YamlNode, context: ParseContext) -> ForNod
         ranges = parse_range(range_node, context)
         return ForNode(names, ranges, body, is_range=True, span=key.span())
     if in_node is None:
-        fields.need("range", "0, 6  (or: in: [left, right])")
-        raise AssertionError("need raises")
+        raise failure(
+            "missing-key",
+            "`for` needs an entry `range` or `in`",
+            key.span(),
+            hint="write range: 6, or in: [left, right]",
+        )
+    if is_empty(in_node):
+        raise failure(
+            "missing-key",
+            "`in` is empty",
+            fields.key("in").span(),
+            hint="write in: [left, right], or the name of a list",
+        )
     return ForNode(names, parse_in(in_node, context), body, is_range=False, span=key.span())
 
 
@@ -465,6 +487,7 @@ def _parse_function(key: ScalarNode, node: YamlNode, context: ParseContext) -> F
             body = context.attempt(parse_body, body_node, f"the function {name}", context) or body
     finally:
         context.blocks, context.at_root = outer, at_root
+        context.extents.append(node.span())
     return FunctionNode(name, scope, parameters, body, key.span())
 
 
@@ -472,6 +495,13 @@ def _parse_function(key: ScalarNode, node: YamlNode, context: ParseContext) -> F
 
 
 def _parse_part(key: ScalarNode, node: YamlNode, context: ParseContext) -> PartNode:
+    if isinstance(node, ScalarNode) and node.text and not is_empty(node):
+        raise failure(
+            "not-a-body",
+            "a part holds entries such as `name: value`; this is a text",
+            node.span(),
+            hint=f"to name the part, write name: {node.text} below it, indented",
+        )
     return PartNode(parse_body(node, "a part", context), key.span())
 
 

@@ -12,7 +12,7 @@ from .nodes import Constant, DictValue, ListValue, Value
 from .python import PythonCode, compile_expression, expression_without_dollars, find_close
 from .scalars import is_null, type_plain
 from .template import parse_expression, parse_template
-from .yaml_nodes import PLAIN, MappingNode, ScalarNode, SequenceNode
+from .yaml_nodes import DOUBLE, PLAIN, MappingNode, ScalarNode, SequenceNode
 from .yaml_reader import read_fragment
 
 TYPE_CHECKING = False
@@ -120,7 +120,8 @@ def parse_inline(
         return parse_value(read_fragment(node, start, end), context, is_literal=is_literal)
     first = node.offset(start) if start < len(text) else node.end
     last = node.offset(end - 1) + 1 if end > start else first
-    part = ScalarNode(text[start:end], PLAIN, node.source, first, last)
+    style = PLAIN if start < end else DOUBLE  # nothing is the empty text, as in `name:=`
+    part = ScalarNode(text[start:end], style, node.source, first, last)
     return _parse_scalar(part, context, is_literal=is_literal)
 
 
