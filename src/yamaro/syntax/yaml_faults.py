@@ -72,7 +72,7 @@ def refuse_yaml(error: Any, reading: Reading) -> NoReturn:
     context = str(getattr(error, "context", None) or "")
     context_mark = getattr(error, "context_mark", None)
     begin = context_mark.index if context_mark is not None else mark.index
-    for explain in (_tab, _start_of_value, _open_quote, _open_bracket, _escape, _colon, _rest):
+    for explain in _EXPLANATIONS:
         found = explain(reading, problem, context, begin, mark.index)
         if found is not None:
             raise found
@@ -123,15 +123,39 @@ def _start_of_value(
         return None
     if "alphabetic" in problem:
         at = begin
+    if text[at : at + 1] == "\t":
+        return failure(
+            "yaml-tab",
+            "a tab stands here, where YAML allows spaces only",
+            reading.span(at, at + 1),
+            hint="replace the tab with a space",
+        )
+    return _needs_quotes(reading, at)
+
+
+def _needs_quotes(reading: Reading, at: int) -> Exception:
+    """Return the error for a key or value at `at` whose first character YAML reserves."""
+    text = reading.text
     char = text[at : at + 1]
     start, end = _line_around(text, at)
     comment = text.find(" #", at, end)
     value = text[at : comment if comment >= 0 else end].rstrip()
+    before = text[start:at].lstrip()
+    what, behind = "value", ""
+    if not before.strip("- ") and ": " in f"{value} ":
+        value, behind, _ = f"{value} ".partition(": ")
+        what, behind = "key", ":"
+    elif "{" in before or "[" in before:
+        ends = [index for index, each in enumerate(value) if index and each in ",]}"]
+        value = value[: ends[0]].rstrip() if ends else value
+    hint = f"write {before}{quoted(value)}{behind}"
+    if char == "%" and before.endswith("{"):
+        hint = "conditions and loops are the statements `if:` and `for:`"
     return failure(
         "yaml-quote",
-        f"a value cannot begin with {char} in YAML unless it is quoted",
+        f"a {what} cannot begin with {char} in YAML unless it is quoted",
         reading.span(at, at + max(len(value), 1)),
-        hint=f"write {text[start:at].lstrip()}{quoted(value)}",
+        hint=hint,
     )
 
 
@@ -185,6 +209,14 @@ def _escape(reading: Reading, problem: str, context: str, begin: int, at: int) -
     if "escape" not in problem:
         return None
     slash = max(reading.text.rfind("\\", 0, at + 1), 0)
+    if "invalid Unicode" in problem:
+        return failure(
+            "yaml-escape",
+            f"the escape that begins with '{reading.text[slash : slash + 2]}' stands for no "
+            "character of Unicode",
+            reading.span(slash, slash + 2),
+            hint="write the character itself",
+        )
     return failure(
         "yaml-escape",
         f"'{reading.text[slash : slash + 2]}' is no escape that YAML knows",
@@ -220,7 +252,9 @@ def _no_colon(reading: Reading, begin: int) -> Exception:
         )
     return failure(
         "yaml-syntax",
-        "this line has no ':', so it is neither a key nor a value",
+        "this line has no ':' with a space behind it, so it is neither a key nor a value"
+        if colon
+        else "this line has no ':', so it is neither a key nor a value",
         reading.span(begin, max(begin + len(text[begin:end].rstrip()), begin + 1)),
         hint="put a ':' behind a key; indent a longer text deeper than its key",
     )
@@ -293,10 +327,61 @@ def _colon_in_key(reading: Reading, line: str, start: int) -> Exception | None:
     )
 
 
+def _misplaced(
+    reading: Reading, problem: str, context: str, begin: int, at: int
+) -> Exception | None:
+    """Explain a sign that stands where YAML gives it another meaning."""
+    text = reading.text
+    start, end = _line_around(text, at)
+    line = text[start:end]
+    if "sequence entries are not allowed" in problem:
+        key, _, item = line.strip().partition(": - ")
+        return failure(
+            "yaml-syntax",
+            "a list cannot begin on the line of its key",
+            reading.span(at, at + 1),
+            hint=f"write {key}: [{item}], or put the dash on the next line",
+        )
+    if "comment or line break" in problem:
+        return failure(
+            "yaml-syntax",
+            "a block of text begins on the line after its | or >",
+            reading.span(at, max(end, at + 1)),
+            hint="move this to the next line, indented",
+        )
+    if "directive" in problem or "directive" in context:
+        return failure(
+            "yaml-quote",
+            "a line cannot begin with % in YAML unless it is quoted",
+            reading.span(start, end),
+            hint=f"write {quoted(line.strip())}",
+        )
+    if line.strip() == ":" or line.lstrip().startswith(": "):
+        colon = text.index(":", start)
+        return failure(
+            "yaml-syntax",
+            "the key is missing in front of this ':'",
+            reading.span(colon, colon + 1),
+            hint="write name: value",
+        )
+    if text[at : at + 1] in (",", "]", "}") and not line[: at - start].rstrip().endswith(
+        ("]", "}")
+    ):
+        return _needs_quotes(reading, at)
+    return None
+
+
 def _rest(reading: Reading, problem: str, context: str, begin: int, at: int) -> Exception | None:
     text = reading.text
     start, end = _line_around(text, at)
     before = text[start:at].rstrip()
+    if "document start" in problem and not before:
+        return failure(
+            "several-documents",
+            "the document has ended above, and this line does not belong to it",
+            reading.span(start + len(before), max(end, start + 1)),
+            hint="the keys of a file all begin in the first column; `...` ends a file",
+        )
     if before.endswith(("]", "}", '"', "'")) and text[at:end].strip():
         in_key = _colon_in_key(reading, text[start:end], start)
         if in_key is not None:
@@ -307,14 +392,6 @@ def _rest(reading: Reading, problem: str, context: str, begin: int, at: int) -> 
             where, value = start + len(key) - len(key.lstrip(" -")), key.lstrip(" -")
         value = value.strip()
         return _text_behind_quote(reading, key.strip() if colon else "", value, where, at)
-    if text[start:end].lstrip().startswith(": "):
-        colon_at = text.index(":", start)
-        return failure(
-            "yaml-syntax",
-            "the key is missing in front of this ':'",
-            reading.span(colon_at, colon_at + 1),
-            hint="write name: value",
-        )
     if "block" not in context and "document start" not in problem:
         return None
     column = at - start + len(text[at:end]) - len(text[at:end].lstrip())
@@ -331,6 +408,9 @@ def _text_behind_quote(reading: Reading, key: str, value: str, where: int, at: i
     text = reading.text
     closing = text[:at].rstrip()[-1]
     advice, meant = "quote the whole value:", value
+    extra = value[len(text[where:at].rstrip()) :].strip()
+    if extra and not extra.strip("]}"):
+        advice, meant = "delete what is too much, or quote the whole value:", value
     if text[at - 1] == closing == value[0] == value[-1] and text[at].isalnum():
         advice, meant = f"a {closing} inside the text ends it; write", value[1:-1]
     shown = f"{key}: {quoted(meant)}" if key else quoted(meant)
@@ -340,3 +420,15 @@ def _text_behind_quote(reading: Reading, key: str, value: str, where: int, at: i
         reading.span(where, max(where + len(value), where + 1)),
         hint=f"{advice} {shown}",
     )
+
+
+_EXPLANATIONS = (
+    _tab,
+    _start_of_value,
+    _open_quote,
+    _open_bracket,
+    _escape,
+    _colon,
+    _misplaced,
+    _rest,
+)

@@ -163,7 +163,7 @@ class _Builder:
         start, end = event.start_mark.index, event.end_mark.index
         anchor = event.anchor
         tag = event.tag
-        if anchor is not None or (tag is not None and tag != "!"):
+        if anchor is not None or tag is not None:
             if tag is not None:
                 self._refuse_tag(event)
             start = self._after_properties(start)
@@ -277,7 +277,7 @@ class _Builder:
             "yaml-tag",
             f"the YAML tag '{self.text[start:end]}' has no meaning here",
             self.span(start, end),
-            hint="quote the value if it is text; computed values are written $(…)",
+            hint="quote the value if it is text; an expression says `not` where others write !",
         )
 
     def _refuse_key(self, node: YamlNode) -> Any:
