@@ -95,6 +95,19 @@ class Element:
             return self.value_spans[attribute]
         return self.span
 
+    def name_span(self, attribute: str) -> Span:
+        """Return where the attribute's name was written, or its value where that is unknown."""
+        value = self.value_span(attribute)
+        text, end = value.source.text, value.start
+        if text.startswith(attribute, end):
+            # The place of an empty value is its name.
+            return Span(value.source, end, end + len(attribute))
+        while end > 0 and text[end - 1] in " \t\r\n:='\"":
+            end -= 1
+        if not text.endswith(attribute, 0, end):
+            return value
+        return Span(value.source, end - len(attribute), end)
+
     def elements(self) -> list[Element]:
         """Return the child elements, without text and comments."""
         return [child for child in self.children if isinstance(child, Element)]

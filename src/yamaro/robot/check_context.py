@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from math import isfinite
 
-from ..diagnostics import WARNING, Diagnostic, did_you_mean
+from ..diagnostics import WARNING, Diagnostic, suggest
 from ..xmltree import Element, format_value
 
 TYPE_CHECKING = False
@@ -46,6 +46,11 @@ class Finding:
         self.diagnostic: Diagnostic | None = None
 
 
+KEY_CODES = ("unknown-key", "misplaced-key")
+STRAY_CODES = ("unknown-element", "unknown-attribute")
+"""What a stray key of a part comes out as; where the key was told of, this is not told again."""
+
+
 class CheckContext:
     """One run of the checks: where findings go, and what has been worked out so far."""
 
@@ -70,16 +75,22 @@ class CheckContext:
         element: Element,
         *,
         attribute: str | None = None,
+        is_of_name: bool = False,
         missing: str | None = None,
         hint: str | None = None,
         notes: Sequence[str] = (),
     ) -> None:
         """Note a finding at an attribute's value, or at the element when none is named.
 
+        With `is_of_name` it is at the attribute's name.
+
         A line in a loop or a function makes many elements; what is wrong with them for the same
         reason is told once. `missing` names what is not there, where that is the fault.
         """
-        span = place_of(element, attribute)
+        if attribute is not None and is_of_name:
+            span = element.name_span(attribute)
+        else:
+            span = place_of(element, attribute)
         found = self._found.setdefault((code, span.key(), attribute, missing), Finding())
         found.count += 1
         if found.diagnostic is None:
@@ -95,9 +106,12 @@ class CheckContext:
 
     def flush(self) -> None:
         """Report what was found, in the order it was found."""
+        told = {d.span.key() for d in self.reporter.diagnostics if d.code in KEY_CODES}
         for found in self._found.values():
             diagnostic = found.diagnostic
             if diagnostic is None:
+                continue
+            if diagnostic.code in STRAY_CODES and diagnostic.span.key() in told:
                 continue
             if found.count > 1:
                 diagnostic.notes += (f"{found.count} elements made here have this fault",)
@@ -106,10 +120,15 @@ class CheckContext:
 
     def near(self, word: str, candidates: Collection[str]) -> str | None:
         """Return the hint "did you mean 'x'?", or None when nothing is near."""
+        near = self.near_word(word, candidates)
+        return f"did you mean '{near}'?" if near is not None else None
+
+    def near_word(self, word: str, candidates: Collection[str]) -> str | None:
+        """Return the candidate that `word` is a misspelling of, or None."""
         if self._suggestion_budget < len(candidates):
             return None
         self._suggestion_budget -= len(candidates)
-        return did_you_mean(word, candidates)
+        return suggest(word, candidates)
 
     def read(self, text: str) -> tuple[float, ...] | NumberFault:
         """Return the numbers in a text; equal texts are read once."""

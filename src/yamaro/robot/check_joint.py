@@ -4,25 +4,12 @@ from __future__ import annotations
 
 from math import hypot
 
-from ..diagnostics import did_you_mean
 from ..xmltree import Element
 from .check_context import CheckContext, attribute_text, child_named, shown
-from .urdf import JOINT_TYPES
+from .urdf import JOINT_TYPES, joint_type_hint
 
 UNIT_TOLERANCE = 1e-3
 """How far from 1 the length of an axis may be: three digits, as 0.707 for 1/√2, are enough."""
-
-OTHER_NAMES = {
-    "hinge": "revolute",
-    "rotary": "revolute",
-    "rotational": "revolute",
-    "slider": "prismatic",
-    "linear": "prismatic",
-    "sliding": "prismatic",
-    "weld": "fixed",
-    "free": "floating",
-}
-"""What other formats call the types of joints."""
 
 LIMITED = ("revolute", "prismatic")
 WITH_AXIS = ("revolute", "continuous", "prismatic", "planar")
@@ -56,14 +43,12 @@ def _name(joint: Element) -> str:
 
 
 def _report_type(kind: str, joint: Element, context: CheckContext) -> None:
-    synonym = OTHER_NAMES.get(kind.lower())
-    near = f"URDF calls it '{synonym}'" if synonym else did_you_mean(kind, JOINT_TYPES)
     context.warn(
         "unknown-joint-type",
         f"joint '{_name(joint)}' has the type '{kind}', which URDF does not know",
         joint,
         attribute="type",
-        hint=near or f"the types are {', '.join(JOINT_TYPES)}",
+        hint=joint_type_hint(kind),
     )
 
 

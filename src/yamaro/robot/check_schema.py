@@ -293,6 +293,7 @@ def _check_unknown_attribute(
         f"URDF has no attribute '{name}' in {_holder(element, owner)}; parsers ignore it",
         element,
         attribute=name,
+        is_of_name=True,
         hint=hint,
     )
 

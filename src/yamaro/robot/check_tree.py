@@ -128,9 +128,20 @@ def _reference(joint: Element, role: str, tree: Tree, context: CheckContext) -> 
         f"the {role} '{name}' of joint '{joint_name}' is not a link of the robot",
         element,
         attribute="link",
-        hint=context.near(name, tree.links) or f"add a link named '{name}', or name one there is",
+        hint=_near(name, tree.links, "_link", context)
+        or f"add a link named '{name}', or name one there is",
     )
     return None
+
+
+def _near(name: str, known: dict[str, Element], ending: str, context: CheckContext) -> str | None:
+    """Return the hint at a name that is near, also where the name of its part is the near one."""
+    near = context.near(name, known)
+    if near is not None:
+        return near
+    parts = {full.removesuffix(ending): full for full in known if full.endswith(ending)}
+    part = context.near_word(name, parts)
+    return f"did you mean '{parts[part]}'?" if part is not None else None
 
 
 def _report_two_parents(child: str, first: Element, second: Element, context: CheckContext) -> None:
@@ -247,7 +258,7 @@ def _check_mimics(joints: list[Element], tree: Tree, context: CheckContext) -> N
                 f"joint '{name}' mimics '{master}', which is not a joint of the robot",
                 mimic,
                 attribute="joint",
-                hint=context.near(master, tree.joints) or "name a joint that exists",
+                hint=_near(master, tree.joints, "_joint", context) or "name a joint that exists",
             )
         elif tree.joints.get(name) is joint:
             masters[name] = master

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from math import pi
 
-from ..diagnostics import YamaroError, did_you_mean, failure
+from ..diagnostics import YamaroError, failure
 from ..xmltree import Element, format_number, format_value
-from .fields import near_key, read_record, read_value, sort_fields, word_of
+from .fields import read_record, read_value, sort_fields, word_of
 from .numbers import read_numbers
 from .places import JOINT, RECORD_KEYS
 from .pose import origin_element, read_pose
-from .urdf import JOINT_TYPES
+from .urdf import JOINT_TYPES, joint_type_hint
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -111,7 +111,6 @@ def _joint_element(
 def _read_type(lowering: Lowering, key: Element, fields: Fields) -> JointType:
     attribute = key.attributes.get("type")
     type_key = fields.keys.get("type")
-    types = ", ".join(JOINT_TYPES)
     if attribute is not None and type_key is not None:
         raise failure(
             "given-twice",
@@ -132,7 +131,7 @@ def _read_type(lowering: Lowering, key: Element, fields: Fields) -> JointType:
             "missing-type",
             "this joint has no 'type'",
             key.span,
-            hint=f"write type: fixed, or another of {types}",
+            hint=f"write type: with one of {', '.join(JOINT_TYPES)}",
             trace=key.trace,
         )
     word = word_of("type", value, span, owner=key)
@@ -142,7 +141,7 @@ def _read_type(lowering: Lowering, key: Element, fields: Fields) -> JointType:
         "joint-type",
         f"'{word}' is no joint type",
         span,
-        hint=did_you_mean(word, JOINT_TYPES) or f"the types are {types}",
+        hint=joint_type_hint(word),
         trace=key.trace,
     )
 
@@ -219,7 +218,6 @@ def _lower_record(lowering: Lowering, key: Element) -> Element:
         elif attribute == SCALARS.get(name):
             record.values[attribute] = word_of(name, value, span, owner=key)
         else:
-            _warn_of_attribute(lowering, key, attribute, span)
             record.values[attribute] = word_of(attribute, value, span, owner=key)
     if name in REQUIRED and REQUIRED[name] not in record.values:
         raise failure(
@@ -240,18 +238,6 @@ def _lower_record(lowering: Lowering, key: Element) -> Element:
     if name == "mimic":
         lowering.mimics.append(element)
     return element
-
-
-def _warn_of_attribute(lowering: Lowering, key: Element, attribute: str, span: Span) -> None:
-    near = near_key(attribute, frozenset(NUMBERS[key.name]) | {SCALARS.get(key.name, "lower")})
-    if near:
-        lowering.reporter.warn(
-            "unknown-key",
-            f"'{attribute}' is no attribute of <{key.name}>",
-            span,
-            hint=f"did you mean '{near}'?",
-            trace=key.trace,
-        )
 
 
 def _is_limit(node: Node) -> bool:

@@ -6,7 +6,20 @@ acceleration, deceleration and jerk limits. The table is data; `check_schema` ap
 
 from __future__ import annotations
 
+from ..diagnostics import did_you_mean
+
 JOINT_TYPES = ("revolute", "continuous", "prismatic", "fixed", "floating", "planar")
+OTHER_JOINT_TYPES = {
+    "hinge": "revolute",
+    "rotary": "revolute",
+    "rotational": "revolute",
+    "slider": "prismatic",
+    "linear": "prismatic",
+    "sliding": "prismatic",
+    "weld": "fixed",
+    "free": "floating",
+}
+"""What other formats call the types of joints."""
 VERSIONS = ("1.0", "1.1", "1.2")
 SHAPES = ("box", "cylinder", "sphere", "capsule", "mesh")
 
@@ -169,3 +182,11 @@ OPTIONAL_SINCE_1_2 = frozenset(("effort", "velocity"))
 
 OUTERMOST = ("link", "joint", "material", "gazebo", "transmission", "ros2_control", "sensor")
 """Element names well known directly under `robot`, where any other name may stand as well."""
+
+
+def joint_type_hint(word: str) -> str:
+    """Return which type of joint `word`, which is none, may stand for."""
+    other = OTHER_JOINT_TYPES.get(word.lower())
+    if other is not None:
+        return f"URDF calls it '{other}'"
+    return did_you_mean(word, JOINT_TYPES) or f"the types are {', '.join(JOINT_TYPES)}"
