@@ -287,9 +287,6 @@ def _second_colon(reading: Reading, start: int, end: int, at: int) -> Exception:
     line = text[start:end]
     if at - start > MAX_KEY and ": " not in text[start:at]:
         return _long_key(reading, start + len(line) - len(line.lstrip()))
-    in_key = _colon_in_key(reading, line, start)
-    if in_key is not None:
-        return in_key
     key, colon, value = line.partition(": ")
     if colon and start + len(key) < at:
         where = start + len(key) + 2
@@ -311,8 +308,12 @@ def _second_colon(reading: Reading, start: int, end: int, at: int) -> Exception:
     )
 
 
-def _colon_in_key(reading: Reading, line: str, start: int) -> Exception | None:
+def _colon_in_key(
+    reading: Reading, problem: str, context: str, begin: int, at: int
+) -> Exception | None:
     """Return the error for `item/a=$({'k': 1}['k']):`, where an expression in a key has a `: `."""
+    start, end = _line_around(reading.text, at)
+    line = reading.text[start:end]
     before = line.partition(": ")[0]
     key = line.rpartition(":")[0]
     is_open = "$(" in before and before.count("(") > before.count(")")
@@ -383,9 +384,6 @@ def _rest(reading: Reading, problem: str, context: str, begin: int, at: int) -> 
             hint="the keys of a file all begin in the first column; `...` ends a file",
         )
     if before.endswith(("]", "}", '"', "'")) and text[at:end].strip():
-        in_key = _colon_in_key(reading, text[start:end], start)
-        if in_key is not None:
-            return in_key
         key, colon, value = text[start:end].partition(": ")
         where = start + len(key) + 2
         if not colon:
@@ -423,6 +421,7 @@ def _text_behind_quote(reading: Reading, key: str, value: str, where: int, at: i
 
 
 _EXPLANATIONS = (
+    _colon_in_key,
     _tab,
     _start_of_value,
     _open_quote,
