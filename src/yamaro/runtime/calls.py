@@ -7,7 +7,8 @@ from ..source import Span
 from ..syntax.context import ParseContext
 from ..syntax.names import STATEMENTS
 from ..syntax.nodes import Argument, Body, FunctionNode
-from ..syntax.statements import late_value
+from ..syntax.statements import late_value, parse_body
+from ..syntax.yaml_nodes import MappingNode, SequenceNode
 from .declared import Declaration, notes_on
 from .expressions import function_names
 from .scope import MISSING, Namespace, Scope, function_key
@@ -136,7 +137,7 @@ def match_arguments(
             )
         spans[name] = argument.span
         if parameter.is_block:
-            given[name] = _block(argument, node, scope)
+            given[name] = _block(argument, node, scope, late_context)
         else:
             value = argument.value or late_value(argument, late_context)
             given[name] = values.value(value, scope)
@@ -151,8 +152,14 @@ def match_arguments(
     return given
 
 
-def _block(argument: Argument, node: FunctionNode, scope: Scope) -> Block:
+def _block(
+    argument: Argument, node: FunctionNode, scope: Scope, late_context: ParseContext
+) -> Block:
     if argument.block is None:
+        if isinstance(argument.node, SequenceNode) and any(
+            isinstance(item, MappingNode) for item in argument.node.items
+        ):
+            parse_body(argument.node, f"the block {argument.name}", late_context)
         raise _bad_call(
             "not-a-body",
             f"the block '{argument.name}' takes a body, and this is a value",
@@ -186,4 +193,3 @@ def _bad_call(
 ) -> YamaroError:
     note = f"it is defined as {node.signature()} at {node.span.place()}"
     return failure(code, message, span, hint=hint, notes=[*notes, note])
-

@@ -18,14 +18,14 @@ class Declaration:
         Args:
             scope: one of the five scopes, or "import".
             span: its place.
-            extent: all of the innermost function it stands in, or None.
+            extent: all of the innermost function or block it stands in, or None.
         """
         self.scope = scope
         self.span = span
         self.extent = extent
 
     def shares_context_with(self, span: Span) -> bool:
-        """Tell whether a place is in the file, and in the function, that this is in."""
+        """Tell whether a place is in the file, and in the function or block, that this is in."""
         if self.span.source is not span.source:
             return False
         return self.extent is None or self.extent.start <= span.start < self.extent.end
@@ -52,7 +52,7 @@ def _note(subject: str, declaration: Declaration, span: Span) -> str:
             return f"{subject} is declared later, at {place}"
         return f"{subject} is declared at {place}, which has not taken effect here"
     if declaration.scope == "local":
-        where = "function" if declaration.extent is not None else "file"
+        where = "function or block" if declaration.extent is not None else "file"
         return (
             f"{subject} at {place} is local to its {where}; "
             "declare it as parent, child or global to see it here"

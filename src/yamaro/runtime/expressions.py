@@ -23,6 +23,9 @@ if TYPE_CHECKING:
 _OWN_FOLDER = __file__[: -len("runtime/expressions.py")]
 
 
+_YAML_1_1_BOOLEANS = {"yes": "true", "on": "true", "no": "false", "off": "false"}
+
+
 class InputFault(Exception):
     """A fault a helper function finds, such as a package that `find` cannot find."""
 
@@ -102,8 +105,9 @@ class Evaluator:
         place = self._innermost(error.__traceback__, python)
         span = place.span
         frame = self.frame
-        if place.function is not None:
-            frame = Frame("called", place.function, python.span(), parent=frame)
+        steps = place.steps[:1] if isinstance(error, RecursionError) else place.steps
+        for function, called_at in steps:
+            frame = Frame("called", function, called_at, parent=frame)
         if type(error) is NameError and error.name:
             name_span = _find_name(place.python, error.name, place.index) or span
             raise self._undefined(error.name, name_span, scope, frame) from None
@@ -134,6 +138,9 @@ class Evaluator:
 
     def _undefined(self, name: str, span: Span, scope: Scope, frame: Frame | None) -> YamaroError:
         hint = did_you_mean(name, variable_names(scope))
+        if name.lower() in _YAML_1_1_BOOLEANS:
+            meant = _YAML_1_1_BOOLEANS[name.lower()]
+            hint = f"write {meant}: in YAML 1.2 '{name}' is a word like any other"
         return failure(
             "undefined-name",
             f"name '{name}' is not defined",
@@ -145,36 +152,58 @@ class Evaluator:
 
     def _innermost(self, traceback: TracebackType | None, python: PythonCode) -> _Place:
         """Return the last place in the YAML that a traceback goes through."""
-        place = _Place(python, python.span(), None, None)
+        place = _Place(python, python.span(), None, [])
         own = python.code.co_filename if python.code is not None else ""
         while traceback is not None:
             code = traceback.tb_frame.f_code
             found = python if code.co_filename == own else self.codes.get(code.co_filename)
             if found is not None:
                 index, span = _traceback_span(traceback, found)
-                is_function = (
-                    code.co_name not in ("<module>", "<lambda>") and code.co_name[0] != "<"
-                )
-                function = code.co_name if is_function else place.function
-                place = _Place(found, span, index, function)
+                steps = place.steps
+                if code.co_name[0] != "<":  # no <module>, <lambda>, <listcomp>
+                    steps.append((code.co_name, place.span if steps else python.span()))
+                place = _Place(found, span, index, steps)
             elif not code.co_filename.startswith((_OWN_FOLDER, "<")):
                 place.outside = f"{_base_name(code.co_filename)}:{traceback.tb_lineno}"
             traceback = traceback.tb_next
         return place
 
 
+def evaluate_bare(python: PythonCode, scope: Scope, evaluator: Evaluator, *, hint: str) -> Any:
+    """Return the value of an expression that stands without `$( )`, where a word may be a text.
+
+    Args:
+        python: the expression.
+        scope: where it stands.
+        evaluator: evaluates it.
+        hint: what to say of a name that is known nowhere; `{name}` in it is the name.
+    """
+    try:
+        return evaluator.evaluate(python, scope)
+    except YamaroError as error:
+        whole = python.span()
+        for diagnostic in error.diagnostics:
+            span = diagnostic.span
+            is_inside = span.source is whole.source and whole.start <= span.start < whole.end
+            if diagnostic.code == "undefined-name" and is_inside:
+                if not diagnostic.hint and not diagnostic.notes:
+                    name = span.source.text[span.start : span.end]
+                    diagnostic.hint = hint.replace("{name}", name)
+        raise
+
+
 class _Place:
     """A place in the YAML found in a traceback."""
 
-    __slots__ = ("function", "index", "outside", "python", "span")
+    __slots__ = ("index", "outside", "python", "span", "steps")
 
     def __init__(
-        self, python: PythonCode, span: Span, index: int | None, function: str | None
+        self, python: PythonCode, span: Span, index: int | None, steps: list[tuple[str, Span]]
     ) -> None:
         self.python = python
         self.span = span
         self.index = index  # into the Python text, where the failing piece begins
-        self.function = function  # the user's function it lies in
+        self.steps = steps  # the user's functions around it, outermost first, and their calls
         self.outside: str | None = None  # the module's line behind it that raised
 
 
@@ -262,15 +291,22 @@ def _describe(error: BaseException) -> str:
         return "the program may not be ended from here"
     if isinstance(error, KeyError) and error.args:
         return f"there is no key {error.args[0]!r} ({kind})"
-    try:
-        text = " ".join(str(error).split())
-    except Exception:
-        text = ""
+    text = _text_of(error)
+    if isinstance(error, AssertionError) and not text:
+        text = "this does not hold"
     return f"{text} ({kind})" if text else kind
 
 
+def _text_of(error: BaseException) -> str:
+    """Return an exception's text on one line, or nothing if its own code fails."""
+    try:
+        return " ".join(str(error).split())
+    except Exception:
+        return ""
+
+
 def _hint(error: BaseException) -> str | None:
-    text = str(error)
+    text = _text_of(error)
     if isinstance(error, AttributeError) and isinstance(error.obj, dict):
         return f"an entry of a mapping is read as d['{error.name}']"
     if isinstance(error, AttributeError) and error.name and error.obj is not None:
@@ -279,7 +315,8 @@ def _hint(error: BaseException) -> str | None:
         return None
     if isinstance(error, TypeError) and "concatenate str" in text:
         return "a text and a number do not add up: write str(…) around the number"
-    if isinstance(error, TypeError) and "'str'" in text and "operand" in text:
+    is_operation = "operand" in text or "not supported between" in text
+    if isinstance(error, TypeError) and "'str'" in text and is_operation:
         return "one side is a text; is a number quoted where it is declared?"
     if isinstance(error, TypeError) and "'NoneType'" in text:
         return "one of the values is empty (null)"

@@ -48,7 +48,7 @@ from ..syntax.statements import late_call
 from ..syntax.template import Template
 from ..xmltree import Comment, Element, LiteralList, PartElement, Text, format_value
 from .calls import Block, Function, bind, find_function, match_arguments
-from .expressions import Evaluator, add_trace
+from .expressions import Evaluator, add_trace, evaluate_bare
 from .files import Files
 from .loops import iterate, unpack
 from .scope import MISSING, BlockScope, Namespace, Scope, Shared, function_key
@@ -338,7 +338,9 @@ class Interpreter:
     def _is_true(self, condition: PythonCode | Constant, scope: Scope) -> bool:
         if isinstance(condition, Constant):
             return bool(condition.value)
-        value = self.evaluator.evaluate(condition, scope)
+        value = evaluate_bare(
+            condition, scope, self.evaluator, hint="a text to compare with needs quotes: '{name}'"
+        )
         if value is True or value is False:
             return bool(value)
         return bool(self.evaluator.guard(bool, value, condition.span()))
@@ -520,7 +522,7 @@ class Interpreter:
         ):
             self.reporter.warn(
                 "function-replaced",
-                f"the function '{key[:-2]}' that comes here replaces another one",
+                f"the function '{key[:-2]}' replaces another one of that name",
                 span,
                 hint="rename one of them, or include the file with a namespace",
                 notes=[

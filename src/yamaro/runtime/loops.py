@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from ..diagnostics import YamaroError, failure
+from ..diagnostics import failure
 from ..source import Span
 from ..syntax.nodes import ForNode, ListValue
 from ..syntax.python import PythonCode
-from .expressions import Evaluator
+from .expressions import Evaluator, evaluate_bare
 from .scope import MISSING, Scope
 from .values import Values, a_kind_of, count, span_of
 
@@ -29,7 +29,8 @@ def iterate(node: ForNode, scope: Scope, values_of: Values) -> Iterator[Any]:
     iterable = node.iterable
     if isinstance(iterable, PythonCode):
         span = iterable.span()
-        values = _evaluate_items(iterable, scope, evaluator)
+        hint = f"this is an expression; texts go in a list: in: [{iterable.text}]"
+        values = evaluate_bare(iterable, scope, evaluator, hint=hint)
     else:
         assert not isinstance(iterable, list)
         span = span_of(iterable)
@@ -51,19 +52,6 @@ def iterate(node: ForNode, scope: Scope, values_of: Values) -> Iterator[Any]:
         if item is MISSING:
             return
         yield item
-
-
-def _evaluate_items(iterable: PythonCode, scope: Scope, evaluator: Evaluator) -> Any:
-    """Return what an expression behind `in` gives; texts written there without brackets fail."""
-    try:
-        return evaluator.evaluate(iterable, scope)
-    except YamaroError as error:
-        for diagnostic in error.diagnostics:
-            if diagnostic.code == "undefined-name" and not diagnostic.hint:
-                diagnostic.hint = (
-                    f"this is an expression; texts go in a list: in: [{iterable.text}]"
-                )
-        raise
 
 
 def _range(node: ForNode, scope: Scope, evaluator: Evaluator) -> range:
@@ -95,7 +83,7 @@ def _range(node: ForNode, scope: Scope, evaluator: Evaluator) -> range:
                 "bad-range",
                 f"`range` takes whole numbers, and this is {a_kind_of(value)}",
                 span,
-                hint=_range_hint(value, iterable),
+                hint=_range_hint(value, node),
             )
     if len(values) == 3 and values[2] == 0:
         raise failure(
@@ -107,12 +95,14 @@ def _range(node: ForNode, scope: Scope, evaluator: Evaluator) -> range:
     return range(*values)
 
 
-def _range_hint(value: object, iterable: object) -> str:
+def _range_hint(value: object, node: ForNode) -> str:
     if isinstance(value, float):
         return f"write int(…) around it to cut {value} off to a whole number"
-    if isinstance(iterable, PythonCode):
-        return f"to go through the items of a list write in: {iterable.text.strip()}"
-    return "write range: 0, 6, or in: for the items of a list"
+    if isinstance(value, str) and value.strip().isdigit():
+        return "is the number quoted where it is declared? int(…) makes a number of a text"
+    if isinstance(node.iterable, PythonCode) and "," not in node.iterable.text:
+        return f"to go through the items of a list write in: {node.iterable.text.strip()}"
+    return "write range: 6, or range: 0, 6, or in: for the items of a list"
 
 
 def unpack(item: Any, index: int, node: ForNode, evaluator: Evaluator) -> list[Any]:

@@ -38,7 +38,7 @@ class ParseContext:
             blocks: names of the blocks of the functions around the place being parsed.
             codes: every expression and process block compiled.
             declarations: name, scope and place of everything that declares a name.
-            extents: the place of each function with its body; inner ones come first.
+            extents: the place of each function or block with its body; inner ones come first.
             known_names: element names found not to look like misspelt statements.
         """
         self.reporter = reporter

@@ -440,7 +440,7 @@ class Document:
             robot_name: what stands behind `robot:`.
             codes: Python code by its file name, to find the place of an error in a function.
             declarations: every name declared, with the scope and place.
-            extents: the place of each function with its body; inner ones come first.
+            extents: the place of each function or block with its body; inner ones come first.
             names_read: every name that some expression reads.
         """
         self.source = source
@@ -456,7 +456,7 @@ class Document:
         self.names_read: set[str] = set()
 
     def extent_around(self, span: Span) -> Span | None:
-        """Return all of the innermost function that a place is in, or None."""
+        """Return all of the innermost function or block that a place is in, or None."""
         for extent in self.extents:
             if extent.start <= span.start < extent.end:
                 return extent

@@ -159,21 +159,36 @@ def _line_span(python: PythonCode, line: int) -> Span:
 
 def _syntax_hint(python: PythonCode, reason: str) -> str | None:
     text = python.text
-    first, _, rest = text.strip().partition(" ")
-    if python.opening and first == "eval" and rest:
-        return f"leave out the word eval: $({rest.strip()})"
-    if python.opening and first in ("import", "from"):
-        return "modules are listed at the root of the file: import: [math]"
+    if python.opening and (hint := _hint_for_words(text.split())) is not None:
+        return hint
     if ("unterminated" in reason or "never closed" in reason) and _is_cut_by_comment(python.node):
         return (
             f"' #' begins a YAML comment: write {_whole_value(python.node, len(python.node.text))}"
         )
     if "&&" in text or "||" in text:
         return "Python writes `and`, `or` and `not`"
-    if "${" in text or "$(" in text:
-        return "names stand by themselves inside an expression, without $( )"
+    if "$" in text:
+        return "names stand by themselves inside an expression, without $"
+    if python.opening and text.rstrip().endswith(":"):
+        return "leave out the colon at the end"
     if "=" in reason and "==" in reason:
         return "compare with =="
+    return None
+
+
+def _hint_for_words(words: list[str]) -> str | None:
+    """Return how to write what begins with a word of ROS's launch files, or of Python."""
+    first, rest = words[0], " ".join(words[1:])
+    if not rest:
+        return None
+    if first in ("eval", "arg", "var"):
+        return f"leave out the word {first}: $({rest})"
+    if first == "env":
+        return f"an environment variable with a default is $(optenv {rest})"
+    if first in ("find", "find-pkg-share"):
+        return f"the name of a package has no quotes: $({first} name)"
+    if first in ("import", "from"):
+        return "modules are listed at the root of the file: import: [math]"
     return None
 
 

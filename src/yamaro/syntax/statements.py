@@ -8,7 +8,7 @@ from .context import ParseContext
 from .includes import parse_include
 from .iterations import parse_in, parse_iterator, parse_range
 from .keys import find_outside, parse_attributes, parse_name
-from .mappings import Fields, Pairs, item_hint, pairs_of
+from .mappings import Fields, Pairs, item_hint, pairs_of, refuse_not_indented
 from .names import ROOT_STATEMENTS, STATEMENTS, is_function_name, is_identifier
 from .nodes import (
     Argument,
@@ -56,7 +56,9 @@ def parse_body(node: YamlNode, what: str, context: ParseContext) -> Body:
     Raises:
         YamaroError: it is no mapping and no list of mappings.
     """
-    return parse_pairs(pairs_of(node, what, context), node.span(), context)
+    pairs = pairs_of(node, what, context)
+    refuse_not_indented(node)
+    return parse_pairs(pairs, node.span(), context)
 
 
 def parse_pairs(pairs: Pairs, span: Span, context: ParseContext) -> Body:
@@ -276,6 +278,13 @@ def parse_arguments(name: str, node: YamlNode, context: ParseContext) -> list[Ar
             warn_of_hidden_value(node, context)
             return []
         return parse_short_arguments(node, context)
+    if isinstance(node, SequenceNode) and node.items and isinstance(node.items[0], ScalarNode):
+        raise failure(
+            "bad-argument",
+            "a list is no form of a call's arguments",
+            node.span(),
+            hint=f"write {name}: left, 2 for values by position, or each as name: value",
+        )
     pairs = pairs_of(node, f"a call of {name}", context)
     arguments = [
         argument
@@ -302,6 +311,7 @@ def _parse_argument(key: ScalarNode, node: YamlNode, context: ParseContext) -> A
     argument = Argument(name, node, key.span())
     if name[0].isupper() and (is_empty(node) or _is_body(node)):
         argument.block = parse_body(node, f"the block {name}", context)
+        context.extents.append(node.span())
     else:
         argument.value = parse_value(node, context)
     return argument
