@@ -202,7 +202,7 @@ _ATTRIBUTE_TABLE = str.maketrans(_ATTRIBUTE_ESCAPES)
 def write(root: Element) -> str:
     """Return the tree as an XML document; raise YamaroError where XML cannot hold a character."""
     out = ['<?xml version="1.0"?>\n']
-    _write_element(root, "", out, frozenset(("xml", "xmlns")))
+    _write_element(root, "", out, frozenset(("xml",)))
     return "".join(out)
 
 
@@ -211,11 +211,11 @@ def _write_element(element: Element, indent: str, out: list[str], prefixes: froz
     attributes = element.attributes
     head = f"{indent}<{name}"
     if attributes:
-        prefixes = _declared(attributes, prefixes)
+        prefixes = _declared(element, prefixes)
         for key, value in attributes.items():
             if value is None:
                 continue
-            if ":" in key:
+            if ":" in key and not key.startswith("xmlns:"):
                 _check_prefix(key, element, prefixes)
             text = value if type(value) is str else format_value(value)
             head += f' {key}="{_attribute_text(text, element, key)}"'
@@ -273,8 +273,26 @@ def _comment_text(comment: Comment, element: Element) -> str:
     return comment.text
 
 
-def _declared(attributes: dict[str, object], prefixes: frozenset[str]) -> frozenset[str]:
-    new = [key[6:] for key in attributes if key.startswith("xmlns:")]
+def _declared(element: Element, prefixes: frozenset[str]) -> frozenset[str]:
+    """Return the prefixes that are declared inside an element, its own name included."""
+    new = {
+        key[6:]: format_value(value)
+        for key, value in element.attributes.items()
+        if key.startswith("xmlns:") and value is not None
+    }
+    for prefix, address in new.items():
+        if not address or prefix in ("xml", "xmlns"):
+            raise failure(
+                "undeclared-prefix",
+                f"the XML prefix '{prefix}' is declared without an address"
+                if not address
+                else f"the XML prefix '{prefix}' has its meaning and cannot be declared",
+                element.value_span(f"xmlns:{prefix}"),
+                hint=f"write xmlns:{prefix}=https://…"
+                if not address
+                else "leave the declaration out, or name another prefix",
+                trace=element.trace,
+            )
     return prefixes.union(new) if new else prefixes
 
 
@@ -285,11 +303,16 @@ def _check_prefix(name: str, element: Element, prefixes: frozenset[str]) -> None
             "undeclared-prefix",
             f"the XML prefix '{prefix}' of '{name}' is not declared",
             element.span,
-            hint="xacro's tags do not exist here; see docs/coming-from-xacro.md"
-            if prefix == "xacro"
-            else f"declare it on this or an outer element: xmlns:{prefix}=https://…",
+            hint=_PREFIX_HINTS.get(prefix)
+            or f"declare it on this or an outer element: xmlns:{prefix}=https://…",
             trace=element.trace,
         )
+
+
+_PREFIX_HINTS = {
+    "xacro": "xacro's tags do not exist here; see docs/coming-from-xacro.md",
+    "xmlns": "xmlns: begins the attributes that declare prefixes: name/xmlns:gz=https://…",
+}
 
 
 def is_xml_character(char: str) -> bool:

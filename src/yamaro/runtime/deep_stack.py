@@ -19,7 +19,8 @@ if TYPE_CHECKING:
 
 RECURSION_LIMIT = 40_000 if sys.version_info >= (3, 11) else 20_000
 STACK_SIZES = (512 << 20, 128 << 20, 32 << 20)
-_starting = _thread.allocate_lock()  # the stack size is set for the whole process
+_lock = _thread.allocate_lock()  # stack size and recursion limit are set for the whole process
+_limits: list[int] = []  # the recursion limit that was found, once for each function running
 
 
 def run_on_deep_stack(function: Callable[[], T]) -> T:
@@ -27,10 +28,36 @@ def run_on_deep_stack(function: Callable[[], T]) -> T:
 
     It is called directly where a debugger or a coverage tool traces the calling thread.
     """
-    if sys.getrecursionlimit() < RECURSION_LIMIT:
-        sys.setrecursionlimit(RECURSION_LIMIT)
-    if sys.gettrace() is not None or sys.getprofile() is not None:
-        return function()
+    _raise_recursion_limit()
+    try:
+        if sys.gettrace() is not None or sys.getprofile() is not None:
+            return function()
+        return _run_in_thread(function)
+    finally:
+        _restore_recursion_limit()
+
+
+def _raise_recursion_limit() -> None:
+    with _lock:
+        before = _limits[0] if _limits else sys.getrecursionlimit()
+        _limits.append(before)
+        if sys.getrecursionlimit() < RECURSION_LIMIT:
+            sys.setrecursionlimit(RECURSION_LIMIT)
+
+
+def _restore_recursion_limit() -> None:
+    """Give back the limit that was found, once nothing runs that needs ours."""
+    with _lock:
+        before = _limits.pop()
+        if _limits or sys.getrecursionlimit() != RECURSION_LIMIT:
+            return
+        try:
+            sys.setrecursionlimit(before)
+        except RecursionError:  # the caller is deeper than its limit already
+            return
+
+
+def _run_in_thread(function: Callable[[], T]) -> T:
     outcome: list[tuple[T | None, BaseException | None]] = []
     done = _thread.allocate_lock()
     done.acquire()
@@ -62,7 +89,7 @@ def run_on_deep_stack(function: Callable[[], T]) -> T:
 
 def _start(run: Callable[[], None]) -> int | None:
     """Start a thread with the deepest stack there is to have; None if there is none."""
-    with _starting:
+    with _lock:
         for size in STACK_SIZES:
             try:
                 before = _thread.stack_size(size)

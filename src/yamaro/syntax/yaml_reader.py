@@ -166,7 +166,7 @@ class _Builder:
         if anchor is not None or tag is not None:
             if tag is not None:
                 self._refuse_tag(event)
-            start = self._after_properties(start)
+            start = min(self._after_properties(start), end)  # behind an empty scalar is the next
         if self.places is not None:
             start, end = self.place(start), self.place(end - 1) + 1 if end > start else start
         node = ScalarNode(event.value, event.style or "", self.source, start, end, anchor)
