@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ..diagnostics import Reporter, YamaroError, failure, suggest
-from ..source import Source
+from ..source import Source, Span
 from .context import ParseContext
 from .mappings import Pairs, pairs_of
 from .names import SECTIONS, STATEMENTS, is_function_name, is_identifier
@@ -98,9 +98,9 @@ def _parse_robot_name(
 def _parse_model(
     key: ScalarNode, node: YamlNode, document: Document, context: ParseContext
 ) -> None:
-    if document.root is not None:
-        _refuse_two_roots(key, document, context)
     document.model_span = document.model_span or key.span()
+    if document.root is not None:
+        _refuse_beside_model(document.root.span, document.model_span, context)
     context.at_root = False
     body = context.attempt(parse_body, node, "`model`", context)
     context.at_root = True
@@ -181,14 +181,26 @@ def _refuse_two_roots(key: ScalarNode, document: Document, context: ParseContext
             hint="write robot/name=NAME: above the body, or `model:` instead of this `robot:`",
             notes=[f"the robot is named at {document.robot_name.span.place()}"],
         )
-    other = "model" if document.model_span else "robot"
+    if document.model_span is not None:
+        _refuse_beside_model(key.span(), document.model_span, context)
     raise failure(
         "two-roots",
-        f"'{key.text}' stands beside `{other}:`, and would be a second root element",
+        f"'{key.text}' stands beside `robot:`, and would be a second root element",
         key.span(),
-        hint="elements of a robot go under `model:`"
-        if other == "model"
-        else f"leave `robot:` out when '{key.text}' is the root element",
+        hint=f"leave `robot:` out when '{key.text}' is the root element",
+    )
+
+
+def _refuse_beside_model(span: Span, model: Span, context: ParseContext) -> None:
+    """Raise YamaroError for a root element, or a key taken for one, beside `model:`."""
+    if any(error.code == "two-roots" for error in context.errors):
+        return
+    raise failure(
+        "two-roots",
+        f"'{span.text()}' is no section, and would be a root element beside `model:`",
+        span,
+        hint="elements of a robot go under `model:`; a file has a `model` or a root element",
+        notes=[f"`model:` is at {model.place()}"],
     )
 
 
@@ -242,16 +254,16 @@ def _parse_module(node: ScalarNode, text: str) -> ImportNode:
     if len(words) == 3 and words[1] == "as" and _is_module(words[0]) and is_identifier(words[2]):
         return ImportNode(words[0], words[2], None, node.span())
     if len(words) == 1 and _is_module(words[0]):
-        return ImportNode(words[0], None, None, node.span())
-    rest = " ".join(words[1:])
-    raise failure(
-        "bad-import",
-        f"'{text.strip()}' is no module to import",
-        node.span(),
-        hint=f"write '{rest}' without the word import"
-        if words[:1] == ["import"]
-        else "write math, or numpy as np, or from math import pi, sin",
-    )
+        entry = ImportNode(words[0], None, None, node.span())
+        if words[0].endswith(".py"):
+            entry.hint = f"a module is named without its ending: {words[0][:-3]}"
+        return entry
+    hint = "write math, or numpy as np, or from math import pi, sin"
+    if words[:1] == ["import"]:
+        hint = f"write '{' '.join(words[1:])}' without the word import"
+    elif _is_module(text.strip().lstrip("./")):
+        hint = f"modules beside the file are named without a dot: {text.strip().lstrip('./')}"
+    raise failure("bad-import", f"'{text.strip()}' is no module to import", node.span(), hint=hint)
 
 
 def _parse_from(node: ScalarNode, words: list[str]) -> ImportNode:
