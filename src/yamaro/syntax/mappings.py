@@ -51,6 +51,38 @@ def pairs_of(node: YamlNode, what: str, context: ParseContext) -> Pairs:
     return pairs
 
 
+# Statements that are never empty, with the entries they take.
+_OWN_ENTRIES = {
+    "part": ("name", "joint", "link"),
+    "for": ("iterator", "range", "in", "body"),
+    "if": ("condition", "body"),
+    "elif": ("condition", "body"),
+    "include": ("path", "namespace"),
+}
+
+
+def refuse_not_indented(node: YamlNode, *, functions: bool = False) -> None:
+    """Refuse a list item such as `- part:` whose entries stand beside it instead of below it.
+
+    With `functions`, the items are definitions of functions, not statements.
+
+    Raises:
+        YamaroError: an item is like that.
+    """
+    for item in () if isinstance(node, (ScalarNode, MappingNode)) else node.items:
+        if not isinstance(item, MappingNode) or len(item.pairs) < 2:
+            continue
+        (key, value), (beside, _) = item.pairs[:2]
+        own = ("input", "body") if functions else _OWN_ENTRIES.get(key.text, ())
+        if isinstance(value, ScalarNode) and is_empty(value) and beside.text in own:
+            raise failure(
+                "not-indented",
+                f"'{beside.text}' stands beside '{key.text}', not below it",
+                beside.span(),
+                hint=f"put `{beside.text}` and what follows two columns further to the right",
+            )
+
+
 def item_hint(item: YamlNode) -> str:
     """Return what a list item in place of an entry was probably meant to be."""
     if not isinstance(item, ScalarNode):

@@ -444,6 +444,7 @@ def _parse_for(key: ScalarNode, node: YamlNode, context: ParseContext) -> ForNod
 def _parse_functions(key: ScalarNode, node: YamlNode, context: ParseContext) -> FunctionsNode:
     functions: list[FunctionNode] = []
     seen: dict[str, FunctionNode] = {}
+    refuse_not_indented(node, functions=True)
     for own, value in pairs_of(node, "`functions`", context):
         function = context.attempt(_parse_function, own, value, context)
         if function is None:
