@@ -67,6 +67,8 @@ def find_function(
         hint = f"the statement is written `{name.lower()}:`; the XML element <{name}>:"
     elif hint is None and not notes:
         hint = f"for an XML element of that name write <{name}>:"
+        if scope.context.closure is not None and not namespace:
+            hint += f"; a block stands in the function's `input` as **{name}"
     raise failure(
         "undefined-function", f"function '{name}' is not defined", span, hint=hint, notes=notes
     )

@@ -16,7 +16,7 @@ class Declaration:
         """Describe a declaration.
 
         Args:
-            scope: one of the five scopes, or "import".
+            scope: one of the five scopes, "import", or "passed" of what an include gives.
             span: its place.
             extent: all of the innermost function or block it stands in, or None.
         """
@@ -47,6 +47,8 @@ def _note(subject: str, declaration: Declaration, span: Span) -> str:
     place = declaration.span.place()
     if declaration.scope == "import":
         return f"{subject} is imported at {place}; each file has imports of its own"
+    if declaration.scope == "passed":
+        return f"{subject} at {place} is passed to the file included there, and is local to it"
     if declaration.shares_context_with(span):
         if declaration.span.start > span.start:
             return f"{subject} is declared later, at {place}"

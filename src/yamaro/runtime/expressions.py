@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from ..diagnostics import Diagnostic, Frame, YamaroError, did_you_mean, failure
 from ..source import Span
-from ..syntax.python import PythonCode
+from ..syntax.python import PythonCode, expression_without_dollars
 from .declared import Declaration, notes_on
 from .scope import Namespace, Scope
 
@@ -269,7 +269,9 @@ def _traceback_span(traceback: TracebackType, python: PythonCode) -> tuple[int |
 
 def _find_name(python: PythonCode, name: str, index: int | None) -> Span | None:
     """Return the place where a name is read: at `index` if it is there, else the first one."""
-    text = python.text
+    text = expression_without_dollars(python.text)[0]
+    if len(text) != len(python.text):  # with a form of ROS's, places would not be right
+        return None
     if index is not None and text.startswith(name, index):
         return python.span(index, index + len(name))
     import ast

@@ -57,8 +57,10 @@ def iterate(node: ForNode, scope: Scope, values_of: Values) -> Iterator[Any]:
 def _range(node: ForNode, scope: Scope, evaluator: Evaluator) -> range:
     iterable = node.iterable
     spans: list[Span]
+    whole: list[Any] | None = None  # a variable's list in place of numbers
     if isinstance(iterable, PythonCode):
         result = evaluator.evaluate(iterable, scope)
+        whole = result if isinstance(result, list) else None
         values = list(result) if isinstance(result, (tuple, list)) else [result]
         spans = [iterable.span()] * len(values)
     else:
@@ -81,7 +83,7 @@ def _range(node: ForNode, scope: Scope, evaluator: Evaluator) -> range:
         if isinstance(value, bool) or not hasattr(type(value), "__index__"):
             raise failure(
                 "bad-range",
-                f"`range` takes whole numbers, and this is {a_kind_of(value)}",
+                f"`range` takes whole numbers, and this is {a_kind_of(whole or value)}",
                 span,
                 hint=_range_hint(value, node),
             )
@@ -100,8 +102,9 @@ def _range_hint(value: object, node: ForNode) -> str:
         return f"write int(…) around it to cut {value} off to a whole number"
     if isinstance(value, str) and value.strip().isdigit():
         return "is the number quoted where it is declared? int(…) makes a number of a text"
-    if isinstance(node.iterable, PythonCode) and "," not in node.iterable.text:
-        return f"to go through the items of a list write in: {node.iterable.text.strip()}"
+    written = node.iterable.text.strip() if isinstance(node.iterable, PythonCode) else ","
+    if "," not in written and not isinstance(value, bool):
+        return f"to go through the items of a list write in: {written}"
     return "write range: 6, or range: 0, 6, or in: for the items of a list"
 
 

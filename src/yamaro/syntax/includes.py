@@ -5,7 +5,7 @@ from __future__ import annotations
 from ..diagnostics import failure, suggest
 from .context import ParseContext
 from .mappings import Pairs, pairs_of, refuse_twice
-from .names import is_identifier
+from .names import is_identifier, name_hint
 from .nodes import Argument, IncludeNode
 from .signatures import parse_argument_name
 from .template import Template, parse_template
@@ -15,6 +15,10 @@ from .yaml_nodes import ScalarNode
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from .yaml_nodes import YamlNode
+
+
+OTHER_WORDS = ("file", "filename", "src", "from", "uri", "url")
+"""What other formats call the path of an include."""
 
 
 def parse_include(key: ScalarNode, node: YamlNode, context: ParseContext) -> IncludeNode:
@@ -39,7 +43,8 @@ def parse_include(key: ScalarNode, node: YamlNode, context: ParseContext) -> Inc
         else:
             rest.append((own, value))
     if path_pair is None:
-        near = suggest("path", [own.text for own, _ in rest])
+        names = [own.text for own, _ in rest]
+        near = suggest("path", names) or next((n for n in names if n in OTHER_WORDS), None)
         raise failure(
             "missing-key",
             "`include` needs an entry `path`",
@@ -59,12 +64,24 @@ def _include_arguments(pairs: Pairs, context: ParseContext) -> list[Argument]:
     for own, value in pairs:
         refuse_twice(seen.get(own.text), own, "include")
         seen[own.text] = (own, value)
-        argument = Argument(parse_argument_name(own, context), value, own.span())
+        argument = Argument(_argument_name(own, context), value, own.span())
         argument.value = parse_value(value, context)
         arguments.append(argument)
         assert argument.name is not None
-        context.declarations.append((argument.name, "local", argument.span))
+        context.declarations.append((argument.name, "passed", argument.span))
     return arguments
+
+
+def _argument_name(key: ScalarNode, context: ParseContext) -> str:
+    name = key.text.strip()
+    if "$" in name or is_identifier(name):
+        return parse_argument_name(key, context)
+    raise failure(
+        "bad-argument",
+        f"'{name}' cannot name a variable that is passed to the file",
+        key.span(),
+        hint=name_hint(name),
+    )
 
 
 def _parse_path(node: YamlNode, key: ScalarNode, context: ParseContext) -> str | Template:

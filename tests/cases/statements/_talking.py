@@ -1,0 +1,8 @@
+import sys
+
+print("loaded")
+
+
+def talk():
+    print("hello")
+    sys.stdout.write("written\n")
