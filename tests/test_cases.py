@@ -67,9 +67,14 @@ def compile_case(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[
         capsys.readouterr()
         status = main([case.name, *arguments])
         captured = capsys.readouterr()
-        return Result(status, captured.out, captured.err)
+        return Result(status, _portable(captured.out), _portable(captured.err))
 
     return compile_case
+
+
+def _portable(text: str) -> str:
+    """Return a text without the place of these tests on this machine."""
+    return text.replace(str(CASES), "CASES")
 
 
 def read_expected(path: Path) -> str:
