@@ -141,8 +141,6 @@ class Evaluator:
         if name.lower() in _YAML_1_1_BOOLEANS:
             meant = _YAML_1_1_BOOLEANS[name.lower()]
             hint = f"write {meant}: in YAML 1.2 '{name}' is a word like any other"
-        elif hint is None and span.source.text[: span.start].rstrip().endswith(("==", "!=")):
-            hint = f"a text needs quotes in an expression: '{name}'"
         return failure(
             "undefined-name",
             f"name '{name}' is not defined",
