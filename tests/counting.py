@@ -1,0 +1,24 @@
+"""Counts the work a function does, which, unlike time, is the same on every run and machine."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable
+
+
+def calls_of(function: Callable[[], object]) -> int:
+    """Return how many functions, Python's and C's, a call of `function` calls."""
+    count = 0
+
+    def profile(frame: object, event: str, argument: object) -> None:
+        nonlocal count
+        if event in ("call", "c_call"):
+            count += 1
+
+    before = sys.getprofile()
+    sys.setprofile(profile)
+    try:
+        function()
+    finally:
+        sys.setprofile(before)
+    return count
