@@ -547,7 +547,8 @@ def test_the_work_grows_with_the_size_and_no_faster() -> None:
     def work(length: int) -> int:
         root = chain(length)
         for joint in root.elements()[length:]:
-            joint.elements()[0].attributes["link"] += "x"
+            attributes = joint.elements()[0].attributes
+            attributes["link"] = f"{attributes['link']}x"
         return calls_of(lambda: check(root, reporter=Reporter()))
 
     work(10)  # imports what is imported when used
