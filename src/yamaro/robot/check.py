@@ -5,7 +5,6 @@ Everything here is linear in the size of the robot and recurses no deeper than t
 
 from __future__ import annotations
 
-from ..diagnostics import did_you_mean
 from ..xmltree import Element
 from .check_context import CheckContext, attribute_text
 from .check_files import check_files
@@ -14,7 +13,7 @@ from .check_link import check_link, check_pose
 from .check_material import check_materials
 from .check_schema import check_schema
 from .check_tree import check_spelling, check_tree
-from .urdf import VERSIONS
+from .urdf import SRDF_ELEMENTS, VERSIONS
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -67,12 +66,17 @@ def check(
         check_advice(tree, context, advice=advice, resolve_mesh=resolve_mesh)
 
 
+def _is_srdf(root: Element) -> bool:
+    """Tell whether a `<robot>` is MoveIt's semantic description, which has no links."""
+    return any(child.name in SRDF_ELEMENTS for child in root.elements())
+
+
 def _check_robot(root: Element, links: list[Element], context: CheckContext) -> str:
     """Check the robot's own attributes, and that it has a link; return its URDF version."""
     name = attribute_text(root, "name")
     if name is not None:
         check_spelling(root, name, context)
-    if not links:
+    if not links and not _is_srdf(root):
         context.warn(
             "no-link",
             "the robot has no link, and parsers refuse a robot without one",
@@ -88,7 +92,7 @@ def _check_robot(root: Element, links: list[Element], context: CheckContext) -> 
             f"'{version}' is not a version of URDF",
             root,
             attribute="version",
-            hint=did_you_mean(version, VERSIONS) or f"the versions are {', '.join(VERSIONS)}",
+            hint=f"the versions are {', '.join(VERSIONS)}",
         )
         return VERSIONS[-1]
     return version

@@ -58,8 +58,19 @@ def _check_name(element: Element, known: dict[str, Element], context: CheckConte
         element,
         attribute="name",
         hint="give each a name of its own; in a function, build it from an argument: `$(side)_arm`",
-        notes=(f"first defined at {first.value_span('name').place()}",),
+        notes=(_note_of_first(first, element),),
     )
+
+
+def _note_of_first(first: Element, second: Element) -> str:
+    """Return where the first of two elements was made, and what led there if that differs."""
+    place, trace = first.value_span("name"), first.trace
+    if trace is not second.trace and trace is not None:
+        way = f"in {trace.name}, {trace.kind} at {trace.span.place()}"
+        return f"first defined at {place.place()}, {way}"
+    if place.key() == second.value_span("name").key():
+        return "an earlier turn of a loop has defined it here"
+    return f"first defined at {place.place()}"
 
 
 def check_spelling(element: Element, name: str, context: CheckContext) -> None:
@@ -146,6 +157,8 @@ def _near(name: str, known: dict[str, Element], ending: str, context: CheckConte
 
 def _report_two_parents(child: str, first: Element, second: Element, context: CheckContext) -> None:
     names = [attribute_text(joint, "name") or "" for joint in (first, second)]
+    if names[0] == names[1]:
+        return  # Joints of one name are told of; most often all of a part is there twice.
     context.warn(
         "two-parents",
         f"link '{child}' is the child of two joints, {listed(names)}",

@@ -180,6 +180,11 @@ ELEMENTS = {
 OPTIONAL_SINCE_1_2 = frozenset(("effort", "velocity"))
 """Limits that URDF 1.2 takes as unbounded when they are left out."""
 
+SRDF_ELEMENTS = frozenset(
+    ("group", "group_state", "end_effector", "virtual_joint", "disable_collisions")
+)
+"""Elements of the Semantic Robot Description Format, whose root is a `<robot>` too."""
+
 OUTERMOST = ("link", "joint", "material", "gazebo", "transmission", "ros2_control", "sensor")
 """Element names well known directly under `robot`, where any other name may stand as well."""
 

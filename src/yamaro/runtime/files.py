@@ -149,11 +149,12 @@ class Files:
             data = self._loader.read(absolute)
         except LoadError as error:
             neighbours = self._loader.neighbours(absolute)
+            likely = [name for name in neighbours if name.endswith((".yaml", ".yml"))]
             raise failure(
                 "missing-file",
                 f"the file '{path}' cannot be included: {error}",
                 span,
-                hint=did_you_mean(os.path.basename(absolute), neighbours),
+                hint=did_you_mean(os.path.basename(absolute), likely or neighbours),
                 notes=[f"looked for {absolute}"],
             ) from None
         self.note(absolute)
