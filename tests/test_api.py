@@ -87,7 +87,7 @@ def test_assignments_are_read_as_yaml(folder: Path) -> None:
 
 
 def test_variables_are_python_objects(folder: Path) -> None:
-    file = write(folder, "launch: {a: $(points[0]), b: $(scale(2)), c: $(mapping['k'])}\n")
+    file = write(folder, "launch:\n  a: $(points[0])\n  b: $(scale(2))\n  c: $(mapping['k'])\n")
     xml = yamaro.convert(
         file, points=np.array([[0.5, 1.0]]), scale=lambda x: 3 * x, mapping={"k": "v"}
     )
@@ -179,7 +179,7 @@ def test_build_hands_messages_over(folder: Path, capsys: pytest.CaptureFixture[s
     "text",
     [
         "launch: {a: $(stop())}\n",
-        "launch: {a: $([stop() for i in range(3)])}\n",
+        "launch:\n  a: $([stop() for i in range(3)])\n",
         "process: stop()\nlaunch:\n",
         "process: |\n  def f():\n    stop()\nlaunch: {if: {condition: f()}}\n",
         "functions: {F: {input: x=$(stop()), body: {a: 1}}}\nlaunch: {F: }\n",
@@ -341,10 +341,8 @@ def test_build_traces_elements_to_their_lines(folder: Path) -> None:
     rod = next(e for e in root.elements() if e.attributes.get("name") == "rod_1_link")
     collision = rod.elements()[-1]
     assert collision.name == "collision"
-    assert (
-        collision.span.place()
-        == f"pendulum.yaml:{PENDULUM.splitlines().index('          collision:') + 1}:11"
-    )
+    line = PENDULUM.splitlines().index("          collision:") + 1
+    assert collision.span.place() == f"pendulum.yaml:{line}:11"
     assert collision.trace is not None
     assert collision.trace.name == "Rod"
 
@@ -376,7 +374,7 @@ def test_a_memory_loader_gives_files_and_suggestions(tmp_path: Path) -> None:
     loader = yamaro.MemoryLoader(
         {
             main: "launch: {include: $(file)}\n",
-            part: "launch: {a: $(load_yaml('data.yaml')['n'])}\n",
+            part: "launch:\n  a: $(load_yaml('data.yaml')['n'])\n",
             str(tmp_path / "parts" / "data.yaml"): "n: 4\n",
         }
     )
