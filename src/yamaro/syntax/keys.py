@@ -86,6 +86,9 @@ def _name_hint(key: ScalarNode, name: str) -> str:
         return "write <#text>: for text between elements, <#comment>: for an XML comment"
     if name.startswith("<"):
         return f"close the bracket: <{key.text.lstrip('<').rstrip('/')}>:"
+    invisible = [char for char in name if not char.isprintable()]
+    if invisible:
+        return f"retype it: U+{ord(invisible[0]):04X} is invisible, and comes from pasted text"
     if name.startswith("xacro:"):
         return "xacro's tags do not exist here; see docs/coming-from-xacro.md"
     return "a name begins with a letter or _ and goes on with letters, digits, - _ ."

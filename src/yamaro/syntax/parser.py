@@ -29,10 +29,13 @@ def parse(source: Source, *, reporter: Reporter) -> Document:
         YamaroError: with every error that can be found without running the file; a file that is
             no YAML gives one.
     """
+    warned = len(reporter.diagnostics)
     root = read(source, reporter=reporter)
     context = ParseContext(reporter)
     document = Document(source)
     context.attempt(_parse_root, root, document, context)
+    found = reporter.diagnostics[warned:]
+    reporter.diagnostics[warned:] = sorted(found, key=lambda warning: warning.span.start)
     if context.errors:
         raise YamaroError(sorted(context.errors, key=lambda error: error.span.start))
     document.declarations = context.declarations

@@ -171,6 +171,14 @@ def _warn_of_misspelt_statement(key: ScalarNode, node: YamlNode, context: ParseC
     context.known_names.add(word)
     if word in _LOOK_MISSPELT:
         return
+    if word == "import":
+        context.warn(
+            "misspelt-statement",
+            "'import' makes an XML element here; modules are imported at the root of the file",
+            key.span(),
+            hint="move it to the root of the file, or write <import>: for the element",
+        )
+        return
     near = suggest(word, STATEMENTS) if 2 <= len(word) <= 10 else None
     if near is None:
         return
@@ -518,6 +526,7 @@ def _parse_part(key: ScalarNode, node: YamlNode, context: ParseContext) -> PartN
 
 def _parse_print(key: ScalarNode, node: YamlNode, context: ParseContext) -> PrintNode:
     if isinstance(node, ScalarNode):
+        warn_of_hidden_value(node, context)
         text = "" if is_empty(node) else parse_template(node, context=context)
         return PrintNode(text, node.span())
     return PrintNode(parse_value(node, context), node.span())

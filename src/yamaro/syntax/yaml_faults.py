@@ -22,6 +22,7 @@ if TYPE_CHECKING:
 
 MAX_KEY = 1024
 _MARK = "\ufeff"
+_NO_BREAK_SPACE = "\u00a0"
 
 
 def refuse_characters(source: Source) -> None:
@@ -115,6 +116,26 @@ def _tab(reading: Reading, problem: str, context: str, begin: int, at: int) -> E
     )
 
 
+def _no_break_space(
+    reading: Reading, problem: str, context: str, begin: int, at: int
+) -> Exception | None:
+    """Explain an indentation pasted from a web page, which YAML takes for letters."""
+    text = reading.text
+    found = text.find(_NO_BREAK_SPACE)
+    _, end = _line_around(text, at)
+    while 0 <= found < end:
+        start, _ = _line_around(text, found)
+        if not text[start:found].strip():
+            return failure(
+                "yaml-tab",
+                "a no-break space (U+00A0) stands in the indentation; YAML indents with spaces",
+                reading.span(found, found + 1),
+                hint="replace it with a space; it often comes from pasting a web page",
+            )
+        found = text.find(_NO_BREAK_SPACE, found + 1)
+    return None
+
+
 def _start_of_value(
     reading: Reading, problem: str, context: str, begin: int, at: int
 ) -> Exception | None:
@@ -180,6 +201,10 @@ def _open_bracket(
         return None
     closing = "]" if text[begin] == "[" else "}"
     found = text[at : at + 1].strip()
+    key = max(text.rfind(sign, begin, at) for sign in ",[{") + 1
+    key += len(text[key:at]) - len(text[key:at].lstrip())
+    if found == ":" and at - key > MAX_KEY:
+        return _long_key(reading, key)
     hint = "quote a value that contains , : # [ ] { } and is meant as one text or expression"
     dollar = text.rfind("$(", begin, at)
     close = find_close(text, dollar + 2) if dollar >= 0 else -1
@@ -423,6 +448,7 @@ def _text_behind_quote(reading: Reading, key: str, value: str, where: int, at: i
 _EXPLANATIONS = (
     _colon_in_key,
     _tab,
+    _no_break_space,
     _start_of_value,
     _open_quote,
     _open_bracket,
