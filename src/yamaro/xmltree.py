@@ -134,8 +134,10 @@ Node = Element | Text | Comment
 
 def format_number(value: float) -> str:
     """Return a float as `repr` of the value rounded to 15 significant digits; no minus zero."""
-    text = repr(float(f"{value:.15g}"))
-    return "0.0" if text == "-0.0" else text
+    rounded = float(f"{value:.15g}")
+    if rounded - rounded != 0:  # the largest floats have no room to be rounded up
+        rounded = value
+    return repr(rounded) if rounded else "0.0"
 
 
 def format_value(value: Any) -> str:

@@ -86,7 +86,7 @@ KEYS = (
     "rpy", "pivot", "axis", "limit", "mimic", "type", "parent", "material", "input", "<<", "",
     "process", "import", "sdf/version='1.11'", "$('')", "$(None)", "a/$('b')=1", "a/b=$(1", "'a b'",
     "? [a]", "x/global", "x/parent", "x/child", "x/bridge", "Make/global", "origin/xyz=1",
-    "$('if')", "$('Make')", "robot/a=1", "link/name=$(x)", "xacro:if", "a:b", "xmlns:a/b=1", "Block",
+    "Block", "$('if')", "$('Make')", "robot/a=1", "link/name=$(x)", "a:b", "xmlns:a/b=1",
 )  # fmt: skip
 
 Lines = list[str]

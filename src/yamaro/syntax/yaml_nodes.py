@@ -131,19 +131,54 @@ def _align(node: ScalarNode) -> list[int]:
     for every character that is not white space; white space is placed where its run begins.
     """
     raw = node.source.text[node.start : node.end]
+    if node.style not in (LITERAL, FOLDED):
+        indices = _align_flow(raw, node.style)
+        if len(indices) == len(node.text):
+            return [node.start + index for index in indices]
     at = _begin_of_content(raw, node.style)
     offsets = []
     for char in node.text:
-        if node.style == DOUBLE:
-            at = _skip_escaped_break(raw, at)
-        escaped = node.style == DOUBLE and raw.startswith("\\", at)
-        if char not in _WHITE and not escaped:
+        if char not in _WHITE:
             while at < len(raw) and raw[at] in _WHITE:
                 at += 1
         offsets.append(node.start + min(at, len(raw)))
-        if char not in _WHITE or escaped or raw.startswith(char, at):
-            at += _spelled_length(raw, at, node.style)
+        if char not in _WHITE or raw.startswith(char, at):
+            at += 1
     return offsets
+
+
+def _align_flow(raw: str, style: str) -> list[int]:
+    """Return the index in `raw` of each character of a plain or quoted scalar's text.
+
+    Follows the folding of lines in YAML 1.2.2, section 6.5.
+    """
+    indices = []
+    at, end = (0, len(raw)) if style == PLAIN else (1, len(raw) - 1)
+    is_joined = False  # behind an escaped line break, which leaves nothing
+    while at < end:
+        if raw[at] in _WHITE:
+            run = at
+            breaks = []
+            while at < end and raw[at] in _WHITE:
+                if raw[at] in _BREAKS:
+                    breaks.append(at)
+                    at += raw.startswith("\r\n", at)
+                at += 1
+            if is_joined:
+                indices.extend(breaks)
+            elif breaks:  # one gives a space, more give themselves but for the first
+                indices.extend(breaks[1:] or breaks)
+            else:
+                indices.extend(range(run, at))
+        elif style == DOUBLE and raw.startswith(("\\\n", "\\\r"), at):
+            at += 3 if raw.startswith("\r\n", at + 1) else 2
+            is_joined = True
+            continue
+        else:
+            indices.append(at)
+            at += _spelled_length(raw, at, style)
+        is_joined = False
+    return indices
 
 
 def _begin_of_content(raw: str, style: str) -> int:
@@ -160,11 +195,3 @@ def _spelled_length(raw: str, at: int, style: str) -> int:
     if style == DOUBLE and raw.startswith("\\", at):
         return 2 + {"x": 2, "u": 4, "U": 8}.get(raw[at + 1 : at + 2], 0)
     return 1
-
-
-def _skip_escaped_break(raw: str, at: int) -> int:
-    while raw.startswith(("\\\n", "\\\r"), at):
-        at += 1
-        while at < len(raw) and raw[at] in _WHITE:
-            at += 1
-    return at
