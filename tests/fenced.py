@@ -121,7 +121,7 @@ class Document:
         self.failures: list[str] = []
         markdown = path.read_text(encoding="utf-8")
         self.blocks = [block for block in read_blocks(markdown) if block.is_run()]
-        self.previous_yaml = ""
+        self.last_text: dict[str, str] = {}
         if "examples/" in markdown:
             shutil.copytree(REPOSITORY / "examples", folder / "examples")
 
@@ -184,14 +184,14 @@ class Document:
         unknown = sorted(block.words - YAML_WORDS | block.settings.keys() - {"file", "links"})
         if unknown:
             raise WrongExampleError(f"unknown words after yaml: {unknown}")
+        name = block.settings.get("file", DEFAULT_FILE)
         text = block.text
         if "continued" in block.words:
-            text = self.previous_yaml + text
-        self.previous_yaml = text
+            text = self.last_text.get(name, "") + text
+        self.last_text[name] = text
         links = block.settings.get("links", "").split(",") if "links" in block.settings else []
         if "fragment" in block.words:
             text = wrap(text, links)
-        name = block.settings.get("file", DEFAULT_FILE)
         self.save(name, text)
         if "included" in block.words:
             return
