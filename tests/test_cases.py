@@ -19,7 +19,7 @@ from packaging.specifiers import SpecifierSet
 from yamaro.cli import main
 
 CASES = Path(__file__).parent / "cases"
-OPTIONS = ("args", "env", "python", "strict")
+OPTIONS = ("args", "command", "env", "python", "strict")
 
 
 def find_cases() -> list[Path]:
@@ -65,7 +65,7 @@ def compile_case(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[
         if "strict" in options:
             arguments.append("--strict")
         capsys.readouterr()
-        status = main([case.name, *arguments])
+        status = main([*options.get("command", "").split(), case.name, *arguments])
         captured = capsys.readouterr()
         return Result(status, _portable(captured.out), _portable(captured.err))
 
