@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from ..diagnostics import failure, suggest
 from ..xmltree import Element, Text, format_value
-from .fields import read_record, read_value
+from .fields import read_record, read_value, word_of
 from .mesh import (
     MESH_ENDINGS,
     TRIMESH_ENDINGS,
@@ -156,7 +156,7 @@ def _read_shape_word(lowering: Lowering, key: Element) -> tuple[str, str, Span]:
     if len(children) != 1 or not isinstance(children[0], Text) or key.attributes:
         _refuse_urdf_form(lowering, key)
     value, span = read_value(key)
-    word = format_value(value).strip()
+    word = word_of("geometry", value, span, owner=key)
     kind = word.lower()
     if kind in COUNTS:
         return kind, word, span
