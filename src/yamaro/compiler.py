@@ -14,7 +14,7 @@ from .runtime.loader import FileLoader, LoadError, decode
 from .runtime.predefined import plain_data
 from .source import Source, Span
 from .syntax.context import ParseContext
-from .syntax.names import is_identifier
+from .syntax.names import is_identifier, python_name
 from .syntax.values import parse_inline
 from .syntax.yaml_nodes import PLAIN, ScalarNode
 from .xmltree import Element, write
@@ -217,10 +217,10 @@ def _read_command_line(arguments: Sequence[str]) -> tuple[dict[str, object], dic
             context = ParseContext(reporter)
             start = len(name) + 2
             value = parse_inline(node, start, len(argument), context, is_literal=True)
-            values[name] = plain_data(value)
+            values[python_name(name)] = plain_data(value)
         except YamaroError as error:
             raise UsageError(f"'{argument}': {error.diagnostics[0].message}") from None
-        places[name] = Span(source, 0, len(name))
+        places[python_name(name)] = Span(source, 0, len(name))
     return values, places
 
 

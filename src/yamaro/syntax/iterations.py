@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from ..diagnostics import failure
 from .context import ParseContext
-from .names import bad_variable_name, is_identifier, name_hint
+from .names import bad_variable_name, is_identifier, name_hint, python_name
 from .nodes import Constant, Value
 from .python import PythonCode
 from .values import is_empty, parse_bare_expression, parse_condition, parse_value
@@ -41,8 +41,8 @@ def parse_iterator(node: YamlNode, context: ParseContext) -> list[str]:
                     if name
                     else "write iterator: i, or iterator: name, length",
                 )
-            names.append(name)
-            context.declarations.append((name, "local", span))
+            names.append(python_name(name))
+            context.declarations.append((names[-1], "local", span))
     if not names:
         raise failure("bad-iterator", "the iterator has no name", node.span(), hint="iterator: i")
     return names

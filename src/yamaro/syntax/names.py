@@ -38,6 +38,15 @@ def is_identifier(text: str) -> bool:
     return text.isidentifier() and text not in _KEYWORDS
 
 
+def python_name(identifier: str) -> str:
+    """Return an identifier as Python reads it: `µ` of a keyboard and Greek `μ` are one name."""
+    if identifier.isascii():
+        return identifier
+    from unicodedata import normalize
+
+    return normalize("NFKC", identifier)
+
+
 def is_keyword(text: str) -> bool:
     """Tell whether a text is a Python keyword."""
     return text in _KEYWORDS

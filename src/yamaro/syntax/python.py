@@ -97,7 +97,9 @@ def compile_expression(
             node.span(max(index - 2, 0), min(index + len(text) + 1, len(node.text)))
             if node.text
             else node.span(),
-            hint="write a Python expression between the parentheses, or $$( for a literal $(",
+            hint="write a Python expression between the parentheses, or $$( for a literal $("
+            if index
+            else "write a Python expression, such as length > 1.0",
         )
     _compile(
         python,

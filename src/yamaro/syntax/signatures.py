@@ -5,7 +5,7 @@ from __future__ import annotations
 from ..diagnostics import failure
 from .context import ParseContext
 from .keys import find_outside
-from .names import is_identifier, name_hint
+from .names import is_identifier, name_hint, python_name
 from .nodes import Argument, Parameter, Value
 from .template import parse_template
 from .values import is_empty, parse_inline, split_inline
@@ -90,7 +90,7 @@ def _parse_parameter(node: ScalarNode, start: int, end: int, context: ParseConte
     default: Value | None = None
     if equals >= 0:
         default = parse_inline(node, equals + 1, end, context)
-    return Parameter(name, default, is_block=False, span=span, text=written)
+    return Parameter(python_name(name), default, is_block=False, span=span, text=written)
 
 
 def _parse_block(written: str, span: object) -> Parameter:
@@ -136,6 +136,8 @@ def parse_short_arguments(node: ScalarNode, context: ParseContext) -> list[Argum
             )
         equals = _equals_of_name(text, start, end)
         name = None if equals < 0 else text[start:equals].rstrip().removesuffix(":").rstrip()
+        if name is not None:
+            name = python_name(name)
         argument = Argument(name, None, node.span(start, end))
         argument.value = parse_inline(node, equals + 1 if equals >= 0 else start, end, context)
         if name is None and arguments and arguments[-1].name is not None:
@@ -166,7 +168,7 @@ def parse_argument_name(key: ScalarNode, context: ParseContext) -> str:
     """
     name = parse_template(key, context=context)
     if isinstance(name, str) and is_identifier(name.strip()):
-        return name.strip()
+        return python_name(name.strip())
     raise failure(
         "bad-argument",
         f"'{key.text}' is no name of an argument",

@@ -6,7 +6,7 @@ from ..diagnostics import did_you_mean, failure
 from .context import ParseContext
 from .keys import find_outside
 from .mappings import pairs_of
-from .names import bad_variable_name, is_identifier, name_hint
+from .names import bad_variable_name, is_identifier, name_hint, python_name
 from .nodes import SCOPES, VariableEntry, VariablesNode
 from .template import parse_template
 from .values import parse_value
@@ -66,6 +66,8 @@ def _parse_variable(key: ScalarNode, node: YamlNode, context: ParseContext) -> V
     span = key.span(0, end) if end else key.span()
     if isinstance(name, str) and not is_identifier(name):
         raise failure("bad-variable-name", bad_variable_name(name), span, hint=name_hint(name))
+    if isinstance(name, str):
+        name = python_name(name)
     return VariableEntry(name, scope, [value], span)
 
 
