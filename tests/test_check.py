@@ -326,7 +326,7 @@ def test_a_duplicate_is_told_with_both_places() -> None:
         ("rgba with three numbers", "add the opacity as the fourth number: 1 0 0 1"),
         ("axis diagonal", "write 0.707107 0.707107 0; some parsers scale the motion by the length"),
         ("mass as text", "URDF wants it as an attribute: `mass/value=1.0:`"),
-        ("name as an element", "add it, as in `link/name=my_name:`"),
+        ("name as an element", "in URDF it is an attribute: `link/name=arm:`"),
         ("misspelt visual", "did you mean 'visual'?"),
         ("limit outside of a joint", "it belongs in a joint"),
         ("upper alone below zero", "give 'lower' too: it is 0 when it is left out"),

@@ -39,8 +39,7 @@ def _check_inertial(inertial: Element, link: Element, context: CheckContext) -> 
     mass = context.number(mass_element, "value")
     if mass_element is not None and mass is not None and mass <= 0:
         _report_mass(mass, mass_element, link, context)
-        if mass == 0:
-            return
+        return
     inertia = child_named(inertial, "inertia")
     if inertia is not None:
         _check_inertia(inertia, link, context)

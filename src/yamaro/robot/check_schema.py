@@ -257,6 +257,8 @@ def _report_missing_attribute(
 ) -> None:
     if name in OPTIONAL_SINCE_1_2 and context.version == "1.2":
         return
+    if any(child.name == name for child in element.elements()):
+        return  # The child is told of, with the attribute that it should be.
     text = element.text().strip()
     if text and len(ELEMENTS[element.name].required) == 1:
         hint = f"URDF wants it as an attribute: `{element.name}/{name}={text}:`"

@@ -17,16 +17,18 @@ class Fields:
     """The keys of a body, each with the element that counts, and all else in order.
 
     Attributes:
+        has_text: whether a text stands where keys are meant, which has been reported.
         keys: keys meant once, the one run last; those that are output where they are written
             stand in `rest` too.
         plain: elements in angle brackets that stand in for a generated element, by name.
         rest: what is output in order: ordered and repeated keys, elements, comments, parts.
     """
 
-    __slots__ = ("keys", "plain", "rest")
+    __slots__ = ("has_text", "keys", "plain", "rest")
 
     def __init__(self) -> None:
         """Start empty."""
+        self.has_text = False
         self.keys: dict[str, Element] = {}
         self.plain: dict[str, Element] = {}
         self.rest: list[Node] = []
@@ -50,7 +52,7 @@ def sort_fields(lowering: Lowering, owner: Element, place: Place) -> Fields:
                 if name in ordered:
                     rest.append(child)
         elif isinstance(child, Text):
-            _refuse_text(lowering, owner, child, place)
+            fields.has_text |= _refuse_text(lowering, owner, child, place)
         elif place.has_parts or isinstance(child, Comment):
             rest.append(child)
         else:
@@ -166,16 +168,18 @@ def refuse_part(lowering: Lowering, part: Element, place_name: str) -> None:
     )
 
 
-def _refuse_text(lowering: Lowering, owner: Element, text: Text, place: Place) -> None:
+def _refuse_text(lowering: Lowering, owner: Element, text: Text, place: Place) -> bool:
+    """Record that a text stands where keys are meant; return whether it is more than space."""
     if type(text.value) is not LiteralList:
         shown = format_value(text.value).strip()
         if not shown:
-            return
+            return False
         message = f"the text '{shown}' stands directly in {_with_article(place.name)}"
     else:
         message = f"a list stands directly in {_with_article(place.name)}"
     hint = f"'{place.name}' takes keys, such as {place.example}"
     lowering.absorb(failure("unexpected-text", message, text.span, hint=hint, trace=owner.trace))
+    return True
 
 
 # --- misspelt and misplaced keys --------------------------------------------------------------
@@ -281,7 +285,11 @@ def word_of(key: str, value: object, span: Span, *, owner: Element) -> str:
     """
     if isinstance(value, LiteralList):
         raise failure(
-            "value-expected", f"'{key}' takes one word, not a list", span, trace=owner.trace
+            "value-expected",
+            f"'{key}' takes one word, not a list",
+            span,
+            hint="write the word alone, without brackets",
+            trace=owner.trace,
         )
     text = format_value(value).strip()
     if not text:

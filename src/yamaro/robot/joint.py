@@ -64,6 +64,8 @@ def lower_joint(lowering: Lowering, key: Element, name: str, *, child: str) -> E
         child: the name of the part's link.
     """
     fields = sort_fields(lowering, key, JOINT)
+    if fields.has_text:
+        return _joint_element(key, name, None, [])
     joint_type = None
     children: list[Node] = []
     try:

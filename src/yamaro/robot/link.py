@@ -94,6 +94,8 @@ def _lower_child(
 def _lower_section(lowering: Lowering, key: Element, frame: LinkFrame) -> Element:
     """Return `<collision>` or `<visual>`: origin, geometry, then the rest as written."""
     fields = sort_fields(lowering, key, VISUAL if key.name == "visual" else COLLISION)
+    if fields.has_text:
+        return key
     pose = compose_poses(frame.pose, read_pose(lowering, fields))
     geometry = fields.plain.get("geometry")
     if geometry is None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ..diagnostics import failure
-from ..xmltree import Comment, Element
+from ..xmltree import Comment, Element, Text
 from .fields import Record, check_once, check_plain, is_left_out, read_record, word_of
 from .numbers import read_numbers
 
@@ -31,7 +31,13 @@ def lower_material(lowering: Lowering, key: Element) -> Element:
             hint=f"write {EXAMPLE}, or material: red for one that is defined elsewhere",
             trace=key.trace,
         )
-    name = word_of("name", record.values.pop("name"), record.spans["name"], owner=key)
+    is_short = any(isinstance(child, Text) for child in key.children)
+    name = word_of(
+        "material" if is_short else "name",
+        record.values.pop("name"),
+        record.spans["name"],
+        owner=key,
+    )
     return Element(
         "material",
         key.span,

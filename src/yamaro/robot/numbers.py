@@ -204,6 +204,8 @@ def _bad_word(word: str, span: Span, name: str, trace: Frame | None) -> YamaroEr
 
 
 def _word_hint(word: str, name: str) -> str:
+    if name == "rgba":
+        return "write red green blue alpha, each from 0 to 1: 0.8 0.1 0.1 1"
     if word.isidentifier() and word.lower() not in ("none", "true", "false", "null"):
         return f"to use a variable or an expression, write $({word})"
     number = word.rstrip("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ°%")
