@@ -822,7 +822,7 @@ def test_shapes(geometry, scale, element, attributes):
         ),
         ("geometry: {cone: }", "geometry-as-xml", "cone", "<geometry>:"),
         ("", "missing-geometry", "visual", "geometry: box"),
-        ("geometry: [box]\nscale: 1", "unknown-shape", "[box]", "the shapes are"),
+        ("geometry: [box]\nscale: 1", "value-expected", "[box]", "without brackets"),
     ],
 )
 def test_faulty_geometry(body, code, underlined, hint):
