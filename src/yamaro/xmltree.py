@@ -208,10 +208,14 @@ def write(root: Element) -> str:
     return "".join(out)
 
 
-def _write_element(element: Element, indent: str, out: list[str], prefixes: frozenset[str]) -> None:
+def _write_element(
+    element: Element, indent: str | None, out: list[str], prefixes: frozenset[str]
+) -> None:
+    """Write an element on lines of its own, or without any added space where `indent` is None."""
     name = element.name
     attributes = element.attributes
-    head = f"{indent}<{name}"
+    margin, end = ("", "") if indent is None else (indent, "\n")
+    head = f"{margin}<{name}"
     if attributes:
         prefixes = _declared(element, prefixes)
         for key, value in attributes.items():
@@ -225,22 +229,24 @@ def _write_element(element: Element, indent: str, out: list[str], prefixes: froz
         _check_prefix(name, element, prefixes)
     children = element.children
     if not children:
-        out.append(f"{head}/>\n")
+        out.append(f"{head}/>{end}")
         return
     if any(type(child) is Text for child in children):
-        _write_mixed(element, head, out, prefixes)
+        _write_mixed(element, head, end, out, prefixes)
         return
-    out.append(f"{head}>\n")
-    deeper = indent + "  "
+    out.append(f"{head}>{end}")
+    deeper = None if indent is None else indent + "  "
     for child in children:
         if isinstance(child, Element):
             _write_element(child, deeper, out, prefixes)
         elif isinstance(child, Comment):
-            out.append(f"{deeper}<!--{_comment_text(child, element)}-->\n")
-    out.append(f"{indent}</{name}>\n")
+            out.append(f"{deeper or ''}<!--{_comment_text(child, element)}-->{end}")
+    out.append(f"{margin}</{name}>{end}")
 
 
-def _write_mixed(element: Element, head: str, out: list[str], prefixes: frozenset[str]) -> None:
+def _write_mixed(
+    element: Element, head: str, end: str, out: list[str], prefixes: frozenset[str]
+) -> None:
     """Write an element that holds text; its elements stand inline so that no space is added."""
     inner: list[str] = []
     for child in element.children:
@@ -249,10 +255,9 @@ def _write_mixed(element: Element, head: str, out: list[str], prefixes: frozense
         elif isinstance(child, Comment):
             inner.append(f"<!--{_comment_text(child, element)}-->")
         else:
-            _write_element(child, "", inner, prefixes)
-            inner[-1] = inner[-1].rstrip("\n")
+            _write_element(child, None, inner, prefixes)
     content = "".join(inner)
-    out.append(f"{head}>{content}</{element.name}>\n" if content else f"{head}/>\n")
+    out.append(f"{head}>{content}</{element.name}>{end}" if content else f"{head}/>{end}")
 
 
 def _element_text(text: str, span: Span, element: Element) -> str:
