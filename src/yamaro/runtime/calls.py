@@ -11,7 +11,7 @@ from ..syntax.statements import late_value, parse_body
 from ..syntax.yaml_nodes import MappingNode, SequenceNode
 from .declared import Declaration, notes_on
 from .expressions import function_names
-from .scope import MISSING, Namespace, Scope, function_key
+from .scope import MISSING, BlockScope, Namespace, Scope, function_key
 from .values import Values, count
 
 TYPE_CHECKING = False
@@ -75,7 +75,10 @@ def find_function(
 
 
 def _namespace(path: str, scope: Scope) -> Namespace | None:
+    """Return the namespace of a function's name, which a block finds only where it was written."""
     first, *rest = path.split(".")
+    while isinstance(scope, BlockScope) and first not in scope and scope.closure is not None:
+        scope = scope.closure
     found = scope.find(first)
     for part in rest:
         found = found._get(part) if isinstance(found, Namespace) else None

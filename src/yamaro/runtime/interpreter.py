@@ -549,7 +549,7 @@ class Interpreter:
         self._enter(frame, node.path_span)
         try:
             document = self.files.parse(source)
-            before = self._shared_names() if namespace else frozenset()
+            before = len(self.shared.declared)
             inner = self._begin_file(document, caller=context)
             for name, value in passed.items():
                 inner.declare(name, value)
@@ -606,7 +606,7 @@ class Interpreter:
         inner: Scope,
         scope: Scope,
         namespace: str | None,
-        before: frozenset[str],
+        before: int,
         span: Span,
     ) -> None:
         """Bring the names of an included file to the one that included it."""
@@ -618,13 +618,9 @@ class Interpreter:
         space = context.find(namespace) if namespace in context else None
         if not isinstance(space, Namespace):
             space = Namespace(namespace, self.shared)
-            context.declare(namespace, space)
+        scope.declare(namespace, space)
         for key, value in inner.exported():
             self._warn_of_replacement(space._get(key), value, key, span)
             space._add(key, value)
-        for key in (*self.shared.globals, *self.shared.bridges):
-            if key not in before:
-                space._add(key, MISSING)
-
-    def _shared_names(self) -> frozenset[str]:
-        return frozenset((*self.shared.globals, *self.shared.bridges))
+        for key in dict.fromkeys(self.shared.declared[before:]):
+            space._add(key, MISSING)

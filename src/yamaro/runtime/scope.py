@@ -26,14 +26,19 @@ def function_key(name: str) -> str:
 
 
 class Shared:
-    """What all contexts of one conversion share: global and bridge names."""
+    """What all contexts of one conversion share: global and bridge names.
 
-    __slots__ = ("bridges", "globals")
+    Attributes:
+        declared: every such name, in the order of the declarations, repeated ones included.
+    """
+
+    __slots__ = ("bridges", "declared", "globals")
 
     def __init__(self) -> None:
         """Start without names."""
         self.globals: dict[str, Any] = {}
         self.bridges: dict[str, Any] = {}
+        self.declared: list[str] = []
 
     def find(self, name: str) -> Any:
         """Return what a name means everywhere, or MISSING."""
@@ -183,8 +188,10 @@ class Scope(dict[str, "Any"]):
         elif kind == GLOBAL:
             self._forget(name)
             self.shared.globals[name] = value
+            self.shared.declared.append(name)
         elif kind == BRIDGE:
             self.shared.bridges[name] = value
+            self.shared.declared.append(name)
             scope: Scope | None = self
             while scope is not None:
                 scope._forget(name)
@@ -276,7 +283,8 @@ class BlockScope(Scope):
 
     def declare(self, name: str, value: Any, kind: str = LOCAL) -> None:
         """Declare a variable in the call; a function in the block, which is what can name it."""
-        if name.endswith("()") and kind in (LOCAL, PARENT, CHILD):
+        is_function = name.endswith("()") and kind in (LOCAL, PARENT, CHILD)
+        if is_function or isinstance(value, Namespace):
             dict.__setitem__(self, name, value)
         if not (name.endswith("()") and kind == LOCAL):
             self.host.declare(name, value, kind)
