@@ -137,7 +137,9 @@ class Evaluator:
         )
 
     def _undefined(self, name: str, span: Span, scope: Scope, frame: Frame | None) -> YamaroError:
-        hint = did_you_mean(name, variable_names(scope))
+        # Where the name is declared says more than what other names look like it.
+        notes = notes_on(f"'{name}'", self._where_declared(name), span)
+        hint = None if notes else did_you_mean(name, variable_names(scope))
         if name.lower() in _YAML_1_1_BOOLEANS:
             meant = _YAML_1_1_BOOLEANS[name.lower()]
             hint = f"write {meant}: in YAML 1.2 '{name}' is a word like any other"
@@ -146,7 +148,7 @@ class Evaluator:
             f"name '{name}' is not defined",
             span,
             hint=hint,
-            notes=notes_on(f"'{name}'", self._where_declared(name), span),
+            notes=notes,
             trace=frame,
         )
 
