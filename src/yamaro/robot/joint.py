@@ -87,7 +87,7 @@ def lower_joint(lowering: Lowering, key: Element, name: str, *, child: str) -> E
             children.append(node)
     has_faulty_limit = "limit" in fields.keys and not any(_is_limit(c) for c in children)
     if joint_type is not None and joint_type.name in ASSUMED_RANGES and not has_faulty_limit:
-        _assume_limits(lowering, key, joint_type, children)
+        _assume_limits(lowering, key, name, joint_type, children)
     return _joint_element(key, name, joint_type, children)
 
 
@@ -247,7 +247,7 @@ def _is_limit(node: Node) -> bool:
 
 
 def _assume_limits(
-    lowering: Lowering, key: Element, joint_type: JointType, children: list[Node]
+    lowering: Lowering, key: Element, joint: str, joint_type: JointType, children: list[Node]
 ) -> None:
     """Fill in what URDF needs of a revolute or prismatic joint's limit, with one warning."""
     limits = [c for c in children if isinstance(c, Element) and _is_limit(c)]
@@ -272,7 +272,7 @@ def _assume_limits(
     filled = " ".join(f"{name}={format_value(value)}" for name, value in assumed.items())
     lowering.reporter.warn(
         "assumed-limit",
-        f"a {joint_type.name} joint needs a limit; assumed {filled}",
+        f"the {joint_type.name} joint '{joint}' needs a limit; assumed {filled}",
         span,
         hint="write limit: {lower: …, upper: …, effort: …, velocity: …} in the joint",
         trace=key.trace,
