@@ -85,12 +85,23 @@ def _parse_parameter(node: ScalarNode, start: int, end: int, context: ParseConte
             "bad-input",
             f"'{name}' cannot be the name of a parameter",
             node.span(start, max(name_end, start + 1)),
-            hint=name_hint(name),
+            hint=_parameter_hint(name),
         )
     default: Value | None = None
     if equals >= 0:
         default = parse_inline(node, equals + 1, end, context)
     return Parameter(python_name(name), default, is_block=False, span=span, text=written)
+
+
+def _parameter_hint(name: str) -> str:
+    """Return how to spell a parameter whose name is none, such as `length 0.5`."""
+    first, space, rest = name.partition(" ")
+    if not space or not is_identifier(first):
+        return name_hint(name)
+    if is_identifier(rest.strip()):
+        rest = rest.strip()
+        return f"write {first}_{rest} for one name, or {first}, {rest} for two parameters"
+    return f"a default stands behind =: {first}={rest.strip()}"
 
 
 def _parse_block(written: str, span: object) -> Parameter:
