@@ -182,7 +182,7 @@ def _warn_of_misspelt_statement(key: ScalarNode, node: YamlNode, context: ParseC
     near = suggest(word, STATEMENTS) if 2 <= len(word) <= 10 else None
     if near is None:
         return
-    inside = {own.text for own, _ in node.pairs} if isinstance(node, MappingNode) else set()
+    inside = _keys_inside(node)
     telling = {"condition", "body", "iterator", "range", "in", "path", "name", "joint", "link"}
     if near in ("include", "variables", "functions", "process") or inside & telling:
         context.warn(
@@ -191,6 +191,11 @@ def _warn_of_misspelt_statement(key: ScalarNode, node: YamlNode, context: ParseC
             key.span(),
             hint=f"write {near}: for the statement, or <{word}>: for the element",
         )
+
+
+def _keys_inside(node: YamlNode) -> set[str]:
+    mappings = node.items if isinstance(node, SequenceNode) else [node]
+    return {key.text for item in mappings if isinstance(item, MappingNode) for key, _ in item}
 
 
 # --- elements ---------------------------------------------------------------------------------

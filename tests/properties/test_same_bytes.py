@@ -1,0 +1,132 @@
+"""The same input gives the same bytes: on every run, in every place, with every Python."""
+
+from __future__ import annotations
+
+import json
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from tests.test_cases import find_cases, read_options
+
+ROOT = Path(__file__).parents[2]
+EXAMPLES = sorted((ROOT / "examples").rglob("*.yaml"))
+# Those that show where they run, or for which Python, differ by right.
+ABOUT_THE_PLACE = ("cwd", "env", "find", "load", "dirname", "package", "python", "home")
+
+SCRIPT = """
+import json, sys, warnings
+from yamaro import build, YamaroError
+results = {}
+for path in sys.stdin.read().splitlines():
+    messages = []
+    try:
+        built = build(path, on_message=messages.append)
+        found = [built.xml(), [repr(w) for w in built.warnings], built.files, built.meshes]
+    except YamaroError as error:
+        found = [str(error)]
+    results[path] = [*found, messages]
+print(json.dumps(results))
+"""
+
+
+def plain_cases() -> list[Path]:
+    """Return the cases that compile, and need no options and no particular place."""
+    return [
+        case
+        for case in find_cases()
+        if case.with_suffix(".xml").exists()
+        and not read_options(case)
+        and not any(word in case.read_text(encoding="utf-8") for word in ABOUT_THE_PLACE)
+    ]
+
+
+def build_all(
+    paths: list[Path], *, python: str = sys.executable, cwd: Path = ROOT, **environment: str
+) -> dict[str, Any]:
+    """Return what a process of its own gives for each file, messages included."""
+    finished = subprocess.run(
+        [python, "-c", SCRIPT],
+        input="\n".join(map(str, paths)),
+        capture_output=True,
+        encoding="utf-8",
+        cwd=cwd,
+        env={**os.environ, "PYTHONPATH": str(ROOT / "src"), "PYTHONUTF8": "1", **environment},
+        check=True,
+    )
+    results: dict[str, Any] = json.loads(finished.stdout.splitlines()[-1])
+    return results
+
+
+@pytest.fixture(scope="module")
+def files() -> list[Path]:
+    return EXAMPLES + plain_cases()
+
+
+@pytest.fixture(scope="module")
+def expected(files: list[Path]) -> dict[str, Any]:
+    results = build_all(files, PYTHONHASHSEED="0")
+    assert len(results) > 100
+    return results
+
+
+@pytest.mark.parametrize("seed", ["1", "4242"])
+def test_the_seed_of_hashes_changes_nothing(
+    files: list[Path], expected: dict[str, Any], seed: str
+) -> None:
+    assert build_all(files, PYTHONHASHSEED=seed) == expected
+
+
+def test_the_working_directory_changes_nothing(
+    files: list[Path], expected: dict[str, Any], tmp_path: Path
+) -> None:
+    got = build_all(files, cwd=tmp_path)
+    # All but the last, what is printed: an example prints the directory itself.
+    assert {path: result[:-1] for path, result in got.items()} == {
+        path: result[:-1] for path, result in expected.items()
+    }
+
+
+@pytest.mark.parametrize("locale", ["C", "POSIX", "de_DE.UTF-8", "tr_TR.UTF-8"])
+def test_the_locale_changes_nothing(
+    files: list[Path], expected: dict[str, Any], locale: str
+) -> None:
+    got = build_all(files, LC_ALL=locale, LANG=locale, PYTHONUTF8="0", PYTHONIOENCODING="utf-8")
+    assert got == expected
+
+
+def test_optimised_python_changes_nothing(files: list[Path], expected: dict[str, Any]) -> None:
+    assert build_all(files, PYTHONOPTIMIZE="2") == expected
+
+
+def other_pythons() -> list[str]:
+    """Return other interpreters at hand that have PyYAML."""
+    names = [f"python3.{minor}" for minor in range(10, 16)]
+    found = [path for name in names if (path := shutil.which(name))]
+    found += [str(path) for path in sorted(ROOT.glob(".venv*/bin/python"))]
+    ask = "import sys, yaml; print(sys.version_info[:2] >= (3, 10) and sys.version_info[:2])"
+    pythons: dict[str, str] = {}
+    for path in found:
+        finished = subprocess.run([path, "-c", ask], capture_output=True, encoding="utf-8")
+        version = finished.stdout.strip()
+        if finished.returncode == 0 and version not in ("False", str(sys.version_info[:2])):
+            pythons.setdefault(version, path)
+    return list(pythons.values())
+
+
+@pytest.mark.parametrize("python", other_pythons() or [None])
+def test_another_python_changes_nothing(
+    files: list[Path], expected: dict[str, Any], python: str | None
+) -> None:
+    if python is None:
+        pytest.skip("there is no other Python here")
+    got = build_all(files, python=python)
+    # numpy is not everywhere, and what Python says itself differs.
+    xml = {path: result[0] for path, result in got.items() if "numpy" not in result[0]}
+    assert xml == {path: expected[path][0] for path in xml}
+    assert len(xml) > 100

@@ -1,0 +1,237 @@
+"""No recursion crashes the process, Ctrl-C ends it, and threads do not disturb each other."""
+
+from __future__ import annotations
+
+import signal
+import subprocess
+import sys
+import threading
+import time
+from pathlib import Path
+
+import pytest
+
+from yamaro import YamaroError, build, convert
+from yamaro.runtime import deep_stack
+from yamaro.runtime.deep_stack import run_on_deep_stack
+from yamaro.runtime.loader import MemoryLoader
+
+ENDLESS = """
+functions:
+  Count: {input: n, body: {Count: $(n + 1)}}
+out: {Count: 0}
+"""
+
+
+def compile_text(text: str) -> str:
+    return build("/t.yaml", loader=MemoryLoader({"/t.yaml": text})).xml()
+
+
+def run_command(path: Path, *arguments: str) -> subprocess.CompletedProcess[str]:
+    command = [sys.executable, "-m", "yamaro", str(path), *arguments]
+    return subprocess.run(command, capture_output=True, encoding="utf-8", timeout=60)
+
+
+def write(folder: Path, text: str) -> Path:
+    path = folder / "t.yaml"
+    path.write_text(text, encoding="utf-8")
+    return path
+
+
+# --- recursion --------------------------------------------------------------------------------
+
+
+def test_functions_may_call_themselves_1400_deep(tmp_path: Path) -> None:
+    path = write(
+        tmp_path,
+        """
+functions:
+  Nest:
+    input: n
+    body:
+      if:
+        condition: n > 0
+        body:
+          for: {iterator: i, range: 1, body: {level: {Nest: $(n - 1)}}}
+      else: {deepest: }
+out: {Nest: 1400}
+""",
+    )
+    finished = run_command(path)
+    assert (finished.returncode, finished.stderr) == (0, "")
+    assert finished.stdout.count("<level>") == 1400
+    assert finished.stdout.count("<deepest/>") == 1
+
+
+def test_endless_recursion_is_told_with_its_trace(tmp_path: Path) -> None:
+    finished = run_command(write(tmp_path, ENDLESS))
+    assert finished.returncode == 1
+    assert finished.stderr.startswith("error[too-deep]: ")
+    assert "in Count, called at" in finished.stderr
+    assert len(finished.stderr.splitlines()) < 30
+
+
+def test_endless_inclusion_is_told(tmp_path: Path) -> None:
+    finished = run_command(write(tmp_path, "out: {include: t.yaml}\n"))
+    assert finished.returncode == 1
+    assert finished.stderr.startswith("error[too-deep]: ")
+
+
+def test_blocks_that_pass_each_other_on_without_end_are_told(tmp_path: Path) -> None:
+    text = """
+functions:
+  Again: {input: '**Block', body: {a: {Again: {Block: {b: {Block: }}}}}}
+out: {Again: {Block: }}
+"""
+    finished = run_command(write(tmp_path, text))
+    assert finished.returncode == 1
+    assert finished.stderr.startswith("error[too-deep]: ")
+
+
+@pytest.mark.parametrize(
+    "python",
+    [
+        "def f(x): return sorted([x, x], key=f)",
+        "def f(x): return list(map(f, [x]))",
+        "def f(x): return f(x) + 1",
+        "import functools\n  def f(x): return functools.reduce(lambda a, b: f(a), [x, x])",
+        "class A:\n    def __repr__(self): return repr(self) + ''\n  f = lambda x: repr(A())",
+        "class A:\n    def __getattr__(self, name): return self.z + 1\n  f = lambda x: A().y",
+    ],
+    ids=["sorted", "map", "plain", "reduce", "repr", "getattr"],
+)
+def test_endless_recursion_of_the_users_python_does_not_crash(tmp_path: Path, python: str) -> None:
+    finished = run_command(write(tmp_path, f"process: |\n  {python}\nout: $(f(1))\n"))
+    assert finished.returncode == 1
+    # Where Python tells a recursion through C apart, it does so with a message of its own.
+    assert finished.stderr.startswith(("error[too-deep]: ", "error[python-error]: "))
+    assert "Traceback" not in finished.stderr
+
+
+def test_deeply_nested_expressions_do_not_crash(tmp_path: Path) -> None:
+    for text in ("(" * 5000 + "1" + ")" * 5000, "-" * 50_000 + "1", "[" * 150 + "]" * 150):
+        finished = run_command(write(tmp_path, f"process: |\n  x = {text}\nout:\n"))
+        assert finished.returncode in (0, 1)
+        assert "Traceback" not in finished.stderr
+
+
+def test_an_element_tree_may_be_deep() -> None:
+    text = "functions:\n  N: {input: n, body: {if: {condition: n, body: {a: {N: $(n - 1)}}}}}\n"
+    assert compile_text(text + "out: {N: 1000}\n").count("<a") == 1000
+
+
+# --- what is left behind ----------------------------------------------------------------------
+
+
+def test_the_recursion_limit_is_given_back() -> None:
+    before = sys.getrecursionlimit()
+    compile_text("out:\n")
+    assert sys.getrecursionlimit() == before
+    with pytest.raises(YamaroError):
+        compile_text(ENDLESS)
+    assert sys.getrecursionlimit() == before
+
+
+def test_a_higher_recursion_limit_is_kept() -> None:
+    before = sys.getrecursionlimit()
+    higher = deep_stack.RECURSION_LIMIT + 1
+    sys.setrecursionlimit(higher)
+    try:
+        assert run_on_deep_stack(sys.getrecursionlimit) == higher
+        assert sys.getrecursionlimit() == higher
+    finally:
+        sys.setrecursionlimit(before)
+
+
+def test_the_stack_size_of_other_threads_is_unchanged() -> None:
+    before = threading.stack_size()
+    compile_text("out:\n")
+    assert threading.stack_size() == before
+
+
+def test_results_and_exceptions_come_through() -> None:
+    def fail() -> None:
+        raise LookupError("told")
+
+    assert run_on_deep_stack(lambda: 42) == 42
+    with pytest.raises(LookupError, match="told"):
+        run_on_deep_stack(fail)
+
+
+def test_where_no_thread_can_be_started_the_function_runs_all_the_same(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(deep_stack, "STACK_SIZES", (1,))  # far too small to be allowed
+    trace = sys.gettrace()
+    sys.settrace(None)
+    try:
+        assert run_on_deep_stack(threading.get_ident) == threading.get_ident()
+    finally:
+        sys.settrace(trace)
+
+
+# --- interrupts -------------------------------------------------------------------------------
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="SIGINT cannot be sent to a process there")
+@pytest.mark.parametrize(
+    "python",
+    [
+        "while True: pass",
+        "while True:\n    try: 1 / 0\n    except Exception: pass",
+        "sum(1 for _ in iter(int, 1))",
+        "import time; time.sleep(0.2); print('x'); exec('while 1: 0')",
+    ],
+    ids=["loop", "loop that catches", "in C", "after more output"],
+)
+def test_ctrl_c_ends_a_run_at_once(tmp_path: Path, python: str) -> None:
+    text = f"process: |\n  print('begun')\n  {python}\nout:\n"
+    target = tmp_path / "out.xml"
+    command = [sys.executable, "-m", "yamaro", str(write(tmp_path, text)), "-o", str(target)]
+    with subprocess.Popen(command, stderr=subprocess.PIPE, encoding="utf-8") as process:
+        assert process.stderr is not None
+        assert process.stderr.readline() == "begun\n"
+        begun = time.monotonic()
+        process.send_signal(signal.SIGINT)
+        rest = process.stderr.read()
+        assert process.wait(timeout=20) == 130
+    assert time.monotonic() - begun < 5
+    assert "Traceback" not in rest
+    assert not target.exists()
+
+
+# --- threads ----------------------------------------------------------------------------------
+
+DEEP = """
+import: own
+variables: {n/global: $(own.number)}
+functions:
+  Deep:
+    input: k
+    body: {if: {condition: k, body: {Deep: $(k - 1)}}, else: {v: $(n)}}
+out: {Deep: 300}
+"""
+
+
+def test_eight_threads_convert_at_once(tmp_path: Path) -> None:
+    limit, outcomes = sys.getrecursionlimit(), dict[int, str]()
+    together = threading.Barrier(8)
+
+    def work(number: int) -> None:
+        folder = tmp_path / str(number)
+        folder.mkdir()
+        (folder / "own.py").write_text(f"number = {number}\n")
+        path = write(folder, DEEP)
+        together.wait()
+        for _ in range(5):
+            outcomes[number] = outcomes.get(number, "") + convert(path)
+
+    threads = [threading.Thread(target=work, args=(number,)) for number in range(8)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    for number in range(8):
+        assert outcomes[number] == f'<?xml version="1.0"?>\n<out>\n  <v>{number}</v>\n</out>\n' * 5
+    assert sys.getrecursionlimit() == limit
+    assert "own" not in sys.modules
