@@ -222,7 +222,7 @@ def _check_roots(tree: Tree, hanging: dict[str, Hanging], context: CheckContext)
         f"the robot falls into {len(roots)} trees: {listed(roots)} are no joint's child",
         tree.links[roots[1]],
         attribute="name",
-        hint=f"make '{roots[1]}' the child of a joint; one of `type=fixed` will do",
+        hint=f"make '{roots[1]}' the child of a joint; a fixed one will do",
         notes=(f"the first root link is at {tree.links[roots[0]].span.place()}",),
     )
 
