@@ -102,10 +102,11 @@ class Evaluator:
             loaded = error.diagnostics[0].span.source.name
             add_trace(error, Frame("loaded", loaded, python.span(), parent=self.frame))
             raise error
-        place = self._innermost(error.__traceback__, python)
+        is_recursion = isinstance(error, RecursionError)
+        place = self._innermost(error.__traceback__, python, is_line=is_recursion)
         span = place.span
         frame = self.frame
-        steps = place.steps[:1] if isinstance(error, RecursionError) else place.steps
+        steps = place.steps[:1] if is_recursion else place.steps
         for function, called_at in steps:
             frame = Frame("called", function, called_at, parent=frame)
         if type(error) is NameError and error.name:
@@ -152,15 +153,20 @@ class Evaluator:
             trace=frame,
         )
 
-    def _innermost(self, traceback: TracebackType | None, python: PythonCode) -> _Place:
-        """Return the last place in the YAML that a traceback goes through."""
+    def _innermost(
+        self, traceback: TracebackType | None, python: PythonCode, *, is_line: bool
+    ) -> _Place:
+        """Return the last place in the YAML that a traceback goes through.
+
+        As a line, if asked: the piece of it at which the stack runs out is a matter of chance.
+        """
         place = _Place(python, python.span(), None, [])
         own = python.code.co_filename if python.code is not None else ""
         while traceback is not None:
             code = traceback.tb_frame.f_code
             found = python if code.co_filename == own else self.codes.get(code.co_filename)
             if found is not None:
-                index, span = _traceback_span(traceback, found)
+                index, span = _traceback_span(traceback, found, is_line=is_line)
                 steps = place.steps
                 if code.co_name[0] != "<":  # no <module>, <lambda>, <listcomp>
                     steps.append((code.co_name, place.span if steps else python.span()))
@@ -242,10 +248,12 @@ def _base_name(path: str) -> str:
     return path.replace("\\", "/").rpartition("/")[2]
 
 
-def _traceback_span(traceback: TracebackType, python: PythonCode) -> tuple[int | None, Span]:
+def _traceback_span(
+    traceback: TracebackType, python: PythonCode, *, is_line: bool
+) -> tuple[int | None, Span]:
     """Return the failing piece of Python: exact where Python tells columns, else its line."""
     code = traceback.tb_frame.f_code
-    if hasattr(code, "co_positions"):
+    if hasattr(code, "co_positions") and not is_line:
         from itertools import islice
 
         positions = next(islice(code.co_positions(), traceback.tb_lasti // 2, None), None)
@@ -278,8 +286,9 @@ def _find_name(python: PythonCode, name: str, index: int | None) -> Span | None:
 
     try:
         tree = ast.parse(f"{python.opening}{text}\n{')' if python.opening else ''}")
-    except SyntaxError:
-        return None
+    except SyntaxError:  # a form of ROS's, such as `arg name`
+        at = text.find(name)
+        return None if at < 0 else python.span(at, at + len(name))
     places = [
         python.byte_position(node.lineno, node.col_offset)
         for node in ast.walk(tree)

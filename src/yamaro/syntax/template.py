@@ -32,12 +32,6 @@ class Template:
         self.start = start
         self.end = end
 
-    @property
-    def single(self) -> PythonCode | None:
-        """Return the expression if it is all there is, so that its type is kept."""
-        first = self.parts[0]
-        return first if len(self.parts) == 1 and isinstance(first, PythonCode) else None
-
     def expression_span(self) -> Span:
         """Return the place of the first expression."""
         return next(part.span() for part in self.parts if isinstance(part, PythonCode))

@@ -89,14 +89,14 @@ class _Builder:
 
     def build(self) -> YamlNode | None:
         """Return the document's root, or None if there is none."""
-        parser = Parser(self.text)
         try:
-            return self._build(parser)
+            parser = Parser(self.text)
+            try:
+                return self._build(parser)
+            finally:
+                parser.dispose()
         except YAMLError as error:
             refuse_yaml(error, self)
-            raise  # refuse_yaml always raises
-        finally:
-            parser.dispose()
 
     def place(self, offset: int) -> int:
         """Return the offset in the owning source of an offset in the text that is read."""
