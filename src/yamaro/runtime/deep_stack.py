@@ -26,12 +26,10 @@ _limits: list[int] = []  # the recursion limit that was found, once for each fun
 def run_on_deep_stack(function: Callable[[], T]) -> T:
     """Return what `function` returns, or raise what it raises, having run it in a thread.
 
-    It is called directly where a debugger or a coverage tool traces the calling thread.
+    A debugger, profiler or coverage tool that watches the calling thread watches that one too.
     """
     _raise_recursion_limit()
     try:
-        if sys.gettrace() is not None or sys.getprofile() is not None:
-            return function()
         return _run_in_thread(function)
     finally:
         _restore_recursion_limit()
@@ -62,7 +60,12 @@ def _run_in_thread(function: Callable[[], T]) -> T:
     done = _thread.allocate_lock()
     done.acquire()
 
+    trace, profile = sys.gettrace(), sys.getprofile()
+
     def run() -> None:
+        sys.settrace(trace)
+        if callable(profile):  # cProfile's own is not, and sees one thread only
+            sys.setprofile(profile)
         try:
             outcome.append((function(), None))
         except BaseException as error:
