@@ -109,11 +109,12 @@ def decode(data: bytes, *, name: str, path: str) -> Source:
             Span(source, 0, 1),
             hint="save it as UTF-8",
         )
+    data = data.removeprefix(b"\xef\xbb\xbf")
     try:
-        return Source(data.decode("utf-8-sig"), name=name, path=path)
+        return Source(data.decode(), name=name, path=path)
     except UnicodeDecodeError as error:
-        before = data[: error.start].decode("utf-8-sig")
-        source = Source(data.decode("utf-8-sig", "replace"), name=name, path=path)
+        before = data[: error.start].decode()
+        source = Source(data.decode("utf-8", "replace"), name=name, path=path)
         guess = data[error.start : error.start + 1].decode("latin-1")
         raise failure(
             "not-utf-8",
