@@ -35,11 +35,13 @@ def test_each_reason_has_its_words(tmp_path: Path) -> None:
 
 
 @posix
-def test_what_is_no_regular_file_is_refused_without_waiting(tmp_path: Path) -> None:
+def test_what_is_no_regular_file_is_refused_without_waiting(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     os.mkfifo(tmp_path / "pipe")
     assert reason(tmp_path / "pipe") == "it is no regular file"
     assert reason(Path("/dev/null")) == "it is no regular file"
-    os.chdir(tmp_path)  # the name of a socket may only be short
+    monkeypatch.chdir(tmp_path)  # the name of a socket may only be short
     with socket.socket(socket.AF_UNIX) as server:
         server.bind("socket")
         assert reason(tmp_path / "socket") == "no such device or address"
