@@ -19,6 +19,9 @@ if TYPE_CHECKING:
 
 RECURSION_LIMIT = 40_000 if sys.version_info >= (3, 11) else 20_000
 STACK_SIZES = (512 << 20, 128 << 20, 32 << 20)
+WAKING_INTERVAL = 0.2
+"""Seconds after which a wait looks for Ctrl-C, which may have reached another thread."""
+
 _lock = _thread.allocate_lock()  # stack size and recursion limit are set for the whole process
 _limits: list[int] = []  # the recursion limit that was found, once for each function running
 
@@ -26,19 +29,64 @@ _limits: list[int] = []  # the recursion limit that was found, once for each fun
 def run_on_deep_stack(function: Callable[[], T]) -> T:
     """Return what `function` returns, or raise what it raises, having run it in a thread.
 
-    A debugger, profiler or coverage tool that watches the calling thread watches that one too.
+    It is called directly where a debugger or a coverage tool traces the calling thread.
     """
+    if sys.gettrace() is not None or sys.getprofile() is not None:
+        return _run_here(function)
+    outcome: list[tuple[T | None, BaseException | None]] = []
+    identity: list[int] = []
+    done = _thread.allocate_lock()
+    done.acquire()
+
+    def run() -> None:
+        identity.append(_thread.get_ident())
+        try:
+            outcome.append((function(), None))
+        except BaseException as error:
+            outcome.append((None, error))
+        finally:
+            _restore_recursion_limit()
+            done.release()
+
+    def begin() -> None:
+        # Ctrl-C interrupts the main thread only, so no lock can be left taken here.
+        _raise_recursion_limit()
+        if not _start(run):
+            _restore_recursion_limit()
+            done.release()
+
+    try:
+        _thread.start_new_thread(begin, ())
+        while not done.acquire(timeout=WAKING_INTERVAL):
+            pass
+    except RuntimeError:  # no thread can be started
+        return _run_here(function)
+    except BaseException:
+        if identity:
+            _stop(identity[0], done)
+        raise
+    if not outcome:
+        return _run_here(function)
+    value, error = outcome[0]
+    if error is not None:
+        try:
+            raise error
+        finally:
+            del error, outcome  # a traceback that refers to itself would be kept alive
+    return value  # type: ignore[return-value]
+
+
+def _run_here(function: Callable[[], T]) -> T:
     _raise_recursion_limit()
     try:
-        return _run_in_thread(function)
+        return function()
     finally:
         _restore_recursion_limit()
 
 
 def _raise_recursion_limit() -> None:
     with _lock:
-        before = _limits[0] if _limits else sys.getrecursionlimit()
-        _limits.append(before)
+        _limits.append(_limits[0] if _limits else sys.getrecursionlimit())
         if sys.getrecursionlimit() < RECURSION_LIMIT:
             sys.setrecursionlimit(RECURSION_LIMIT)
 
@@ -55,43 +103,8 @@ def _restore_recursion_limit() -> None:
             return
 
 
-def _run_in_thread(function: Callable[[], T]) -> T:
-    outcome: list[tuple[T | None, BaseException | None]] = []
-    done = _thread.allocate_lock()
-    done.acquire()
-
-    trace, profile = sys.gettrace(), sys.getprofile()
-
-    def run() -> None:
-        sys.settrace(trace)
-        if callable(profile):  # cProfile's own is not, and sees one thread only
-            sys.setprofile(profile)
-        try:
-            outcome.append((function(), None))
-        except BaseException as error:
-            outcome.append((None, error))
-        finally:
-            done.release()
-
-    identity = _start(run)
-    if identity is None:
-        return function()
-    try:
-        done.acquire()
-    except BaseException:
-        _stop(identity, done)
-        raise
-    value, error = outcome[0]
-    if error is not None:
-        try:
-            raise error
-        finally:
-            del error, outcome  # a traceback that refers to itself would be kept alive
-    return value  # type: ignore[return-value]
-
-
-def _start(run: Callable[[], None]) -> int | None:
-    """Start a thread with the deepest stack there is to have; None if there is none."""
+def _start(run: Callable[[], None]) -> bool:
+    """Start a thread with the deepest stack there is to have, and tell whether there is one."""
     with _lock:
         for size in STACK_SIZES:
             try:
@@ -99,12 +112,13 @@ def _start(run: Callable[[], None]) -> int | None:
             except (ValueError, RuntimeError):
                 continue
             try:
-                return _thread.start_new_thread(run, ())
+                _thread.start_new_thread(run, ())
+                return True
             except RuntimeError:
                 continue
             finally:
                 _thread.stack_size(before)
-    return None
+    return False
 
 
 def _stop(identity: int, done: Any) -> None:

@@ -103,7 +103,7 @@ class Evaluator:
             add_trace(error, Frame("loaded", loaded, python.span(), parent=self.frame))
             raise error
         is_recursion = isinstance(error, RecursionError)
-        place = self._innermost(error.__traceback__, python, is_line=is_recursion)
+        place = self._innermost(error, python)
         span = place.span
         frame = self.frame
         steps = place.steps[:1] if is_recursion else place.steps
@@ -153,19 +153,22 @@ class Evaluator:
             trace=frame,
         )
 
-    def _innermost(
-        self, traceback: TracebackType | None, python: PythonCode, *, is_line: bool
-    ) -> _Place:
-        """Return the last place in the YAML that a traceback goes through.
+    def _innermost(self, error: BaseException, python: PythonCode) -> _Place:
+        """Return the last place in the YAML that an error's traceback goes through.
 
-        As a line, if asked: the piece of it at which the stack runs out is a matter of chance.
+        As a line where the piece of it is a matter of chance or of the version of Python: where
+        the stack ran out, or a statement `assert` failed.
         """
+        traceback = error.__traceback__
         place = _Place(python, python.span(), None, [])
         own = python.code.co_filename if python.code is not None else ""
         while traceback is not None:
             code = traceback.tb_frame.f_code
             found = python if code.co_filename == own else self.codes.get(code.co_filename)
             if found is not None:
+                is_line = isinstance(error, RecursionError) or (
+                    isinstance(error, AssertionError) and traceback.tb_next is None
+                )
                 index, span = _traceback_span(traceback, found, is_line=is_line)
                 steps = place.steps
                 if code.co_name[0] != "<":  # no <module>, <lambda>, <listcomp>
