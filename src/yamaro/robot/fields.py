@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from ..diagnostics import YamaroError, failure, suggest
+from ..syntax.names import bad_name_character
 from ..xmltree import Comment, Element, LiteralList, Text, format_value
 from .places import Place, home_of
 
@@ -355,6 +356,9 @@ def _read_scalar(key: Element, text: Text, scalar: str | None, record: Record) -
     value = text.value
     if value is None or (type(value) is str and not value):
         return
+    if isinstance(value, dict):
+        _read_dict(key, value, text.span, record)
+        return
     if scalar is None:
         raise failure(
             "attributes-expected",
@@ -367,6 +371,24 @@ def _read_scalar(key: Element, text: Text, scalar: str | None, record: Record) -
         raise _attribute_twice(key, scalar, text.span, record)
     record.values[scalar] = text.value
     record.spans[scalar] = text.span
+
+
+def _read_dict(key: Element, value: dict[object, object], span: Span, record: Record) -> None:
+    """Take the attributes from a mapping that an expression gave: `limit: $(limits['knee'])`."""
+    for name, item in value.items():
+        if not isinstance(name, str) or bad_name_character(name) is not None:
+            raise failure(
+                "bad-name",
+                f"{name!r} in the mapping given to '{key.name}' cannot name an attribute",
+                span,
+                hint="the mapping's keys become attributes: {'lower': -1, 'upper': 1}",
+                trace=key.trace,
+            )
+        if name in record.values:
+            raise _attribute_twice(key, name, span, record)
+        if item is not None:
+            record.values[name] = item
+            record.spans[name] = span
 
 
 _RECORD_EXAMPLES = {
