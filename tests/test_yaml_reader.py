@@ -86,6 +86,8 @@ def test_an_anchor_may_be_given_anew() -> None:
         ("a: \x07\n", ("control-character", "1:4", "\x07")),
         ("a: é\x7f\n", ("control-character", "1:5", "\x7f")),
         ("a: 1\ufeff\n", ("misplaced-bom", "1:5", "\ufeff")),
+        ("'a'/b: \n  c: 1\n", ("yaml-quote", "1:1", "'a'/b")),
+        ("- 'a'b: c\n", ("yaml-quote", "1:3", "'a'b")),
     ],
 )
 def test_what_has_no_meaning_is_refused_at_its_place(

@@ -411,7 +411,8 @@ def _rest(reading: Reading, problem: str, context: str, begin: int, at: int) -> 
     if before.endswith(("]", "}", '"', "'")) and text[at:end].strip():
         key, colon, value = text[start:end].partition(": ")
         where = start + len(key) + 2
-        if not colon:
+        if not colon or at < start + len(key):  # it is the key that begins with a quote
+            colon = ""
             where, value = start + len(key) - len(key.lstrip(" -")), key.lstrip(" -")
         value = value.strip()
         return _text_behind_quote(reading, key.strip() if colon else "", value, where, at)
