@@ -271,7 +271,12 @@ class ProcessStreams(Streams):
                 sys.stdout = self._err
 
     def restore(self) -> None:
-        """Leave all as it is; see the class."""
+        """Leave all as it is, see the class, but for text that still waits in a buffer."""
+        try:
+            if self._out is not None:
+                self._out.flush()
+        except (OSError, ValueError):
+            return
 
     def write_result(self, content: bytes) -> None:
         """Write to standard output; raise OSError if that cannot be done."""
