@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from yamaro.runtime import packages
-from yamaro.runtime.packages import PackageFinder, find_package, is_package_name, manifest_name
+from yamaro.runtime.packages import PackageFinder, is_package_name, manifest_name
 
 
 def make_package(folder: Path, name: str | None = None) -> str:
@@ -37,9 +37,9 @@ def test_ament_index_comes_before_ros_package_path_and_the_workspace(tmp_path: P
     start = os.path.join(local, "urdf")
     ament = {"AMENT_PREFIX_PATH": str(tmp_path / "opt")}
     ros1 = {"ROS_PACKAGE_PATH": str(tmp_path / "ros1")}
-    assert find_package("arm", start=start, environ={**ament, **ros1}) == installed
-    assert find_package("arm", start=start, environ=ros1) == crawled
-    assert find_package("arm", start=start, environ={}) == local
+    assert PackageFinder({**ament, **ros1}).find("arm", start) == installed
+    assert PackageFinder(ros1).find("arm", start) == crawled
+    assert PackageFinder({}).find("arm", start) == local
 
 
 def test_the_first_prefix_wins_and_a_marker_without_share_folder_does_not_count(
@@ -83,7 +83,7 @@ def test_packages_of_the_same_repository_are_found(tmp_path: Path) -> None:
     (tmp_path / ".git").mkdir()
     other = make_package(tmp_path / "ros" / "arm")
     (tmp_path / "robots").mkdir()
-    assert find_package("arm", start=str(tmp_path / "robots"), environ={}) == other
+    assert PackageFinder({}).find("arm", str(tmp_path / "robots")) == other
 
 
 def test_beside_a_package_only_its_siblings_are_searched(tmp_path: Path) -> None:
@@ -108,7 +108,7 @@ def test_names_of_all_packages_are_told(tmp_path: Path) -> None:
 
 def test_a_bare_folder_is_not_searched(tmp_path: Path) -> None:
     make_package(tmp_path / "home" / "projects" / "arm")
-    assert find_package("arm", start=str(tmp_path / "home"), environ={}) is None
+    assert PackageFinder({}).find("arm", str(tmp_path / "home")) is None
 
 
 def test_name_comes_from_the_manifest_not_the_folder(tmp_path: Path) -> None:

@@ -5,21 +5,18 @@ from __future__ import annotations
 from math import pi
 
 import numpy
-import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation
 
+from tests.part_builder import lower_text
+from yamaro.robot.pose import Pose, compose_poses
 from yamaro.robot.transforms import (
-    IDENTITY,
-    ZERO,
-    Transform,
-    compose,
     multiply,
     rotation_from_rpy,
     rpy_from_rotation,
-    transform_from_pose,
 )
+from yamaro.source import Source, Span
 
 angles = st.one_of(
     st.floats(-2 * pi, 2 * pi),
@@ -28,16 +25,6 @@ angles = st.one_of(
 rpys = st.tuples(angles, angles, angles)
 lengths = st.floats(-10, 10)
 vectors = st.tuples(lengths, lengths, lengths)
-transforms = st.builds(transform_from_pose, vectors, rpys)
-
-NEUTRAL = Transform(IDENTITY, ZERO)
-
-
-def assert_same(first, second, *, tolerance=1e-12):
-    numpy.testing.assert_allclose(first.rotation, second.rotation, rtol=0, atol=tolerance)
-    numpy.testing.assert_allclose(
-        first.translation, second.translation, rtol=0, atol=100 * tolerance
-    )
 
 
 @given(rpys)
@@ -74,30 +61,74 @@ def test_rotations_compose_as_scipys(first, second):
     numpy.testing.assert_allclose(again, expected, rtol=0, atol=2e-12)
 
 
-@given(transforms, transforms, transforms)
-def test_composition_is_associative(T_a_b, T_b_c, T_c_d):
-    assert_same(compose(compose(T_a_b, T_b_c), T_c_d), compose(T_a_b, compose(T_b_c, T_c_d)))
+# --- poses: what a part's link and sections come out as ---------------------------------------
+
+places = st.fixed_dictionaries({}, optional={"xyz": vectors, "rpy": rpys, "pivot": vectors})
 
 
-@given(transforms)
-def test_the_identity_is_neutral(T_a_b):
-    assert_same(compose(T_a_b, NEUTRAL), T_a_b)
-    assert_same(compose(NEUTRAL, T_a_b), T_a_b)
+def matrix_of(place):
+    """Return the 4×4 matrix of xyz, rpy and pivot, by scipy."""
+    turn = Rotation.from_euler("xyz", place.get("rpy", (0, 0, 0))).as_matrix()
+    matrix = numpy.eye(4)
+    matrix[:3, :3] = turn
+    matrix[:3, 3] = numpy.array(place.get("xyz", (0, 0, 0))) - turn @ place.get("pivot", (0, 0, 0))
+    return matrix
 
 
-@given(transforms)
-def test_the_inverse_undoes(T_a_b):
-    assert_same(compose(T_a_b, T_a_b.inverse()), NEUTRAL)
-    assert_same(compose(T_a_b.inverse(), T_a_b), NEUTRAL)
+def written_matrix(link, section):
+    """Return the 4×4 matrix of the origin that a section comes out with, and its attributes."""
+
+    def keys(place):
+        return "".join(f"{key}: {' '.join(map(repr, value))}, " for key, value in place.items())
+
+    body = f"geometry: box, scale: 1 1 1, {keys(link)}collision: {{{keys(section)}}}"
+    origin = lower_text(f"part: {{name: a, link: {{{body}}}}}").find("link/collision/origin")
+    numbers = {key: tuple(map(float, value.split())) for key, value in origin.attributes.items()}
+    return matrix_of(numbers), origin.attributes
 
 
-@given(transforms, transforms, vectors)
-def test_a_composed_transform_applies_one_after_the_other(T_a_b, T_b_c, point):
-    expected = T_a_b.apply(T_b_c.apply(point))
-    assert compose(T_a_b, T_b_c).apply(point) == pytest.approx(expected, abs=1e-10)
+@given(places, places)
+def test_a_section_stands_in_its_link_as_scipy_has_it(link, section):
+    found, _ = written_matrix(link, section)
+    numpy.testing.assert_allclose(found, matrix_of(link) @ matrix_of(section), rtol=0, atol=1e-9)
+
+
+@given(places)
+def test_no_pose_is_neutral_on_both_sides(place):
+    assert written_matrix(place, {})[1] == written_matrix({}, place)[1]
+
+
+@given(vectors, rpys)
+def test_the_inverse_undoes(xyz, rpy):
+    back = numpy.linalg.inv(matrix_of({"xyz": xyz, "rpy": rpy}))
+    inverse = {
+        "xyz": tuple(back[:3, 3].tolist()),
+        "rpy": rpy_from_rotation(back[:3, :3].tolist()),
+    }
+    found, _ = written_matrix({"xyz": xyz, "rpy": rpy}, inverse)
+    numpy.testing.assert_allclose(found, numpy.eye(4), rtol=0, atol=1e-9)
+
+
+def pose_of(xyz, rpy):
+    span = Span(Source("x", name="x"), 0, 1)
+    words = {"xyz": tuple(map(repr, xyz)), "rpy": tuple(map(repr, rpy))}
+    return Pose(xyz, rotation_from_rpy(*rpy), **words, span=span, spans=None)
+
+
+poses = st.builds(pose_of, vectors, rpys)
+
+
+@given(poses, poses, poses)
+def test_composition_is_associative(first, second, third):
+    left = compose_poses(compose_poses(first, second), third)
+    right = compose_poses(first, compose_poses(second, third))
+    assert left.rotation is not None
+    assert right.rotation is not None
+    numpy.testing.assert_allclose(left.rotation, right.rotation, rtol=0, atol=1e-12)
+    numpy.testing.assert_allclose(left.position, right.position, rtol=0, atol=1e-10)
 
 
 @given(vectors, rpys, vectors)
 def test_the_pivot_lands_on_xyz(xyz, rpy, pivot):
-    found = transform_from_pose(xyz, rpy, pivot=pivot).apply(pivot)
-    assert found == pytest.approx(xyz, abs=1e-12)
+    found, _ = written_matrix({"xyz": xyz, "rpy": rpy, "pivot": pivot}, {})
+    numpy.testing.assert_allclose((found @ [*pivot, 1])[:3], xyz, rtol=0, atol=1e-9)

@@ -1,8 +1,7 @@
-"""Rotations and rigid transforms in three dimensions, with URDF's roll, pitch and yaw.
+"""Rotations in three dimensions, with URDF's roll, pitch and yaw.
 
-Lengths are in metres and angles in radians. Rotations are written as three rows. A transform is
-named target first: `T_parent_child` takes a point given in the child's frame to the parent's, so
-that `T_a_c = compose(T_a_b, T_b_c)`.
+Angles are in radians. A rotation is a matrix, written as three rows, that takes a vector given in
+the child's axes to the parent's.
 """
 
 from __future__ import annotations
@@ -13,7 +12,6 @@ Vector = tuple[float, float, float]
 Rotation = tuple[Vector, Vector, Vector]
 
 ZERO: Vector = (0.0, 0.0, 0.0)
-IDENTITY: Rotation = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
 
 GIMBAL_LOCK = 1e-12
 """Cosine of the pitch below which roll and yaw turn about the same axis."""
@@ -73,47 +71,3 @@ def multiply(first: Rotation, second: Rotation) -> Rotation:
         (d * p + e * s + f * v, d * q + e * t + f * w, d * r + e * u + f * x),
         (g * p + h * s + i * v, g * q + h * t + i * w, g * r + h * u + i * x),
     )
-
-
-def transpose(rotation: Rotation) -> Rotation:
-    """Return the transpose, which is the inverse rotation."""
-    (a, b, c), (d, e, f), (g, h, i) = rotation
-    return ((a, d, g), (b, e, h), (c, f, i))
-
-
-class Transform:
-    """A rigid transform: a rotation and then a translation."""
-
-    __slots__ = ("rotation", "translation")
-
-    def __init__(self, rotation: Rotation, translation: Vector) -> None:
-        """Hold the rotation matrix and the translation in metres."""
-        self.rotation = rotation
-        self.translation = translation
-
-    def apply(self, point: Vector) -> Vector:
-        """Return a point given in the child's frame in the parent's frame."""
-        x, y, z = rotate(self.rotation, point)
-        dx, dy, dz = self.translation
-        return (x + dx, y + dy, z + dz)
-
-    def inverse(self) -> Transform:
-        """Return T_child_parent for T_parent_child."""
-        back = transpose(self.rotation)
-        x, y, z = rotate(back, self.translation)
-        return Transform(back, (-x, -y, -z))
-
-
-def compose(T_a_b: Transform, T_b_c: Transform) -> Transform:
-    """Return T_a_c, the pose of `c` in `a`."""
-    return Transform(multiply(T_a_b.rotation, T_b_c.rotation), T_a_b.apply(T_b_c.translation))
-
-
-def transform_from_pose(xyz: Vector, rpy: Vector, *, pivot: Vector = ZERO) -> Transform:
-    """Return T_parent_child of a frame whose point `pivot`, in its own axes, lands on `xyz`.
-
-    The frame's origin is xyz − R·pivot.
-    """
-    rotation = rotation_from_rpy(*rpy)
-    x, y, z = rotate(rotation, pivot)
-    return Transform(rotation, (xyz[0] - x, xyz[1] - y, xyz[2] - z))

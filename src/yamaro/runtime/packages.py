@@ -21,11 +21,6 @@ AMENT_INDEX = os.path.join("share", "ament_index", "resource_index", "packages")
 MODEL_PATHS = ("GZ_SIM_RESOURCE_PATH", "IGN_GAZEBO_RESOURCE_PATH", "GAZEBO_MODEL_PATH", "SDF_PATH")
 
 
-def find_package(name: str, *, start: str, environ: Mapping[str, str] | None = None) -> str | None:
-    """Return the absolute folder of a ROS package, or None; see `PackageFinder.find`."""
-    return PackageFinder(environ).find(name, start)
-
-
 class PackageFinder:
     """Finds packages and remembers what it read; make one for each build.
 
