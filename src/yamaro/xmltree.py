@@ -204,60 +204,83 @@ _ATTRIBUTE_TABLE = str.maketrans(_ATTRIBUTE_ESCAPES)
 def write(root: Element) -> str:
     """Return the tree as an XML document; raise YamaroError where XML cannot hold a character."""
     out = ['<?xml version="1.0"?>\n']
-    _write_element(root, "", out, frozenset(("xml",)))
+    _Writer().write(root, "", out, frozenset(("xml",)))
     return "".join(out)
 
 
-def _write_element(
-    element: Element, indent: str | None, out: list[str], prefixes: frozenset[str]
-) -> None:
-    """Write an element on lines of its own, or without any added space where `indent` is None."""
-    name = element.name
-    attributes = element.attributes
-    margin, end = ("", "") if indent is None else (indent, "\n")
-    head = f"{margin}<{name}"
-    if attributes:
-        prefixes = _declared(element, prefixes)
-        for key, value in attributes.items():
+class _Writer:
+    """Writes elements, remembering the spelling of each attribute value: most come many times."""
+
+    __slots__ = ("_spelled",)
+
+    def __init__(self) -> None:
+        self._spelled: dict[str, str] = {}
+
+    def write(
+        self, element: Element, indent: str | None, out: list[str], prefixes: frozenset[str]
+    ) -> None:
+        """Write an element on lines of its own, or with no space added if `indent` is None."""
+        name = element.name
+        margin, end = ("", "") if indent is None else (indent, "\n")
+        head = f"{margin}<{name}"
+        if element.attributes:
+            attributes, prefixes = self._attributes(element, prefixes)
+            head += attributes
+        if ":" in name:
+            _check_prefix(name, element, prefixes)
+        children = element.children
+        if not children:
+            out.append(f"{head}/>{end}")
+            return
+        for child in children:
+            if type(child) is Text:
+                self._write_mixed(element, head, end, out, prefixes)
+                return
+        out.append(f"{head}>{end}")
+        deeper = None if indent is None else indent + "  "
+        for child in children:
+            if isinstance(child, Element):
+                self.write(child, deeper, out, prefixes)
+            elif isinstance(child, Comment):
+                out.append(f"{deeper or ''}<!--{_comment_text(child, element)}-->{end}")
+        out.append(f"{margin}</{name}>{end}")
+
+    def _attributes(self, element: Element, prefixes: frozenset[str]) -> tuple[str, frozenset[str]]:
+        """Return an element's attributes as text, and the prefixes that are declared inside it."""
+        spelled = self._spelled
+        text = ""
+        prefixed = []
+        for key, value in element.attributes.items():
             if value is None:
                 continue
-            if ":" in key and not key.startswith("xmlns:"):
-                _check_prefix(key, element, prefixes)
-            text = value if type(value) is str else format_value(value)
-            head += f' {key}="{_attribute_text(text, element, key)}"'
-    if ":" in name:
-        _check_prefix(name, element, prefixes)
-    children = element.children
-    if not children:
-        out.append(f"{head}/>{end}")
-        return
-    if any(type(child) is Text for child in children):
-        _write_mixed(element, head, end, out, prefixes)
-        return
-    out.append(f"{head}>{end}")
-    deeper = None if indent is None else indent + "  "
-    for child in children:
-        if isinstance(child, Element):
-            _write_element(child, deeper, out, prefixes)
-        elif isinstance(child, Comment):
-            out.append(f"{deeper or ''}<!--{_comment_text(child, element)}-->{end}")
-    out.append(f"{margin}</{name}>{end}")
+            plain = value if type(value) is str else format_value(value)
+            escaped = spelled.get(plain)
+            if escaped is None:
+                escaped = spelled[plain] = _attribute_text(plain, element, key)
+            text += f' {key}="{escaped}"'
+            if ":" in key:
+                prefixed.append(key)
+        if prefixed:
+            prefixes = _declared(element, prefixes)
+            for key in prefixed:
+                if not key.startswith("xmlns:"):
+                    _check_prefix(key, element, prefixes)
+        return text, prefixes
 
-
-def _write_mixed(
-    element: Element, head: str, end: str, out: list[str], prefixes: frozenset[str]
-) -> None:
-    """Write an element that holds text; its elements stand inline so that no space is added."""
-    inner: list[str] = []
-    for child in element.children:
-        if isinstance(child, Text):
-            inner.append(_element_text(format_value(child.value), child.span, element))
-        elif isinstance(child, Comment):
-            inner.append(f"<!--{_comment_text(child, element)}-->")
-        else:
-            _write_element(child, None, inner, prefixes)
-    content = "".join(inner)
-    out.append(f"{head}>{content}</{element.name}>{end}" if content else f"{head}/>{end}")
+    def _write_mixed(
+        self, element: Element, head: str, end: str, out: list[str], prefixes: frozenset[str]
+    ) -> None:
+        """Write an element that holds text; its elements stand inline so that no space is added."""
+        inner: list[str] = []
+        for child in element.children:
+            if isinstance(child, Text):
+                inner.append(_element_text(format_value(child.value), child.span, element))
+            elif isinstance(child, Comment):
+                inner.append(f"<!--{_comment_text(child, element)}-->")
+            else:
+                self.write(child, None, inner, prefixes)
+        content = "".join(inner)
+        out.append(f"{head}>{content}</{element.name}>{end}" if content else f"{head}/>{end}")
 
 
 def _element_text(text: str, span: Span, element: Element) -> str:
@@ -268,8 +291,6 @@ def _element_text(text: str, span: Span, element: Element) -> str:
 
 
 def _attribute_text(text: str, element: Element, key: str) -> str:
-    if text.isalnum() and text.isascii():
-        return text
     if not (text.isascii() and text.isprintable()):
         check_characters(text, element.value_span(key), trace=element.trace)
     return text.translate(_ATTRIBUTE_TABLE)
