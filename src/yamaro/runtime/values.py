@@ -17,6 +17,14 @@ if TYPE_CHECKING:
 
 
 _ALWAYS_WRITABLE = (str, float, bool, type(None))
+_SHORT = 10**15
+"""Python refuses to write integers of thousands of digits; those below this it never does."""
+
+
+def _is_writable(value: Any) -> bool:
+    """Tell whether writing a value cannot fail."""
+    kind = type(value)
+    return kind in _ALWAYS_WRITABLE or (kind is int and -_SHORT < value < _SHORT)
 
 
 class Values:
@@ -71,7 +79,7 @@ class Values:
     def written(self, value: str | Template, scope: Scope) -> Any:
         """Return what `text` does, sure that it can be written: any `__str__` may fail."""
         result = self.text(value, scope)
-        if isinstance(value, Template) and type(result) not in _ALWAYS_WRITABLE:
+        if isinstance(value, Template) and not _is_writable(result):
             self.evaluator.guard(format_value, result, value.expression_span())
         return result
 
@@ -87,6 +95,8 @@ class Values:
                     pieces.append(value)
                 elif value is None and len(template.parts) > 1:
                     pieces.append("None")
+                elif _is_writable(value):
+                    pieces.append(format_value(value))
                 else:
                     pieces.append(self.evaluator.guard(format_value, value, part.span()))
         return "".join(pieces)
