@@ -16,7 +16,7 @@ from .scope import Namespace, Scope
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable
-    from types import TracebackType
+    from types import CodeType, TracebackType
     from typing import Any, NoReturn
 
 
@@ -35,6 +35,11 @@ class InputFault(Exception):
         self.code = code
         self.message = message
         self.hint = hint
+
+
+def run_module(code: CodeType, names: dict[str, Any]) -> None:
+    """Run the code of a module in its names; whatever it raises comes through."""
+    exec(code, names)
 
 
 class Evaluator:

@@ -50,7 +50,9 @@ from ..xmltree import Comment, Element, LiteralList, PartElement, Text, format_v
 from .calls import Block, Function, bind, find_function, match_arguments
 from .expressions import Evaluator, add_trace, evaluate_bare
 from .files import Files
+from .includes import namespace_of, passed_by, path_of
 from .loops import iterate, unpack
+from .messages import Messages
 from .scope import MISSING, BlockScope, Namespace, Scope, Shared, function_key
 from .values import Values
 
@@ -84,15 +86,14 @@ class Interpreter:
             on_message: takes what `print` and `process` print, without a final line break.
         """
         self.reporter = reporter
-        self.on_message = on_message
+        self.messages = Messages(on_message)
         self.shared = Shared()
-        self.files = Files(loader, reporter=reporter, print_function=self._print)
+        self.files = Files(loader, reporter=reporter, print_function=self.messages.print)
         self.evaluator = Evaluator(self.files.codes, self.files.where_declared)
         self.values = Values(self.evaluator)
         self.frame: Frame | None = None
         self.depth = 0
         self.part_depth = 0
-        self._unfinished_line = ""  # what `print` wrote with another `end`
         self._run: dict[type, Callable[[Any, Scope, list[Node], Body | None], None]] = {
             ElementNode: self._run_element,
             TextNode: self._run_text,
@@ -131,8 +132,7 @@ class Interpreter:
             scope.passed = frozenset(variables)
             return self._run_root(document, scope, stem)
         finally:
-            if self._unfinished_line:
-                self.on_message(self._unfinished_line)
+            self.messages.close()
             self.files.close()
 
     def _run_root(self, document: Document, scope: Scope, stem: str) -> Element:
@@ -411,34 +411,12 @@ class Interpreter:
 
     def _run_print(self, node: PrintNode, scope: Scope, out: list[Node], body: Body | None) -> None:
         text = self.values.message(node.value, scope, node.span)
-        self._say(text.removesuffix("\n") + "\n")
+        self.messages.say(text.removesuffix("\n") + "\n")
 
     def _run_process(
         self, node: ProcessNode, scope: Scope, out: list[Node], body: Body | None
     ) -> None:
         self.evaluator.execute(node.code, scope)
-
-    def _print(
-        self,
-        *values: object,
-        sep: str | None = " ",
-        end: str | None = "\n",
-        file: Any = None,
-        flush: bool = False,
-    ) -> None:
-        """Stand in for Python's `print` in expressions and process blocks."""
-        if file is not None:
-            print(*values, sep=sep, end=end, file=file, flush=flush)
-            return
-        text = (" " if sep is None else sep).join(str(value) for value in values)
-        text += "\n" if end is None else end
-        self._say(text)
-
-    def _say(self, text: str) -> None:
-        """Pass text on to whoever takes messages, as soon as its line is complete."""
-        *lines, self._unfinished_line = f"{self._unfinished_line}{text}".rsplit("\n", 1)
-        if lines:
-            self.on_message(lines[0])
 
     # --- calls ---
 
@@ -537,12 +515,9 @@ class Interpreter:
     def _run_include(
         self, node: IncludeNode, scope: Scope, out: list[Node], body: Body | None
     ) -> None:
-        path = self._include_path(node, scope)
-        namespace = self._include_namespace(node, scope)
-        passed = {}
-        for argument in node.arguments:
-            assert argument.name is not None and argument.value is not None
-            passed[argument.name] = self.values.value(argument.value, scope)
+        path = path_of(node, scope, self.values)
+        namespace = namespace_of(node, scope, self.values)
+        passed = passed_by(node, scope, self.values)
         source = self.files.load(path, node.path_span, scope.home)
         context = scope.context
         frame = Frame("included", source.name, node.span, parent=self.frame)
@@ -574,32 +549,6 @@ class Interpreter:
             for element in made:
                 if isinstance(element, Element):
                     out.extend(element.children)
-
-    def _include_path(self, node: IncludeNode, scope: Scope) -> str:
-        text = format_value(self.values.written(node.path, scope)).strip()
-        if not text or "\x00" in text:
-            raise failure(
-                "missing-file",
-                "the path of this include is empty"
-                if not text
-                else "the path of this include holds a NUL character",
-                node.path_span,
-                hint="write include: other.yaml",
-            )
-        return text
-
-    def _include_namespace(self, node: IncludeNode, scope: Scope) -> str | None:
-        if node.namespace is None or isinstance(node.namespace, str):
-            return node.namespace
-        name = self.values.joined(node.namespace, scope)
-        if name and not is_identifier(name):
-            raise failure(
-                "bad-namespace",
-                f"'{name}' cannot name a namespace",
-                node.namespace.span(),
-                hint=name_hint(name),
-            )
-        return name or None
 
     def _hand_back(
         self,

@@ -12,7 +12,7 @@ import os
 import sys
 
 from ..syntax.nodes import ImportNode
-from .expressions import InputFault
+from .expressions import InputFault, run_module
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -72,7 +72,7 @@ class LocalModules:
             with open(path, "rb") as file:
                 code = compile(file.read(), path, "exec", dont_inherit=True)
             self.files.append(path)
-            exec(code, fields)
+            run_module(code, fields)
         except BaseException:
             del self._modules[name]
             sys.modules.pop(fields["__name__"], None)

@@ -1,0 +1,46 @@
+"""What a program says: the lines that `print` and `process` print, passed on as they are done."""
+
+from __future__ import annotations
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+    from typing import Any
+
+
+class Messages:
+    """Gathers printed text to whole lines for whoever takes messages."""
+
+    __slots__ = ("_on_message", "_unfinished")
+
+    def __init__(self, on_message: Callable[[str], None]) -> None:
+        """Pass each line, or lines printed at once, to `on_message`, without a final break."""
+        self._on_message = on_message
+        self._unfinished = ""  # what was printed with another `end` than a line break
+
+    def say(self, text: str) -> None:
+        """Take printed text, and pass it on as soon as its line is complete."""
+        *lines, self._unfinished = f"{self._unfinished}{text}".rsplit("\n", 1)
+        if lines:
+            self._on_message(lines[0])
+
+    def close(self) -> None:
+        """Pass on a last line that was never ended."""
+        if self._unfinished:
+            self._on_message(self._unfinished)
+            self._unfinished = ""
+
+    def print(
+        self,
+        *values: object,
+        sep: str | None = " ",
+        end: str | None = "\n",
+        file: Any = None,
+        flush: bool = False,
+    ) -> None:
+        """Stand in for Python's `print` in expressions and process blocks."""
+        if file is not None:
+            print(*values, sep=sep, end=end, file=file, flush=flush)
+            return
+        text = (" " if sep is None else sep).join(str(value) for value in values)
+        self.say(text + ("\n" if end is None else end))
