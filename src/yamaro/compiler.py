@@ -36,7 +36,7 @@ class UsageError(Exception):
 class Build:
     """A finished robot or other document."""
 
-    __slots__ = ("_xml", "files", "meshes", "root", "warnings")
+    __slots__ = ("_finder", "_xml", "files", "root", "warnings")
 
     def __init__(
         self,
@@ -45,7 +45,7 @@ class Build:
         xml: str,
         warnings: list[Diagnostic],
         files: list[str],
-        meshes: list[str],
+        finder: _MeshFinder,
     ) -> None:
         """Hold the results of a build.
 
@@ -54,13 +54,18 @@ class Build:
             xml: the document.
             warnings: what was noticed, in order.
             files: the absolute path of every file read, in order.
-            meshes: the meshes the robot refers to: absolute paths, or as written if not found.
+            finder: finds the files of meshes.
         """
         self.root = root
         self._xml = xml
         self.warnings = warnings
         self.files = files
-        self.meshes = meshes
+        self._finder = finder
+
+    @property
+    def meshes(self) -> list[str]:
+        """Return the meshes referred to: absolute paths, or as written if not found."""
+        return self._finder.referred_to(self.root)
 
     def xml(self) -> str:
         """Return the document as text."""
@@ -123,15 +128,15 @@ def _finish(
     evaluated: Element, interpreter: Interpreter, reporter: Reporter, *, advice: bool
 ) -> Build:
     """Lower, check and write what was evaluated."""
-    meshes = _MeshFinder(interpreter.files.packages)
-    root = lower(evaluated, reporter=reporter, resolve_mesh=meshes.resolve)
+    finder = _MeshFinder(interpreter.files.packages)
+    root = lower(evaluated, reporter=reporter, resolve_mesh=finder.resolve)
     if root.name == "robot":
         advisor = Reporter() if advice else None
         check(
             root,
             reporter=reporter,
-            resolve_mesh=meshes.resolve,
-            places_searched=meshes.places_searched,
+            resolve_mesh=finder.resolve,
+            places_searched=finder.places_searched,
             advice=advisor,
         )
         for diagnostic in advisor.diagnostics if advisor else ():
@@ -141,7 +146,7 @@ def _finish(
         xml=write(root),
         warnings=reporter.diagnostics,
         files=list(interpreter.files.read),
-        meshes=meshes.referred_to(root),
+        finder=finder,
     )
 
 

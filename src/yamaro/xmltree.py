@@ -89,6 +89,19 @@ class Element:
         self.verbatim = verbatim
         self.body = body
 
+    def with_children(self, children: list[Node]) -> Element:
+        """Return the same element with other children; attributes are shared, not copied."""
+        return Element(
+            self.name,
+            self.span,
+            attributes=self.attributes,
+            children=children,
+            trace=self.trace,
+            value_spans=self.value_spans,
+            verbatim=self.verbatim,
+            body=self.body,
+        )
+
     def value_span(self, attribute: str) -> Span:
         """Return where the attribute's value was written, or else the element's own place."""
         if self.value_spans is not None and attribute in self.value_spans:

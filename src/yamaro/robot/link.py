@@ -106,14 +106,7 @@ def _lower_section(lowering: Lowering, key: Element, frame: LinkFrame) -> Elemen
             children.append(lower_material(lowering, child))
         else:
             children.append(child)
-    return Element(
-        key.name,
-        key.span,
-        attributes=key.attributes,
-        children=children,
-        trace=key.trace,
-        value_spans=key.value_spans,
-    )
+    return key.with_children(children)
 
 
 def _section_shape(lowering: Lowering, key: Element, fields: Fields, link: LinkGeometry) -> Element:

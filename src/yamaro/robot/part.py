@@ -118,16 +118,7 @@ def _rebuilt(lowering: Lowering, element: Element, holders: dict[int, Element]) 
                 children.append(_rebuilt(lowering, child, holders))
         else:
             children.append(child)
-    return Element(
-        element.name,
-        element.span,
-        attributes=element.attributes,
-        children=children,
-        trace=element.trace,
-        value_spans=element.value_spans,
-        verbatim=element.verbatim,
-        body=element.body,
-    )
+    return element.with_children(children)
 
 
 def _warn_of_place(lowering: Lowering, owner: Element, part: Element) -> None:
