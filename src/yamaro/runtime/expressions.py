@@ -7,7 +7,7 @@ it called.
 
 from __future__ import annotations
 
-from ..diagnostics import Diagnostic, Frame, YamaroError, did_you_mean, failure
+from ..diagnostics import Frame, YamaroError, did_you_mean, failure
 from ..source import Span
 from ..syntax.python import PythonCode, expression_without_dollars
 from .declared import Declaration, notes_on
@@ -351,13 +351,3 @@ def add_trace(error: YamaroError, frame: Frame | None) -> None:
     for diagnostic in error.diagnostics:
         if diagnostic.trace is None:
             diagnostic.trace = frame
-
-
-__all__ = [
-    "Diagnostic",
-    "Evaluator",
-    "InputFault",
-    "add_trace",
-    "function_names",
-    "variable_names",
-]

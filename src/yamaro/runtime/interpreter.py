@@ -8,13 +8,10 @@ from __future__ import annotations
 
 from ..diagnostics import Frame, Reporter, YamaroError, failure
 from ..source import Source, Span
-from ..syntax.keys import name_fault
+from ..syntax.keys import NAME_RULE, attribute_twice, name_fault
 from ..syntax.names import (
     STATEMENTS,
-    bad_variable_name,
     is_function_name,
-    is_identifier,
-    name_hint,
 )
 from ..syntax.nodes import (
     BRIDGE,
@@ -44,8 +41,9 @@ from ..syntax.nodes import (
     VariablesNode,
 )
 from ..syntax.python import PythonCode
-from ..syntax.statements import late_call
+from ..syntax.statements import late_call, refuse_second_function
 from ..syntax.template import Template
+from ..syntax.variables import variable_name
 from ..xmltree import Comment, Element, LiteralList, PartElement, Text, format_value
 from .calls import Block, Function, bind, find_function, match_arguments
 from .expressions import Evaluator, add_trace, evaluate_bare
@@ -242,12 +240,7 @@ class Interpreter:
         else:
             result = value
         if name in attributes:
-            raise failure(
-                "attribute-twice",
-                f"the attribute '{name}' is given twice",
-                attribute.name_span,
-                hint="keep one of the two",
-            )
+            raise attribute_twice(name, attribute.name_span)
         attributes[name] = result
         value_spans[name] = attribute.span
 
@@ -260,7 +253,7 @@ class Interpreter:
                 "bad-name",
                 fault,
                 span,
-                hint="a name begins with a letter or _ and goes on with letters, digits, - _ .",
+                hint=NAME_RULE,
             )
         return name
 
@@ -321,7 +314,7 @@ class Interpreter:
                 node.span,
                 hint="attributes are written behind the $(…): $(name)/attribute=value"
                 if "/" in text
-                else "a name begins with a letter or _ and goes on with letters, digits, - _ .",
+                else NAME_RULE,
             )
         element = Element(text, node.span, trace=self.frame, body=body)
         self._fill(element, node.content, scope)
@@ -369,13 +362,7 @@ class Interpreter:
                 name = self.values.joined(name, scope)
                 if not name:
                     continue
-                if not is_identifier(name):
-                    raise failure(
-                        "bad-variable-name",
-                        bad_variable_name(name),
-                        entry.span,
-                        hint=name_hint(name),
-                    )
+                name = variable_name(name, entry.span)
             if node.is_root and scope.is_passed_in(name):
                 if entry.scope == LOCAL and name in self.shared.bridges:
                     continue
@@ -397,13 +384,7 @@ class Interpreter:
                 and earlier.closure is scope
                 and earlier.node is not function
             ):
-                raise failure(
-                    "defined-twice",
-                    f"the function '{function.name}' is defined twice",
-                    function.span,
-                    hint="give one of them another name",
-                    notes=[f"first defined at {earlier.node.span.place()}"],
-                )
+                refuse_second_function(earlier.node, function)
             defined = Function(function, scope)
             if function.scope in (GLOBAL, BRIDGE):
                 self._warn_of_replacement(self.shared.find(key), defined, key, function.span)

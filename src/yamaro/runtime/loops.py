@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from ..diagnostics import failure
 from ..source import Span
+from ..syntax.iterations import check_range_count
 from ..syntax.nodes import ForNode, ListValue
 from ..syntax.python import PythonCode
 from .expressions import Evaluator, evaluate_bare
@@ -72,13 +73,7 @@ def _range(node: ForNode, scope: Scope, evaluator: Evaluator) -> range:
                 evaluator.evaluate(item, scope) if is_code else item.value  # type: ignore[union-attr, arg-type]
             )
             spans.append(item.span() if is_code else item.node.span())  # type: ignore[union-attr]
-    if not 1 <= len(values) <= 3:
-        raise failure(
-            "bad-range",
-            f"`range` takes one to three numbers, and these are {len(values)}",
-            spans[0] if spans else node.span,
-            hint="write range: 6, or range: 0, 6, or range: 0, 6, 2",
-        )
+    check_range_count(len(values), spans[0] if spans else node.span)
     for value, span in zip(values, spans, strict=True):
         if isinstance(value, bool) or not hasattr(type(value), "__index__"):
             raise failure(

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from ..diagnostics import failure
+from ..source import Span
 from .context import ParseContext
 from .names import bad_variable_name, is_identifier, name_hint, python_name
 from .nodes import Constant, Value
@@ -13,6 +14,9 @@ from .yaml_nodes import ScalarNode, SequenceNode
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from .yaml_nodes import YamlNode
+
+
+RANGE_FORMS = "write range: 6, or range: 0, 6, or range: 0, 6, 2"
 
 
 def parse_iterator(node: YamlNode, context: ParseContext) -> list[str]:
@@ -55,22 +59,27 @@ def parse_range(node: YamlNode, context: ParseContext) -> list[PythonCode | Cons
         YamaroError: they are no expressions, or none, or more than three.
     """
     if isinstance(node, SequenceNode):
-        if not 1 <= len(node.items) <= 3:
-            raise failure(
-                "bad-range",
-                f"`range` takes one to three numbers, and these are {len(node.items)}",
-                node.span(),
-                hint="write range: 6, or range: 0, 6, or range: 0, 6, 2",
-            )
+        check_range_count(len(node.items), node.span())
         return [parse_condition(item, context) for item in node.items]
     if not isinstance(node, ScalarNode) or is_empty(node):
         raise failure(
             "bad-range",
             "`range` takes one to three numbers",
             node.span(),
-            hint="write range: 6, or range: 0, 6, or range: 0, 6, 2",
+            hint=RANGE_FORMS,
         )
     return parse_bare_expression(node, context)
+
+
+def check_range_count(count: int, span: Span) -> None:
+    """Raise YamaroError unless a `range` has one to three numbers."""
+    if not 1 <= count <= 3:
+        raise failure(
+            "bad-range",
+            f"`range` takes one to three numbers, and these are {count}",
+            span,
+            hint=RANGE_FORMS,
+        )
 
 
 def parse_in(node: YamlNode, context: ParseContext) -> Value | PythonCode:

@@ -8,12 +8,15 @@ value      = "'" … "'" | '"' … '"' | text without commas
 
 from __future__ import annotations
 
-from ..diagnostics import failure
+from ..diagnostics import YamaroError, failure
+from ..source import Span
 from .context import ParseContext
 from .names import STATEMENTS, bad_name_character
 from .nodes import Attribute
 from .template import Template, parse_template, skip_expression
 from .yaml_nodes import ScalarNode
+
+NAME_RULE = "a name begins with a letter or _ and goes on with letters, digits, - _ ."
 
 
 def find_outside(text: str, characters: str, start: int, end: int) -> int:
@@ -91,7 +94,17 @@ def _name_hint(key: ScalarNode, name: str) -> str:
         return f"retype it: U+{ord(invisible[0]):04X} is invisible, and comes from pasted text"
     if name.startswith("xacro:"):
         return "xacro's tags do not exist here; see docs/coming-from-xacro.md"
-    return "a name begins with a letter or _ and goes on with letters, digits, - _ ."
+    return NAME_RULE
+
+
+def attribute_twice(name: str, span: Span) -> YamaroError:
+    """Return the error for an attribute that is given a second time at `span`."""
+    return failure(
+        "attribute-twice",
+        f"the attribute '{name}' is given twice",
+        span,
+        hint="keep one of the two",
+    )
 
 
 def parse_attributes(
@@ -110,12 +123,7 @@ def parse_attributes(
         name = attribute.name
         if isinstance(name, str):
             if name in seen:
-                raise failure(
-                    "attribute-twice",
-                    f"the attribute '{name}' is given twice",
-                    attribute.name_span,
-                    hint="keep one of the two",
-                )
+                raise attribute_twice(name, attribute.name_span)
             seen[name] = attribute
         attributes.append(attribute)
         if at >= end:

@@ -461,6 +461,3 @@ class Document:
             if extent.start <= span.start < extent.end:
                 return extent
         return None
-
-
-__all__ = [name for name in globals() if name[0].isupper()] + ["YamlNode"]

@@ -44,6 +44,7 @@ from .yaml_nodes import MappingNode, ScalarNode, SequenceNode
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable
+    from typing import NoReturn
 
     from .yaml_nodes import YamlNode
 
@@ -463,7 +464,7 @@ def _parse_functions(key: ScalarNode, node: YamlNode, context: ParseContext) -> 
         if function is None:
             continue
         if function.name in seen:
-            context.attempt(_refuse_second_function, seen[function.name], function)
+            context.attempt(refuse_second_function, seen[function.name], function)
             continue
         seen[function.name] = function
         functions.append(function)
@@ -471,7 +472,8 @@ def _parse_functions(key: ScalarNode, node: YamlNode, context: ParseContext) -> 
     return FunctionsNode(functions, key.span())
 
 
-def _refuse_second_function(first: FunctionNode, second: FunctionNode) -> None:
+def refuse_second_function(first: FunctionNode, second: FunctionNode) -> NoReturn:
+    """Raise YamaroError for a function that is defined twice in one context."""
     raise failure(
         "defined-twice",
         f"the function '{second.name}' is defined twice",

@@ -12,7 +12,7 @@ from .nodes import Constant, DictValue, ListValue, Value
 from .python import PythonCode, compile_expression, expression_without_dollars, find_close
 from .scalars import is_null, type_plain
 from .template import parse_expression, parse_template
-from .yaml_nodes import DOUBLE, PLAIN, MappingNode, ScalarNode, SequenceNode
+from .yaml_nodes import DOUBLE, PLAIN, ScalarNode, SequenceNode
 from .yaml_reader import read_fragment
 
 TYPE_CHECKING = False
@@ -227,15 +227,3 @@ def is_empty(node: YamlNode) -> bool:
     if not isinstance(node, ScalarNode):
         return False
     return not node.text if node.style != PLAIN else is_null(node.text)
-
-
-__all__ = [
-    "MappingNode",
-    "is_empty",
-    "parse_bare_expression",
-    "parse_condition",
-    "parse_inline",
-    "parse_value",
-    "split_inline",
-    "warn_of_hidden_value",
-]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from ..diagnostics import did_you_mean, failure
+from ..source import Span
 from .context import ParseContext
 from .keys import find_outside
 from .mappings import pairs_of
@@ -64,11 +65,20 @@ def _parse_variable(key: ScalarNode, node: YamlNode, context: ParseContext) -> V
         end -= 1
     name = parse_template(key, 0, end, context=context)
     span = key.span(0, end) if end else key.span()
-    if isinstance(name, str) and not is_identifier(name):
-        raise failure("bad-variable-name", bad_variable_name(name), span, hint=name_hint(name))
     if isinstance(name, str):
-        name = python_name(name)
+        name = variable_name(name, span)
     return VariableEntry(name, scope, [value], span)
+
+
+def variable_name(name: str, span: Span) -> str:
+    """Return a variable's name as Python spells it.
+
+    Raises:
+        YamaroError: it cannot name a variable.
+    """
+    if not is_identifier(name):
+        raise failure("bad-variable-name", bad_variable_name(name), span, hint=name_hint(name))
+    return python_name(name)
 
 
 def _join_entries(earlier: VariableEntry, entry: VariableEntry) -> None:
