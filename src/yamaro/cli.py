@@ -10,6 +10,7 @@ import os
 import sys
 
 from .output import STANDARD_OUTPUT, ProcessStreams, Streams, is_input, write_file
+from .source import STANDARD_INPUT, STANDARD_INPUT_NAME
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -17,9 +18,6 @@ if TYPE_CHECKING:
 
     from .compiler import Build
     from .diagnostics import Diagnostic
-
-STANDARD_INPUT = "-"
-STANDARD_INPUT_NAME = "<standard input>"
 
 DONE = 0
 INPUT_ERROR = 1

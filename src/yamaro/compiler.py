@@ -12,7 +12,7 @@ from .runtime.deep_stack import run_on_deep_stack
 from .runtime.interpreter import Interpreter
 from .runtime.loader import FileLoader, LoadError, decode
 from .runtime.predefined import plain_data
-from .source import Source, Span
+from .source import STANDARD_INPUT, STANDARD_INPUT_NAME, Source, Span
 from .syntax.context import ParseContext
 from .syntax.names import is_identifier, python_name
 from .syntax.values import parse_inline
@@ -25,8 +25,6 @@ if TYPE_CHECKING:
 
     from .runtime.loader import Loader
     from .runtime.packages import PackageFinder
-
-STANDARD_INPUT = "-"
 
 
 class UsageError(Exception):
@@ -195,7 +193,7 @@ def _stem(path: str) -> str:
 def _read_main(path: str, text: str | None, loader: Loader) -> Source:
     if text is not None:
         is_file = path != STANDARD_INPUT
-        name = path if is_file else "<standard input>"
+        name = path if is_file else STANDARD_INPUT_NAME
         return Source(
             text.removeprefix("\ufeff"), name=name, path=os.path.abspath(path) if is_file else ""
         )

@@ -8,6 +8,11 @@ from __future__ import annotations
 
 from bisect import bisect_right
 
+STANDARD_INPUT = "-"
+"""The path that stands for standard input."""
+STANDARD_INPUT_NAME = "<standard input>"
+"""What standard input is called in messages."""
+
 
 class Source:
     """The text of one file, with the name it is shown under."""
