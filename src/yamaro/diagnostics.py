@@ -5,7 +5,7 @@ There is one type for everything Yamaro has to say about an input, and one rende
 
 from __future__ import annotations
 
-from .source import Span
+from .source import Source, Span
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -40,6 +40,10 @@ class Frame:
         self.span = span
         self.parent = parent
         self.home = home
+
+
+INHERITED = Frame("inherited", "", Span(Source("", name=""), 0, 0), parent=None)
+"""The trace of an element that came the way of the element around it, wherever it stands."""
 
 
 class Diagnostic:

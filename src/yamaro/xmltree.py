@@ -6,7 +6,7 @@ formatting, value formatting and escaping happen here and nowhere else.
 
 from __future__ import annotations
 
-from .diagnostics import Frame, failure
+from .diagnostics import INHERITED, Frame, failure
 from .source import Span
 
 TYPE_CHECKING = False
@@ -75,7 +75,8 @@ class Element:
             span: the place of the key that made the element.
             attributes: names and values in the order of output; None values are not written.
             children: elements, text and comments in order.
-            trace: the calls and includes that led here.
+            trace: the calls and includes that led here; INHERITED where they are those of the
+                element around, so that one element can stand in many places.
             value_spans: where the attributes' values are written; `span` stands in for the rest.
             verbatim: written in angle brackets: plain XML, whatever its name.
             body: identity of the mapping the element's key was written in.
@@ -91,7 +92,7 @@ class Element:
 
     def with_children(self, children: list[Node]) -> Element:
         """Return the same element with other children; attributes are shared, not copied."""
-        return Element(
+        return type(self)(
             self.name,
             self.span,
             attributes=self.attributes,
@@ -140,6 +141,31 @@ class PartElement(Element):
 
 
 Node = Element | Text | Comment
+
+Shared = dict[int, dict[str, "Any"]]
+"""The elements that stand in several places of a tree, by identity, each with notes of what has
+been worked out for it once for all its places, such as its text. Where nothing is shared, it is
+empty. Elements in it are never changed."""
+
+
+def unshared(root: Element) -> Element:
+    """Return a copy of a tree in which no element stands twice, each with a trace of its own."""
+    top = _with_trace(root, None if root.trace is INHERITED else root.trace)
+    pending = [top]
+    while pending:
+        element = pending.pop()
+        for index, child in enumerate(element.children):
+            if isinstance(child, Element):
+                trace = element.trace if child.trace is INHERITED else child.trace
+                copy = element.children[index] = _with_trace(child, trace)
+                pending.append(copy)
+    return top
+
+
+def _with_trace(element: Element, trace: Frame | None) -> Element:
+    copy = element.with_children(list(element.children))
+    copy.trace = trace
+    return copy
 
 
 # --- values to text ---------------------------------------------------------------------------
@@ -214,7 +240,7 @@ _TEXT_TABLE = str.maketrans(_TEXT_ESCAPES)
 _ATTRIBUTE_TABLE = str.maketrans(_ATTRIBUTE_ESCAPES)
 
 
-def write(root: Element) -> str:
+def write(root: Element, *, shared: Shared | None = None) -> str:
     """Return the tree as an XML document; raise YamaroError where XML cannot hold a character."""
     out = ['<?xml version="1.0"?>\n']
     _Writer().write(root, "", out, frozenset(("xml",)))

@@ -21,6 +21,7 @@ if TYPE_CHECKING:
 
     from ..diagnostics import Reporter
     from ..source import Span
+    from ..xmltree import Shared
 
 
 def check(
@@ -30,6 +31,7 @@ def check(
     resolve_mesh: Callable[[str, Span], str | None] | None = None,
     places_searched: Callable[[str, Span], Sequence[str] | None] | None = None,
     advice: Reporter | None = None,
+    shared: Shared | None = None,
 ) -> None:
     """Check the robot and report each fault as a warning at the value that is wrong.
 
@@ -42,6 +44,8 @@ def check(
             at; None for a package that is known.
         advice: takes what is legal but seldom meant, such as a density of 50,000 kg/m³. Without it
             this is not worked out.
+        shared: the elements that stand in several places, which are checked once where nothing is
+            wrong with them.
     """
     children = root.elements()
     links = [child for child in children if child.name == "link"]

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
     from ..diagnostics import Reporter
     from ..source import Span
-    from ..xmltree import Node
+    from ..xmltree import Node, Shared
 
 CAPSULE_VERSION = (1, 1)
 ROOT_LINK = "root_link"
@@ -34,6 +34,7 @@ def lower(
     *,
     reporter: Reporter,
     resolve_mesh: Callable[[str, Span], str | None],
+    shared: Shared | None = None,
 ) -> Element:
     """Return the tree with every part replaced by its joint, its link and what stands beside them.
 
@@ -44,6 +45,8 @@ def lower(
         reporter: takes the warnings.
         resolve_mesh: gives the absolute path of a mesh file named at a span, or None if there is
             none; asked only when inertia is computed from the mesh.
+        shared: the elements that stand in several places of the tree; what they are lowered to is
+            shared alike, and added.
 
     Raises:
         YamaroError: holds every error found.
