@@ -125,7 +125,7 @@ def test_errors_carry_diagnostics(folder: Path) -> None:
     assert isinstance(diagnostic, yamaro.Diagnostic)
     assert (diagnostic.code, diagnostic.severity) == ("undefined-name", "error")
     assert diagnostic.span.location() == (2, 8)
-    assert diagnostic.span.text() == "lenght"
+    assert diagnostic.span.written() == "lenght"
     assert diagnostic.span.source.path == str(folder / "robot.yaml")
     assert diagnostic.hint is not None
     assert "'length'" in diagnostic.hint

@@ -469,7 +469,7 @@ def test_an_unknown_package_is_told_once_with_the_places_looked_at() -> None:
     text = mesh_robot("package://p/a.stl", "package://p/b.stl")
     (finding,) = file_findings(text, there={}, packages=set())
     assert finding.code == "unknown-package"
-    assert finding.span.text() == "package://p/a.stl"
+    assert finding.span.written() == "package://p/a.stl"
     assert finding.hint is not None
     assert finding.hint.endswith("looked in /opt/a, /opt/b")
 
@@ -478,7 +478,7 @@ def test_a_missing_texture_is_told() -> None:
     material = '<material name="m"><texture filename="t.png"/></material>'
     text = f'<robot name="r">{material}<link name="a"/></robot>'
     (finding,) = file_findings(text, there={}, packages=set())
-    assert (finding.code, finding.span.text()) == ("missing-mesh-file", "t.png")
+    assert (finding.code, finding.span.written()) == ("missing-mesh-file", "t.png")
 
 
 def test_an_empty_filename_is_told() -> None:

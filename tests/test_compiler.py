@@ -54,7 +54,7 @@ def test_a_variable_nobody_knows_is_a_warning_with_a_suggestion() -> None:
     text = "variables: {length: 1}\nout: $(width_of if False else 0)\n"
     (warning,) = built(text, "lenght:=2", "width_of:=2").warnings
     assert (warning.code, warning.hint) == ("unknown-variable", "did you mean 'length'?")
-    assert warning.span.text() == "lenght"
+    assert warning.span.written() == "lenght"
 
 
 def test_strict_makes_warnings_errors() -> None:

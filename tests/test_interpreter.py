@@ -60,7 +60,7 @@ def test_what_a_users_value_raises_is_shown_where_it_is_used(
 ) -> None:
     diagnostic = fault(f"{HOSTILE}  {statement}\n")
     assert diagnostic.code == "python-error"
-    assert (diagnostic.span.text(), diagnostic.message) == (place, message)
+    assert (diagnostic.span.written(), diagnostic.message) == (place, message)
 
 
 @pytest.mark.parametrize("raised", ["SystemExit(2)", "GeneratorExit()", "BaseException('x')"])

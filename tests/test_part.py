@@ -180,7 +180,7 @@ part:
 def test_a_part_inside_a_joint_link_or_section_is_an_error(text):
     error = error_of(text)
     assert error.code == "misplaced-part"
-    assert error.span.text() == "part"
+    assert error.span.written() == "part"
     assert error.span.start == text.rindex("part")
 
 
@@ -193,7 +193,7 @@ def test_a_part_inside_another_element_is_lowered_with_a_warning():
 def test_a_part_needs_a_robot():
     error = error_of("world: {part: {name: a}}", root="sdf")
     assert error.code == "part-outside-robot"
-    assert error.span.text() == "part"
+    assert error.span.written() == "part"
     assert "<sdf>" in error.message
 
 
@@ -298,7 +298,7 @@ def test_faulty_names(text, code):
 def test_a_key_given_twice_in_one_mapping_names_both_places(text):
     error = error_of(text)
     assert error.code == "given-twice"
-    key = error.span.text()
+    key = error.span.written()
     assert error.span.start == text.rindex(f"{key}:")
     first = text.index(f"{key}:") + 1
     assert error.notes == (f"first given at robot.yaml:1:{first}",)
@@ -418,7 +418,7 @@ def test_faulty_joints(body, code, underlined, hint):
     except YamaroError as error:
         (diagnostic,) = error.diagnostics
     assert diagnostic.code == code
-    assert diagnostic.span.text() == underlined
+    assert diagnostic.span.written() == underlined
     assert (hint is None and diagnostic.hint is None) or hint in (diagnostic.hint or "")
 
 
@@ -501,7 +501,7 @@ def test_root_link_is_put_first_when_a_part_wants_it():
     )
     assert names(lowered.tree.children) == ["link", "material", "joint", "link"]
     assert lowered.find("link").attributes == {"name": "root_link"}
-    assert lowered.find("link").span.text() == "root_link"
+    assert lowered.find("link").span.written() == "root_link"
 
 
 @pytest.mark.parametrize(
@@ -542,7 +542,7 @@ def test_missing_limits_are_filled_in_with_one_warning(kind, limit, expected):
     assert {name: float(value) for name, value in found.items()} == pytest.approx(expected)
     (warning,) = lowered.warnings
     assert warning.code == "assumed-limit"
-    assert warning.span.text() == (limit.partition(":")[0] if limit else "type")
+    assert warning.span.written() == (limit.partition(":")[0] if limit else "type")
     for name in ("lower", "upper", "effort", "velocity"):
         was_filled = name in expected and f"{name}:" not in limit and f"{name}=" not in limit
         assert (f"{name}=" in warning.message) == was_filled
@@ -631,7 +631,7 @@ def test_faulty_numbers_are_underlined(value, code, underlined):
         "    geometry: box\n    scale: 1 1 1\n"
     )
     assert error.code == code
-    assert error.span.text() == underlined
+    assert error.span.written() == underlined
     assert "xyz" in error.message
 
 
@@ -654,7 +654,7 @@ def test_the_hint_for_a_word_shows_what_to_write(value, hint):
 def test_an_element_in_place_of_numbers_is_an_error():
     error = error_of("part: {name: a, link: {xyz: {x: 1}}}")
     assert error.code == "value-expected"
-    assert error.span.text() == "x"
+    assert error.span.written() == "x"
 
 
 def test_attributes_in_place_of_numbers_are_an_error():
@@ -750,7 +750,7 @@ def test_a_computed_component_of_rounding_size_is_zero():
 def test_an_origin_beside_xyz_is_an_error():
     error = error_of("part:\n  name: a\n  link:\n    origin/xyz=1 0 0:\n    rpy: 1 0 0\n")
     assert error.code == "given-twice"
-    assert error.span.text() == "rpy"
+    assert error.span.written() == "rpy"
 
 
 def test_an_unknown_attribute_of_an_origin_is_an_error():
@@ -830,7 +830,7 @@ def test_faulty_geometry(body, code, underlined, hint):
         link(f"{body}\nvisual:")
     (error,) = caught.value.diagnostics
     assert error.code == code
-    assert error.span.text() == underlined
+    assert error.span.written() == underlined
     assert hint in (error.hint or "")
 
 
@@ -870,7 +870,7 @@ def test_a_section_with_only_a_scale_is_the_links_shape_in_that_size():
 def test_a_geometry_that_no_section_uses_is_a_warning(body):
     lowered = link(body)
     assert lowered.codes() == ["unused-geometry"]
-    assert lowered.warnings[0].span.text() == body.partition(":")[0]
+    assert lowered.warnings[0].span.written() == body.partition(":")[0]
 
 
 @pytest.mark.parametrize(
@@ -984,7 +984,7 @@ def test_faulty_inertials(body, code, underlined):
         link(body)
     (error,) = caught.value.diagnostics
     assert error.code == code
-    assert error.span.text() == underlined
+    assert error.span.written() == underlined
 
 
 # --- meshes -----------------------------------------------------------------------------------
@@ -1046,7 +1046,7 @@ def test_the_mesh_is_looked_for_with_the_place_it_is_written(bracket):
     asked = []
 
     def record(filename, span):
-        asked.append((filename, span.text()))
+        asked.append((filename, span.written()))
         return resolve(filename, span)
 
     link("geometry: bracket.stl\nmass: 1\nvisual:\ncollision:", resolve_mesh=record)
@@ -1068,7 +1068,7 @@ def test_faulty_meshes(bracket, body, code, underlined):
         link(body, resolve_mesh=bracket[1])
     (error,) = caught.value.diagnostics
     assert error.code == code
-    assert error.span.text() == underlined
+    assert error.span.written() == underlined
     assert "inertia" in f"{error.message}{error.hint}" or code == "bad-size"
 
 
@@ -1206,7 +1206,7 @@ def test_parent_and_child_in_angle_brackets_stand_as_written():
 def test_a_list_is_no_content_of_an_element(text, name):
     error = error_of(text)
     assert error.code == "list-as-text"
-    assert error.span.text() == "[1, 2]"
+    assert error.span.written() == "[1, 2]"
     assert f"<{name}>" in error.message
 
 
@@ -1222,7 +1222,7 @@ def test_a_list_is_no_content_of_an_element(text, name):
 def test_text_directly_in_a_place_of_keys_is_an_error(text, underlined):
     error = error_of(text)
     assert error.code == "unexpected-text"
-    assert error.span.text() == underlined
+    assert error.span.written() == underlined
 
 
 @pytest.mark.parametrize(
@@ -1264,7 +1264,7 @@ def test_misspelt_and_misplaced_keys_are_warned_of_and_come_out_as_elements(
     lowered = lower_text(text)
     (warning,) = lowered.warnings
     assert warning.code == code
-    assert warning.span.text() == underlined
+    assert warning.span.written() == underlined
     assert hint in (warning.hint or "")
 
 
@@ -1343,7 +1343,7 @@ def test_every_element_points_at_the_key_that_made_it():
         "link/visual/material": "material",
         "link/visual/material/color": "color",
     }
-    assert {path: lowered.find(path).span.text() for path in places} == places
+    assert {path: lowered.find(path).span.written() for path in places} == places
 
 
 def test_every_attribute_points_at_its_value():
@@ -1362,7 +1362,7 @@ def test_every_attribute_points_at_its_value():
         ("link/visual/material/color", "rgba"): "0 0 0 1",
         ("link/visual/material/texture", "filename"): "tex.png",
     }
-    found = {(p, a): lowered.find(p).value_span(a).text() for p, a in places}
+    found = {(p, a): lowered.find(p).value_span(a).written() for p, a in places}
     assert found == places
 
 

@@ -26,7 +26,7 @@ def parts(text: str) -> list[tuple[str, str]] | str:
     if isinstance(parsed, str):
         return parsed
     return [
-        ("text", part) if isinstance(part, str) else ("expression", part.span().text())
+        ("text", part) if isinstance(part, str) else ("expression", part.span().written())
         for part in parsed.parts
     ]
 
@@ -54,8 +54,8 @@ def test_texts_fall_into_pieces(text: str, expected: object) -> None:
 def test_a_template_knows_its_places() -> None:
     parsed, _ = parse("ab $(x) $(y)")
     assert isinstance(parsed, Template)
-    assert parsed.span().text() == "ab $(x) $(y)"
-    assert parsed.expression_span().text() == "x"
+    assert parsed.span().written() == "ab $(x) $(y)"
+    assert parsed.expression_span().written() == "x"
 
 
 def test_xacros_spelling_is_a_warning() -> None:
@@ -80,7 +80,7 @@ def test_faults_are_shown_where_they_stand(text: str, code: str, place: str | No
     (diagnostic,) = caught.value.diagnostics
     assert diagnostic.code == code
     if place is not None:
-        assert diagnostic.span.text() == place
+        assert diagnostic.span.written() == place
 
 
 @pytest.mark.parametrize(

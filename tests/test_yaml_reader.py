@@ -30,7 +30,7 @@ def refused(text: str) -> tuple[str, str, str]:
         parse(text)
     (diagnostic,) = caught.value.diagnostics
     line, column = diagnostic.span.location()
-    return diagnostic.code, f"{line}:{column}", diagnostic.span.text()
+    return diagnostic.code, f"{line}:{column}", diagnostic.span.written()
 
 
 def test_repeated_keys_keep_their_order() -> None:
@@ -41,11 +41,11 @@ def test_nodes_know_where_they_stand() -> None:
     root = parse("a: &x [1, 'two']\nb: {c: \"d\"}\n")
     assert isinstance(root, MappingNode)
     (a, items), (_, inner) = root.pairs
-    assert [a.span().text(), items.span().text()] == ["a", "[1, 'two']"]
+    assert [a.span().written(), items.span().written()] == ["a", "[1, 'two']"]
     assert isinstance(items, SequenceNode)
     assert isinstance(inner, MappingNode)
-    assert [item.span().text() for item in items.items] == ["1", "'two'"]
-    assert inner.span().text() == '{c: "d"}'
+    assert [item.span().written() for item in items.items] == ["1", "'two'"]
+    assert inner.span().written() == '{c: "d"}'
     assert (items.is_flow, root.is_flow) == (True, False)
 
 
@@ -124,8 +124,8 @@ def test_a_fragment_is_placed_in_its_file() -> None:
     fragment = read_fragment(scalar, start, len(scalar.text))
     assert isinstance(fragment, SequenceNode)
     assert plain(fragment) == ["1", "two"]
-    assert fragment.items[0].span().text() == "1"
-    assert fragment.items[1].span().text() == '"two"'
+    assert fragment.items[0].span().written() == "1"
+    assert fragment.items[1].span().written() == '"two"'
 
 
 @pytest.mark.parametrize(

@@ -79,7 +79,7 @@ class Span:
         line, column = self.location()
         return f"{self.source.name}:{line}:{column}"
 
-    def text(self) -> str:
+    def written(self) -> str:
         """Return the characters the span covers."""
         return self.source.text[self.start : self.end]
 
@@ -88,4 +88,4 @@ class Span:
         return (self.source.path, self.source.name, self.start, self.end)
 
     def __repr__(self) -> str:
-        return f"Span({self.place()}, {self.text()!r})"
+        return f"Span({self.place()}, {self.written()!r})"

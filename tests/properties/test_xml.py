@@ -156,4 +156,4 @@ def test_a_character_that_xml_forbids_is_an_error_at_its_place(char: str) -> Non
     with pytest.raises(YamaroError) as caught:
         build("/t.yaml", loader=loader)
     assert [diagnostic.code for diagnostic in caught.value.diagnostics] == ["control-character"]
-    assert caught.value.diagnostics[0].span.text().startswith("$(chr(")
+    assert caught.value.diagnostics[0].span.written().startswith("$(chr(")

@@ -252,7 +252,7 @@ def _wrong_count(
 
 def _place(span: Span, words: list[str], index: int) -> Span:
     """Return where word number `index` stands, if the span covers the words as they are written."""
-    written = span.text()
+    written = span.written()
     # The first line of a block scalar is its header: `|-`.
     at = written.find("\n") if written[:1] in ("|", ">") else 0
     for number, word in enumerate(words):
@@ -273,7 +273,7 @@ def _skip_separators(written: str, at: int) -> int:
 
 def _item_place(item: str, span: Span) -> Span:
     """Return where an item of a list stands, if it occurs in the list just once."""
-    written = span.text()
+    written = span.written()
     if not item or written.count(item) != 1:
         return span
     start = span.start + written.index(item)

@@ -200,7 +200,7 @@ def _refuse_beside_model(span: Span, model: Span, context: ParseContext) -> None
         return
     raise failure(
         "two-roots",
-        f"'{span.text()}' is no section, and would be a root element beside `model:`",
+        f"'{span.written()}' is no section, and would be a root element beside `model:`",
         span,
         hint="elements of a robot go under `model:`; a file has a `model` or a root element",
         notes=[f"`model:` is at {model.place()}"],
