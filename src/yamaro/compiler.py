@@ -5,7 +5,15 @@ from __future__ import annotations
 import os
 import sys
 
-from .diagnostics import ERROR, Diagnostic, Reporter, YamaroError, YamaroWarning, suggest
+from .diagnostics import (
+    ERROR,
+    INHERITED,
+    Diagnostic,
+    Reporter,
+    YamaroError,
+    YamaroWarning,
+    suggest,
+)
 from .robot.check import check
 from .robot.part import lower
 from .runtime.deep_stack import run_on_deep_stack
@@ -17,7 +25,7 @@ from .syntax.context import ParseContext
 from .syntax.names import is_identifier, python_name
 from .syntax.values import parse_inline
 from .syntax.yaml_nodes import PLAIN, ScalarNode
-from .xmltree import Element, write
+from .xmltree import Element, unshared, write
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -25,6 +33,7 @@ if TYPE_CHECKING:
 
     from .runtime.loader import Loader
     from .runtime.packages import PackageFinder
+    from .xmltree import Shared
 
 
 class UsageError(Exception):
@@ -34,11 +43,12 @@ class UsageError(Exception):
 class Build:
     """A finished robot or other document."""
 
-    __slots__ = ("_finder", "_xml", "files", "root", "warnings")
+    __slots__ = ("_finder", "_make_root", "_root", "_tree", "_xml", "files", "warnings")
 
     def __init__(
         self,
-        root: Element,
+        tree: Element,
+        make_root: Callable[[], Element],
         *,
         xml: str,
         warnings: list[Diagnostic],
@@ -48,13 +58,16 @@ class Build:
         """Hold the results of a build.
 
         Args:
-            root: the finished tree.
+            tree: the finished tree, in which an element may stand in several places.
+            make_root: makes the same tree with an element for each place, traced to its origin.
             xml: the document.
             warnings: what was noticed, in order.
             files: the absolute path of every file read, in order.
             finder: finds the files of meshes.
         """
-        self.root = root
+        self._tree = tree
+        self._make_root = make_root
+        self._root: Element | None = None
         self._xml = xml
         self.warnings = warnings
         self.files = files
@@ -63,7 +76,14 @@ class Build:
     @property
     def meshes(self) -> list[str]:
         """Return the meshes referred to: absolute paths, or as written if not found."""
-        return self._finder.referred_to(self.root)
+        return self._finder.referred_to(self._tree)
+
+    @property
+    def root(self) -> Element:
+        """Return the root element; every element tells where in the YAML it was made."""
+        if self._root is None:
+            self._root = self._make_root()
+        return self._root
 
     def xml(self) -> str:
         """Return the document as text."""
@@ -125,27 +145,77 @@ def build(
 def _finish(
     evaluated: Element, interpreter: Interpreter, reporter: Reporter, *, advice: bool
 ) -> Build:
-    """Lower, check and write what was evaluated."""
+    """Lower, check and write what was evaluated.
+
+    An element that stands in several places cannot tell which calls led to each of them. So if
+    there is something to tell about one, all is done again with an element for each place.
+    """
     finder = _MeshFinder(interpreter.files.packages)
-    root = lower(evaluated, reporter=reporter, resolve_mesh=finder.resolve)
-    if root.name == "robot":
-        advisor = Reporter() if advice else None
-        check(
-            root,
-            reporter=reporter,
-            resolve_mesh=finder.resolve,
-            places_searched=finder.places_searched,
-            advice=advisor,
-        )
-        for diagnostic in advisor.diagnostics if advisor else ():
+    has_parts, shared = interpreter.has_parts, interpreter.forms.shared
+    found = _complete(evaluated, shared, finder, has_parts=has_parts, advice=advice)
+    if any(diagnostic.trace is INHERITED for diagnostic in found.diagnostics):
+        if interpreter.has_frames:
+            tree = unshared(evaluated)
+            found = _complete(tree, {}, finder, has_parts=has_parts, advice=advice)
+        else:
+            for diagnostic in found.diagnostics:
+                diagnostic.trace = None
+    for diagnostic in found.diagnostics:
+        if diagnostic.severity != ERROR:
             reporter.add(diagnostic)
+    if found.root is None:
+        raise YamaroError(d for d in found.diagnostics if d.severity == ERROR)
+
+    def make_root() -> Element:
+        root = unshared(evaluated)
+        if not has_parts:
+            return root
+        return lower(root, reporter=Reporter(), resolve_mesh=finder.resolve, shared={})
+
     return Build(
-        root,
-        xml=write(root),
+        found.root,
+        make_root,
+        xml=found.xml,
         warnings=reporter.diagnostics,
         files=list(interpreter.files.read),
         finder=finder,
     )
+
+
+class _Completed:
+    """A document that is lowered, checked and written, or None with the errors that forbid it."""
+
+    __slots__ = ("diagnostics", "root", "xml")
+
+    def __init__(self, root: Element | None, xml: str, diagnostics: list[Diagnostic]) -> None:
+        self.root = root
+        self.xml = xml
+        self.diagnostics = diagnostics
+
+
+def _complete(
+    evaluated: Element, shared: Shared, finder: _MeshFinder, *, has_parts: bool, advice: bool
+) -> _Completed:
+    reporter = Reporter()
+    try:
+        root = evaluated
+        if has_parts:
+            root = lower(root, reporter=reporter, resolve_mesh=finder.resolve, shared=shared)
+        if root.name == "robot":
+            advisor = Reporter() if advice else None
+            check(
+                root,
+                reporter=reporter,
+                resolve_mesh=finder.resolve,
+                places_searched=finder.places_searched,
+                advice=advisor,
+                shared=shared,
+            )
+            for diagnostic in advisor.diagnostics if advisor else ():
+                reporter.add(diagnostic)
+        return _Completed(root, write(root, shared=shared), reporter.diagnostics)
+    except YamaroError as error:
+        return _Completed(None, "", [*reporter.diagnostics, *error.diagnostics])
 
 
 def convert(path: str | os.PathLike[str], /, *assignments: str, **variables: object) -> str:

@@ -148,22 +148,27 @@ been worked out for it once for all its places, such as its text. Where nothing 
 empty. Elements in it are never changed."""
 
 
-def unshared(root: Element) -> Element:
-    """Return a copy of a tree in which no element stands twice, each with a trace of its own."""
-    top = _with_trace(root, None if root.trace is INHERITED else root.trace)
+def unshared(root: Element, trace: Frame | None = None) -> Element:
+    """Return a copy of a tree in which no element stands twice, each with a trace of its own.
+
+    `trace` is that of a root which inherits its own.
+    """
+    top = with_trace(root, trace if root.trace is INHERITED else root.trace)
     pending = [top]
     while pending:
         element = pending.pop()
-        for index, child in enumerate(element.children):
+        children = element.children = list(element.children)
+        for index, child in enumerate(children):
             if isinstance(child, Element):
-                trace = element.trace if child.trace is INHERITED else child.trace
-                copy = element.children[index] = _with_trace(child, trace)
+                own = element.trace if child.trace is INHERITED else child.trace
+                copy = children[index] = with_trace(child, own)
                 pending.append(copy)
     return top
 
 
-def _with_trace(element: Element, trace: Frame | None) -> Element:
-    copy = element.with_children(list(element.children))
+def with_trace(element: Element, trace: Frame | None) -> Element:
+    """Return an element that is the same but for its trace; its children are shared."""
+    copy = element.with_children(element.children)
     copy.trace = trace
     return copy
 

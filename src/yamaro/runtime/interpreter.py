@@ -6,7 +6,7 @@ later. Every element made carries the span of its key and the calls and includes
 
 from __future__ import annotations
 
-from ..diagnostics import Frame, Reporter, YamaroError, failure
+from ..diagnostics import INHERITED, Frame, Reporter, YamaroError, failure
 from ..source import Source, Span
 from ..syntax.keys import NAME_RULE, attribute_twice, name_fault
 from ..syntax.names import (
@@ -44,10 +44,20 @@ from ..syntax.python import PythonCode
 from ..syntax.statements import late_call, refuse_second_function
 from ..syntax.template import Template
 from ..syntax.variables import variable_name
-from ..xmltree import Comment, Element, LiteralList, PartElement, Text, format_value
+from ..xmltree import (
+    Comment,
+    Element,
+    LiteralList,
+    PartElement,
+    Text,
+    format_value,
+    unshared,
+    with_trace,
+)
 from .calls import Block, Function, bind, find_function, match_arguments
 from .expressions import Evaluator, add_trace, evaluate_bare
 from .files import Files
+from .forms import Forms
 from .includes import namespace_of, passed_by, path_of
 from .loops import iterate, unpack
 from .messages import Messages
@@ -75,6 +85,7 @@ class Interpreter:
         loader: Loader,
         reporter: Reporter,
         on_message: Callable[[str], None],
+        shares: bool = True,
     ) -> None:
         """Begin a conversion.
 
@@ -82,6 +93,8 @@ class Interpreter:
             loader: gives the text of files.
             reporter: takes the warnings.
             on_message: takes what `print` and `process` print, without a final line break.
+            shares: let one element stand wherever it would be built again just as it is, its
+                trace INHERITED; without, every element is built for its place, with a trace.
         """
         self.reporter = reporter
         self.messages = Messages(on_message)
@@ -89,11 +102,19 @@ class Interpreter:
         self.files = Files(loader, reporter=reporter, print_function=self.messages.print)
         self.evaluator = Evaluator(self.files.codes, self.files.where_declared)
         self.values = Values(self.evaluator)
+        self.shares = shares
+        self.forms = Forms()
         self.frame: Frame | None = None
+        self.holder: Frame | None = None  # the frame in which the element around was made
+        self.has_parts = False
+        self.has_frames = False
         self.depth = 0
         self.part_depth = 0
         self._run: dict[type, Callable[[Any, Scope, list[Node], Body | None], None]] = {
             ElementNode: self._run_element,
+            Element: self._run_static,
+            Text: self._run_ready,
+            Comment: self._run_ready,
             TextNode: self._run_text,
             CommentNode: self._run_comment,
             PartNode: self._run_part,
@@ -177,6 +198,15 @@ class Interpreter:
     def _run_element(
         self, node: ElementNode, scope: Scope, out: list[Node], body: Body | None
     ) -> None:
+        if node.holes is not None and self.shares:
+            form = self.forms.of(node, body, in_part=self.part_depth > 0)
+            written = self.values.written
+            values = tuple([written(hole, scope) for hole in form.holes])
+            if self.frame is self.holder:
+                out.append(form.element(values))
+            else:
+                out.append(form.make(values, self.frame))
+            return
         name = node.name
         if not isinstance(name, str):
             name = self._name(name, scope, node.span, "element")
@@ -192,7 +222,7 @@ class Interpreter:
             name,
             node.span,
             attributes=attributes,
-            trace=self.frame,
+            trace=self._trace(),
             value_spans=value_spans,
             verbatim=node.verbatim,
             body=body,
@@ -201,10 +231,37 @@ class Interpreter:
             self._fill(element, node.content, scope)
         out.append(element)
 
+    def _run_static(
+        self, element: Element, scope: Scope, out: list[Node], body: Body | None
+    ) -> None:
+        """Put out an element that the parser has made."""
+        if not self.shares:
+            element = unshared(element, self.frame)
+        elif self.frame is self.holder:
+            self.forms.emit(element)
+        else:
+            for child in element.children:
+                if isinstance(child, Element):
+                    self.forms.emit(child)
+            element = with_trace(element, self.frame)
+        out.append(element)
+
+    def _run_ready(
+        self, node: Text | Comment, scope: Scope, out: list[Node], body: Body | None
+    ) -> None:
+        """Put out a text or comment that the parser has made."""
+        out.append(node)
+
+    def _trace(self) -> Frame | None:
+        """Return the trace of an element that is made here."""
+        return INHERITED if self.frame is self.holder and self.shares else self.frame
+
     def _fill(self, element: Element, content: Content, scope: Scope) -> None:
         """Give an element its content."""
         if isinstance(content, Body):
+            holder, self.holder = self.holder, self.frame
             self.run_body(content, scope, element.children)
+            self.holder = holder
         elif isinstance(content, TextContent):
             value = self.values.written(content.value, scope)
             if value is not None or self.part_depth:  # in a part, None leaves the key out
@@ -276,12 +333,13 @@ class Interpreter:
         out.append(Comment(text, node.span))
 
     def _run_part(self, node: PartNode, scope: Scope, out: list[Node], body: Body | None) -> None:
-        part = PartElement("part", node.span, trace=self.frame, body=body)
+        part = PartElement("part", node.span, trace=self._trace(), body=body)
+        self.has_parts = True
         self.part_depth += 1
-        try:
-            self.run_body(node.body, scope, part.children)
-        finally:
-            self.part_depth -= 1
+        holder, self.holder = self.holder, self.frame
+        self.run_body(node.body, scope, part.children)
+        self.holder = holder
+        self.part_depth -= 1
         out.append(part)
 
     def _run_dynamic(
@@ -316,7 +374,7 @@ class Interpreter:
                 if "/" in text
                 else NAME_RULE,
             )
-        element = Element(text, node.span, trace=self.frame, body=body)
+        element = Element(text, node.span, trace=self._trace(), body=body)
         self._fill(element, node.content, scope)
         out.append(element)
 
@@ -453,6 +511,7 @@ class Interpreter:
         if self.depth >= MAX_DEPTH:
             raise self._too_deep(span)
         self.depth += 1
+        self.has_frames = True
         self.frame = self.evaluator.frame = frame
 
     def _leave(self, frame: Frame) -> None:

@@ -7,6 +7,7 @@ evaluated, and templates where something has.
 from __future__ import annotations
 
 from ..source import Source, Span
+from ..xmltree import Comment, Element, Text
 from .python import PythonCode
 from .template import Template
 from .yaml_nodes import ScalarNode, YamlNode
@@ -105,9 +106,13 @@ class Attribute:
 
 
 class ElementNode:
-    """`name/attribute=value, …: content`: an XML element."""
+    """`name/attribute=value, …: content`: an XML element.
 
-    __slots__ = ("attributes", "content", "name", "span", "verbatim")
+    Attributes:
+        holes: if the element's shape is fixed, all that is evaluated in it, in order; else None.
+    """
+
+    __slots__ = ("attributes", "content", "holes", "name", "span", "verbatim")
 
     def __init__(
         self,
@@ -123,6 +128,31 @@ class ElementNode:
         self.content = content
         self.span = span
         self.verbatim = verbatim
+        self.holes = _holes_of(name, attributes, content)
+
+
+def _holes_of(
+    name: str | Template, attributes: list[Attribute], content: Content
+) -> tuple[Template, ...] | None:
+    if not isinstance(name, str) or isinstance(content, ListContent):
+        return None
+    holes = []
+    for attribute in attributes:
+        if not isinstance(attribute.name, str):
+            return None
+        if isinstance(attribute.value, Template):
+            holes.append(attribute.value)
+    if isinstance(content, TextContent):
+        if isinstance(content.value, Template):
+            holes.append(content.value)
+    elif content is not None:
+        for statement in content.statements:
+            if isinstance(statement, (Element, Text, Comment)):
+                continue
+            if not isinstance(statement, ElementNode) or statement.holes is None:
+                return None
+            holes.extend(statement.holes)
+    return tuple(holes)
 
 
 class TextNode:
@@ -385,7 +415,12 @@ Statement = (
     | FunctionsNode
     | PrintNode
     | ProcessNode
+    | Element
+    | Text
+    | Comment
 )
+"""What a body holds; elements, texts and comments in which nothing is evaluated stand in it as they
+will be put out."""
 
 
 class ImportNode:
