@@ -19,6 +19,12 @@ if TYPE_CHECKING:
 
 MISSING: Any = type("Missing", (), {"__repr__": lambda self: "MISSING"})()
 
+# What every context begins with, and most end with. One is made for each call, so they share these;
+# whoever adds a first name takes a dict or set of its own.
+_NO_KINDS: dict[str, str] = {}
+_NONE_BRIDGED: set[str] = set()
+_NONE_PASSED: frozenset[str] = frozenset()
+
 
 def function_key(name: str) -> str:
     """Return the key under which a scope keeps a function or block of that name."""
@@ -30,15 +36,18 @@ class Shared:
 
     Attributes:
         declared: every such name, in the order of the declarations, repeated ones included.
+        children: every name that was ever declared `child`, so that only those are searched for
+            among the callers.
     """
 
-    __slots__ = ("bridges", "declared", "globals")
+    __slots__ = ("bridges", "children", "declared", "globals")
 
     def __init__(self) -> None:
         """Start without names."""
         self.globals: dict[str, Any] = {}
         self.bridges: dict[str, Any] = {}
         self.declared: list[str] = []
+        self.children: set[str] = set()
 
     def find(self, name: str) -> Any:
         """Return what a name means everywhere, or MISSING."""
@@ -74,7 +83,17 @@ class Scope(dict[str, "Any"]):
     assigns as `process` does. `declare` is what `variables:` does.
     """
 
-    __slots__ = ("bridged", "caller", "closure", "dynamic", "home", "kinds", "passed", "shared")
+    __slots__ = (
+        "bridged",
+        "caller",
+        "closure",
+        "dynamic",
+        "has_children",
+        "home",
+        "kinds",
+        "passed",
+        "shared",
+    )
 
     def __init__(
         self, home: Home, shared: Shared, *, closure: Scope | None, caller: Scope | None
@@ -91,12 +110,13 @@ class Scope(dict[str, "Any"]):
         self.shared = shared
         self.closure = closure
         self.caller = caller
-        self.kinds: dict[str, str] = {}  # scope of each own name that is not local
-        self.bridged: set[str] = set()  # names that mean the bridge variable here
-        self.passed: frozenset[str] = frozenset()
-        self.dynamic: Scope | None = None  # the nearest caller that has `child` names
+        self.kinds = _NO_KINDS  # scope of each own name that is not local
+        self.bridged = _NONE_BRIDGED  # names that mean the bridge variable here
+        self.passed = _NONE_PASSED
+        self.has_children = False  # whether a name was ever declared `child` here
+        self.dynamic: Scope | None = None  # the nearest caller of which that is true
         if caller is not None:
-            self.dynamic = caller if CHILD in caller.kinds.values() else caller.dynamic
+            self.dynamic = caller if caller.has_children else caller.dynamic
         dict.__setitem__(self, "__builtins__", home.names)
 
     # --- looking up ---
@@ -113,12 +133,11 @@ class Scope(dict[str, "Any"]):
         if holder is not None:
             return holder.own(name)
         value = self.find_child(name)
-        if value is not MISSING:
-            return value
-        value = self.shared.find(name)
-        if value is not MISSING:
-            return value
-        return self.home.names.get(name, MISSING)
+        if value is MISSING:
+            value = self.shared.find(name)
+        if value is MISSING:
+            value = self.home.names.get(name, MISSING)
+        return value
 
     def holder(self, name: str) -> Scope | None:
         """Return the context that has the name as its own: this one or one around it."""
@@ -139,6 +158,8 @@ class Scope(dict[str, "Any"]):
 
     def find_child(self, name: str) -> Any:
         """Return the value of the nearest caller's `child` name, or MISSING."""
+        if name not in self.shared.children:
+            return MISSING
         scope = self.dynamic
         while scope is not None:
             if scope.kinds.get(name) == CHILD:
@@ -184,7 +205,7 @@ class Scope(dict[str, "Any"]):
                 self.kinds.pop(name, None)
         elif kind in (PARENT, CHILD):
             dict.__setitem__(self, name, value)
-            self.kinds[name] = kind
+            self._note_kind(name, kind)
         elif kind == GLOBAL:
             self._forget(name)
             self.shared.globals[name] = value
@@ -195,10 +216,23 @@ class Scope(dict[str, "Any"]):
             scope: Scope | None = self
             while scope is not None:
                 scope._forget(name)
-                scope.bridged.add(name)
+                scope._note_bridged(name)
                 scope = scope.caller
         else:
             raise AssertionError(f"unknown scope {kind}")
+
+    def _note_kind(self, name: str, kind: str) -> None:
+        if self.kinds is _NO_KINDS:
+            self.kinds = {}
+        self.kinds[name] = kind
+        if kind == CHILD:
+            self.has_children = True
+            self.shared.children.add(name)
+
+    def _note_bridged(self, name: str) -> None:
+        if self.bridged is _NONE_BRIDGED:
+            self.bridged = set()
+        self.bridged.add(name)
 
     def _forget(self, name: str) -> None:
         if name in self:
@@ -238,6 +272,8 @@ class Scope(dict[str, "Any"]):
 
     def exported(self) -> list[tuple[str, Any]]:
         """Return the `parent` names with their values, for whoever called or included this."""
+        if not self.kinds:
+            return []
         return [
             (name, dict.__getitem__(self, name))
             for name, kind in self.kinds.items()
