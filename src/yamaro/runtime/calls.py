@@ -6,7 +6,7 @@ from ..diagnostics import YamaroError, did_you_mean, failure
 from ..source import Span
 from ..syntax.context import ParseContext
 from ..syntax.names import STATEMENTS
-from ..syntax.nodes import Argument, Body, FunctionNode
+from ..syntax.nodes import Argument, Body, FunctionNode, Value
 from ..syntax.statements import late_value, parse_body
 from ..syntax.yaml_nodes import MappingNode, SequenceNode
 from .declared import Declaration, notes_on
@@ -85,29 +85,41 @@ def _namespace(path: str, scope: Scope) -> Namespace | None:
     return found if isinstance(found, Namespace) else None
 
 
+class Match:
+    """Which argument of a call goes to which parameter: known once the function is.
+
+    Attributes:
+        node: the function called.
+        values: each value with the name of its parameter, in the order of the arguments.
+        blocks: each block with the key of its parameter.
+        is_complete: whether every parameter is given something.
+    """
+
+    __slots__ = ("blocks", "is_complete", "node", "values")
+
+    def __init__(self, node: FunctionNode) -> None:
+        """Begin without arguments."""
+        self.node = node
+        self.values: list[tuple[str, Value]] = []
+        self.blocks: list[tuple[str, Body]] = []
+        self.is_complete = False
+
+
 def match_arguments(
-    node: FunctionNode,
-    arguments: list[Argument],
-    span: Span,
-    *,
-    scope: Scope,
-    values: Values,
-    late_context: ParseContext,
-) -> dict[str, Any]:
-    """Return the arguments' values by parameter, evaluated where the call stands.
+    node: FunctionNode, arguments: list[Argument], span: Span, late_context: ParseContext
+) -> Match:
+    """Return which argument goes to which parameter.
 
     Args:
         node: the function called.
         arguments: what the call gives.
         span: the place of the call.
-        scope: where the call stands.
-        values: evaluates the arguments.
         late_context: gathers what is parsed only now.
 
     Raises:
         YamaroError: an argument is missing, unknown, given twice or of the wrong kind.
     """
-    given: dict[str, Any] = {}
+    match = Match(node)
     spans: dict[str, Span] = {}
     parameters = {parameter.name: parameter for parameter in node.parameters}
     positional = [parameter for parameter in node.parameters if not parameter.is_block]
@@ -132,7 +144,7 @@ def match_arguments(
                 node,
                 hint=did_you_mean(name, parameters),
             )
-        if name in given:
+        if name in spans:
             raise _bad_call(
                 "given-twice",
                 f"the argument '{name}' is given twice",
@@ -142,24 +154,22 @@ def match_arguments(
             )
         spans[name] = argument.span
         if parameter.is_block:
-            given[name] = _block(argument, node, scope, late_context)
+            match.blocks.append((function_key(name), _block(argument, node, late_context)))
         else:
-            value = argument.value or late_value(argument, late_context)
-            given[name] = values.value(value, scope)
+            match.values.append((name, argument.value or late_value(argument, late_context)))
     missing = [
         f"'{parameter.name}'"
         for parameter in positional
-        if parameter.name not in given and parameter.default is None
+        if parameter.name not in spans and parameter.default is None
     ]
     if missing:
         what = f"argument{'s' if len(missing) > 1 else ''} {' and '.join(missing)}"
         raise _bad_call("missing-argument", f"'{node.name}' needs the {what}", span, node)
-    return given
+    match.is_complete = len(spans) == len(parameters)
+    return match
 
 
-def _block(
-    argument: Argument, node: FunctionNode, scope: Scope, late_context: ParseContext
-) -> Block:
+def _block(argument: Argument, node: FunctionNode, late_context: ParseContext) -> Body:
     if argument.block is None:
         if isinstance(argument.node, SequenceNode) and any(
             isinstance(item, MappingNode) for item in argument.node.items
@@ -172,19 +182,30 @@ def _block(
             node,
             hint="write the statements of the block below its name, indented",
         )
-    return Block(argument.block, scope)
+    return argument.block
 
 
-def bind(node: FunctionNode, given: dict[str, Any], callee: Scope, values: Values) -> None:
+def evaluate_arguments(match: Match, scope: Scope, values: Values) -> dict[str, Any]:
+    """Return what the parameters are given, evaluated where the call stands."""
+    evaluate = values.value
+    given: dict[str, Any] = {name: evaluate(value, scope) for name, value in match.values}
+    for key, body in match.blocks:
+        given[key] = Block(body, scope)
+    return given
+
+
+def bind(match: Match, given: dict[str, Any], callee: Scope, values: Values) -> None:
     """Give the parameters their values; defaults may use the parameters before them."""
-    for parameter in node.parameters:
-        name = parameter.name
-        if parameter.is_block:
-            callee.declare(function_key(name), given.get(name))
-        elif name in given:
-            callee.declare(name, given[name])
-        elif parameter.default is not None:
-            callee.declare(name, values.value(parameter.default, callee))
+    if match.is_complete:
+        dict.update(callee, given)  # the names of a context that has just begun
+        return
+    for parameter in match.node.parameters:
+        key = function_key(parameter.name) if parameter.is_block else parameter.name
+        if key in given:
+            value = given[key]
+        else:
+            value = None if parameter.default is None else values.value(parameter.default, callee)
+        callee.declare(key, value)
 
 
 def _bad_call(

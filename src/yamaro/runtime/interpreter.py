@@ -54,7 +54,15 @@ from ..xmltree import (
     unshared,
     with_trace,
 )
-from .calls import Block, Function, bind, find_function, match_arguments
+from .calls import (
+    Block,
+    Function,
+    Match,
+    bind,
+    evaluate_arguments,
+    find_function,
+    match_arguments,
+)
 from .expressions import Evaluator, add_trace, evaluate_bare
 from .files import Files
 from .forms import Forms
@@ -110,6 +118,7 @@ class Interpreter:
         self.has_frames = False
         self.depth = 0
         self.part_depth = 0
+        self._matches: dict[int, Match] = {}  # by the identity of a call's arguments
         self._run: dict[type, Callable[[Any, Scope, list[Node], Body | None], None]] = {
             ElementNode: self._run_element,
             Element: self._run_static,
@@ -480,25 +489,22 @@ class Interpreter:
             return
         if function is None:  # an optional block that was not given
             return
+        match = self._matches.get(id(arguments))
+        if match is None or match.node is not function.node:
+            match = match_arguments(function.node, arguments, span, self.files.late)
+            self.files.adopt()
+            self._matches[id(arguments)] = match
         closure = function.closure
-        context = scope.context
-        callee = Scope(closure.home, self.shared, closure=closure, caller=context)
-        given = match_arguments(
-            function.node,
-            arguments,
-            span,
-            scope=scope,
-            values=self.values,
-            late_context=self.files.late,
-        )
-        self.files.adopt()
+        callee = Scope(closure.home, self.shared, closure=closure, caller=scope.context)
+        given = evaluate_arguments(match, scope, self.values)
         frame = Frame("called", name, span, parent=self.frame, home=closure.home.frame)
         self._enter(frame, span)
         try:
-            bind(function.node, given, callee, self.values)
+            bind(match, given, callee, self.values)
             self.run_body(function.node.body, callee, out)
-            for key, value in callee.exported():
-                self._receive(scope, key, value, span)
+            if callee.kinds:
+                for key, value in callee.exported():
+                    self._receive(scope, key, value, span)
         except YamaroError as error:
             add_trace(error, frame)
             raise

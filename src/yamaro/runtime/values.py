@@ -38,13 +38,14 @@ class Values:
 
     def value(self, value: Value, scope: Scope) -> Any:
         """Return the object a value stands for; lists and dicts are new each time."""
-        if isinstance(value, Constant):
-            return value.value
-        if isinstance(value, Template):
-            return self.text(value, scope)
+        kind = type(value)
+        if kind is Constant:
+            return value.value  # type: ignore[union-attr]
+        if kind is Template:
+            return self.text(value, scope)  # type: ignore[arg-type]
         if isinstance(value, ListValue):
             return self.list_of(value, scope)
-        return self._dict_of(value, scope)
+        return self._dict_of(value, scope)  # type: ignore[arg-type]
 
     def list_of(self, value: ListValue, scope: Scope) -> list[Any]:
         """Return the objects in a list."""
