@@ -8,10 +8,14 @@ from .flexidict import FlexiDict
 PLAIN, SINGLE, DOUBLE, LITERAL, FOLDED = "", "'", '"', "|", ">"
 
 
-class ScalarNode:
-    """A scalar: its text after YAML's own unquoting, its style, and where it stands."""
+class ScalarNode(Span):
+    """A scalar: its text after YAML's own unquoting, and its style; the span of its spelling.
 
-    __slots__ = ("anchor", "end", "source", "start", "style", "text")
+    Most of a file is scalars, and most of them are asked for their place: being a span, a scalar
+    needs no other object for it.
+    """
+
+    __slots__ = ("anchor", "style", "text")
 
     def __init__(
         self,
@@ -36,7 +40,7 @@ class ScalarNode:
         An empty scalar has the place where it would begin.
         """
         if start == 0 and end is None:
-            return Span(self.source, self.start, self.end)
+            return self
         end = len(self.text) if end is None else end
         first = self.offset(start)
         last = self.offset(end - 1) + 1 if end > start else first
@@ -96,7 +100,7 @@ class MappingNode(FlexiDict):
 
     def __init__(self, source: Source, start: int, end: int, is_flow: bool) -> None:
         """Start an empty mapping."""
-        super().__init__()
+        self.pairs = []
         self.source = source
         self.start = start
         self.end = end

@@ -114,13 +114,19 @@ class _Builder:
         documents = 0
         stack = self.stack
         container: Any = None  # the innermost open collection
-        key: Any = None  # its key that waits for a value
+        key: Any = None  # its key that waits for a value, if it is a mapping
+        source, is_fragment = self.source, self.places is not None
+        merging, open_anchors = self.merging, self.open_anchors
         get_event = parser.get_event
         while True:
             event = get_event()
             kind = type(event)
             if kind is ScalarEvent:
-                node: Any = self._scalar(event)
+                if is_fragment or event.anchor is not None or event.tag is not None:
+                    node: Any = self._scalar(event)
+                else:  # as `_scalar` would; nearly all of a file is read here
+                    start, end = event.start_mark.index, event.end_mark.index
+                    node = ScalarNode(event.value, event.style or "", source, start, end)
             elif kind is MappingStartEvent or kind is SequenceStartEvent:
                 opened = self._collection(event, kind)
                 stack.append((container, key))
@@ -130,11 +136,12 @@ class _Builder:
                 continue
             elif kind is MappingEndEvent or kind is SequenceEndEvent:
                 node = container
-                if self.merging and self.merging[-1][0] is node:
+                if merging and merging[-1][0] is node:
                     self._merge(node)
-                node.end = self.place(event.end_mark.index)
+                end = event.end_mark.index
+                node.end = self.place(end) if is_fragment else end
                 container, key = stack.pop()
-                if self.open_anchors:
+                if open_anchors:
                     self._close_anchor(node)
             elif kind is AliasEvent:
                 node = self._alias(event)
@@ -147,17 +154,17 @@ class _Builder:
                 return root
             else:
                 continue
-            if container is None:
-                root = node
-            elif type(container) is SequenceNode:
-                container.items.append(node)
-            elif key is None:
-                key = node if type(node) is ScalarNode else self._refuse_key(node)
-            else:
+            if key is not None:
                 if key.text == "<<" and key.style == "":
-                    self.merging.append((container, len(container.pairs), kind is AliasEvent))
+                    merging.append((container, len(container.pairs), kind is AliasEvent))
                 container.pairs.append((key, node))
                 key = None
+            elif type(container) is MappingNode:
+                key = node if type(node) is ScalarNode else self._refuse_key(node)
+            elif container is None:
+                root = node
+            else:
+                container.items.append(node)
 
     def _scalar(self, event: Any) -> ScalarNode:
         start, end = event.start_mark.index, event.end_mark.index
@@ -181,7 +188,8 @@ class _Builder:
         start = event.start_mark.index
         if event.anchor is not None:
             start = self._after_properties(start)
-        start = self.place(start)
+        if self.places is not None:
+            start = self.place(start)
         node = make(self.source, start, start, bool(event.flow_style))
         if event.anchor is not None:
             self.anchors.pop(event.anchor, None)
