@@ -11,7 +11,7 @@ from ..diagnostics import Frame, YamaroError, did_you_mean, failure
 from ..source import Span
 from ..syntax.python import PythonCode, expression_without_dollars
 from .declared import Declaration, notes_on
-from .scope import Namespace, Scope
+from .scope import MISSING, Namespace, Scope
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -68,6 +68,10 @@ class Evaluator:
         Raises:
             YamaroError: it raised an exception.
         """
+        if python.name is not None:
+            value = scope.get(python.name, MISSING)
+            if value is not MISSING:  # most names are the context's own
+                return value
         try:
             return eval(python.code, scope, scope)  # type: ignore[arg-type]
         except KeyboardInterrupt:

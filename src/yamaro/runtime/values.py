@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from ..source import Span
 from ..syntax.nodes import Constant, DictValue, ListValue, Value
-from ..syntax.python import PythonCode
 from ..syntax.template import Template
 from ..xmltree import format_value, is_number, plain_value
 from .expressions import Evaluator
@@ -16,7 +15,7 @@ if TYPE_CHECKING:
     from typing import Any, TypeGuard
 
 
-_ALWAYS_WRITABLE = (str, float, bool, type(None))
+_ALWAYS_WRITABLE = frozenset((str, float, bool, type(None)))
 _SHORT = 10**15
 """Python refuses to write integers of thousands of digits; those below this it never does."""
 
@@ -71,35 +70,38 @@ class Values:
         """Return a text as written, the typed value of a single `$(…)`, or the parts joined."""
         if isinstance(value, str):
             return value
-        parts = value.parts
-        first = parts[0]
-        if len(parts) == 1 and isinstance(first, PythonCode):
-            return self.evaluator.evaluate(first, scope)
+        if value.only is not None:
+            return self.evaluator.evaluate(value.only, scope)
         return self.joined(value, scope)
 
     def written(self, value: str | Template, scope: Scope) -> Any:
         """Return what `text` does, sure that it can be written: any `__str__` may fail."""
-        result = self.text(value, scope)
-        if isinstance(value, Template) and not _is_writable(result):
-            self.evaluator.guard(format_value, result, value.expression_span())
+        if isinstance(value, str):
+            return value
+        if value.only is None:
+            return self.joined(value, scope)
+        result = self.evaluator.evaluate(value.only, scope)
+        if type(result) not in _ALWAYS_WRITABLE and not _is_writable(result):
+            self.evaluator.guard(format_value, result, value.only.span())
         return result
 
     def joined(self, template: Template, scope: Scope) -> str:
         """Return the parts of a template as one text, as in a key."""
+        evaluate = self.evaluator.evaluate
         pieces = []
         for part in template.parts:
             if isinstance(part, str):
                 pieces.append(part)
+                continue
+            value = evaluate(part, scope)
+            if type(value) is str:
+                pieces.append(value)
+            elif value is None and template.only is None:
+                pieces.append("None")
+            elif _is_writable(value):
+                pieces.append(format_value(value))
             else:
-                value = self.evaluator.evaluate(part, scope)
-                if type(value) is str:
-                    pieces.append(value)
-                elif value is None and len(template.parts) > 1:
-                    pieces.append("None")
-                elif _is_writable(value):
-                    pieces.append(format_value(value))
-                else:
-                    pieces.append(self.evaluator.guard(format_value, value, part.span()))
+                pieces.append(self.evaluator.guard(format_value, value, part.span()))
         return "".join(pieces)
 
     def message(self, value: str | Template | Value, scope: Scope, span: Span) -> str:

@@ -18,9 +18,13 @@ _OPERATOR_WORDS = ("if", "else", "in", "is", "and", "or", "not", "for")
 
 
 class PythonCode:
-    """A compiled expression or block of statements, and where in the YAML it stands."""
+    """A compiled expression or block of statements, and where in the YAML it stands.
 
-    __slots__ = ("code", "index", "node", "opening", "text")
+    Attributes:
+        name: if the expression is a single name, that name; else None.
+    """
+
+    __slots__ = ("code", "index", "name", "node", "opening", "text")
 
     def __init__(self, text: str, node: ScalarNode, index: int, *, opening: str) -> None:
         """Hold Python text that begins at `node.text[index]`.
@@ -36,6 +40,7 @@ class PythonCode:
         self.index = index
         self.opening = opening
         self.code: CodeType | None = None
+        self.name: str | None = None
 
     def span(self, start: int = 0, end: int | None = None) -> Span:
         """Return the place of `text[start:end]`; by default of all the text, trimmed."""
@@ -107,6 +112,9 @@ def compile_expression(
         "eval",
         "this is not a Python expression",
     )
+    assert python.code is not None
+    if python.code.co_names == (text.strip(),):
+        python.name = python.code.co_names[0]
     return python
 
 

@@ -19,9 +19,13 @@ if TYPE_CHECKING:
 
 
 class Template:
-    """A text with expressions in it."""
+    """A text with expressions in it.
 
-    __slots__ = ("end", "node", "parts", "start")
+    Attributes:
+        only: the expression that is the whole text, whose value keeps its type; else None.
+    """
+
+    __slots__ = ("end", "node", "only", "parts", "start")
 
     def __init__(
         self, parts: tuple[str | PythonCode, ...], node: ScalarNode, start: int, end: int
@@ -31,6 +35,8 @@ class Template:
         self.node = node
         self.start = start
         self.end = end
+        first = parts[0]
+        self.only = first if len(parts) == 1 and isinstance(first, PythonCode) else None
 
     def expression_span(self) -> Span:
         """Return the place of the first expression."""
