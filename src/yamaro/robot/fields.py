@@ -244,7 +244,7 @@ def read_value(key: Element) -> tuple[object, Span]:
     children = key.children
     if len(children) == 1 and not key.attributes:
         only = children[0]
-        if isinstance(only, Text):
+        if type(only) is Text:
             return only.value, only.span
     return _join_value(key)
 
@@ -304,6 +304,13 @@ def word_of(key: str, value: object, span: Span, *, owner: Element) -> str:
     return text
 
 
+def with_attributes(element: Element, attributes: dict[str, object]) -> Element:
+    """Return the same element with other attributes; its children are shared."""
+    copy = element.with_children(element.children)
+    copy.attributes = attributes
+    return copy
+
+
 class Record:
     """An element's attributes, whether written as attributes, as a mapping, or as one value."""
 
@@ -349,7 +356,10 @@ def _is_attribute(child: Element) -> bool:
     """Tell whether a child is a key with a value, and not an XML element."""
     if child.verbatim or child.attributes:
         return False
-    return all(not isinstance(grandchild, Element) for grandchild in child.children)
+    children = child.children
+    if len(children) == 1:
+        return not isinstance(children[0], Element)
+    return all(not isinstance(grandchild, Element) for grandchild in children)
 
 
 def _read_scalar(key: Element, text: Text, scalar: str | None, record: Record) -> None:

@@ -34,6 +34,14 @@ SCALE_EXAMPLES = {
     "sphere": "scale: 0.1 (radius)",
     "capsule": "scale: 0.05 0.3 (radius length)",
 }
+SIZES = {
+    "box": ("size",),
+    "cylinder": ("radius", "length"),
+    "sphere": ("radius",),
+    "capsule": ("radius", "length"),
+}
+"""The attributes that a scale becomes: one for all its numbers, or one for each."""
+
 SMALLEST_VOLUME = 1e-9
 """Part of the cube of a mesh's size below which its volume is only rounding."""
 
@@ -47,13 +55,21 @@ class Geometry:
         word: the shape or the mesh file as written.
         span: where the word is written.
         scale: the scale; None for a mesh without one.
+        scale_span: where the scale is written, if there is one.
         element: the `<geometry>` element.
     """
 
-    __slots__ = ("element", "key", "kind", "scale", "span", "word")
+    __slots__ = ("element", "key", "kind", "scale", "scale_span", "span", "word")
 
     def __init__(
-        self, key: Element, *, kind: str, word: str, span: Span, scale: Numbers | None
+        self,
+        key: Element,
+        *,
+        kind: str,
+        word: str,
+        span: Span,
+        scale: Numbers | None,
+        scale_span: Span,
     ) -> None:
         """Hold a geometry and make its element."""
         self.key = key
@@ -61,6 +77,7 @@ class Geometry:
         self.word = word
         self.span = span
         self.scale = scale
+        self.scale_span = scale_span
         self.element = _element(self)
 
 
@@ -121,7 +138,7 @@ def read_geometry(
         YamaroError: a misspelt shape, URDF's own form of a geometry, or a faulty scale.
     """
     kind, word, span = _read_shape_word(lowering, key)
-    scale = None
+    scale, scale_span = None, span
     if scale_key is not None:
         value, scale_span = read_value(scale_key)
         scale = read_numbers(
@@ -147,7 +164,7 @@ def read_geometry(
         )
     if kind == "capsule" and not lowering.has_capsule:
         _warn_of_capsule(lowering, key, span)
-    return Geometry(key, kind=kind, word=word, span=span, scale=scale)
+    return Geometry(key, kind=kind, word=word, span=span, scale=scale, scale_span=scale_span)
 
 
 def _read_shape_word(lowering: Lowering, key: Element) -> tuple[str, str, Span]:
@@ -188,13 +205,7 @@ def _refuse_urdf_form(lowering: Lowering, key: Element) -> None:
         return
     shape = shapes[0]
     values = read_record(lowering, shape, None).values if type(shape) is Element else {}
-    names = {
-        "box": ("size",),
-        "cylinder": ("radius", "length"),
-        "capsule": ("radius", "length"),
-        "sphere": ("radius",),
-        "mesh": ("scale",),
-    }.get(shape.name, ())
+    names = ("scale",) if shape.name == "mesh" else SIZES.get(shape.name, ())
     word = format_value(values.get("filename", "meshes/arm.stl"))
     short = f"geometry: {word if shape.name == 'mesh' else shape.name}"
     numbers = [format_value(values[name]) for name in names if name in values]
@@ -225,24 +236,20 @@ def _warn_of_capsule(lowering: Lowering, key: Element, span: Span) -> None:
 
 def _element(geometry: Geometry) -> Element:
     """Return `<geometry>` with the shape in it."""
-    key = geometry.key
-    words = geometry.scale.words if geometry.scale is not None else ()
+    key, scale, scale_span = geometry.key, geometry.scale, geometry.scale_span
     attributes: dict[str, object]
-    spans: dict[str, Span] = {}
     if geometry.kind == "mesh":
         attributes = {"filename": geometry.word}
-        spans["filename"] = geometry.span
-        if words:
-            attributes["scale"] = " ".join(words)
-    elif geometry.kind == "box":
-        attributes = {"size": " ".join(words)}
-    elif geometry.kind == "sphere":
-        attributes = {"radius": words[0]}
+        spans = {"filename": geometry.span}
+        if scale is not None:
+            attributes["scale"] = scale.text
+            spans["scale"] = scale_span
     else:
-        attributes = {"radius": words[0], "length": words[1]}
-    if geometry.scale is not None:
-        for name in attributes:
-            spans.setdefault(name, geometry.scale.span)
+        assert scale is not None
+        names = SIZES[geometry.kind]
+        words = scale.words if len(names) > 1 else (scale.text,)
+        attributes = dict(zip(names, words, strict=True))
+        spans = dict.fromkeys(names, scale_span)
     shape = Element(
         geometry.kind, key.span, attributes=attributes, value_spans=spans, trace=key.trace
     )
@@ -265,8 +272,8 @@ def solid_shape(lowering: Lowering, geometry: Geometry) -> Shape:
         assert geometry.scale is not None
         raise failure(
             "bad-size",
-            f"a {geometry.kind} of the size '{geometry.scale.text()}' has no inertia",
-            geometry.scale.span,
+            f"a {geometry.kind} of the size '{geometry.scale.text}' has no inertia",
+            geometry.scale_span,
             hint="sizes are greater than 0, in metres",
             trace=geometry.key.trace,
         )
@@ -302,8 +309,8 @@ def _solid_mesh(lowering: Lowering, geometry: Geometry, scale: tuple[float, ...]
         assert geometry.scale is not None
         raise failure(
             "bad-size",
-            f"a mesh of the scale '{geometry.scale.text()}' has no inertia",
-            geometry.scale.span,
+            f"a mesh of the scale '{geometry.scale.text}' has no inertia",
+            geometry.scale_span,
             hint="no factor may be 0",
             trace=geometry.key.trace,
         )

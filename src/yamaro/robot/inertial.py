@@ -144,13 +144,13 @@ def _mass(
             trace=own_density.trace,
         )
     if own_mass is not None:
-        number = _number(lowering, own_mass)
-        return _mass_element(own_mass, number.text(), number.span), number.values[0]
+        number, span = _number(lowering, own_mass)
+        return _mass_element(own_mass, number.text, span), number.values[0]
     if own_density is not None:
-        number = _number(lowering, own_density)
+        number, span = _number(lowering, own_density)
         mass = number.values[0] * body.shape("the mass is computed from it").volume()
         _check_computed(own_density, mass)
-        return _mass_element(own_density, format_number(mass), number.span), mass
+        return _mass_element(own_density, format_number(mass), span), mass
     raise failure(
         "missing-mass",
         "this inertial has no mass",
@@ -160,7 +160,8 @@ def _mass(
     )
 
 
-def _number(lowering: Lowering, key: Element) -> Numbers:
+def _number(lowering: Lowering, key: Element) -> tuple[Numbers, Span]:
+    """Return the one number of a key, and where it is written."""
     record = read_record(lowering, key, "value")
     if "value" not in record.values:
         raise failure(
@@ -170,7 +171,8 @@ def _number(lowering: Lowering, key: Element) -> Numbers:
             hint=f"write {key.name}: 1.0",
             trace=key.trace,
         )
-    return _one(lowering, key, record.values["value"], record.spans["value"])
+    span = record.spans["value"]
+    return _one(lowering, key, record.values["value"], span), span
 
 
 def _one(lowering: Lowering, key: Element, value: object, span: Span) -> Numbers:
@@ -225,7 +227,7 @@ def _given_inertia(lowering: Lowering, key: Element) -> Element:
             name=name,
             trace=key.trace,
         )
-        record.values[name] = number.text()
+        record.values[name] = number.text
     return Element(
         "inertia",
         key.span,

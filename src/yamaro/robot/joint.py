@@ -6,7 +6,7 @@ from math import pi
 
 from ..diagnostics import YamaroError, failure
 from ..xmltree import Element, format_number, format_value
-from .fields import read_record, read_value, sort_fields, word_of
+from .fields import read_record, read_value, sort_fields, with_attributes, word_of
 from .numbers import read_numbers
 from .places import JOINT, RECORD_KEYS
 from .pose import origin_element, read_pose
@@ -64,10 +64,10 @@ def lower_joint(lowering: Lowering, key: Element, name: str, *, child: str) -> E
         child: the name of the part's link.
     """
     fields = sort_fields(lowering, key, JOINT)
-    if fields.has_text:
-        return _joint_element(key, name, None, [])
-    joint_type = None
     children: list[Node] = []
+    if fields.has_text:
+        return _joint_element(key, name, None, children)
+    joint_type = None
     try:
         joint_type = _read_type(lowering, key, fields)
     except YamaroError as error:
@@ -80,7 +80,7 @@ def lower_joint(lowering: Lowering, key: Element, name: str, *, child: str) -> E
     for node in fields.rest:
         if type(node) is Element and node.name in RECORD_KEYS and not node.verbatim:
             try:
-                children.append(_lower_record(lowering, node))
+                children.append(lowering.once(node, _lower_record))
             except YamaroError as error:
                 lowering.absorb(error)
         else:
@@ -88,18 +88,25 @@ def lower_joint(lowering: Lowering, key: Element, name: str, *, child: str) -> E
     has_faulty_limit = "limit" in fields.keys and not any(_is_limit(c) for c in children)
     if joint_type is not None and joint_type.name in ASSUMED_RANGES and not has_faulty_limit:
         _assume_limits(lowering, key, name, joint_type, children)
-    return _joint_element(key, name, joint_type, children)
+    joint = _joint_element(key, name, joint_type, children)
+    if "parent" not in fields.plain:
+        lowering.parents.append(joint)
+    if "mimic" in fields.keys:
+        lowering.mimics.append(joint)
+    return joint
 
 
 def _joint_element(
     key: Element, name: str, joint_type: JointType | None, children: list[Node]
 ) -> Element:
     attributes: dict[str, object] = {"name": name}
-    spans = dict(key.value_spans) if key.value_spans else {}
+    spans: dict[str, Span] = {}
     if joint_type is not None:
         attributes["type"] = joint_type.name
         spans["type"] = joint_type.span
-    attributes.update((k, v) for k, v in key.attributes.items() if k not in attributes)
+    for attribute, value in key.attributes.items():
+        attributes.setdefault(attribute, value)
+        spans.setdefault(attribute, key.value_span(attribute))
     return Element(
         "joint",
         key.span,
@@ -161,6 +168,10 @@ def _parent_element(lowering: Lowering, key: Element, fields: Fields, child: str
             "the root",
             trace=key.trace,
         )
+    return lowering.once(parent_key, _lower_parent)
+
+
+def _lower_parent(lowering: Lowering, parent_key: Element) -> Element:
     record = read_record(lowering, parent_key, "link")
     if "link" not in record.values:
         raise failure(
@@ -170,17 +181,17 @@ def _parent_element(lowering: Lowering, key: Element, fields: Fields, child: str
             hint="write parent: with the name of a link or of a part",
             trace=parent_key.trace,
         )
-    link = word_of("parent", record.values["link"], record.spans["link"], owner=parent_key)
-    element = Element(
+    record.values["link"] = word_of(
+        "parent", record.values["link"], record.spans["link"], owner=parent_key
+    )
+    return Element(
         "parent",
         parent_key.span,
-        attributes={**record.values, "link": link},
+        attributes=record.values,
         children=record.others,
         trace=parent_key.trace,
         value_spans=record.spans,
     )
-    lowering.parents.append(element)
-    return element
 
 
 def _child_element(lowering: Lowering, key: Element, fields: Fields, child: str) -> Element:
@@ -216,7 +227,7 @@ def _lower_record(lowering: Lowering, key: Element) -> Element:
         if count is not None:
             label = "axis" if name == "axis" else attribute
             row = read_numbers(lowering, value, span, count=count, name=label, trace=key.trace)
-            record.values[attribute] = row.text()
+            record.values[attribute] = row.text
         elif attribute == SCALARS.get(name):
             record.values[attribute] = word_of(name, value, span, owner=key)
         else:
@@ -229,7 +240,7 @@ def _lower_record(lowering: Lowering, key: Element) -> Element:
             hint="write axis: 0 0 1" if name == "axis" else "write mimic: with a joint's name",
             trace=key.trace,
         )
-    element = Element(
+    return Element(
         name,
         key.span,
         attributes=record.values,
@@ -237,9 +248,6 @@ def _lower_record(lowering: Lowering, key: Element) -> Element:
         trace=key.trace,
         value_spans=record.spans,
     )
-    if name == "mimic":
-        lowering.mimics.append(element)
-    return element
 
 
 def _is_limit(node: Node) -> bool:
@@ -264,10 +272,12 @@ def _assume_limits(
         assumed["velocity"] = ASSUMED_VELOCITY
     if not assumed:
         return
-    span = limits[0].span if limits else joint_type.key_span
     if limits:
-        limits[0].attributes = {**assumed, **given} if "lower" in assumed else {**given, **assumed}
+        span = limits[0].span
+        full = {**assumed, **given} if "lower" in assumed else {**given, **assumed}
+        children[children.index(limits[0])] = with_attributes(limits[0], full)
     else:
+        span = joint_type.key_span
         children.append(Element("limit", span, attributes=assumed, trace=key.trace))
     filled = " ".join(f"{name}={format_value(value)}" for name, value in assumed.items())
     lowering.reporter.warn(

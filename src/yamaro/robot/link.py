@@ -31,6 +31,20 @@ class LinkFrame:
 
 def lower_link(lowering: Lowering, key: Element, name: str) -> Element:
     """Return `<link>` with its sections in the order written; record errors and go on."""
+    attributes: dict[str, object] = {"name": name}
+    attributes.update((k, v) for k, v in key.attributes.items() if k != "name")
+    return Element(
+        "link",
+        key.span,
+        attributes=attributes,
+        children=lowering.once(key, _lower_children),
+        trace=key.trace,
+        value_spans=key.value_spans,
+    )
+
+
+def _lower_children(lowering: Lowering, key: Element) -> list[Node]:
+    """Return what stands in the `<link>` of a `link` key, which its name does not touch."""
     fields = sort_fields(lowering, key, LINK)
     try:
         pose = read_pose(lowering, fields)
@@ -55,15 +69,7 @@ def lower_link(lowering: Lowering, key: Element, name: str) -> Element:
     # A faulty section may be the one that was to use the geometry.
     if not is_faulty:
         _warn_of_unused(lowering, frame.geometry)
-    attributes = {"name": name, **{k: v for k, v in key.attributes.items() if k != "name"}}
-    return Element(
-        "link",
-        key.span,
-        attributes=attributes,
-        children=children,
-        trace=key.trace,
-        value_spans=key.value_spans,
-    )
+    return children
 
 
 def _lower_child(

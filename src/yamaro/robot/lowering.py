@@ -2,14 +2,23 @@
 
 from __future__ import annotations
 
+from ..xmltree import Element
+
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable
+    from typing import TypeVar
 
     from ..diagnostics import Diagnostic, Reporter, YamaroError
     from ..source import Span
-    from ..xmltree import Element
+    from ..xmltree import Node, Shared
     from .mesh import SolidMoments
+    from .numbers import Numbers
+
+    Product = TypeVar("Product", Element, list[Node])
+
+MOST_TEXTS = 4096
+"""Texts whose numbers are remembered; what is forgotten is only read again."""
 
 
 class Lowering:
@@ -17,11 +26,14 @@ class Lowering:
 
     Attributes:
         has_capsule: whether the robot's URDF version knows capsules.
-        numbers: the numbers in a text as words and values; most texts occur many times.
+        shared: the elements that stand in several places, with notes of what they come out as.
+        numbers: the numbers in a text; most texts occur many times.
         moments: the volume integrals of the mesh files read so far, by path.
         near_keys: what a key in a place was found to be a misspelling of.
-        parents: `<parent>` elements made here, whose link may yet be the name of a part.
-        mimics: `<mimic>` elements made here, whose joint may yet be the name of a part.
+        parents: the joints whose first child is a `<parent>` made here, of which the link may yet
+            be the name of a part.
+        mimics: the joints with a `<mimic>` made here, of which the joint may yet be the name of a
+            part.
         part_links: the link of each part, by the part's name.
         part_joints: the joint of each part, by the part's name.
     """
@@ -39,6 +51,7 @@ class Lowering:
         "part_links",
         "reporter",
         "resolve_mesh",
+        "shared",
     )
 
     def __init__(
@@ -47,13 +60,15 @@ class Lowering:
         resolve_mesh: Callable[[str, Span], str | None],
         *,
         has_capsule: bool,
+        shared: Shared,
     ) -> None:
         """Start a run with nothing found."""
         self.reporter = reporter
         self.resolve_mesh = resolve_mesh
         self.has_capsule = has_capsule
+        self.shared = shared
         self.errors: list[Diagnostic] = []
-        self.numbers: dict[str, tuple[tuple[str, ...], tuple[float, ...]]] = {}
+        self.numbers: dict[str, Numbers] = {}
         self.moments: dict[str, SolidMoments] = {}
         self.near_keys: dict[tuple[str, str], str | None] = {}
         self.parents: list[Element] = []
@@ -69,3 +84,37 @@ class Lowering:
             if key not in self._reported:
                 self._reported.add(key)
                 self.errors.append(diagnostic)
+
+    def remember(self, text: str, numbers: Numbers) -> Numbers:
+        """Keep the numbers that a text was read as, for when it comes again, and return them."""
+        if len(self.numbers) >= MOST_TEXTS:
+            self.numbers.clear()
+        self.numbers[text] = numbers
+        return numbers
+
+    def once(self, key: Element, lower: Callable[[Lowering, Element], Product]) -> Product:
+        """Return what `lower` makes of a key: where the key is shared, the same in every place.
+
+        What had something reported is lowered again in each place, so that it is told again.
+
+        Args:
+            key: the key; what comes out must depend on it and on the run alone.
+            lower: makes an element of the key, or a list of nodes, which nobody changes later.
+        """
+        notes = self.shared.get(id(key))
+        if notes is None:
+            return lower(self, key)
+        product: Product | None = notes.get("lowered")
+        if product is None:
+            found = len(self.errors) + len(self.reporter.diagnostics)
+            product = lower(self, key)
+            if found == len(self.errors) + len(self.reporter.diagnostics):
+                notes["lowered"] = product
+                self._share(product)
+        return product
+
+    def _share(self, product: Element | list[Node]) -> None:
+        """Add what a shared key is lowered to, to the shared elements."""
+        for node in product if isinstance(product, list) else (product,):
+            if isinstance(node, Element):
+                self.shared.setdefault(id(node), {})

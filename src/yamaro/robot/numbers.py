@@ -41,19 +41,21 @@ UNITS = {"mm": 1e-3, "cm": 1e-2, "dm": 0.1, "km": 1e3, "g": 1e-3, "t": 1e3}
 
 
 class Numbers:
-    """A row of numbers: values, and the words they are written as in XML."""
+    """A row of numbers: values, and the words they are written as in XML; it never changes.
 
-    __slots__ = ("span", "values", "words")
+    Attributes:
+        words: the number's words.
+        values: as many numbers.
+        text: the row as it is written in XML.
+    """
 
-    def __init__(self, words: tuple[str, ...], values: tuple[float, ...], span: Span) -> None:
-        """Hold as many words as values, and where they were written."""
+    __slots__ = ("text", "values", "words")
+
+    def __init__(self, words: tuple[str, ...], values: tuple[float, ...]) -> None:
+        """Hold as many words as values."""
         self.words = words
         self.values = values
-        self.span = span
-
-    def text(self) -> str:
-        """Return the row as it is written in XML."""
-        return " ".join(self.words)
+        self.text = " ".join(words)
 
     def is_zero(self) -> bool:
         """Tell whether all the numbers are exactly 0."""
@@ -88,16 +90,15 @@ def read_numbers(
         YamaroError: a word, NaN, an infinity, or a wrong count.
     """
     if type(value) is str:
-        known = lowering.numbers.get(value)
-        if known is None:
-            known = _read_text(value, span, name, trace)
-            lowering.numbers[value] = known
-        words, values = known
+        numbers = lowering.numbers.get(value)
+        if numbers is None:
+            read = Numbers(*_read_text(value, span, name, trace))
+            numbers = lowering.remember(value, read)
     else:
-        words, values = _read_object(value, span, name, trace)
-    if len(values) != count:
-        raise _wrong_count(span, words, count=count, name=name, trace=trace)
-    return Numbers(words, values, span)
+        numbers = Numbers(*_read_object(value, span, name, trace))
+    if len(numbers.words) != count:
+        raise _wrong_count(span, numbers.words, count=count, name=name, trace=trace)
+    return numbers
 
 
 def _read_text(
@@ -136,6 +137,8 @@ def _parse(word: str) -> float | None:
 def _read_object(
     value: object, span: Span, name: str, trace: Frame | None
 ) -> tuple[tuple[str, ...], tuple[float, ...]]:
+    if type(value) is float and value - value == 0:
+        return (format_number(value),), (value,)
     plain = plain_value(value)
     items = plain if isinstance(plain, (list, tuple, range)) else (plain,)
     is_literal = isinstance(value, LiteralList)

@@ -8,7 +8,15 @@ from __future__ import annotations
 
 from ..diagnostics import YamaroError, failure
 from ..xmltree import Element, PartElement, format_value
-from .fields import Fields, check_plain, read_value, refuse_part, sort_fields, word_of
+from .fields import (
+    Fields,
+    check_plain,
+    read_value,
+    refuse_part,
+    sort_fields,
+    with_attributes,
+    word_of,
+)
 from .joint import lower_joint
 from .link import lower_link
 from .lowering import Lowering
@@ -63,7 +71,12 @@ def lower(
             hint="write robot: as the root, or <part>: for an XML element of that name",
             trace=first.trace,
         )
-    lowering = Lowering(reporter, resolve_mesh, has_capsule=_has_capsule(root))
+    lowering = Lowering(
+        reporter,
+        resolve_mesh,
+        has_capsule=_has_capsule(root),
+        shared=shared if shared is not None else {},
+    )
     robot = _rebuilt(lowering, root, places)
     if lowering.errors:
         raise YamaroError(lowering.errors)
@@ -191,7 +204,7 @@ def _lower_beside(lowering: Lowering, node: Element, out: list[Node]) -> None:
         return
     if node.name == "material" and not node.verbatim:
         try:
-            out.append(lower_material(lowering, node))
+            out.append(lowering.once(node, lower_material))
         except YamaroError as error:
             lowering.absorb(error)
         return
@@ -275,20 +288,22 @@ def _derived_names(words: list[str]) -> PartNames | None:
 def _resolve_names(lowering: Lowering, robot: Element) -> None:
     """Replace names of parts by those of their links and joints, and add `root_link`."""
     links = _names(robot, "link")
-    joints = _names(robot, "joint")
     root_link: Element | None = None
-    for parent in lowering.parents:
+    for joint in lowering.parents:
+        parent = _reference(joint, "parent")
         name = str(parent.attributes["link"])
         if name in links:
             continue
         if name in lowering.part_links:
-            parent.attributes["link"] = lowering.part_links[name]
+            _refer(lowering, joint, parent, {"link": lowering.part_links[name]})
         elif name == ROOT_LINK and root_link is None:
             root_link = parent
-    for mimic in lowering.mimics:
+    joints = _names(robot, "joint") if lowering.mimics else frozenset()
+    for joint in lowering.mimics:
+        mimic = _reference(joint, "mimic")
         name = str(mimic.attributes["joint"])
         if name not in joints and name in lowering.part_joints:
-            mimic.attributes["joint"] = lowering.part_joints[name]
+            _refer(lowering, joint, mimic, {"joint": lowering.part_joints[name]})
     if root_link is not None:
         link = Element(
             "link",
@@ -299,10 +314,34 @@ def _resolve_names(lowering: Lowering, robot: Element) -> None:
         robot.children.insert(0, link)
 
 
-def _names(robot: Element, kind: str) -> set[str]:
+def _names(robot: Element, kind: str) -> frozenset[str]:
     """Return the names of the robot's links or joints, whether from parts or plain XML."""
-    return {
+    return frozenset(
         format_value(child.attributes.get("name"))
         for child in robot.children
         if isinstance(child, Element) and child.name == kind
-    }
+    )
+
+
+def _reference(joint: Element, name: str) -> Element:
+    """Return the `<parent>` or `<mimic>` that was made for a joint."""
+    for child in joint.children:
+        if isinstance(child, Element) and child.name == name and not child.verbatim:
+            return child
+    raise AssertionError(name)
+
+
+def _refer(
+    lowering: Lowering, joint: Element, reference: Element, names: dict[str, object]
+) -> None:
+    """Let a reference in a joint bear other names; one that is shared is replaced, not changed."""
+    notes = lowering.shared.get(id(reference))
+    if notes is None:
+        reference.attributes.update(names)
+        return
+    resolved = notes.get("resolved")
+    if resolved is None:
+        resolved = with_attributes(reference, {**reference.attributes, **names})
+        notes["resolved"] = resolved
+        lowering.shared[id(resolved)] = {}
+    joint.children[joint.children.index(reference)] = resolved

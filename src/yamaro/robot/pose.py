@@ -83,10 +83,11 @@ def read_pose(lowering: Lowering, fields: Fields) -> Pose:
     key = xyz_key or rpy_key or pivot_key
     if key is None:
         return NO_POSE
-    xyz = _read_vector(lowering, xyz_key) if xyz_key is not None else None
-    rpy = _read_vector(lowering, rpy_key) if rpy_key is not None else None
-    pivot = _read_vector(lowering, pivot_key) if pivot_key is not None else None
-    return _place(xyz, rpy, pivot, key.span)
+    spans: dict[str, Span] = {}
+    xyz = _read_vector(lowering, xyz_key, spans) if xyz_key is not None else None
+    rpy = _read_vector(lowering, rpy_key, spans) if rpy_key is not None else None
+    pivot = _read_vector(lowering, pivot_key, spans) if pivot_key is not None else None
+    return _place(xyz, rpy, pivot, key.span, spans)
 
 
 def _read_origin(lowering: Lowering, fields: Fields, origin: Element) -> Pose:
@@ -113,13 +114,15 @@ def _read_origin(lowering: Lowering, fields: Fields, origin: Element) -> Pose:
                 trace=origin.trace,
             )
         rows[name] = _numbers(lowering, value, record.spans[name], name, origin.trace)
-    return _place(rows.get("xyz"), rows.get("rpy"), rows.get("pivot"), origin.span)
+    return _place(rows.get("xyz"), rows.get("rpy"), rows.get("pivot"), origin.span, record.spans)
 
 
-def _read_vector(lowering: Lowering, key: Element) -> Numbers:
+def _read_vector(lowering: Lowering, key: Element, spans: dict[str, Span]) -> Numbers:
+    """Return the numbers of `xyz`, `rpy` or `pivot`, and note in `spans` where they stand."""
     value, span = read_value(key)
     if type(value) is str and not value:
         raise empty_value(key)
+    spans[key.name] = span
     return _numbers(lowering, value, span, key.name, key.trace)
 
 
@@ -127,30 +130,41 @@ def _numbers(
     lowering: Lowering, value: object, span: Span, name: str, trace: Frame | None
 ) -> Numbers:
     numbers = read_numbers(lowering, value, span, count=3, name=name, trace=trace)
-    if type(value) is not str:
-        numbers.words = tuple(
-            "0" if number and abs(number) < NEGLIGIBLE else word
-            for word, number in zip(numbers.words, numbers.values, strict=True)
-        )
-    return numbers
+    if type(value) is str:
+        return numbers
+    words = tuple(
+        "0" if number and abs(number) < NEGLIGIBLE else word
+        for word, number in zip(numbers.words, numbers.values, strict=True)
+    )
+    return Numbers(words, numbers.values)
 
 
-def _place(xyz: Numbers | None, rpy: Numbers | None, pivot: Numbers | None, span: Span) -> Pose:
-    """Return the pose whose pivot lands on xyz: its origin is xyz − R·pivot."""
+def _place(
+    xyz: Numbers | None,
+    rpy: Numbers | None,
+    pivot: Numbers | None,
+    span: Span,
+    spans: dict[str, Span],
+) -> Pose:
+    """Return the pose whose pivot lands on xyz: its origin is xyz − R·pivot.
+
+    Args:
+        xyz: where the pivot lands.
+        rpy: the rotation.
+        pivot: a point in the frame.
+        span: the first key of the pose.
+        spans: where each of the three is written; becomes the spans of the pose.
+    """
     rotation = rotation_from_rpy(*rpy.values) if rpy is not None and not rpy.is_zero() else None
     position = _vector(xyz.values) if xyz is not None else ZERO
     words = xyz.words if xyz is not None else ZERO_WORDS
-    spans = {}
-    if xyz is not None:
-        spans["xyz"] = xyz.span
-    if rpy is not None:
-        spans["rpy"] = rpy.span
+    pivot_span = spans.pop("pivot", span)
     if pivot is not None and not pivot.is_zero():
         back = _negated(_vector(pivot.values))
         if rotation is not None:
             back = rotate(rotation, back)
         position, words = _sum(position, words, back, None)
-        spans.setdefault("xyz", pivot.span)
+        spans.setdefault("xyz", pivot_span)
     return Pose(
         position,
         rotation,
