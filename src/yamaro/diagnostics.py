@@ -16,6 +16,8 @@ WARNING = "warning"
 
 MAX_TRACE_LINES = 12
 MAX_EXCERPT_COLUMNS = 160
+MAX_SUGGESTED_LETTERS = 255
+"""The longest word that a suggestion is looked for: file names are no longer."""
 
 
 class Frame:
@@ -149,16 +151,48 @@ class Reporter:
 
 def suggest(word: str, candidates: Iterable[str]) -> str | None:
     """Return the candidate that `word` is most likely a misspelling of, if any is near."""
-    from difflib import get_close_matches
-
     names = sorted(set(candidates) - {word})
     folded = [name for name in names if name.casefold() == word.casefold()]
     if folded:
         return folded[0]
-    if len(word) < 2:
+    if not 2 <= len(word) <= MAX_SUGGESTED_LETTERS:
         return None
-    near = get_close_matches(word, names, n=1, cutoff=0.7 if len(word) > 3 else 0.6)
-    return near[0] if near else None
+    near, likeness = None, 0.7 if len(word) > 3 else 0.6
+    for name in names:
+        found = _likeness(name, word, likeness)
+        if found >= likeness:
+            near, likeness = name, found
+    return near
+
+
+def _likeness(one: str, other: str, least: float) -> float:
+    """Return how alike two texts are, from 0 to 1, or 0 if that is less than `least`.
+
+    The measure of Ratcliff and Obershelp, as in Python's difflib. That takes longer to import than
+    most robots to compile, and a word is compared for most of the element names in a file.
+    """
+    letters = len(one) + len(other)
+    rest, shared = other, 0  # letters in both, in any order: no more can match
+    for letter in one:
+        if letter in rest:
+            rest = rest.replace(letter, "", 1)
+            shared += 1
+    if 2.0 * shared / letters < least:
+        return 0.0
+    return 2.0 * _matching(one, other) / letters
+
+
+def _matching(one: str, other: str) -> int:
+    """Count the letters in the longest stretch that two texts share, and so on around it."""
+    length = len(one)
+    for size in range(min(length, len(other)), 0, -1):
+        for start in range(length - size + 1):
+            stretch = one[start : start + size]
+            if stretch in other:
+                before, _, after = other.partition(stretch)
+                around = _matching(one[:start], before) + _matching(one[start + size :], after)
+                return size + around
+    return 0
 
 
 def did_you_mean(word: str, candidates: Iterable[str]) -> str | None:

@@ -15,13 +15,30 @@ NOWHERE = "\0"
 class Tree:
     """The links and joints of a robot by name, the first of each name, in the order written."""
 
-    __slots__ = ("joints", "links", "materials")
+    __slots__ = ("_parts", "joints", "links", "materials")
 
     def __init__(self) -> None:
         """Start empty."""
         self.links: dict[str, Element] = {}
         self.joints: dict[str, Element] = {}
         self.materials: dict[str, Element] = {}
+        self._parts: dict[str, dict[str, str]] = {}
+
+    def named(self, ending: str) -> dict[str, Element]:
+        """Return what has names that end so in a part: "_link" or "_joint"."""
+        return self.links if ending == "_link" else self.joints
+
+    def parts(self, ending: str) -> dict[str, str]:
+        """Return the names with the ending of a part's link or joint, by what stands before it.
+
+        Worked out once; all names have to be known by then.
+        """
+        parts = self._parts.get(ending)
+        if parts is None:
+            known = self.named(ending)
+            parts = {full.removesuffix(ending): full for full in known if full.endswith(ending)}
+            self._parts[ending] = parts
+        return parts
 
 
 def check_tree(links: list[Element], joints: list[Element], context: CheckContext) -> Tree:
@@ -139,18 +156,19 @@ def _reference(joint: Element, role: str, tree: Tree, context: CheckContext) -> 
         f"the {role} '{name}' of joint '{joint_name}' is not a link of the robot",
         element,
         attribute="link",
-        hint=_near(name, tree.links, "_link", context)
+        hint=_near(name, tree, "_link", context)
         or f"add a link named '{name}', or name one there is",
     )
     return None
 
 
-def _near(name: str, known: dict[str, Element], ending: str, context: CheckContext) -> str | None:
+def _near(name: str, tree: Tree, ending: str, context: CheckContext) -> str | None:
     """Return the hint at a name that is near, also where the name of its part is the near one."""
+    known = tree.named(ending)
     near = context.near(name, known)
     if near is not None:
         return near
-    parts = {full.removesuffix(ending): full for full in known if full.endswith(ending)}
+    parts = tree.parts(ending)
     part = context.near_word(name, parts)
     return f"did you mean '{parts[part]}'?" if part is not None else None
 
@@ -271,7 +289,7 @@ def _check_mimics(joints: list[Element], tree: Tree, context: CheckContext) -> N
                 f"joint '{name}' mimics '{master}', which is not a joint of the robot",
                 mimic,
                 attribute="joint",
-                hint=_near(master, tree.joints, "_joint", context) or "name a joint that exists",
+                hint=_near(master, tree, "_joint", context) or "name a joint that exists",
             )
         elif tree.joints.get(name) is joint:
             masters[name] = master
