@@ -11,7 +11,13 @@ from .source import Span
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from typing import Any
+    from typing import Any, Protocol
+
+    class Places(Protocol):
+        """Where the values of an element's attributes are written; a dict is one."""
+
+        def get(self, attribute: str, /) -> Span | None:
+            """Return the place of an attribute's value, or None where there is none."""
 
 
 class LiteralList(list[object]):
@@ -64,7 +70,7 @@ class Element:
         attributes: dict[str, object] | None = None,
         children: list[Node] | None = None,
         trace: Frame | None = None,
-        value_spans: dict[str, Span] | None = None,
+        value_spans: Places | None = None,
         verbatim: bool = False,
         body: object = None,
     ) -> None:
@@ -105,8 +111,8 @@ class Element:
 
     def value_span(self, attribute: str) -> Span:
         """Return where the attribute's value was written, or else the element's own place."""
-        if self.value_spans is not None and attribute in self.value_spans:
-            return self.value_spans[attribute]
+        if self.value_spans is not None:
+            return self.value_spans.get(attribute) or self.span
         return self.span
 
     def name_span(self, attribute: str) -> Span:

@@ -69,12 +69,12 @@ def _check_inertia(inertia: Element, link: Element, context: CheckContext) -> No
     fault = _inertia_fault(moments)
     if fault is None:
         return
-    spans = inertia.value_spans or {}
+    spans = inertia.value_spans
     context.warn(
         "bad-inertia",
         f"no body can have the inertia of {label(link)}: {fault}",
         inertia,
-        attribute="ixx" if "ixx" in spans else None,
+        attribute="ixx" if spans is not None and spans.get("ixx") else None,
         hint="leave `inertia` out of a part and it is computed from the mass and the shape",
     )
 
