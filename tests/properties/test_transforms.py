@@ -10,6 +10,7 @@ from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation
 
 from tests.part_builder import lower_text
+from yamaro.robot.numbers import Numbers
 from yamaro.robot.pose import Pose, compose_poses
 from yamaro.robot.transforms import (
     multiply,
@@ -111,8 +112,8 @@ def test_the_inverse_undoes(xyz, rpy):
 
 def pose_of(xyz, rpy):
     span = Span(Source("x", name="x"), 0, 1)
-    words = {"xyz": tuple(map(repr, xyz)), "rpy": tuple(map(repr, rpy))}
-    return Pose(xyz, rotation_from_rpy(*rpy), **words, span=span, spans=None)
+    rows = (Numbers(tuple(map(repr, values)), values) for values in (xyz, rpy))
+    return Pose(*rows, span=span, spans=None, rotation=rotation_from_rpy(*rpy))
 
 
 poses = st.builds(pose_of, vectors, rpys)
@@ -125,7 +126,7 @@ def test_composition_is_associative(first, second, third):
     assert left.rotation is not None
     assert right.rotation is not None
     numpy.testing.assert_allclose(left.rotation, right.rotation, rtol=0, atol=1e-12)
-    numpy.testing.assert_allclose(left.position, right.position, rtol=0, atol=1e-10)
+    numpy.testing.assert_allclose(left.xyz.values, right.xyz.values, rtol=0, atol=1e-10)
 
 
 @given(vectors, rpys, vectors)

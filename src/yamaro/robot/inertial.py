@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from math import isfinite
 
-from ..diagnostics import failure
+from ..diagnostics import YamaroError, failure
 from ..xmltree import Element, format_number
 from .fields import Fields, read_record
 from .geometry import section_geometry, solid_shape
@@ -149,7 +149,8 @@ def _mass(
     if own_density is not None:
         number, span = _number(lowering, own_density)
         mass = number.values[0] * body.shape("the mass is computed from it").volume()
-        _check_computed(own_density, mass)
+        if not isfinite(mass):
+            raise _too_large(own_density)
         return _mass_element(own_density, format_number(mass), span), mass
     raise failure(
         "missing-mass",
@@ -239,8 +240,8 @@ def _given_inertia(lowering: Lowering, key: Element) -> Element:
 
 
 def _computed_inertia(owner: Element, body: _Body, moments: tuple[float, ...]) -> Element:
-    for value in moments:
-        _check_computed(owner, value)
+    if not all(map(isfinite, moments)):
+        raise _too_large(owner)
     words: dict[str, object] = {
         name: format_number(value) if value else "0"
         for name, value in zip(MOMENTS, moments, strict=True)
@@ -248,11 +249,9 @@ def _computed_inertia(owner: Element, body: _Body, moments: tuple[float, ...]) -
     return Element("inertia", owner.span, attributes=words, trace=owner.trace)
 
 
-def _check_computed(key: Element, value: float) -> None:
-    """Raise an error where numbers are so large that mass or inertia overflow."""
-    if isfinite(value):
-        return
-    raise failure(
+def _too_large(key: Element) -> YamaroError:
+    """Return the error that numbers are so large that mass or inertia overflow."""
+    return failure(
         "bad-number",
         "the computed mass or inertia is too large for a number",
         key.span,

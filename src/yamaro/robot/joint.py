@@ -85,9 +85,8 @@ def lower_joint(lowering: Lowering, key: Element, name: str, *, child: str) -> E
                 lowering.absorb(error)
         else:
             children.append(node)
-    has_faulty_limit = "limit" in fields.keys and not any(_is_limit(c) for c in children)
-    if joint_type is not None and joint_type.name in ASSUMED_RANGES and not has_faulty_limit:
-        _assume_limits(lowering, key, name, joint_type, children)
+    if joint_type is not None and joint_type.name in ASSUMED_RANGES:
+        _assume_limits(lowering, key, name, joint_type, fields, children)
     joint = _joint_element(key, name, joint_type, children)
     if "parent" not in fields.plain:
         lowering.parents.append(joint)
@@ -99,11 +98,11 @@ def lower_joint(lowering: Lowering, key: Element, name: str, *, child: str) -> E
 def _joint_element(
     key: Element, name: str, joint_type: JointType | None, children: list[Node]
 ) -> Element:
-    attributes: dict[str, object] = {"name": name}
-    spans: dict[str, Span] = {}
-    if joint_type is not None:
-        attributes["type"] = joint_type.name
-        spans["type"] = joint_type.span
+    attributes: dict[str, object]
+    if joint_type is None:
+        attributes, spans = {"name": name}, {}
+    else:
+        attributes, spans = {"name": name, "type": joint_type.name}, {"type": joint_type.span}
     for attribute, value in key.attributes.items():
         attributes.setdefault(attribute, value)
         spans.setdefault(attribute, key.value_span(attribute))
@@ -250,16 +249,18 @@ def _lower_record(lowering: Lowering, key: Element) -> Element:
     )
 
 
-def _is_limit(node: Node) -> bool:
-    return isinstance(node, Element) and node.name == "limit"
-
-
 def _assume_limits(
-    lowering: Lowering, key: Element, joint: str, joint_type: JointType, children: list[Node]
+    lowering: Lowering,
+    key: Element,
+    joint: str,
+    joint_type: JointType,
+    fields: Fields,
+    children: list[Node],
 ) -> None:
     """Fill in what URDF needs of a revolute or prismatic joint's limit, with one warning."""
-    limits = [c for c in children if isinstance(c, Element) and _is_limit(c)]
-    if any(limit.verbatim for limit in limits):
+    limits = [c for c in children if isinstance(c, Element) and c.name == "limit"]
+    is_faulty = "limit" in fields.keys and not limits
+    if is_faulty or any(limit.verbatim for limit in limits):
         return
     given = limits[0].attributes if limits else {}
     lower, upper = ASSUMED_RANGES[joint_type.name]

@@ -32,7 +32,8 @@ class LinkFrame:
 def lower_link(lowering: Lowering, key: Element, name: str) -> Element:
     """Return `<link>` with its sections in the order written; record errors and go on."""
     attributes: dict[str, object] = {"name": name}
-    attributes.update((k, v) for k, v in key.attributes.items() if k != "name")
+    for attribute, value in key.attributes.items():
+        attributes.setdefault(attribute, value)
     return Element(
         "link",
         key.span,
@@ -109,7 +110,7 @@ def _lower_section(lowering: Lowering, key: Element, frame: LinkFrame) -> Elemen
     children: list[Node] = [fields.plain.get("origin") or origin_element(pose, key), geometry]
     for child in fields.rest:
         if type(child) is Element and child.name == "material" and not child.verbatim:
-            children.append(lower_material(lowering, child))
+            children.append(lowering.once(child, lower_material))
         else:
             children.append(child)
     return key.with_children(children)

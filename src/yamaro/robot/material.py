@@ -96,7 +96,7 @@ def _lower_color(lowering: Lowering, key: Element) -> Element:
     record = read_record(lowering, key, "rgba")
     value, span = _required(record, "rgba", key, "four numbers: color: 0.8 0.1 0.1 1")
     rgba = read_numbers(lowering, value, span, count=4, name="rgba", trace=key.trace)
-    return _detail(key, record, "rgba", rgba.text())
+    return _detail(key, record, "rgba", rgba.text)
 
 
 def _lower_texture(lowering: Lowering, key: Element) -> Element:

@@ -224,7 +224,7 @@ def _read_names(lowering: Lowering, part: Element, fields: Fields) -> PartNames:
     joint, link = fields.keys.get("joint"), fields.keys.get("link")
     try:
         own_joint, own_link = _own_name(joint), _own_name(link)
-        names = _derived_names(_read_words(key) if key is not None else [])
+        names = _derived_names(_read_words(key)) if key is not None else None
     except YamaroError as error:
         lowering.absorb(error)
         return PartNames(None, UNNAMED, UNNAMED)
@@ -240,7 +240,9 @@ def _read_names(lowering: Lowering, part: Element, fields: Fields) -> PartNames:
         )
     if names is None:
         names = PartNames(None, UNNAMED, UNNAMED)
-    return PartNames(names.part, own_joint or names.joint, own_link or names.link)
+    names.joint = own_joint or names.joint
+    names.link = own_link or names.link
+    return names
 
 
 def _own_name(key: Element | None) -> str | None:
@@ -253,8 +255,8 @@ def _own_name(key: Element | None) -> str | None:
 def _read_words(key: Element) -> list[str]:
     """Return the one or two words of a part's name."""
     value, span = read_value(key)
-    items = value if isinstance(value, list) else [value]
-    words = " ".join(format_value(item) for item in items).replace(",", " ").split()
+    items = value if isinstance(value, list) else (value,)
+    words = " ".join(map(format_value, items)).replace(",", " ").split()
     if not words:
         raise failure(
             "missing-name",
@@ -274,9 +276,7 @@ def _read_words(key: Element) -> list[str]:
     return words
 
 
-def _derived_names(words: list[str]) -> PartNames | None:
-    if not words:
-        return None
+def _derived_names(words: list[str]) -> PartNames:
     if len(words) == 2:
         return PartNames(None, words[0], words[1])
     return PartNames(words[0], f"{words[0]}_joint", f"{words[0]}_link")

@@ -6,6 +6,7 @@ Numbers that need no computing keep their spelling; rotations are composed as ro
 from __future__ import annotations
 
 from math import isfinite
+from operator import add
 
 from ..diagnostics import failure
 from ..xmltree import Element
@@ -21,52 +22,57 @@ if TYPE_CHECKING:
     from .lowering import Lowering
     from .transforms import Rotation, Vector
 
-Words = tuple[str, ...]
+    Words = tuple[str, ...]
 
-ZERO_WORDS: Words = ("0", "0", "0")
+ZERO_ROW = Numbers(("0", "0", "0"), ZERO)
 
 
 class Pose:
     """T_parent_frame with the words it is written as.
 
     Attributes:
-        position: the frame's origin in the parent, in metres.
-        rotation: the rotation matrix, or None for none at all.
-        xyz: the words of the position.
-        rpy: the words of the rotation.
+        xyz: the frame's origin in the parent, in metres.
+        rpy: the rotation as roll, pitch and yaw, in radians.
         span: the first key of the pose, or None when no pose is written.
         spans: where `xyz` and `rpy` are written, by attribute.
     """
 
-    __slots__ = ("position", "rotation", "rpy", "span", "spans", "xyz")
+    __slots__ = ("_rotation", "rpy", "span", "spans", "xyz")
 
     def __init__(
         self,
-        position: Vector,
-        rotation: Rotation | None,
+        xyz: Numbers,
+        rpy: Numbers,
         *,
-        xyz: Words,
-        rpy: Words,
         span: Span | None,
         spans: dict[str, Span] | None,
+        rotation: Rotation | None = None,
     ) -> None:
-        """Hold a pose; see the class."""
-        self.position = position
-        self.rotation = rotation
+        """Hold a pose; `rotation` is the matrix of `rpy`, where it is at hand."""
         self.xyz = xyz
         self.rpy = rpy
         self.span = span
         self.spans = spans
+        self._rotation = rotation
+
+    @property
+    def rotation(self) -> Rotation | None:
+        """The rotation matrix, or None for none at all.
+
+        Most poses come out as they are written and never need it.
+        """
+        if self._rotation is None and not self.rpy.is_zero():
+            self._rotation = rotation_from_rpy(*self.rpy.values)
+        return self._rotation
 
 
-NO_POSE = Pose(ZERO, None, xyz=ZERO_WORDS, rpy=ZERO_WORDS, span=None, spans=None)
+NO_POSE = Pose(ZERO_ROW, ZERO_ROW, span=None, spans=None)
 
 
 def pose_at(position: Vector) -> Pose:
     """Return the pose of a frame that is only moved; what is only rounding counts as 0."""
-    x, y, z = (0.0 if abs(c) < NEGLIGIBLE else c for c in position)
-    words = (format_component(x), format_component(y), format_component(z))
-    return Pose((x, y, z), None, xyz=words, rpy=ZERO_WORDS, span=None, spans=None)
+    values = tuple(0.0 if abs(c) < NEGLIGIBLE else c for c in position)
+    return Pose(_computed_row(values), ZERO_ROW, span=None, spans=None)
 
 
 def read_pose(lowering: Lowering, fields: Fields) -> Pose:
@@ -155,76 +161,60 @@ def _place(
         span: the first key of the pose.
         spans: where each of the three is written; becomes the spans of the pose.
     """
-    rotation = rotation_from_rpy(*rpy.values) if rpy is not None and not rpy.is_zero() else None
-    position = _vector(xyz.values) if xyz is not None else ZERO
-    words = xyz.words if xyz is not None else ZERO_WORDS
+    pose = Pose(xyz or ZERO_ROW, rpy or ZERO_ROW, span=span, spans=spans)
     pivot_span = spans.pop("pivot", span)
     if pivot is not None and not pivot.is_zero():
-        back = _negated(_vector(pivot.values))
-        if rotation is not None:
-            back = rotate(rotation, back)
-        position, words = _sum(position, words, back, None)
+        x, y, z = pivot.values
+        back = (-x, -y, -z)
+        pose.xyz = _sum(pose.xyz, _rotated(pose, back), None)
         spans.setdefault("xyz", pivot_span)
-    return Pose(
-        position,
-        rotation,
-        xyz=words,
-        rpy=rpy.words if rpy is not None else ZERO_WORDS,
-        span=span,
-        spans=spans,
-    )
+    return pose
 
 
 def compose_poses(outer: Pose, inner: Pose) -> Pose:
     """Return T_outer · T_inner; where one of them is trivial, the other's words are kept."""
-    if inner.span is None and inner.position == ZERO:
+    if inner.span is None and inner.xyz.is_zero():
         return outer
     if outer.span is None:
         return inner
     rotation, rpy = _composed_rotation(outer, inner)
-    if outer.rotation is None:
-        position, xyz = _sum(outer.position, outer.xyz, inner.position, inner.xyz)
-    else:
-        moved = rotate(outer.rotation, inner.position)
-        position, xyz = _sum(outer.position, outer.xyz, moved, None)
+    is_turned = outer.rotation is not None
+    moved = _rotated(outer, inner.xyz.values)
+    xyz = _sum(outer.xyz, moved, None if is_turned else inner.xyz.words)
     spans = {**(outer.spans or {}), **(inner.spans or {})}
-    return Pose(position, rotation, xyz=xyz, rpy=rpy, span=inner.span or outer.span, spans=spans)
+    return Pose(xyz, rpy, span=inner.span or outer.span, spans=spans, rotation=rotation)
 
 
-def _composed_rotation(outer: Pose, inner: Pose) -> tuple[Rotation | None, Words]:
+def _composed_rotation(outer: Pose, inner: Pose) -> tuple[Rotation | None, Numbers]:
     if inner.rotation is None:
         return outer.rotation, outer.rpy
     if outer.rotation is None:
         return inner.rotation, inner.rpy
     rotation = multiply(outer.rotation, inner.rotation)
-    roll, pitch, yaw = rpy_from_rotation(rotation)
-    return rotation, (format_component(roll), format_component(pitch), format_component(yaw))
+    return rotation, _computed_row(rpy_from_rotation(rotation))
 
 
-def _sum(
-    first: Vector, first_words: Words, second: Vector, second_words: Words | None
-) -> tuple[Vector, Words]:
-    """Return the sum of two vectors and its words; what is added to 0 keeps its word."""
+def _rotated(pose: Pose, vector: tuple[float, ...]) -> tuple[float, ...]:
+    """Return a vector given in a pose's frame along the axes of its parent."""
+    x, y, z = vector
+    return vector if pose.rotation is None else rotate(pose.rotation, (x, y, z))
+
+
+def _computed_row(values: tuple[float, ...]) -> Numbers:
+    return Numbers(tuple(map(format_component, values)), values)
+
+
+def _sum(first: Numbers, second: tuple[float, ...], second_words: Words | None) -> Numbers:
+    """Return the sum of two vectors; what is added to 0 keeps its word."""
     words = []
     for axis in range(3):
         if abs(second[axis]) < NEGLIGIBLE:
-            words.append(first_words[axis])
-        elif first[axis] == 0 and second_words is not None:
+            words.append(first.words[axis])
+        elif first.values[axis] == 0 and second_words is not None:
             words.append(second_words[axis])
         else:
-            words.append(format_component(first[axis] + second[axis]))
-    total = (first[0] + second[0], first[1] + second[1], first[2] + second[2])
-    return total, tuple(words)
-
-
-def _vector(values: tuple[float, ...]) -> Vector:
-    x, y, z = values
-    return (x, y, z)
-
-
-def _negated(vector: Vector) -> Vector:
-    x, y, z = vector
-    return (-x, -y, -z)
+            words.append(format_component(first.values[axis] + second[axis]))
+    return Numbers(tuple(words), tuple(map(add, first.values, second)))
 
 
 def origin_element(pose: Pose, owner: Element) -> Element:
@@ -233,7 +223,7 @@ def origin_element(pose: Pose, owner: Element) -> Element:
     Raises:
         YamaroError: the position is too large for a number.
     """
-    if not isfinite(sum(pose.position)):
+    if not isfinite(sum(pose.xyz.values)):
         raise failure(
             "bad-number",
             "the computed position is too large for a number",
@@ -244,7 +234,7 @@ def origin_element(pose: Pose, owner: Element) -> Element:
     return Element(
         "origin",
         pose.span or owner.span,
-        attributes={"xyz": " ".join(pose.xyz), "rpy": " ".join(pose.rpy)},
-        value_spans=pose.spans or None,
+        attributes={"xyz": pose.xyz.text, "rpy": pose.rpy.text},
+        value_spans=pose.spans,
         trace=owner.trace,
     )
