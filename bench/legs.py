@@ -1,25 +1,22 @@
 """Compares Yamaro with xacro and a hand-written script on a robot with many legs.
 
-The robot of bench/legs/ has n legs of three revolute parts each. Every run is a process of its own,
-as people start it; the programs take turns, and medians are compared, so that what else the machine
-does falls on all of them alike. Outputs are compared first.
+The robot of bench/legs/ has n legs of three revolute parts each, with geometry, inertia and poses
+by trigonometry. Every run is a process of its own, as people start it. What the programs write is
+compared first.
 """
 
 from __future__ import annotations
 
-import argparse
 import os
-import statistics
-import subprocess
 import sys
 import tempfile
-import time
+from collections.abc import Iterator
 from pathlib import Path
 from xml.etree import ElementTree
 
+from measuring import XACRO, YAMARO, Figure, Setting, main, peak_memory, run, run_in_turns, shown
+
 FOLDER = Path(__file__).parent / "legs"
-BIN = Path(sys.executable).parent
-RUNS = 5
 
 
 def xacro_source(legs: int, folder: Path) -> Path:
@@ -32,37 +29,40 @@ def xacro_source(legs: int, folder: Path) -> Path:
     return path
 
 
+def yamaro_command(legs: int) -> list[str]:
+    return [*YAMARO, str(FOLDER / "legs.yaml"), f"n:={legs}"]
+
+
 def commands(legs: int, folder: Path, *, with_xacro: bool) -> dict[str, list[str]]:
     """Return the command line of each program."""
     found = {
-        "yamaro": [str(BIN / "yamaro"), str(FOLDER / "legs.yaml"), f"n:={legs}"],
+        "yamaro": yamaro_command(legs),
         "script": [sys.executable, str(FOLDER / "legs_script.py"), str(legs)],
     }
     if with_xacro:
-        found["xacro"] = [str(BIN / "xacro"), str(xacro_source(legs, folder))]
+        found["xacro"] = [*XACRO, str(xacro_source(legs, folder))]
     return found
 
 
-def run(command: list[str]) -> tuple[float, bytes]:
-    """Return the seconds a command takes, and what it writes."""
-    environment = {k: v for k, v in os.environ.items() if k != "PYTHONDONTWRITEBYTECODE"}
-    started = time.perf_counter()
-    done = subprocess.run(command, stdout=subprocess.PIPE, env=environment, check=True)
-    return time.perf_counter() - started, done.stdout
+def compare(programs: dict[str, list[str]], folder: Path) -> None:
+    """End the run if a program writes another robot than the script does."""
+    contents = {}
+    for name, command in programs.items():
+        run(command, folder / f"{name}.urdf")
+        contents[name] = content(ElementTree.parse(folder / f"{name}.urdf").getroot())
+    for name, found in contents.items():
+        if found != contents["script"]:
+            sys.exit(f"{' '.join(programs[name])} writes another robot than the script")
 
 
-def is_same(first: ElementTree.Element, second: ElementTree.Element) -> bool:
-    """Tell whether two trees say the same; the order of links and joints does not matter."""
-    return sorted(map(_content, first)) == sorted(map(_content, second))
+def content(element: ElementTree.Element) -> tuple[object, ...]:
+    """Return what an element says; the order of its children does not matter."""
+    attributes = tuple(sorted((name, rounded(value)) for name, value in element.attrib.items()))
+    return (element.tag, attributes, tuple(sorted(map(content, element))))
 
 
-def _content(element: ElementTree.Element) -> tuple[object, ...]:
-    attributes = tuple(sorted((name, _rounded(value)) for name, value in element.attrib.items()))
-    return (element.tag, attributes, tuple(sorted(map(_content, element))))
-
-
-def _rounded(text: str) -> str:
-    """Return a text with its numbers at twelve digits, which is beyond what the sums differ by."""
+def rounded(text: str) -> str:
+    """Return a text with its numbers at nine decimals, which is beyond what the sums differ by."""
     words = []
     for word in text.split():
         try:
@@ -72,40 +72,35 @@ def _rounded(text: str) -> str:
     return " ".join(words)
 
 
-def measure(legs: int, *, with_xacro: bool) -> dict[str, float]:
+def medians(legs: int, folder: Path, setting: Setting, *, with_xacro: bool) -> dict[str, float]:
     """Return the median seconds of each program, having compared what they write."""
-    with tempfile.TemporaryDirectory() as folder:
-        programs = commands(legs, Path(folder), with_xacro=with_xacro)
-        trees = {
-            name: ElementTree.fromstring(run(command)[1]) for name, command in programs.items()
-        }
-        for name, tree in trees.items():
-            if not is_same(trees["script"], tree):
-                raise SystemExit(f"{name} and the script write different robots for {legs} legs")
-        times: dict[str, list[float]] = {name: [] for name in programs}
-        for _ in range(RUNS):
-            for name, command in programs.items():
-                times[name].append(run(command)[0])
-    return {name: statistics.median(seconds) for name, seconds in times.items()}
+    programs = commands(legs, folder, with_xacro=with_xacro)
+    compare(programs, folder)
+    return run_in_turns(programs, setting)
 
 
-def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("legs", nargs="*", type=int, default=[6, 1000, 10000])
-    parser.add_argument("--xacro-up-to", type=int, default=1000, help="too slow beyond")
-    arguments = parser.parse_args()
-    print(f"{'legs':>6}  {'yamaro':>9}  {'script':>9}  {'xacro':>9}  yamaro/script  xacro/yamaro")
-    for legs in arguments.legs:
-        found = measure(legs, with_xacro=legs <= arguments.xacro_up_to)
-        xacro = found.get("xacro")
-        print(
-            f"{legs:>6}  {found['yamaro'] * 1e3:>6.0f} ms  {found['script'] * 1e3:>6.0f} ms  "
-            + (f"{xacro * 1e3:>6.0f} ms" if xacro else f"{'':>9}")
-            + f"  {found['yamaro'] / found['script']:>13.1f}  "
-            + (f"{xacro / found['yamaro']:>12.1f}" if xacro else ""),
-            flush=True,
-        )
+def measure(setting: Setting) -> Iterator[Figure]:
+    few, many, very_many = 6, setting.sized(1_000), setting.sized(10_000)
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        found = medians(few, folder, setting, with_xacro=True)
+        ratio = found["yamaro"] / found["xacro"]
+        yield Figure(f"legs {few}: Yamaro / xacro", ratio, " ×", shown(found), most=0.8)
+
+        found = medians(many, folder, setting, with_xacro=True)
+        ratio = found["xacro"] / found["yamaro"]
+        yield Figure(f"legs {many:,}: xacro / Yamaro", ratio, " ×", shown(found), least=20)
+
+        found = medians(very_many, folder, setting, with_xacro=False)
+        ratio = found["yamaro"] / found["script"]
+        yield Figure(f"legs {very_many:,}: Yamaro / script", ratio, " ×", shown(found), most=5)
+
+        peak = peak_memory(yamaro_command(very_many))
+        size = os.path.getsize(folder / "yamaro.urdf")
+        sizes = f"memory {peak / 1e6:,.0f} MB, output {size / 1e6:,.1f} MB"
+        work = f"legs {very_many:,}: peak memory / output"
+        yield Figure(work, peak / size, " ×", sizes, most=10)
 
 
 if __name__ == "__main__":
-    main()
+    main(measure, __doc__)

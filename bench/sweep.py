@@ -1,0 +1,48 @@
+"""Measures how long one variant takes when a program is converted again with other arguments.
+
+The hexapod is loaded once, and converted with many lengths and loads. Each result is compared
+first with what a conversion from the files gives.
+"""
+
+from __future__ import annotations
+
+import sys
+import warnings
+from collections.abc import Iterator
+from pathlib import Path
+
+from measuring import Figure, Setting, main, take_turns, timed
+
+import yamaro
+
+HEXAPOD = Path(__file__).parent.parent / "examples" / "hexapod" / "hexapod.yaml"
+
+
+def variants(count: int) -> list[dict[str, float]]:
+    """Return the variables of each variant; no two are alike."""
+    return [
+        {"tibia_length": 0.1 + i / 1000, "payload": i / 100, "body_length": 0.2 + i / 500}
+        for i in range(count)
+    ]
+
+
+def measure(setting: Setting) -> Iterator[Figure]:
+    designs = variants(setting.sized(50, 2))
+    program = yamaro.load(HEXAPOD)
+    for design in designs:
+        if program.convert(**design) != yamaro.convert(HEXAPOD, **design):
+            sys.exit(f"the variant {design} differs from what its files give")
+
+    works = {
+        "loaded": lambda: timed(lambda: [program.convert(**design) for design in designs]),
+        "from files": lambda: timed(lambda: [yamaro.convert(HEXAPOD, **d) for d in designs]),
+    }
+    found = take_turns(works, setting)
+    each = {name: seconds / len(designs) * 1e3 for name, seconds in found.items()}
+    yield Figure("a variant of the hexapod, loaded once", each["loaded"], " ms", most=3)
+    yield Figure("a variant of the hexapod, from its files", each["from files"], " ms")
+
+
+if __name__ == "__main__":
+    warnings.simplefilter("ignore", yamaro.YamaroWarning)
+    main(measure, __doc__)
