@@ -66,7 +66,6 @@ class Element:
         self,
         name: str,
         span: Span,
-        *,
         attributes: dict[str, object] | None = None,
         children: list[Node] | None = None,
         trace: Frame | None = None,

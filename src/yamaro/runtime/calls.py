@@ -6,7 +6,7 @@ from ..diagnostics import YamaroError, did_you_mean, failure
 from ..source import Span
 from ..syntax.context import ParseContext
 from ..syntax.names import STATEMENTS
-from ..syntax.nodes import Argument, Body, FunctionNode, Value
+from ..syntax.nodes import Argument, Body, Constant, FunctionNode, Value
 from ..syntax.statements import late_value, parse_body
 from ..syntax.yaml_nodes import MappingNode, SequenceNode
 from .declared import Declaration, notes_on
@@ -90,16 +90,18 @@ class Match:
 
     Attributes:
         node: the function called.
-        values: each value with the name of its parameter, in the order of the arguments.
+        constants: the values that are known from the text, by the names of their parameters.
+        values: each other value with the name of its parameter, in the order of the arguments.
         blocks: each block with the key of its parameter.
         is_complete: whether every parameter is given something.
     """
 
-    __slots__ = ("blocks", "is_complete", "node", "values")
+    __slots__ = ("blocks", "constants", "is_complete", "node", "values")
 
     def __init__(self, node: FunctionNode) -> None:
         """Begin without arguments."""
         self.node = node
+        self.constants: dict[str, Any] = {}
         self.values: list[tuple[str, Value]] = []
         self.blocks: list[tuple[str, Body]] = []
         self.is_complete = False
@@ -156,7 +158,11 @@ def match_arguments(
         if parameter.is_block:
             match.blocks.append((function_key(name), _block(argument, node, late_context)))
         else:
-            match.values.append((name, argument.value or late_value(argument, late_context)))
+            value = argument.value or late_value(argument, late_context)
+            if isinstance(value, Constant):
+                match.constants[name] = value.value
+            else:
+                match.values.append((name, value))
     missing = [
         f"'{parameter.name}'"
         for parameter in positional
@@ -188,7 +194,9 @@ def _block(argument: Argument, node: FunctionNode, late_context: ParseContext) -
 def evaluate_arguments(match: Match, scope: Scope, values: Values) -> dict[str, Any]:
     """Return what the parameters are given, evaluated where the call stands."""
     evaluate = values.value
-    given: dict[str, Any] = {name: evaluate(value, scope) for name, value in match.values}
+    given = match.constants.copy()
+    for name, value in match.values:
+        given[name] = evaluate(value, scope)
     for key, body in match.blocks:
         given[key] = Block(body, scope)
     return given

@@ -208,9 +208,8 @@ class Interpreter:
         self, node: ElementNode, scope: Scope, out: list[Node], body: Body | None
     ) -> None:
         if node.holes is not None and self.shares:
-            form = self.forms.of(node, body, in_part=self.part_depth > 0)
-            written = self.values.written
-            values = tuple([written(hole, scope) for hole in form.holes])
+            form = self.forms.of(node, body, self.part_depth > 0)
+            values = form.evaluate(scope, self.values)
             if self.frame is self.holder:
                 out.append(form.element(values))
             else:

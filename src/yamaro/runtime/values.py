@@ -5,7 +5,7 @@ from __future__ import annotations
 from ..source import Span
 from ..syntax.nodes import Constant, DictValue, ListValue, Value
 from ..syntax.template import Template
-from ..xmltree import format_value, is_number, plain_value
+from ..xmltree import format_number, format_value, is_number, plain_value
 from .expressions import Evaluator
 from .predefined import gather_pairs
 from .scope import Scope
@@ -15,15 +15,15 @@ if TYPE_CHECKING:
     from typing import Any, TypeGuard
 
 
-_ALWAYS_WRITABLE = frozenset((str, float, bool, type(None)))
+ALWAYS_WRITABLE = frozenset((str, float, bool, type(None)))
 _SHORT = 10**15
 """Python refuses to write integers of thousands of digits; those below this it never does."""
 
 
-def _is_writable(value: Any) -> bool:
+def is_writable(value: Any) -> bool:
     """Tell whether writing a value cannot fail."""
     kind = type(value)
-    return kind in _ALWAYS_WRITABLE or (kind is int and -_SHORT < value < _SHORT)
+    return kind in ALWAYS_WRITABLE or (kind is int and -_SHORT < value < _SHORT)
 
 
 class Values:
@@ -81,7 +81,7 @@ class Values:
         if value.only is None:
             return self.joined(value, scope)
         result = self.evaluator.evaluate(value.only, scope)
-        if type(result) not in _ALWAYS_WRITABLE and not _is_writable(result):
+        if type(result) not in ALWAYS_WRITABLE and not is_writable(result):
             self.evaluator.guard(format_value, result, value.only.span())
         return result
 
@@ -90,15 +90,19 @@ class Values:
         evaluate = self.evaluator.evaluate
         pieces = []
         for part in template.parts:
-            if isinstance(part, str):
+            if type(part) is str:
                 pieces.append(part)
                 continue
+            assert not isinstance(part, str)
             value = evaluate(part, scope)
-            if type(value) is str:
+            kind = type(value)
+            if kind is str:
                 pieces.append(value)
+            elif kind is float:
+                pieces.append(format_number(value))
             elif value is None and template.only is None:
                 pieces.append("None")
-            elif _is_writable(value):
+            elif is_writable(value):
                 pieces.append(format_value(value))
             else:
                 pieces.append(self.evaluator.guard(format_value, value, part.span()))
