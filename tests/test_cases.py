@@ -6,6 +6,7 @@ tests/cases/README.md says how a case is written.
 from __future__ import annotations
 
 import difflib
+import functools
 import platform
 import shlex
 import sys
@@ -16,7 +17,9 @@ import pytest
 from lxml import etree
 from packaging.specifiers import SpecifierSet
 
+from yamaro import compiler
 from yamaro.cli import main
+from yamaro.runtime.interpreter import Interpreter
 
 CASES = Path(__file__).parent / "cases"
 OPTIONS = ("args", "command", "env", "python", "strict")
@@ -106,7 +109,10 @@ def rewrite(case: Path, result: Result) -> list[str]:
 
 @pytest.mark.parametrize("case", find_cases(), ids=case_id)
 def test_case_gives_exactly_what_is_expected(
-    case: Path, compile_case: Any, request: pytest.FixtureRequest
+    case: Path,
+    compile_case: Any,
+    request: pytest.FixtureRequest,
+    monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     options = read_options(case)
     if platform.python_version() not in SpecifierSet(options.get("python", "")):
@@ -133,6 +139,14 @@ def test_case_gives_exactly_what_is_expected(
         result.xml,
         result.messages,
     ), "a second run in the same process gives something else"
+    with monkeypatch.context() as patch:
+        patch.setattr(compiler, "Interpreter", functools.partial(Interpreter, shares=False))
+        plain = compile_case(case, options)
+    assert (plain.status, plain.xml, plain.messages) == (
+        result.status,
+        result.xml,
+        result.messages,
+    ), "sharing elements between places changes something"
     left = {name for name in set(sys.modules) - modules_before if is_from_a_case(name)}
     assert not left, f"modules stay in sys.modules: {sorted(left)}"
 

@@ -69,8 +69,10 @@ class Evaluator:
             YamaroError: it raised an exception.
         """
         if python.name is not None:
-            value = scope.get(python.name, MISSING)
-            if value is not MISSING:  # most names are the context's own
+            value = scope.get(python.name, MISSING)  # most names are the context's own
+            if value is MISSING:
+                value = scope.find(python.name)
+            if value is not MISSING:
                 return value
         try:
             return eval(python.code, scope, scope)  # type: ignore[arg-type]
