@@ -183,7 +183,10 @@ def with_trace(element: Element, trace: Frame | None) -> Element:
 
 def format_number(value: float) -> str:
     """Return a float as `repr` of the value rounded to 15 significant digits; no minus zero."""
-    rounded = float(f"{value:.15g}")
+    text = f"{value:.15g}"
+    if "." in text and "e" not in text:
+        return text  # `repr` says the same: what has 15 digits comes through a float unchanged
+    rounded = float(text)
     if rounded - rounded != 0:  # the largest floats have no room to be rounded up
         rounded = value
     return repr(rounded) if rounded else "0.0"
@@ -249,34 +252,49 @@ _ATTRIBUTE_ESCAPES = {
 _TEXT_TABLE = str.maketrans(_TEXT_ESCAPES)
 _ATTRIBUTE_TABLE = str.maketrans(_ATTRIBUTE_ESCAPES)
 
+_LONGEST_REMEMBERED = 16
+"""Characters of a value worth remembering: longer ones seldom come again, and there are many."""
+
 
 def write(root: Element, *, shared: Shared | None = None) -> str:
     """Return the tree as an XML document; raise YamaroError where XML cannot hold a character."""
     out = ['<?xml version="1.0"?>\n']
-    _Writer().write(root, "", out, frozenset(("xml",)))
+    _Writer(shared or {}).write(root, "", "\n", out, frozenset(("xml",)))
     return "".join(out)
 
 
 class _Writer:
-    """Writes elements, remembering the spelling of each attribute value: most come many times."""
+    """Writes elements, remembering what comes again: values of attributes and shared elements."""
 
-    __slots__ = ("_spelled",)
+    __slots__ = ("_passages", "_shared", "_spelled")
 
-    def __init__(self) -> None:
+    def __init__(self, shared: Shared) -> None:
+        self._shared = shared
+        self._passages: dict[int, _Passage] = {}
         self._spelled: dict[str, str] = {}
 
     def write(
-        self, element: Element, indent: str | None, out: list[str], prefixes: frozenset[str]
+        self, element: Element, margin: str, end: str, out: list[str], prefixes: frozenset[str]
     ) -> None:
-        """Write an element on lines of its own, or with no space added if `indent` is None."""
+        """Write an element: on lines of its own, or with no space added if `end` is empty."""
         name = element.name
-        margin, end = ("", "") if indent is None else (indent, "\n")
         head = f"{margin}<{name}"
-        if element.attributes:
-            attributes, prefixes = self._attributes(element, prefixes)
-            head += attributes
-        if ":" in name:
-            _check_prefix(name, element, prefixes)
+        spelled = self._spelled
+        for key, value in element.attributes.items():
+            if type(value) is not str:
+                if value is None:
+                    continue
+                value = format_value(value)
+            if not value.isidentifier():  # most names are, and have nothing to escape
+                escaped = spelled.get(value)
+                if escaped is None:
+                    escaped = _attribute_text(value, element, key)
+                    if len(value) <= _LONGEST_REMEMBERED:
+                        spelled[value] = escaped
+                value = escaped
+            head += f' {key}="{value}"'
+        if ":" in head:
+            prefixes = _prefixes_inside(element, prefixes)
         children = element.children
         if not children:
             out.append(f"{head}/>{end}")
@@ -286,35 +304,29 @@ class _Writer:
                 self._write_mixed(element, head, end, out, prefixes)
                 return
         out.append(f"{head}>{end}")
-        deeper = None if indent is None else indent + "  "
+        deeper = margin + "  " if end else ""
+        shared = self._shared
         for child in children:
-            if isinstance(child, Element):
-                self.write(child, deeper, out, prefixes)
-            elif isinstance(child, Comment):
-                out.append(f"{deeper or ''}<!--{_comment_text(child, element)}-->{end}")
+            if not isinstance(child, Element):
+                if isinstance(child, Comment):
+                    out.append(f"{deeper}<!--{_comment_text(child, element)}-->{end}")
+            elif shared and end and id(child) in shared:
+                self._write_shared(child, deeper, out, prefixes)
+            else:
+                self.write(child, deeper, end, out, prefixes)
         out.append(f"{margin}</{name}>{end}")
 
-    def _attributes(self, element: Element, prefixes: frozenset[str]) -> tuple[str, frozenset[str]]:
-        """Return an element's attributes as text, and the prefixes that are declared inside it."""
-        spelled = self._spelled
-        text = ""
-        prefixed = []
-        for key, value in element.attributes.items():
-            if value is None:
-                continue
-            plain = value if type(value) is str else format_value(value)
-            escaped = spelled.get(plain)
-            if escaped is None:
-                escaped = spelled[plain] = _attribute_text(plain, element, key)
-            text += f' {key}="{escaped}"'
-            if ":" in key:
-                prefixed.append(key)
-        if prefixed:
-            prefixes = _declared(element, prefixes)
-            for key in prefixed:
-                if not key.startswith("xmlns:"):
-                    _check_prefix(key, element, prefixes)
-        return text, prefixes
+    def _write_shared(
+        self, element: Element, margin: str, out: list[str], prefixes: frozenset[str]
+    ) -> None:
+        """Write an element that stands in several places: from the second on, in one piece."""
+        passage = self._passages.get(id(element))
+        if passage is not None and passage.margin == margin and passage.prefixes == prefixes:
+            out.append(passage.text or passage.put_together(out))
+            return
+        start = len(out)
+        self.write(element, margin, "\n", out, prefixes)
+        self._passages[id(element)] = _Passage(margin, prefixes, start, len(out))
 
     def _write_mixed(
         self, element: Element, head: str, end: str, out: list[str], prefixes: frozenset[str]
@@ -327,9 +339,32 @@ class _Writer:
             elif isinstance(child, Comment):
                 inner.append(f"<!--{_comment_text(child, element)}-->")
             else:
-                self.write(child, None, inner, prefixes)
+                self.write(child, "", "", inner, prefixes)
         content = "".join(inner)
         out.append(f"{head}>{content}</{element.name}>{end}" if content else f"{head}/>{end}")
+
+
+class _Passage:
+    """Where a shared element was written, so that its text can be used again in its like.
+
+    The text is only put together for a second place: of elements in elements that stand in several
+    places, one text is needed.
+    """
+
+    __slots__ = ("margin", "prefixes", "start", "stop", "text")
+
+    def __init__(self, margin: str, prefixes: frozenset[str], start: int, stop: int) -> None:
+        """Say that pieces `start` to `stop` were written at a margin, with prefixes declared."""
+        self.margin = margin
+        self.prefixes = prefixes
+        self.start = start
+        self.stop = stop
+        self.text = ""
+
+    def put_together(self, out: list[str]) -> str:
+        """Return the element's text, made of the pieces written for it."""
+        self.text = "".join(out[self.start : self.stop])
+        return self.text
 
 
 def _element_text(text: str, span: Span, element: Element) -> str:
@@ -342,12 +377,29 @@ def _element_text(text: str, span: Span, element: Element) -> str:
 def _attribute_text(text: str, element: Element, key: str) -> str:
     if not (text.isascii() and text.isprintable()):
         check_characters(text, element.value_span(key), trace=element.trace)
+    elif not ("&" in text or "<" in text or ">" in text or '"' in text):
+        return text  # finding nothing to escape is several times faster than escaping nothing
     return text.translate(_ATTRIBUTE_TABLE)
 
 
 def _comment_text(comment: Comment, element: Element) -> str:
     check_characters(comment.text, comment.span, trace=element.trace)
     return comment.text
+
+
+def _prefixes_inside(element: Element, prefixes: frozenset[str]) -> frozenset[str]:
+    """Return the prefixes that are declared inside an element, having checked those it uses."""
+    prefixed = [
+        key for key, value in element.attributes.items() if ":" in key and value is not None
+    ]
+    if prefixed:
+        prefixes = _declared(element, prefixes)
+        for key in prefixed:
+            if not key.startswith("xmlns:"):
+                _check_prefix(key, element, prefixes)
+    if ":" in element.name:
+        _check_prefix(element.name, element, prefixes)
+    return prefixes
 
 
 def _declared(element: Element, prefixes: frozenset[str]) -> frozenset[str]:
@@ -390,6 +442,11 @@ _PREFIX_HINTS = {
     "xacro": "xacro's tags do not exist here; see docs/coming-from-xacro.md",
     "xmlns": "xmlns: begins the attributes that declare prefixes: name/xmlns:gz=https://…",
 }
+
+
+def is_comment_text(text: str) -> bool:
+    """Tell whether a comment can hold the text (production 15, Comment)."""
+    return "--" not in text and not text.endswith("-")
 
 
 def is_xml_character(char: str) -> bool:

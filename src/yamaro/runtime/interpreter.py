@@ -51,6 +51,7 @@ from ..xmltree import (
     PartElement,
     Text,
     format_value,
+    is_comment_text,
     unshared,
     with_trace,
 )
@@ -331,7 +332,7 @@ class Interpreter:
         self, node: CommentNode, scope: Scope, out: list[Node], body: Body | None
     ) -> None:
         text = format_value(self.values.written(node.value, scope))
-        if "--" in text or text.endswith("-"):
+        if not is_comment_text(text):
             raise failure(
                 "bad-comment",
                 "an XML comment cannot hold '--' or end with '-'",

@@ -10,6 +10,7 @@ if TYPE_CHECKING:
     from typing import ParamSpec, TypeVar
 
     from ..source import Span
+    from .keys import PlainKey
     from .python import PythonCode
 
     P = ParamSpec("P")
@@ -26,7 +27,7 @@ class ParseContext:
         "declarations",
         "errors",
         "extents",
-        "known_names",
+        "plain_keys",
         "reporter",
     )
 
@@ -39,7 +40,8 @@ class ParseContext:
             codes: every expression and process block compiled.
             declarations: name, scope and place of everything that declares a name.
             extents: the place of each function or block with its body; inner ones come first.
-            known_names: element names found not to look like misspelt statements.
+            plain_keys: name and attributes of the elements' keys that came before, if nothing in
+                them is evaluated and they came out clean.
         """
         self.reporter = reporter
         self.errors: list[Diagnostic] = []
@@ -47,7 +49,7 @@ class ParseContext:
         self.blocks: tuple[str, ...] = ()
         self.declarations: list[tuple[str, str, Span]] = []
         self.extents: list[Span] = []
-        self.known_names: set[str] = set()
+        self.plain_keys: dict[str, PlainKey] = {}
         self.at_root = False
 
     def attempt(self, parse: Callable[P, T], *args: P.args, **kwargs: P.kwargs) -> T | None:
@@ -55,8 +57,12 @@ class ParseContext:
         try:
             return parse(*args, **kwargs)
         except YamaroError as error:
-            self.errors.extend(error.diagnostics)
+            self.keep(error)
             return None
+
+    def keep(self, error: YamaroError) -> None:
+        """Keep what an error tells."""
+        self.errors.extend(error.diagnostics)
 
     def warn(self, code: str, message: str, span: Span, *, hint: str | None = None) -> None:
         """Keep a warning."""

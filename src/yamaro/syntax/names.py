@@ -106,7 +106,7 @@ def bad_name_character(name: str) -> str | None:
     """
     if not name:
         return ""
-    if name.isalpha() and name.isascii():
+    if name.isidentifier() and name.isascii():
         return None
     for index, char in enumerate(name):
         if char.isascii():

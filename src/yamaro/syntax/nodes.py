@@ -59,13 +59,24 @@ Value = Constant | Template | ListValue | DictValue
 
 
 class Body:
-    """A sequence of statements; its identity tells which keys were written in one mapping."""
+    """A sequence of statements; its identity tells which keys were written in one mapping.
 
-    __slots__ = ("span", "statements")
+    Attributes:
+        is_static: whether all statements are elements, texts and comments as they will be put out.
+    """
 
-    def __init__(self, statements: list[Statement], span: Span) -> None:
-        self.statements = statements
-        self.span = span
+    __slots__ = ("is_static", "statements")
+
+    def __init__(self) -> None:
+        """Start without statements."""
+        self.statements: list[Statement] = []
+        self.is_static = True
+
+    def add(self, statement: Statement) -> None:
+        """Add a statement at the end."""
+        self.statements.append(statement)
+        if not isinstance(statement, (Element, Text, Comment)):
+            self.is_static = False
 
 
 class TextContent:
@@ -92,17 +103,35 @@ Content = Body | TextContent | ListContent | None
 
 
 class Attribute:
-    """An attribute in a key; `span` covers its value, `name_span` its name."""
+    """An attribute in a key."""
 
-    __slots__ = ("name", "name_span", "span", "value")
+    __slots__ = ("_key", "_name_place", "_value_place", "name", "value")
 
     def __init__(
-        self, name: str | Template, value: str | Template, *, name_span: Span, span: Span
+        self,
+        name: str | Template,
+        value: str | Template,
+        key: ScalarNode,
+        *,
+        name_place: tuple[int, int],
+        value_place: tuple[int, int],
     ) -> None:
+        """Hold an attribute; the places are stretches of the key's text."""
         self.name = name
         self.value = value
-        self.name_span = name_span
-        self.span = span
+        self._key = key
+        self._name_place = name_place
+        self._value_place = value_place
+
+    @property
+    def span(self) -> Span:
+        """Return the place of the value; of the name and `=` if it is empty."""
+        return self._key.span(*self._value_place)
+
+    @property
+    def name_span(self) -> Span:
+        """Return the place of the name."""
+        return self._key.span(*self._name_place)
 
 
 class ElementNode:

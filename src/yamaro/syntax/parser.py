@@ -75,7 +75,7 @@ def _parse_root(root: YamlNode, document: Document, context: ParseContext) -> No
             statements.append((key, node))
         else:
             context.attempt(_parse_root_element, key, node, document, context)
-    document.sections = parse_pairs(statements, root.span(), context).statements
+    document.sections = parse_pairs(statements, context).statements
     for section in document.sections:
         if isinstance(section, VariablesNode):
             section.is_root = True

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from ..diagnostics import YamaroError, did_you_mean, failure, suggest
-from ..source import Span
+from ..diagnostics import INHERITED, YamaroError, did_you_mean, failure, suggest
+from ..xmltree import Comment, Element, Text, is_comment_text
 from .context import ParseContext
 from .includes import parse_include
 from .iterations import parse_in, parse_iterator, parse_range
-from .keys import find_outside, parse_attributes, parse_name
+from .keys import AttributePlaces, find_outside, parse_attributes, parse_name, parse_plain_key
 from .mappings import Fields, Pairs, item_hint, pairs_of, refuse_not_indented
 from .names import ROOT_STATEMENTS, STATEMENTS, is_function_name, is_identifier
 from .nodes import (
@@ -46,6 +46,8 @@ if TYPE_CHECKING:
     from collections.abc import Callable
     from typing import NoReturn
 
+    from ..xmltree import Node
+    from .keys import PlainKey
     from .yaml_nodes import YamlNode
 
 # --- bodies -----------------------------------------------------------------------------------
@@ -59,15 +61,25 @@ def parse_body(node: YamlNode, what: str, context: ParseContext) -> Body:
     """
     pairs = pairs_of(node, what, context)
     refuse_not_indented(node)
-    return parse_pairs(pairs, node.span(), context)
+    return parse_pairs(pairs, context)
 
 
-def parse_pairs(pairs: Pairs, span: Span, context: ParseContext) -> Body:
+def parse_pairs(pairs: Pairs, context: ParseContext) -> Body:
     """Return the statements that a body's pairs stand for."""
-    statements: list[Statement] = []
+    body = Body()
     chain: IfNode | None = None  # the `if` that an `elif` or `else` may follow
+    plain_keys = {} if context.at_root else context.plain_keys
     for key, node in pairs:
         word = key.text
+        plain = plain_keys.get(word)
+        if plain is None and "/" in word and not context.at_root:
+            plain = parse_plain_key(word)
+            if plain is not None:
+                plain_keys[word] = plain
+        if plain is not None:
+            body.add(_parse_plain(key, plain, node, body, context))
+            chain = None
+            continue
         if word in ("elif", "else"):
             chain = context.attempt(_extend_if, chain, key, node, context)
             continue
@@ -76,8 +88,8 @@ def parse_pairs(pairs: Pairs, span: Span, context: ParseContext) -> Body:
         if statement is None and word == "if":
             chain = IfNode([], key.span())
         if statement is not None:
-            statements.append(statement)
-    return Body(statements, span)
+            body.add(_as_put_out(statement, body))
+    return body
 
 
 def parse_statement(key: ScalarNode, node: YamlNode, context: ParseContext) -> Statement:
@@ -144,7 +156,8 @@ def _parse_bare(key: ScalarNode, node: YamlNode, context: ParseContext) -> State
         if isinstance(template, Template):
             return _parse_dynamic(key, template, node, context)
     element = _parse_element(key, 0, len(word), node, context, verbatim=False)
-    if word not in context.known_names:
+    if word not in context.plain_keys and isinstance(element.name, str):
+        context.plain_keys[word] = (element.name, {})
         _warn_of_misspelt_statement(key, node, context)
     return element
 
@@ -169,7 +182,6 @@ _LOOK_MISSPELT = frozenset(
 def _warn_of_misspelt_statement(key: ScalarNode, node: YamlNode, context: ParseContext) -> None:
     """Warn of an element that reads like a misspelt statement, such as `inlcude: leg.yaml`."""
     word = key.text
-    context.known_names.add(word)
     if word in _LOOK_MISSPELT:
         return
     if word == "import":
@@ -202,6 +214,48 @@ def _keys_inside(node: YamlNode) -> set[str]:
 # --- elements ---------------------------------------------------------------------------------
 
 
+def _as_put_out(statement: Statement, body: Body) -> Statement:
+    """Return an element, text or comment in which nothing is evaluated as it will be put out.
+
+    What is evaluated, or may fail when it is run, is returned as it is.
+    """
+    if isinstance(statement, ElementNode):
+        return _element_put_out(statement, body)
+    if isinstance(statement, TextNode) and isinstance(statement.value, str):
+        return Text(statement.value, statement.span)
+    if isinstance(statement, CommentNode) and isinstance(statement.value, str):
+        if is_comment_text(statement.value):
+            return Comment(statement.value, statement.span)
+    return statement
+
+
+def _element_put_out(node: ElementNode, body: Body) -> Element | ElementNode:
+    children = _static_children(node.content)
+    if children is None or node.holes != ():
+        return node
+    return Element(
+        str(node.name),
+        node.span,
+        attributes={str(attribute.name): attribute.value for attribute in node.attributes},
+        children=children,
+        trace=INHERITED,
+        value_spans={str(attribute.name): attribute.span for attribute in node.attributes},
+        verbatim=node.verbatim,
+        body=body,
+    )
+
+
+def _static_children(content: Content) -> list[Node] | None:
+    """Return what an element's content puts out, or None if it has to be run."""
+    if content is None:
+        return []
+    if isinstance(content, Body) and content.is_static:
+        return content.statements  # type: ignore[return-value]  # `is_static` says what they are
+    if isinstance(content, TextContent) and isinstance(content.value, str):
+        return [Text(content.value, content.span)]
+    return None
+
+
 def _parse_element(
     key: ScalarNode,
     start: int,
@@ -226,6 +280,34 @@ def _parse_element(
     if slash >= 0:
         attributes = parse_attributes(key, slash + 1, end, context=context)
     return ElementNode(name, attributes, content, span=key.span(), verbatim=verbatim)
+
+
+def _parse_plain(
+    key: ScalarNode, plain: PlainKey, node: YamlNode, body: Body, context: ParseContext
+) -> Element | ElementNode:
+    """Parse an element whose key has been read, as `_parse_element` and `_as_put_out` would."""
+    name, attributes = plain
+    try:
+        content = parse_content(node, context)
+    except YamaroError as error:
+        context.keep(error)
+        content = None
+    children = [] if content is None else _static_children(content)
+    if children is None:
+        own = []
+        if attributes:
+            text = key.text
+            own = parse_attributes(key, text.index("/") + 1, len(text), context=context)
+        return ElementNode(name, own, content, span=key, verbatim=False)
+    return Element(
+        name,
+        key,
+        attributes=attributes,
+        children=children,
+        trace=INHERITED,
+        value_spans=AttributePlaces(key) if attributes else None,
+        body=body,
+    )
 
 
 def _parse_angled(key: ScalarNode, node: YamlNode, context: ParseContext) -> Statement:
@@ -358,7 +440,7 @@ def _parse_branch(
     pairs = pairs_of(node, f"`{word}`", context)
     fields = Fields(word, pairs, ("condition", "body"), key.span())
     body_node = fields.get("body")
-    body = Body([], key.span())
+    body = Body()
     if body_node is not None:
         body = context.attempt(parse_body, body_node, f"the body of `{word}`", context) or body
     condition = parse_condition(fields.need("condition", "length > 1.0"), context)
@@ -393,7 +475,7 @@ def _extend_if(
     if len(pairs) == 1 and pairs[0][0].text == "body":
         body = parse_body(pairs[0][1], "`else`", context)
     else:
-        body = parse_pairs(pairs, node.span(), context)
+        body = parse_pairs(pairs, context)
     chain.branches.append((None, body))
     return None
 
@@ -413,7 +495,7 @@ def _parse_for(key: ScalarNode, node: YamlNode, context: ParseContext) -> ForNod
     pairs = pairs_of(node, "`for`", context)
     fields = Fields("for", pairs, ("iterator", "range", "in", "body"), key.span())
     body_node = fields.get("body")
-    body = Body([], key.span())
+    body = Body()
     if body_node is not None:
         body = context.attempt(parse_body, body_node, "the body of `for`", context) or body
     names = parse_iterator(fields.need("iterator", "i"), context)
@@ -508,7 +590,7 @@ def _parse_function(key: ScalarNode, node: YamlNode, context: ParseContext) -> F
     hidden = {parameter.name for parameter in parameters if not parameter.is_block}
     context.blocks = (*(block for block in outer if block not in hidden), *own)
     try:
-        body = Body([], key.span())
+        body = Body()
         if body_node is not None:
             body = context.attempt(parse_body, body_node, f"the function {name}", context) or body
     finally:
