@@ -112,8 +112,8 @@ def test_the_inverse_undoes(xyz, rpy):
 
 def pose_of(xyz, rpy):
     span = Span(Source("x", name="x"), 0, 1)
-    rows = (Numbers(tuple(map(repr, values)), values) for values in (xyz, rpy))
-    return Pose(*rows, span=span, spans=None, rotation=rotation_from_rpy(*rpy))
+    position, angles = (Numbers(tuple(map(repr, values)), values) for values in (xyz, rpy))
+    return Pose(position, angles, span, None, rotation_from_rpy(*rpy))
 
 
 poses = st.builds(pose_of, vectors, rpys)

@@ -322,6 +322,10 @@ class Record:
         self.spans: dict[str, Span] = {}
         self.others: list[Node] = []
 
+    def element(self, key: Element) -> Element:
+        """Return the element of a key's name with these attributes, which stands where it does."""
+        return Element(key.name, key.span, self.values, self.others, key.trace, self.spans)
+
 
 def read_record(lowering: Lowering, key: Element, scalar: str | None) -> Record:
     """Return the attributes of an element such as `limit`, `axis`, `mimic` or `material`.
@@ -335,10 +339,21 @@ def read_record(lowering: Lowering, key: Element, scalar: str | None) -> Record:
         YamaroError: a bare value where none is meant, or an attribute given twice.
     """
     record = Record()
-    for name, value in key.attributes.items():
-        if value is not None:
-            record.values[name] = value
-            record.spans[name] = key.value_span(name)
+    if key.attributes:
+        for name, value in key.attributes.items():
+            if value is not None:
+                record.values[name] = value
+                record.spans[name] = key.value_span(name)
+    children = key.children
+    if len(children) == 1 and type(children[0]) is Text:
+        _read_scalar(key, children[0], scalar, record)
+    elif children:
+        _read_children(lowering, key, scalar, record)
+    return record
+
+
+def _read_children(lowering: Lowering, key: Element, scalar: str | None, record: Record) -> None:
+    """Take the attributes from a mapping, and what is not an attribute into `others`."""
     written: dict[str, Element] = {}
     for child in key.children:
         if isinstance(child, Text):
@@ -349,7 +364,6 @@ def read_record(lowering: Lowering, key: Element, scalar: str | None) -> Record:
             record.others.append(child)
         elif child.children and not is_left_out(child):
             _read_child(lowering, key, child, record, written)
-    return record
 
 
 def _is_attribute(child: Element) -> bool:
@@ -379,7 +393,7 @@ def _read_scalar(key: Element, text: Text, scalar: str | None, record: Record) -
         )
     if scalar in record.values:
         raise _attribute_twice(key, scalar, text.span, record)
-    record.values[scalar] = text.value
+    record.values[scalar] = value
     record.spans[scalar] = text.span
 
 

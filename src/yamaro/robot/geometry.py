@@ -250,10 +250,8 @@ def _element(geometry: Geometry) -> Element:
         words = scale.words if len(names) > 1 else (scale.text,)
         attributes = dict(zip(names, words, strict=True))
         spans = dict.fromkeys(names, scale_span)
-    shape = Element(
-        geometry.kind, key.span, attributes=attributes, value_spans=spans, trace=key.trace
-    )
-    return Element("geometry", key.span, children=[shape], trace=key.trace)
+    shape = Element(geometry.kind, key.span, attributes, [], key.trace, spans)
+    return Element("geometry", key.span, {}, [shape], key.trace)
 
 
 # --- shapes for inertia -----------------------------------------------------------------------

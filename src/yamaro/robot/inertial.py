@@ -77,14 +77,9 @@ def lower_inertial(
         inertia_element,
     ]
     attributes = owner.attributes if owner.name == "inertial" else {}
-    return Element(
-        "inertial",
-        owner.span,
-        attributes=attributes,
-        children=children + fields.rest,
-        trace=owner.trace,
-        value_spans=owner.value_spans if attributes else None,
-    )
+    children += fields.rest
+    spans = owner.value_spans if attributes else None
+    return Element("inertial", owner.span, attributes, children, owner.trace, spans)
 
 
 class _Body:
@@ -181,13 +176,7 @@ def _one(lowering: Lowering, key: Element, value: object, span: Span) -> Numbers
 
 
 def _mass_element(key: Element, text: str, span: Span) -> Element:
-    return Element(
-        "mass",
-        key.span,
-        attributes={"value": text},
-        value_spans={"value": span},
-        trace=key.trace,
-    )
+    return Element("mass", key.span, {"value": text}, [], key.trace, {"value": span})
 
 
 # --- inertia ----------------------------------------------------------------------------------
@@ -229,14 +218,7 @@ def _given_inertia(lowering: Lowering, key: Element) -> Element:
             trace=key.trace,
         )
         record.values[name] = number.text
-    return Element(
-        "inertia",
-        key.span,
-        attributes=record.values,
-        children=record.others,
-        value_spans=record.spans,
-        trace=key.trace,
-    )
+    return record.element(key)
 
 
 def _computed_inertia(owner: Element, body: _Body, moments: tuple[float, ...]) -> Element:
@@ -246,7 +228,7 @@ def _computed_inertia(owner: Element, body: _Body, moments: tuple[float, ...]) -
         name: format_number(value) if value else "0"
         for name, value in zip(MOMENTS, moments, strict=True)
     }
-    return Element("inertia", owner.span, attributes=words, trace=owner.trace)
+    return Element("inertia", owner.span, words, [], owner.trace)
 
 
 def _too_large(key: Element) -> YamaroError:

@@ -9,7 +9,7 @@ from ..xmltree import Element, format_number, format_value
 from .fields import read_record, read_value, sort_fields, with_attributes, word_of
 from .numbers import read_numbers
 from .places import JOINT, RECORD_KEYS
-from .pose import origin_element, read_pose
+from .pose import lower_origin
 from .urdf import JOINT_TYPES, joint_type_hint
 
 TYPE_CHECKING = False
@@ -106,14 +106,7 @@ def _joint_element(
     for attribute, value in key.attributes.items():
         attributes.setdefault(attribute, value)
         spans.setdefault(attribute, key.value_span(attribute))
-    return Element(
-        "joint",
-        key.span,
-        attributes=attributes,
-        children=children,
-        trace=key.trace,
-        value_spans=spans,
-    )
+    return Element("joint", key.span, attributes, children, key.trace, spans)
 
 
 def _read_type(lowering: Lowering, key: Element, fields: Fields) -> JointType:
@@ -183,14 +176,7 @@ def _lower_parent(lowering: Lowering, parent_key: Element) -> Element:
     record.values["link"] = word_of(
         "parent", record.values["link"], record.spans["link"], owner=parent_key
     )
-    return Element(
-        "parent",
-        parent_key.span,
-        attributes=record.values,
-        children=record.others,
-        trace=parent_key.trace,
-        value_spans=record.spans,
-    )
+    return record.element(parent_key)
 
 
 def _child_element(lowering: Lowering, key: Element, fields: Fields, child: str) -> Element:
@@ -205,11 +191,11 @@ def _child_element(lowering: Lowering, key: Element, fields: Fields, child: str)
             hint="leave 'child' out; to name the link yourself, write link/name=…",
             trace=child_key.trace,
         )
-    return Element("child", key.span, attributes={"link": child}, trace=key.trace)
+    return Element("child", key.span, {"link": child}, [], key.trace)
 
 
 def _origin_element(lowering: Lowering, key: Element, fields: Fields, child: str) -> Element:
-    return fields.plain.get("origin") or origin_element(read_pose(lowering, fields), key)
+    return fields.plain.get("origin") or lower_origin(lowering, fields, key)
 
 
 # --- axis, limit and the like -----------------------------------------------------------------
@@ -239,14 +225,7 @@ def _lower_record(lowering: Lowering, key: Element) -> Element:
             hint="write axis: 0 0 1" if name == "axis" else "write mimic: with a joint's name",
             trace=key.trace,
         )
-    return Element(
-        name,
-        key.span,
-        attributes=record.values,
-        children=record.others,
-        trace=key.trace,
-        value_spans=record.spans,
-    )
+    return record.element(key)
 
 
 def _assume_limits(
@@ -258,11 +237,15 @@ def _assume_limits(
     children: list[Node],
 ) -> None:
     """Fill in what URDF needs of a revolute or prismatic joint's limit, with one warning."""
-    limits = [c for c in children if isinstance(c, Element) and c.name == "limit"]
-    is_faulty = "limit" in fields.keys and not limits
-    if is_faulty or any(limit.verbatim for limit in limits):
-        return
-    given = limits[0].attributes if limits else {}
+    limit: Element | None = None
+    for node in children:
+        if isinstance(node, Element) and node.name == "limit":
+            if node.verbatim:
+                return
+            limit = node
+    if limit is None and "limit" in fields.keys:
+        return  # it is faulty, which has been reported
+    given = limit.attributes if limit is not None else {}
     lower, upper = ASSUMED_RANGES[joint_type.name]
     assumed: dict[str, object] = {}
     if "lower" not in given and "upper" not in given:
@@ -273,10 +256,10 @@ def _assume_limits(
         assumed["velocity"] = ASSUMED_VELOCITY
     if not assumed:
         return
-    if limits:
-        span = limits[0].span
+    if limit is not None:
+        span = limit.span
         full = {**assumed, **given} if "lower" in assumed else {**given, **assumed}
-        children[children.index(limits[0])] = with_attributes(limits[0], full)
+        children[children.index(limit)] = with_attributes(limit, full)
     else:
         span = joint_type.key_span
         children.append(Element("limit", span, attributes=assumed, trace=key.trace))

@@ -34,14 +34,8 @@ def lower_link(lowering: Lowering, key: Element, name: str) -> Element:
     attributes: dict[str, object] = {"name": name}
     for attribute, value in key.attributes.items():
         attributes.setdefault(attribute, value)
-    return Element(
-        "link",
-        key.span,
-        attributes=attributes,
-        children=lowering.once(key, _lower_children),
-        trace=key.trace,
-        value_spans=key.value_spans,
-    )
+    children = lowering.once(key, _lower_children)
+    return Element("link", key.span, attributes, children, key.trace, key.value_spans)
 
 
 def _lower_children(lowering: Lowering, key: Element) -> list[Node]:

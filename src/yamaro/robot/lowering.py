@@ -27,6 +27,7 @@ class Lowering:
     Attributes:
         has_capsule: whether the robot's URDF version knows capsules.
         shared: the elements that stand in several places, with notes of what they come out as.
+        origins: the `<origin>` made of shared keys, by the identity of these.
         numbers: the numbers in a text; most texts occur many times.
         moments: the volume integrals of the mesh files read so far, by path.
         near_keys: what a key in a place was found to be a misspelling of.
@@ -46,6 +47,7 @@ class Lowering:
         "moments",
         "near_keys",
         "numbers",
+        "origins",
         "parents",
         "part_joints",
         "part_links",
@@ -68,6 +70,7 @@ class Lowering:
         self.has_capsule = has_capsule
         self.shared = shared
         self.errors: list[Diagnostic] = []
+        self.origins: dict[tuple[int, ...], Element] = {}
         self.numbers: dict[str, Numbers] = {}
         self.moments: dict[str, SolidMoments] = {}
         self.near_keys: dict[tuple[str, str], str | None] = {}

@@ -118,11 +118,5 @@ def _required(record: Record, name: str, key: Element, what: str) -> tuple[objec
 
 
 def _detail(key: Element, record: Record, name: str, text: str) -> Element:
-    return Element(
-        key.name,
-        key.span,
-        attributes={**record.values, name: text},
-        children=record.others,
-        trace=key.trace,
-        value_spans=record.spans,
-    )
+    record.values[name] = text
+    return record.element(key)

@@ -256,7 +256,8 @@ def _read_words(key: Element) -> list[str]:
     """Return the one or two words of a part's name."""
     value, span = read_value(key)
     items = value if isinstance(value, list) else (value,)
-    words = " ".join(map(format_value, items)).replace(",", " ").split()
+    text = value if type(value) is str else " ".join(map(format_value, items))
+    words = text.replace(",", " ").split()
     if not words:
         raise failure(
             "missing-name",
@@ -295,7 +296,7 @@ def _resolve_names(lowering: Lowering, robot: Element) -> None:
         if name in links:
             continue
         if name in lowering.part_links:
-            _refer(lowering, joint, parent, {"link": lowering.part_links[name]})
+            _refer(lowering, joint, parent, "link", lowering.part_links[name])
         elif name == ROOT_LINK and root_link is None:
             root_link = parent
     joints = _names(robot, "joint") if lowering.mimics else frozenset()
@@ -303,7 +304,7 @@ def _resolve_names(lowering: Lowering, robot: Element) -> None:
         mimic = _reference(joint, "mimic")
         name = str(mimic.attributes["joint"])
         if name not in joints and name in lowering.part_joints:
-            _refer(lowering, joint, mimic, {"joint": lowering.part_joints[name]})
+            _refer(lowering, joint, mimic, "joint", lowering.part_joints[name])
     if root_link is not None:
         link = Element(
             "link",
@@ -317,9 +318,11 @@ def _resolve_names(lowering: Lowering, robot: Element) -> None:
 def _names(robot: Element, kind: str) -> frozenset[str]:
     """Return the names of the robot's links or joints, whether from parts or plain XML."""
     return frozenset(
-        format_value(child.attributes.get("name"))
-        for child in robot.children
-        if isinstance(child, Element) and child.name == kind
+        [
+            format_value(child.attributes.get("name"))
+            for child in robot.children
+            if isinstance(child, Element) and child.name == kind
+        ]
     )
 
 
@@ -332,16 +335,16 @@ def _reference(joint: Element, name: str) -> Element:
 
 
 def _refer(
-    lowering: Lowering, joint: Element, reference: Element, names: dict[str, object]
+    lowering: Lowering, joint: Element, reference: Element, attribute: str, name: str
 ) -> None:
-    """Let a reference in a joint bear other names; one that is shared is replaced, not changed."""
+    """Let a reference in a joint bear another name; one that is shared is replaced, not changed."""
     notes = lowering.shared.get(id(reference))
     if notes is None:
-        reference.attributes.update(names)
+        reference.attributes[attribute] = name
         return
     resolved = notes.get("resolved")
     if resolved is None:
-        resolved = with_attributes(reference, {**reference.attributes, **names})
+        resolved = with_attributes(reference, {**reference.attributes, attribute: name})
         notes["resolved"] = resolved
         lowering.shared[id(resolved)] = {}
     joint.children[joint.children.index(reference)] = resolved

@@ -8,10 +8,11 @@ from __future__ import annotations
 from math import isfinite
 from operator import add
 
-from ..diagnostics import failure
+from ..diagnostics import INHERITED, failure
 from ..xmltree import Element
 from .fields import empty_value, read_record, read_value
 from .numbers import NEGLIGIBLE, Numbers, format_component, read_numbers
+from .places import POSE_KEYS
 from .transforms import ZERO, multiply, rotate, rotation_from_rpy, rpy_from_rotation
 
 TYPE_CHECKING = False
@@ -43,7 +44,6 @@ class Pose:
         self,
         xyz: Numbers,
         rpy: Numbers,
-        *,
         span: Span | None,
         spans: dict[str, Span] | None,
         rotation: Rotation | None = None,
@@ -71,6 +71,8 @@ NO_POSE = Pose(ZERO_ROW, ZERO_ROW, span=None, spans=None)
 
 def pose_at(position: Vector) -> Pose:
     """Return the pose of a frame that is only moved; what is only rounding counts as 0."""
+    if position == ZERO:
+        return NO_POSE
     values = tuple(0.0 if abs(c) < NEGLIGIBLE else c for c in position)
     return Pose(_computed_row(values), ZERO_ROW, span=None, spans=None)
 
@@ -161,7 +163,7 @@ def _place(
         span: the first key of the pose.
         spans: where each of the three is written; becomes the spans of the pose.
     """
-    pose = Pose(xyz or ZERO_ROW, rpy or ZERO_ROW, span=span, spans=spans)
+    pose = Pose(xyz or ZERO_ROW, rpy or ZERO_ROW, span, spans)
     pivot_span = spans.pop("pivot", span)
     if pivot is not None and not pivot.is_zero():
         x, y, z = pivot.values
@@ -182,7 +184,7 @@ def compose_poses(outer: Pose, inner: Pose) -> Pose:
     moved = _rotated(outer, inner.xyz.values)
     xyz = _sum(outer.xyz, moved, None if is_turned else inner.xyz.words)
     spans = {**(outer.spans or {}), **(inner.spans or {})}
-    return Pose(xyz, rpy, span=inner.span or outer.span, spans=spans, rotation=rotation)
+    return Pose(xyz, rpy, inner.span or outer.span, spans, rotation)
 
 
 def _composed_rotation(outer: Pose, inner: Pose) -> tuple[Rotation | None, Numbers]:
@@ -217,6 +219,24 @@ def _sum(first: Numbers, second: tuple[float, ...], second_words: Words | None) 
     return Numbers(tuple(words), tuple(map(add, first.values, second)))
 
 
+def lower_origin(lowering: Lowering, fields: Fields, owner: Element) -> Element:
+    """Return `<origin>` as the keys of a joint give it: the same one where they all are shared.
+
+    Raises:
+        YamaroError: see `read_pose` and `origin_element`.
+    """
+    keys = tuple([id(key) for name, key in fields.keys.items() if name in POSE_KEYS])
+    origin = lowering.origins.get(keys)
+    if origin is None:
+        origin = origin_element(read_pose(lowering, fields), owner)
+        shared = lowering.shared
+        if keys and all(map(shared.__contains__, keys)):
+            origin.trace = INHERITED
+            lowering.origins[keys] = origin
+            shared[id(origin)] = {}
+    return origin
+
+
 def origin_element(pose: Pose, owner: Element) -> Element:
     """Return `<origin>` with both attributes, placed at the pose's first key or else its owner.
 
@@ -231,10 +251,5 @@ def origin_element(pose: Pose, owner: Element) -> Element:
             hint="positions are in metres",
             trace=owner.trace,
         )
-    return Element(
-        "origin",
-        pose.span or owner.span,
-        attributes={"xyz": pose.xyz.text, "rpy": pose.rpy.text},
-        value_spans=pose.spans,
-        trace=owner.trace,
-    )
+    attributes: dict[str, object] = {"xyz": pose.xyz.text, "rpy": pose.rpy.text}
+    return Element("origin", pose.span or owner.span, attributes, [], owner.trace, pose.spans)
