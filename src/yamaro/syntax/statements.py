@@ -77,7 +77,7 @@ def parse_pairs(pairs: Pairs, context: ParseContext) -> Body:
             if plain is not None:
                 plain_keys[word] = plain
         if plain is not None:
-            body.add(_parse_plain(key, plain, node, body, context))
+            _add_plain(key, plain, node, body, context)
             chain = None
             continue
         if word in ("elif", "else"):
@@ -282,10 +282,13 @@ def _parse_element(
     return ElementNode(name, attributes, content, span=key.span(), verbatim=verbatim)
 
 
-def _parse_plain(
+def _add_plain(
     key: ScalarNode, plain: PlainKey, node: YamlNode, body: Body, context: ParseContext
-) -> Element | ElementNode:
-    """Parse an element whose key has been read, as `_parse_element` and `_as_put_out` would."""
+) -> None:
+    """Add an element whose key has been read to a body, as the long way round would.
+
+    Nearly every line of a file without expressions comes through here.
+    """
     name, attributes = plain
     try:
         content = parse_content(node, context)
@@ -298,15 +301,18 @@ def _parse_plain(
         if attributes:
             text = key.text
             own = parse_attributes(key, text.index("/") + 1, len(text), context=context)
-        return ElementNode(name, own, content, span=key, verbatim=False)
-    return Element(
-        name,
-        key,
-        attributes=attributes,
-        children=children,
-        trace=INHERITED,
-        value_spans=AttributePlaces(key) if attributes else None,
-        body=body,
+        body.add(ElementNode(name, own, content, span=key, verbatim=False))
+        return
+    body.statements.append(
+        Element(
+            name,
+            key,
+            attributes=attributes,
+            children=children,
+            trace=INHERITED,
+            value_spans=AttributePlaces(key) if attributes else None,
+            body=body,
+        )
     )
 
 
@@ -343,6 +349,8 @@ def parse_content(node: YamlNode, context: ParseContext) -> Content:
             warn_of_hidden_value(node, context)
             return None
         return TextContent(parse_template(node, context=context), node.span())
+    if isinstance(node, MappingNode):
+        return parse_pairs(node.pairs, context)
     if isinstance(node, SequenceNode):
         mappings = sum(isinstance(item, MappingNode) for item in node.items)
         if mappings == 0 and node.items:

@@ -7,6 +7,7 @@ call, a `name:=value` of the command line. It reads as a YAML scalar or flow col
 from __future__ import annotations
 
 from ..diagnostics import failure
+from ..source import Span
 from .context import ParseContext
 from .nodes import Constant, DictValue, ListValue, Value
 from .python import PythonCode, compile_expression, expression_without_dollars, find_close
@@ -76,15 +77,15 @@ def warn_of_hidden_value(node: ScalarNode, context: ParseContext) -> None:
         return
     text = node.source.text
     at = node.start
+    if not text.startswith(" ", at):
+        return
     while at < len(text) and text[at] == " ":
         at += 1
-    if text[at : at + 1] != "#" or at == node.start or not text[at + 1 : at + 2].isalnum():
+    if text[at : at + 1] != "#" or not text[at + 1 : at + 2].isalnum():
         return
     end = at
     while end < len(text) and text[end] not in "\r\n":
         end += 1
-    from ..source import Span
-
     hidden = text[at:end].rstrip()
     context.warn(
         "hidden-value",
@@ -226,4 +227,4 @@ def is_empty(node: YamlNode) -> bool:
     """Tell whether a node is null or an empty text."""
     if not isinstance(node, ScalarNode):
         return False
-    return not node.text if node.style != PLAIN else is_null(node.text)
+    return not node.text or (node.style == PLAIN and is_null(node.text))
