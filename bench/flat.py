@@ -19,13 +19,13 @@ import yamaro
 LINK = """\
   link/name=link_{i}:
     inertial:
-      origin/xyz=0.1 0.2 {x}, rpy=0 0 0:
+      origin/xyz=0.125 0.25 {x}, rpy=0 0 0:
       mass/value=1.5:
       inertia/ixx=0.0125, ixy=0, ixz=0, iyy=0.0125, iyz=0, izz=0.0125:
     visual:
       origin/xyz=0 0 0, rpy=0 1.5707 0:
       geometry:
-        cylinder/radius=0.05, length=0.2:
+        cylinder/radius=0.0525, length=0.2125:
       material/name=grey:
     collision:
       geometry:
