@@ -75,7 +75,7 @@ class Evaluator:
             if value is not MISSING:
                 return value
         try:
-            return eval(python.code, scope, scope)  # type: ignore[arg-type]
+            return eval(python.code, scope, scope)
         except KeyboardInterrupt:
             raise
         except BaseException as error:
@@ -88,7 +88,7 @@ class Evaluator:
             YamaroError: they raised an exception.
         """
         try:
-            exec(python.code, scope, scope)  # type: ignore[arg-type]
+            exec(python.code, scope, scope)
         except KeyboardInterrupt:
             raise
         except BaseException as error:
@@ -172,7 +172,7 @@ class Evaluator:
         """
         traceback = error.__traceback__
         place = _Place(python, python.span(), None, [])
-        own = python.code.co_filename if python.code is not None else ""
+        own = python.code.co_filename
         while traceback is not None:
             code = traceback.tb_frame.f_code
             found = python if code.co_filename == own else self.codes.get(code.co_filename)

@@ -47,7 +47,9 @@ def parse(source: Source, *, reporter: Reporter) -> Document:
 
 def register(document: Document, python: PythonCode) -> None:
     """Note the names that some Python reads, and where its functions are written."""
-    assert python.code is not None
+    if python.name is not None:
+        document.names_read.add(python.name)
+        return
     pending: list[CodeType] = [python.code]
     while pending:
         code = pending.pop()

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from ..diagnostics import failure
+from .names import is_identifier, python_name
 from .yaml_nodes import PLAIN, quoted
 
 TYPE_CHECKING = False
@@ -18,13 +19,14 @@ _OPERATOR_WORDS = ("if", "else", "in", "is", "and", "or", "not", "for")
 
 
 class PythonCode:
-    """A compiled expression or block of statements, and where in the YAML it stands.
+    """An expression or block of statements, and where in the YAML it stands.
 
     Attributes:
-        name: if the expression is a single name, that name; else None.
+        name: if the expression is a single name, that name; else None. Nothing can be wrong with
+            it and most are looked up without code, so that it is compiled only if that is needed.
     """
 
-    __slots__ = ("code", "index", "name", "node", "opening", "text")
+    __slots__ = ("_code", "index", "name", "node", "opening", "text")
 
     def __init__(self, text: str, node: ScalarNode, index: int, *, opening: str) -> None:
         """Hold Python text that begins at `node.text[index]`.
@@ -39,8 +41,21 @@ class PythonCode:
         self.node = node
         self.index = index
         self.opening = opening
-        self.code: CodeType | None = None
         self.name: str | None = None
+        self._code: CodeType | None = None
+
+    @property
+    def code(self) -> CodeType:
+        """Return the code object."""
+        if self._code is None:
+            assert self.name is not None, "all but names is compiled when it is parsed"
+            self.compile(f"({self.text}\n)", "eval")
+            assert self._code is not None
+        return self._code
+
+    def compile(self, text: str, mode: str) -> None:
+        """Compile what the text stands for; raise what Python's `compile` raises."""
+        self._code = compile(text, self.filename, mode, dont_inherit=True)
 
     def span(self, start: int = 0, end: int | None = None) -> Span:
         """Return the place of `text[start:end]`; by default of all the text, trimmed."""
@@ -83,7 +98,7 @@ class PythonCode:
 def compile_expression(
     text: str, node: ScalarNode, index: int, *, meaning: str | None = None
 ) -> PythonCode:
-    """Return the compiled expression that stands at `node.text[index:]`.
+    """Return the expression that stands at `node.text[index:]`, with nothing wrong in it.
 
     Args:
         text: the expression as written.
@@ -106,15 +121,13 @@ def compile_expression(
             if index
             else "write a Python expression, such as length > 1.0",
         )
-    _compile(
-        python,
-        f"({text if meaning is None else meaning}\n)",
-        "eval",
-        "this is not a Python expression",
-    )
-    assert python.code is not None
-    if python.code.co_names == (text.strip(),):
-        python.name = python.code.co_names[0]
+    name = text.strip(" ")
+    if meaning is not None and meaning != text:
+        _compile(python, f"({meaning}\n)", "eval", "this is not a Python expression")
+    elif is_identifier(name) and python_name(name) == name and name != "__debug__":
+        python.name = name
+    else:
+        _compile(python, f"({text}\n)", "eval", "this is not a Python expression")
     return python
 
 
@@ -131,7 +144,7 @@ def compile_statements(node: ScalarNode) -> PythonCode:
 
 def _compile(python: PythonCode, text: str, mode: str, message: str) -> None:
     try:
-        python.code = compile(text, python.filename, mode, dont_inherit=True)
+        python.compile(text, mode)
     except SyntaxError as error:
         raise _syntax_failure(python, error, message) from None
     except (ValueError, OverflowError, RecursionError, MemoryError) as error:
