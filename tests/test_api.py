@@ -465,3 +465,20 @@ def test_every_public_name_is_there_and_described() -> None:
     for name in yamaro.__all__:
         assert getattr(yamaro, name).__doc__
         assert f"`{name}`" in page or f"`yamaro.{name}`" in page
+
+
+# --- the names of the package -----------------------------------------------------------------
+
+
+def test_every_public_name_is_there_and_listed() -> None:
+    for name in yamaro.__all__:
+        assert getattr(yamaro, name).__name__ == name
+        assert name in dir(yamaro)
+    everything: dict[str, object] = {}
+    exec("from yamaro import *", everything)
+    assert set(yamaro.__all__) <= set(everything)
+
+
+def test_a_name_that_is_not_public_is_an_attribute_error() -> None:
+    with pytest.raises(AttributeError, match="module 'yamaro' has no attribute 'compile'"):
+        yamaro.compile  # type: ignore[attr-defined] # noqa: B018

@@ -6,8 +6,6 @@ a diagnostic is shown, so carrying a span costs next to nothing.
 
 from __future__ import annotations
 
-from bisect import bisect_right
-
 STANDARD_INPUT = "-"
 """The path that stands for standard input."""
 STANDARD_INPUT_NAME = "<standard input>"
@@ -48,6 +46,8 @@ class Source:
 
     def location(self, offset: int) -> tuple[int, int]:
         """Return the line and column of `offset`, both counted from 1, in characters."""
+        from bisect import bisect_right
+
         starts = self.line_starts()
         line = bisect_right(starts, offset)
         return line, offset - starts[line - 1] + 1

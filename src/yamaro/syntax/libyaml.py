@@ -33,20 +33,16 @@ def _load_binding() -> Any:
         from yaml import _yaml
 
         return _yaml
-    from importlib.machinery import PathFinder
-
-    spec = PathFinder.find_spec("yaml")
-    if spec is None or spec.submodule_search_locations is None:
+    places = _find_package()
+    if places is None:
         raise ImportError("No module named 'yaml'")
     package: ModuleType = type(sys)("yaml")
-    package.__path__ = list(spec.submodule_search_locations)
+    package.__path__ = places
     stand_in: Any = package
     sys.modules["yaml"] = package
     try:
-        from importlib import import_module
-
         for name in ("error", "tokens", "events", "nodes"):
-            setattr(stand_in, name, import_module(f"yaml.{name}"))
+            setattr(stand_in, name, _import(f"yaml.{name}"))
         base = stand_in.error.MarkedYAMLError
         for module, error in _ERROR_MODULES:
             holder: Any = type(sys)(f"yaml.{module}")
@@ -54,9 +50,23 @@ def _load_binding() -> Any:
             fields = {"__init__": _init_reader_error} if error == "ReaderError" else {}
             setattr(holder, error, type(error, (parent,), fields))
             setattr(stand_in, module, holder)
-        return import_module("yaml._yaml")
+        return _import("yaml._yaml")
     finally:
         del sys.modules["yaml"]
+
+
+def _find_package() -> list[str] | None:
+    """Return the folders of the package, as importlib.util.find_spec does, without that import."""
+    for finder in sys.meta_path:
+        spec = finder.find_spec("yaml", None)
+        if spec is not None and spec.submodule_search_locations is not None:
+            return list(spec.submodule_search_locations)
+    return None
+
+
+def _import(name: str) -> ModuleType:
+    __import__(name)
+    return sys.modules[name]
 
 
 def _init_reader_error(
