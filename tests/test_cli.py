@@ -723,33 +723,81 @@ def test_module_and_script_are_the_same() -> None:
     assert by_script.stderr == by_module.stderr == b"one\ntwo\n"
 
 
+# --- start-up ---------------------------------------------------------------------------------
+
 # Modules that cost start-up time and that a plain conversion must not import.
 HEAVY = {"argparse", "re", "pathlib", "dataclasses", "typing", "logging", "enum", "inspect", "ast"}
 HEAVY |= {"difflib", "signal", "threading", "importlib.metadata", "numpy", "unicodedata", "json"}
+HEAVY |= {"importlib", "collections", "functools", "contextlib", "urllib.parse", "bisect", "yaml"}
+ARM = """\
+robot: arm
+variables: {length: 1.0}
+functions:
+  Rod:
+    input: index
+    body:
+      part:
+        name: rod_$(index)
+        joint: {type: continuous, parent: root_link, axis: 0 1 0, dynamics/friction=0.1: }
+        link: {geometry: cylinder, scale: 0.1 $(length), mass: 1, visual: , collision: }
+model:
+  link/name=root_link:
+  for: {iterator: i, range: 3, body: {Rod: $(i)}}
+"""
 
 
-@pytest.mark.parametrize("words", [["-q"], ["-o", "arm.urdf", "length:=2"], ["-"]])
-def test_plain_conversion_imports_little(words: list[str]) -> None:
+def imported(code: str, *words: str, stdin: str = "") -> set[str]:
+    """Return the modules loaded after code has run in a process of its own."""
     import yaml
 
     import yamaro
 
-    write(PLAIN)
-    files = [] if words == ["-"] else ["robot.yaml"]
-    code = "import sys; from yamaro.cli import main; status = main(); "
-    code += "sys.stderr.write(' '.join([str(status), *sys.modules])) "
     paths = [str(Path(module.__file__ or "").parents[1]) for module in (yamaro, yaml)]
+    code = f"import sys; {code}; print(*sys.modules, file=sys.stderr)"
     result = subprocess.run(
-        [sys.executable, "-S", "-c", code, *files, *(w for w in words if w != "-q")],
-        input=PLAIN.encode() if words == ["-"] else b"",
+        [sys.executable, "-S", "-c", code, *words],
+        input=stdin.encode(),
         capture_output=True,
         env={**os.environ, "PYTHONPATH": os.pathsep.join(paths)},
-        check=False,
+        check=True,
         timeout=60,
     )
-    status, *modules = result.stderr.decode().split()
-    assert status == "0"
+    return set(result.stderr.decode().split())
+
+
+@pytest.mark.parametrize("words", [["robot.yaml"], ["robot.yaml", "-o", "x", "length:=2"], ["-"]])
+@pytest.mark.parametrize("text", [PLAIN, ARM], ids=["plain", "parts"])
+def test_a_conversion_imports_little(words: list[str], text: str) -> None:
+    write(text)
+    stdin = text if words == ["-"] else ""
+    modules = imported("from yamaro.cli import main; assert main() == 0", *words, stdin=stdin)
     assert HEAVY.isdisjoint(modules), sorted(HEAVY.intersection(modules))
+
+
+@pytest.mark.parametrize(
+    ("text", "unused"),
+    [(PLAIN, "yamaro.robot.part"), ("launch: {node/name=n: }\n", "yamaro.robot")],
+    ids=["robot without parts", "no robot"],
+)
+def test_what_a_document_does_not_need_is_not_imported(text: str, unused: str) -> None:
+    write(text)
+    modules = imported("from yamaro.cli import main; assert main() == 0", "robot.yaml")
+    assert "yamaro.compiler" in modules
+    assert unused not in modules
+
+
+@pytest.mark.parametrize(
+    ("code", "words"),
+    [
+        ("import yamaro; yamaro.__version__", []),
+        ("from yamaro.cli import main; main()", ["--version"]),
+        ("from yamaro.cli import main; main()", ["completion", "bash"]),
+    ],
+    ids=["package", "version", "completion"],
+)
+def test_what_compiles_nothing_does_not_import_the_compiler(code: str, words: list[str]) -> None:
+    modules = imported(code, *words)
+    assert {"yamaro.compiler", "yaml._yaml"}.isdisjoint(modules)
 
 
 # --- completion -------------------------------------------------------------------------------

@@ -123,15 +123,23 @@ def main(argv: Sequence[str] | None = None) -> int:
             treats the process as the command's own: its standard output is then kept apart from
             user code at the level of file descriptors, and for good.
     """
+    if argv is not None:
+        return _run_safely(argv, Streams)
+    import gc
+
+    from .runtime.collector import RareCollection
+
+    with RareCollection():  # here and not only in `build`, for what is imported before
+        status = _run_safely(sys.argv[1:], ProcessStreams)
+        gc.freeze()  # all goes with the process: nothing in it need be looked through
+    return status
+
+
+def _run_safely(argv: Sequence[str], stream_class: type[Streams]) -> int:
+    """Run the command and return its exit status, whatever is raised."""
     streams: Streams | None = None
     try:
-        if argv is None:
-            import gc
-
-            # A build makes a tree that lives to the end: collecting on the way finds nothing.
-            gc.disable()
-        arguments = parse_arguments(sys.argv[1:] if argv is None else argv)
-        stream_class = ProcessStreams if argv is None else Streams
+        arguments = parse_arguments(argv)
         streams = stream_class(quiet=arguments.has("quiet"))
         return _run(arguments, streams)
     except WrongUsage as error:

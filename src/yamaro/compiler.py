@@ -14,8 +14,7 @@ from .diagnostics import (
     YamaroWarning,
     suggest,
 )
-from .robot.check import check
-from .robot.part import lower
+from .runtime.collector import RareCollection
 from .runtime.deep_stack import run_on_deep_stack
 from .runtime.interpreter import Interpreter
 from .runtime.loader import FileLoader, LoadError, decode
@@ -132,7 +131,8 @@ def build(
         return _finish(evaluated, interpreter, reporter, advice=advice)
 
     try:
-        result = run_on_deep_stack(compile_robot)
+        with RareCollection():
+            result = run_on_deep_stack(compile_robot)
     except YamaroError as error:
         raise YamaroError([*reporter.diagnostics, *error.diagnostics]) from None
     if strict and reporter.diagnostics:
@@ -170,6 +170,8 @@ def _finish(
         root = unshared(evaluated)
         if not has_parts:
             return root
+        from .robot.part import lower
+
         return lower(root, reporter=Reporter(), resolve_mesh=finder.resolve, shared={})
 
     return Build(
@@ -200,8 +202,12 @@ def _complete(
     try:
         root = evaluated
         if has_parts:
+            from .robot.part import lower
+
             root = lower(root, reporter=reporter, resolve_mesh=finder.resolve, shared=shared)
         if root.name == "robot":
+            from .robot.check import check
+
             advisor = Reporter() if advice else None
             check(
                 root,
