@@ -122,3 +122,46 @@ def test_a_mesh_is_integrated_once_for_all_parts(tmp_path: Path) -> None:
     first = mesh - box
     later = (more_mesh - mesh - (more_box - box)) / 50
     assert later < first / 2
+
+
+def calls_a_turn(body: str, folder: Path) -> float:
+    """Return how many calls one more turn of a loop costs, once the first turns are over."""
+    calls_to_convert(loop(2, body), folder)
+    few, many = (calls_to_convert(loop(n, body), folder) for n in (20, 120))
+    return (many - few) / 100
+
+
+def test_elements_that_do_not_change_between_turns_cost_little(tmp_path: Path) -> None:
+    body = "visual:\n  origin/xyz=0 0 {z}:\n  geometry:\n    box/size=1 1 {z}:\n"
+    as_written, of_few, always_new = (
+        calls_a_turn(body.format(z=z), tmp_path) for z in ("1", "$(i % 3)", "$(i)")
+    )
+    assert as_written < of_few < always_new
+    assert as_written < always_new / 3
+
+
+def test_a_call_costs_less_than_an_include(tmp_path: Path) -> None:
+    function = "functions:\n  Frame:\n    input: index\n    body:\n      "
+    body = INCLUDED.partition("model:\n  ")[2].replace("\n", "\n    ").replace("$(height)", "0.1")
+    (tmp_path / "functions.yaml").write_text(function + body)
+
+    def calls(turns: int) -> int:
+        text = function + body.rstrip() + "\n" + loop(turns, "Frame: $(i)")
+        return calls_to_convert(text, tmp_path)
+
+    calls(2)
+    assert (calls(120) - calls(20)) / 100 < calls_a_turn(INCLUDE, tmp_path)
+
+
+def test_load_yaml_reads_its_file_at_each_call() -> None:
+    read: list[str] = []
+
+    class Loader(yamaro.MemoryLoader):
+        def read(self, path: str) -> bytes:
+            read.append(path)
+            return super().read(path)
+
+    text = loop(3, "link/name=l$(i)_$(load_yaml('data.yaml')['a']):\ninclude: other.yaml")
+    files = {"/main.yaml": text, "/data.yaml": "a: 1", "/other.yaml": "model:\n"}
+    yamaro.build("/main.yaml", loader=Loader(files))
+    assert (read.count("/data.yaml"), read.count("/other.yaml")) == (3, 1)
