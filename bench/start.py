@@ -48,6 +48,7 @@ def measure(setting: Setting) -> Iterator[Figure]:
             "yamaro, one link": [*YAMARO, str(tiny)],
             "yamaro, legs 6": yamaro_command(6),
             "yamaro, one link, not byte-compiled": [*without_byte_code(folder), str(tiny)],
+            "python -c 'import numpy'": [sys.executable, "-c", "import numpy"],
             "xacro, one link": [*XACRO, str(tiny_xacro)],
         }
         # The times are short, so that more of them are taken than of others.
