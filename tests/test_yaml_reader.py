@@ -6,6 +6,7 @@ from typing import Any
 
 import pytest
 
+from tests.counting import calls_of
 from yamaro.diagnostics import Reporter, YamaroError
 from yamaro.source import Source
 from yamaro.syntax.yaml_nodes import MappingNode, ScalarNode, SequenceNode, YamlNode
@@ -142,3 +143,10 @@ def test_a_comment_that_looks_like_text_is_a_warning(text: str, codes: list[str]
     reporter = Reporter()
     read(Source(text, name="t.yaml"), reporter=reporter)
     assert [warning.code for warning in reporter.diagnostics] == codes
+
+
+def test_the_work_grows_with_the_number_of_comment_entries_and_no_faster() -> None:
+    def work(count: int) -> int:
+        return calls_of(lambda: parse("a:\n" + "  # b\n  #comment: c\n  d: e\n" * count))
+
+    assert work(1_000) < 11 * work(100)

@@ -42,9 +42,14 @@ def refuse_characters(source: Source) -> None:
             Span(source, at, at + 1),
             hint="delete this invisible character; it often comes from pasting files together",
         )
-    for at, char in enumerate(text):
-        if "\ud800" <= char <= "\udfff" or char in "\ufffe\uffff\x00\x7f":
-            _refuse_character(source, at)
+    places = [text.find(char) for char in "\ufffe\uffff\x00\x7f"]
+    try:
+        text.encode()
+    except UnicodeEncodeError as error:  # a lone surrogate
+        places.append(error.start)
+    found = [at for at in places if at >= 0]
+    if found:
+        _refuse_character(source, min(found))
 
 
 def _refuse_character(source: Source, at: int) -> NoReturn:

@@ -6,6 +6,9 @@ typed later, by `scalars.py`.
 
 from __future__ import annotations
 
+import sys
+from bisect import bisect_right
+
 from ..diagnostics import Reporter, did_you_mean, failure
 from ..source import Source, Span
 from .libyaml import (
@@ -356,29 +359,38 @@ def _merged_pairs(
 def _warn_of_comments(source: Source, root: YamlNode, reporter: Reporter) -> None:
     """Warn of comment lines that look like a `<#text>:` or `<#comment>:` entry."""
     text = source.text
+    scalars: list[tuple[int, int]] | None = None
     for word in ("#text:", "#comment:"):
         at = text.find(word)
         while at >= 0:
-            line_start = max(text.rfind("\n", 0, at), text.rfind("\r", 0, at)) + 1
-            if not text[line_start:at].strip(" -") and not _is_in_scalar(root, at):
-                reporter.warn(
-                    "comment-entry",
-                    f"'{word}' is a YAML comment here, so this line does nothing",
-                    Span(source, at, at + len(word)),
-                    hint=f"write <{word[:-1]}>: or quote the key",
-                )
+            _, column = source.location(at)
+            if not text[at - column + 1 : at].strip(" -"):
+                scalars = scalars or _places_of_scalars(root)
+                if not _is_in_one(at, scalars):
+                    reporter.warn(
+                        "comment-entry",
+                        f"'{word}' is a YAML comment here, so this line does nothing",
+                        Span(source, at, at + len(word)),
+                        hint=f"write <{word[:-1]}>: or quote the key",
+                    )
             at = text.find(word, at + 1)
 
 
-def _is_in_scalar(root: YamlNode, offset: int) -> bool:
+def _places_of_scalars(root: YamlNode) -> list[tuple[int, int]]:
+    """Return start and end of each scalar, in order."""
+    places: list[tuple[int, int]] = []
     pending: list[Any] = [root]
     seen: set[int] = set()
     while pending:
         node = pending.pop()
         if isinstance(node, ScalarNode):
-            if node.start <= offset < node.end:
-                return True
+            places.append((node.start, node.end))
         elif id(node) not in seen:
             seen.add(id(node))
             pending.extend(_children(node))
-    return False
+    return sorted(places)
+
+
+def _is_in_one(offset: int, places: list[tuple[int, int]]) -> bool:
+    index = bisect_right(places, (offset, sys.maxsize)) - 1
+    return index >= 0 and offset < places[index][1]
