@@ -202,9 +202,9 @@ def _warn_of_key(lowering: Lowering, child: Element, place: Place) -> None:
     )
     hint = f"{hint} (<{name}>: is always an element)"
     if hint.startswith("did you mean"):
-        lowering.reporter.warn("unknown-key", message, child.span, hint=hint, trace=child.trace)
+        lowering.warn("unknown-key", message, child.span, hint=hint, trace=child.trace)
     else:
-        lowering.reporter.warn("misplaced-key", message, child.span, hint=hint, trace=child.trace)
+        lowering.warn("misplaced-key", message, child.span, hint=hint, trace=child.trace)
 
 
 def _warning_hint(name: str, place: Place) -> str | None:
@@ -356,14 +356,15 @@ def _read_children(lowering: Lowering, key: Element, scalar: str | None, record:
     """Take the attributes from a mapping, and what is not an attribute into `others`."""
     written: dict[str, Element] = {}
     for child in key.children:
-        if isinstance(child, Text):
+        if type(child) is Element and _is_attribute(child):
+            if child.children and not is_left_out(child):
+                _read_child(lowering, key, child, record, written)
+        elif isinstance(child, Text):
             _read_scalar(key, child, scalar, record)
-        elif type(child) is not Element or not _is_attribute(child):
+        else:
             if isinstance(child, Element):
                 check_plain(lowering, child, key.name)
             record.others.append(child)
-        elif child.children and not is_left_out(child):
-            _read_child(lowering, key, child, record, written)
 
 
 def _is_attribute(child: Element) -> bool:
@@ -429,10 +430,10 @@ def _read_child(
 ) -> None:
     name = child.name
     value, span = read_value(child)
-    if name in written:
+    if name in record.values:
+        if name not in written:
+            raise _attribute_twice(key, name, child.span, record)
         check_once(lowering, written[name], child)
-    elif name in record.values:
-        raise _attribute_twice(key, name, child.span, record)
     written[name] = child
     record.values[name] = value
     record.spans[name] = span

@@ -223,7 +223,7 @@ def _refuse_urdf_form(lowering: Lowering, key: Element) -> None:
 
 
 def _warn_of_capsule(lowering: Lowering, key: Element, span: Span) -> None:
-    lowering.reporter.warn(
+    lowering.warn(
         "capsule-needs-urdf-1.1",
         "the shape 'capsule' needs URDF 1.1, and this robot does not say that it is 1.1: urdfdom "
         "(ROS, RViz, MoveIt) and pinocchio drop the shape, yourdfpy refuses it",

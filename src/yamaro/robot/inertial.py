@@ -8,6 +8,7 @@ from ..diagnostics import YamaroError, failure
 from ..xmltree import Element, format_number
 from .fields import Fields, read_record
 from .geometry import section_geometry, solid_shape
+from .lowering import remember
 from .numbers import LAYOUTS, Numbers, read_numbers
 from .pose import Pose, compose_poses, origin_element, pose_at, read_pose
 
@@ -17,7 +18,7 @@ if TYPE_CHECKING:
     from ..xmltree import Node
     from .geometry import Geometry, LinkGeometry
     from .lowering import Lowering
-    from .shapes import Shape
+    from .shapes import Inertia, Shape
 
 MOMENTS = ("ixx", "ixy", "ixz", "iyy", "iyz", "izz")
 
@@ -70,7 +71,7 @@ def lower_inertial(
         else:
             shape = body.shape("the inertia is computed from it")
             pose = compose_poses(pose, pose_at(shape.center()))
-            inertia_element = _computed_inertia(owner, body, shape.inertia(mass))
+            inertia_element = _computed_inertia(lowering, owner, shape.inertia(mass))
     children: list[Node] = [
         fields.plain.get("origin") or origin_element(pose, owner),
         mass_element,
@@ -221,14 +222,14 @@ def _given_inertia(lowering: Lowering, key: Element) -> Element:
     return record.element(key)
 
 
-def _computed_inertia(owner: Element, body: _Body, moments: tuple[float, ...]) -> Element:
+def _computed_inertia(lowering: Lowering, owner: Element, moments: Inertia) -> Element:
     if not all(map(isfinite, moments)):
         raise _too_large(owner)
-    words: dict[str, object] = {
-        name: format_number(value) if value else "0"
-        for name, value in zip(MOMENTS, moments, strict=True)
-    }
-    return Element("inertia", owner.span, words, [], owner.trace)
+    words = lowering.inertias.get(moments)
+    if words is None:
+        words = tuple([format_number(value) if value else "0" for value in moments])
+        remember(lowering.inertias, moments, words)
+    return Element("inertia", owner.span, dict(zip(MOMENTS, words, strict=True)), [], owner.trace)
 
 
 def _too_large(key: Element) -> YamaroError:

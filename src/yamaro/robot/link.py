@@ -130,7 +130,7 @@ def _warn_of_unused(lowering: Lowering, geometry: LinkGeometry) -> None:
     key = geometry.key or geometry.scale_key
     if key is None:
         return
-    lowering.reporter.warn(
+    lowering.warn(
         "unused-geometry",
         f"no section of this link uses its '{key.name}'",
         key.span,

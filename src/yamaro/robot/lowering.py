@@ -9,16 +9,26 @@ if TYPE_CHECKING:
     from collections.abc import Callable
     from typing import TypeVar
 
-    from ..diagnostics import Diagnostic, Reporter, YamaroError
+    from ..diagnostics import Diagnostic, Frame, Reporter, YamaroError
     from ..source import Span
     from ..xmltree import Node, Shared
     from .mesh import SolidMoments
     from .numbers import Numbers
+    from .shapes import Inertia
 
+    Key = TypeVar("Key")
+    Value = TypeVar("Value")
     Product = TypeVar("Product", Element, list[Node])
 
-MOST_TEXTS = 4096
-"""Texts whose numbers are remembered; what is forgotten is only read again."""
+MOST_REMEMBERED = 4096
+"""How much of a kind is remembered at a time; what is forgotten is only worked out again."""
+
+
+def remember(known: dict[Key, Value], key: Key, value: Value) -> None:
+    """Keep what has been worked out for when it comes again, in bounded memory."""
+    if len(known) >= MOST_REMEMBERED:
+        known.clear()
+    known[key] = value
 
 
 class Lowering:
@@ -29,6 +39,7 @@ class Lowering:
         shared: the elements that stand in several places, with notes of what they come out as.
         origins: the `<origin>` made of shared keys, by the identity of these.
         numbers: the numbers in a text; most texts occur many times.
+        inertias: the words of the moments of inertia that were computed; robots have equal bodies.
         moments: the volume integrals of the mesh files read so far, by path.
         near_keys: what a key in a place was found to be a misspelling of.
         parents: the joints whose first child is a `<parent>` made here, of which the link may yet
@@ -41,8 +52,10 @@ class Lowering:
 
     __slots__ = (
         "_reported",
+        "_told",
         "errors",
         "has_capsule",
+        "inertias",
         "mimics",
         "moments",
         "near_keys",
@@ -72,6 +85,7 @@ class Lowering:
         self.errors: list[Diagnostic] = []
         self.origins: dict[tuple[int, ...], Element] = {}
         self.numbers: dict[str, Numbers] = {}
+        self.inertias: dict[Inertia, tuple[str, ...]] = {}
         self.moments: dict[str, SolidMoments] = {}
         self.near_keys: dict[tuple[str, str], str | None] = {}
         self.parents: list[Element] = []
@@ -79,21 +93,23 @@ class Lowering:
         self.part_links: dict[str, str] = {}
         self.part_joints: dict[str, str] = {}
         self._reported: set[object] = set()
+        self._told = 0
 
     def absorb(self, error: YamaroError) -> None:
         """Record the errors of an exception and go on; the same at the same place counts once."""
+        self._told += 1
         for diagnostic in error.diagnostics:
             key = (diagnostic.code, diagnostic.message, diagnostic.span.key())
             if key not in self._reported:
                 self._reported.add(key)
                 self.errors.append(diagnostic)
 
-    def remember(self, text: str, numbers: Numbers) -> Numbers:
-        """Keep the numbers that a text was read as, for when it comes again, and return them."""
-        if len(self.numbers) >= MOST_TEXTS:
-            self.numbers.clear()
-        self.numbers[text] = numbers
-        return numbers
+    def warn(
+        self, code: str, message: str, span: Span, *, hint: str | None, trace: Frame | None
+    ) -> None:
+        """Report a warning; see `Diagnostic`."""
+        self._told += 1
+        self.reporter.warn(code, message, span, hint=hint, trace=trace)
 
     def once(self, key: Element, lower: Callable[[Lowering, Element], Product]) -> Product:
         """Return what `lower` makes of a key: where the key is shared, the same in every place.
@@ -109,9 +125,9 @@ class Lowering:
             return lower(self, key)
         product: Product | None = notes.get("lowered")
         if product is None:
-            found = len(self.errors) + len(self.reporter.diagnostics)
+            told = self._told
             product = lower(self, key)
-            if found == len(self.errors) + len(self.reporter.diagnostics):
+            if told == self._told:
                 notes["lowered"] = product
                 self._share(product)
         return product

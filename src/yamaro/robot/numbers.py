@@ -5,6 +5,7 @@ from __future__ import annotations
 from ..diagnostics import YamaroError, failure
 from ..source import Span
 from ..xmltree import LiteralList, format_number, format_value, is_number, plain_value
+from .lowering import remember
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -92,8 +93,8 @@ def read_numbers(
     if type(value) is str:
         numbers = lowering.numbers.get(value)
         if numbers is None:
-            read = Numbers(*_read_text(value, span, name, trace))
-            numbers = lowering.remember(value, read)
+            numbers = Numbers(*_read_text(value, span, name, trace))
+            remember(lowering.numbers, value, numbers)
     else:
         numbers = Numbers(*_read_object(value, span, name, trace))
     if len(numbers.words) != count:

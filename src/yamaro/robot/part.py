@@ -138,7 +138,7 @@ def _rebuilt(lowering: Lowering, element: Element, holders: dict[int, Element]) 
 
 
 def _warn_of_place(lowering: Lowering, owner: Element, part: Element) -> None:
-    lowering.reporter.warn(
+    lowering.warn(
         "misplaced-part",
         f"this part stands inside <{owner.name}>, where URDF readers find no links and joints",
         part.span,
