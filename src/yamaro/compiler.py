@@ -151,7 +151,7 @@ def _finish(
     there is something to tell about one, all is done again with an element for each place.
     """
     finder = _MeshFinder(interpreter.files.packages)
-    has_parts, shared = interpreter.has_parts, interpreter.forms.shared
+    has_parts, shared = interpreter.has_parts, interpreter.builder.shared
     found = _complete(evaluated, shared, finder, has_parts=has_parts, advice=advice)
     if any(diagnostic.trace is INHERITED for diagnostic in found.diagnostics):
         if interpreter.has_frames:

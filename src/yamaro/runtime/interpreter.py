@@ -64,9 +64,9 @@ from .calls import (
     find_function,
     match_arguments,
 )
+from .elements import Builder, evaluate_holes
 from .expressions import Evaluator, add_trace, evaluate_bare
 from .files import Files
-from .forms import Forms
 from .includes import namespace_of, passed_by, path_of
 from .loops import iterate, unpack
 from .messages import Messages
@@ -112,7 +112,7 @@ class Interpreter:
         self.evaluator = Evaluator(self.files.codes, self.files.where_declared)
         self.values = Values(self.evaluator)
         self.shares = shares
-        self.forms = Forms()
+        self.builder = Builder()
         self.frame: Frame | None = None
         self.holder: Frame | None = None  # the frame in which the element around was made
         self.has_parts = False
@@ -208,13 +208,14 @@ class Interpreter:
     def _run_element(
         self, node: ElementNode, scope: Scope, out: list[Node], body: Body | None
     ) -> None:
-        if node.holes is not None and self.shares:
-            form = self.forms.of(node, body, self.part_depth > 0)
-            values = form.evaluate(scope, self.values)
+        form = node.form
+        if form is not None and self.shares:
+            values = evaluate_holes(form, scope, self.values)
+            in_part = self.part_depth > 0
             if self.frame is self.holder:
-                out.append(form.element(values))
+                out.append(self.builder.element(form, values, in_part))
             else:
-                out.append(form.make(values, self.frame))
+                out.append(self.builder.top_element(form, values, in_part, self.frame))
             return
         name = node.name
         if not isinstance(name, str):
@@ -247,11 +248,11 @@ class Interpreter:
         if not self.shares:
             element = unshared(element, self.frame)
         elif self.frame is self.holder:
-            self.forms.emit(element)
+            self.builder.emit(element)
         else:
             for child in element.children:
                 if isinstance(child, Element):
-                    self.forms.emit(child)
+                    self.builder.emit(child)
             element = with_trace(element, self.frame)
         out.append(element)
 

@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from ..diagnostics import Diagnostic
+    from .forms import Form
 
 
 # --- values -----------------------------------------------------------------------------------
@@ -138,10 +139,10 @@ class ElementNode:
     """`name/attribute=value, …: content`: an XML element.
 
     Attributes:
-        holes: if the element's shape is fixed, all that is evaluated in it, in order; else None.
+        form: its shape, if that is fixed and the element stands in a body; else None.
     """
 
-    __slots__ = ("attributes", "content", "holes", "name", "span", "verbatim")
+    __slots__ = ("attributes", "content", "form", "name", "span", "verbatim")
 
     def __init__(
         self,
@@ -157,31 +158,7 @@ class ElementNode:
         self.content = content
         self.span = span
         self.verbatim = verbatim
-        self.holes = _holes_of(name, attributes, content)
-
-
-def _holes_of(
-    name: str | Template, attributes: list[Attribute], content: Content
-) -> tuple[Template, ...] | None:
-    if not isinstance(name, str) or isinstance(content, ListContent):
-        return None
-    holes = []
-    for attribute in attributes:
-        if not isinstance(attribute.name, str):
-            return None
-        if isinstance(attribute.value, Template):
-            holes.append(attribute.value)
-    if isinstance(content, TextContent):
-        if isinstance(content.value, Template):
-            holes.append(content.value)
-    elif content is not None:
-        for statement in content.statements:
-            if isinstance(statement, (Element, Text, Comment)):
-                continue
-            if not isinstance(statement, ElementNode) or statement.holes is None:
-                return None
-            holes.extend(statement.holes)
-    return tuple(holes)
+        self.form: Form | None = None
 
 
 class TextNode:

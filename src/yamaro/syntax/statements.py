@@ -5,6 +5,7 @@ from __future__ import annotations
 from ..diagnostics import INHERITED, YamaroError, did_you_mean, failure, suggest
 from ..xmltree import Comment, Element, Text, is_comment_text
 from .context import ParseContext
+from .forms import Form, is_fixed
 from .includes import parse_include
 from .iterations import parse_in, parse_iterator, parse_range
 from .keys import AttributePlaces, find_outside, parse_attributes, parse_name, parse_plain_key
@@ -230,8 +231,11 @@ def _as_put_out(statement: Statement, body: Body) -> Statement:
 
 
 def _element_put_out(node: ElementNode, body: Body) -> Element | ElementNode:
+    if not is_fixed(node):
+        return node
     children = _static_children(node.content)
-    if children is None or node.holes != ():
+    if children is None or any(not isinstance(own.value, str) for own in node.attributes):
+        node.form = Form(node, body)
         return node
     return Element(
         str(node.name),
@@ -301,7 +305,8 @@ def _add_plain(
         if attributes:
             text = key.text
             own = parse_attributes(key, text.index("/") + 1, len(text), context=context)
-        body.add(ElementNode(name, own, content, span=key, verbatim=False))
+        element = ElementNode(name, own, content, span=key, verbatim=False)
+        body.add(_element_put_out(element, body))
         return
     body.statements.append(
         Element(

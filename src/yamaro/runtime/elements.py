@@ -1,0 +1,199 @@
+"""Builds elements of fixed shape, once for values that come again.
+
+It keeps what it has built, inner elements included, and gives out the very same element when the
+same values come again, so that a loop that makes a thousand equal links makes one.
+"""
+
+from __future__ import annotations
+
+from ..diagnostics import INHERITED, Frame
+from ..syntax.forms import Form, FormText
+from ..xmltree import Element, Text, format_value
+from .scope import MISSING, Scope
+from .values import ALWAYS_WRITABLE, Values, is_writable
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+    from ..xmltree import Node, Shared
+
+MAX_KNOWN = 64
+"""How many elements of one form are kept, and after how many new ones in a row none is any more."""
+
+_PLAIN = frozenset((str, int, float, bool, type(None)))
+"""Types of values that are equal for good once they are equal."""
+
+
+class Known:
+    """The elements of one form that were built lately, by the values in them."""
+
+    __slots__ = ("built", "elements", "new_in_a_row")
+
+    def __init__(self) -> None:
+        """Start with no element."""
+        self.elements: dict[object, Element] | None = {}  # None once it is given up
+        self.new_in_a_row = 0
+        self.built = 0
+
+
+class Builder:
+    """Builds the elements of one conversion.
+
+    Attributes:
+        shared: the elements that stand in several places of the tree.
+    """
+
+    __slots__ = ("_emitted", "_in_parts", "_kept", "_outside", "shared")
+
+    def __init__(self) -> None:
+        """Start with nothing built."""
+        self.shared: Shared = {}
+        self._kept: list[Element] = []  # what `shared` names by identity has to live
+        self._emitted: set[int] = set()
+        self._in_parts: dict[Form, Known] = {}
+        self._outside: dict[Form, Known] = {}
+
+    def share(self, element: Element) -> None:
+        """Note that an element stands in several places."""
+        if id(element) not in self.shared:
+            self.shared[id(element)] = {}
+            self._kept.append(element)
+
+    def emit(self, element: Element) -> None:
+        """Note that an element that the parser made is put out, perhaps not for the first time."""
+        if id(element) in self._emitted:
+            self.share(element)
+        else:
+            self._emitted.add(id(element))
+
+    def element(self, form: Form, values: tuple[Any, ...], in_part: bool) -> Element:
+        """Return an element of a form with these values, one for each of its holes.
+
+        It may stand in other places as well, and inherits its trace.
+        """
+        table = self._in_parts if in_part else self._outside
+        known = table.get(form)
+        if known is None:
+            known = table[form] = Known()
+        elements = known.elements
+        key = None if elements is None else _key(values)
+        if elements is None or key is None:
+            return self._make(form, values, INHERITED, in_part, known)
+        found = elements.get(key)
+        if found is not None:
+            known.new_in_a_row = 0
+            self.share(found)
+            return found
+        known.new_in_a_row += 1
+        if known.new_in_a_row > MAX_KNOWN:
+            known.elements = None
+        elif len(elements) >= MAX_KNOWN:
+            elements.clear()
+        found = elements[key] = self._make(form, values, INHERITED, in_part, known)
+        return found
+
+    def top_element(
+        self, form: Form, values: tuple[Any, ...], in_part: bool, trace: Frame | None
+    ) -> Element:
+        """Return an element of its own, with a trace; what stands in it may be shared."""
+        table = self._in_parts if in_part else self._outside
+        known = table.get(form)
+        if known is None:
+            known = table[form] = Known()
+        return self._make(form, values, trace, in_part, known)
+
+    def _make(
+        self,
+        form: Form,
+        values: tuple[Any, ...],
+        trace: Frame | None,
+        in_part: bool,
+        known: Known,
+    ) -> Element:
+        attributes: dict[str, object] = {}
+        for name, text in form.attributes:
+            value = text if type(text) is str else _filled(text, values)
+            if value is not None:
+                attributes[name] = value
+        children: list[Node] = []
+        for node, inner, first, end, text, span in form.content:
+            if node is not None:
+                children.append(node)
+            elif inner is not None:
+                children.append(self.element(inner, values[first:end], in_part))
+            else:
+                value = text if type(text) is str else _filled(text, values)
+                if value is not None or in_part:  # in a part, None leaves the key out
+                    children.append(Text(value, span))
+        if known.built < 2:
+            known.built += 1
+            if known.built == 2:
+                for element in form.static:
+                    self.share(element)
+        return Element(
+            form.name,
+            form.span,
+            attributes,
+            children,
+            trace,
+            form.value_spans,
+            form.verbatim,
+            form.body,
+        )
+
+
+def evaluate_holes(form: Form, scope: Scope, values: Values) -> tuple[Any, ...]:
+    """Return the value of each of a form's holes, sure that it can be written.
+
+    Raises:
+        YamaroError: an expression failed, or what it gives cannot be made a text.
+    """
+    evaluator = values.evaluator
+    evaluate, get = evaluator.evaluate, scope.get
+    results = []
+    for python, is_piece in form.holes:
+        name = python.name
+        value = MISSING if name is None else get(name, MISSING)
+        if value is MISSING:
+            value = evaluate(python, scope)
+        if type(value) not in ALWAYS_WRITABLE and not is_writable(value):
+            text = evaluator.guard(format_value, value, python.span())
+            if is_piece:
+                value = text
+        results.append(value)
+    return tuple(results)
+
+
+def _filled(text: FormText, values: tuple[Any, ...]) -> Any:
+    """Return the value of a text: of its one expression, or its pieces joined."""
+    if type(text) is int:
+        return values[text]
+    assert type(text) is tuple
+    words = []
+    for piece in text:
+        value = piece if type(piece) is str else values[piece]  # type: ignore[index]
+        if type(value) is str:
+            words.append(value)
+        else:
+            words.append("None" if value is None else format_value(value))
+    return "".join(words)
+
+
+def _key(values: tuple[Any, ...]) -> object:
+    """Return what tells values apart by all that can be seen of them, or None for what cannot be.
+
+    In Python 1, 1.0 and True are equal, and so are 0.0 and -0.0.
+    """
+    if len(values) == 1:
+        value = values[0]
+        kind = type(value)
+        if kind is str:
+            return value
+        return (value, kind, str(value)) if kind in _PLAIN else None
+    kinds = tuple(map(type, values))
+    if not _PLAIN.issuperset(kinds):
+        return None
+    if 0.0 in values:
+        return values, kinds, tuple(map(str, values))
+    return values, kinds
