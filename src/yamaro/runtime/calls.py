@@ -7,7 +7,9 @@ from ..source import Span
 from ..syntax.context import ParseContext
 from ..syntax.names import STATEMENTS
 from ..syntax.nodes import Argument, Body, Constant, FunctionNode, Value
+from ..syntax.python import PythonCode
 from ..syntax.statements import late_value, parse_body
+from ..syntax.template import Template
 from ..syntax.yaml_nodes import MappingNode, SequenceNode
 from .declared import Declaration, notes_on
 from .expressions import function_names
@@ -91,7 +93,8 @@ class Match:
     Attributes:
         node: the function called.
         constants: the values that are known from the text, by the names of their parameters.
-        values: each other value with the name of its parameter, in the order of the arguments.
+        values: each other value with the name of its parameter, in the order of the arguments; if
+            it is a single expression, with that.
         blocks: each block with the key of its parameter.
         is_complete: whether every parameter is given something.
     """
@@ -102,7 +105,7 @@ class Match:
         """Begin without arguments."""
         self.node = node
         self.constants: dict[str, Any] = {}
-        self.values: list[tuple[str, Value]] = []
+        self.values: list[tuple[str, Value, PythonCode | None]] = []
         self.blocks: list[tuple[str, Body]] = []
         self.is_complete = False
 
@@ -162,7 +165,8 @@ def match_arguments(
             if isinstance(value, Constant):
                 match.constants[name] = value.value
             else:
-                match.values.append((name, value))
+                only = value.only if isinstance(value, Template) else None
+                match.values.append((name, value, only))
     missing = [
         f"'{parameter.name}'"
         for parameter in positional
@@ -193,10 +197,10 @@ def _block(argument: Argument, node: FunctionNode, late_context: ParseContext) -
 
 def evaluate_arguments(match: Match, scope: Scope, values: Values) -> dict[str, Any]:
     """Return what the parameters are given, evaluated where the call stands."""
-    evaluate = values.value
     given = match.constants.copy()
-    for name, value in match.values:
-        given[name] = evaluate(value, scope)
+    evaluate = values.evaluator.evaluate
+    for name, value, only in match.values:
+        given[name] = values.value(value, scope) if only is None else evaluate(only, scope)
     for key, body in match.blocks:
         given[key] = Block(body, scope)
     return given

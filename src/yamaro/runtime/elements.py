@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from ..diagnostics import INHERITED, Frame
 from ..syntax.forms import Form, FormText
-from ..xmltree import Element, Text, format_value
+from ..xmltree import Element, Text, format_number, format_value
 from .scope import MISSING, Scope
 from .values import ALWAYS_WRITABLE, Values, is_writable
 
@@ -56,9 +56,8 @@ class Builder:
 
     def share(self, element: Element) -> None:
         """Note that an element stands in several places."""
-        if id(element) not in self.shared:
-            self.shared[id(element)] = {}
-            self._kept.append(element)
+        self.shared.setdefault(id(element), {})
+        self._kept.append(element)
 
     def emit(self, element: Element) -> None:
         """Note that an element that the parser made is put out, perhaps not for the first time."""
@@ -83,7 +82,8 @@ class Builder:
         found = elements.get(key)
         if found is not None:
             known.new_in_a_row = 0
-            self.share(found)
+            if id(found) not in self.shared:
+                self.share(found)
             return found
         known.new_in_a_row += 1
         if known.new_in_a_row > MAX_KNOWN:
@@ -111,20 +111,28 @@ class Builder:
         in_part: bool,
         known: Known,
     ) -> Element:
+        children: list[Node] = []
+        if form.text is not None:
+            text, span = form.text
+            value = _filled(text, values)
+            if value is not None or in_part:  # in a part, None leaves the key out
+                children.append(Text(value, span))
+            return Element(
+                form.name, form.span, {}, children, trace, None, form.verbatim, form.body
+            )
         attributes: dict[str, object] = {}
         for name, text in form.attributes:
             value = text if type(text) is str else _filled(text, values)
             if value is not None:
                 attributes[name] = value
-        children: list[Node] = []
         for node, inner, first, end, text, span in form.content:
-            if node is not None:
-                children.append(node)
-            elif inner is not None:
+            if inner is not None:
                 children.append(self.element(inner, values[first:end], in_part))
+            elif node is not None:
+                children.append(node)
             else:
-                value = text if type(text) is str else _filled(text, values)
-                if value is not None or in_part:  # in a part, None leaves the key out
+                value = _filled(text, values)
+                if value is not None or in_part:
                     children.append(Text(value, span))
         if known.built < 2:
             known.built += 1
@@ -167,14 +175,22 @@ def evaluate_holes(form: Form, scope: Scope, values: Values) -> tuple[Any, ...]:
 
 def _filled(text: FormText, values: tuple[Any, ...]) -> Any:
     """Return the value of a text: of its one expression, or its pieces joined."""
-    if type(text) is int:
-        return values[text]
-    assert type(text) is tuple
+    kind = type(text)
+    if kind is str:
+        return text
+    if kind is int:
+        return values[text]  # type: ignore[index]
     words = []
-    for piece in text:
-        value = piece if type(piece) is str else values[piece]  # type: ignore[index]
-        if type(value) is str:
+    for piece in text:  # type: ignore[union-attr]
+        if type(piece) is str:
+            words.append(piece)
+            continue
+        value = values[piece]  # type: ignore[index]
+        kind = type(value)
+        if kind is str:
             words.append(value)
+        elif kind is float:
+            words.append(format_number(value))
         else:
             words.append("None" if value is None else format_value(value))
     return "".join(words)

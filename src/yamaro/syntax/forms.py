@@ -40,6 +40,7 @@ class Form:
         value_spans: where the attributes' values are written.
         content: what it holds.
         static: the elements in its content that are always the same.
+        text: the text that is all there is in it, with its span; None if there is more, or else.
     """
 
     __slots__ = (
@@ -50,6 +51,7 @@ class Form:
         "name",
         "span",
         "static",
+        "text",
         "value_spans",
         "verbatim",
     )
@@ -70,6 +72,9 @@ class Form:
             self.attributes.append((attribute.name, self._text(attribute.value)))
             self.value_spans[attribute.name] = attribute.span
         self._add_content(node.content)
+        self.text: tuple[FormText, Span] | None = None
+        if isinstance(node.content, TextContent) and not self.attributes:
+            self.text = (self.content[0][4], node.content.span)
         self.static = [piece[0] for piece in self.content if isinstance(piece[0], Element)]
 
     def _text(self, value: str | Template) -> FormText:
