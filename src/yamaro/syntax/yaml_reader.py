@@ -7,7 +7,6 @@ typed later, by `scalars.py`.
 from __future__ import annotations
 
 import sys
-from bisect import bisect_right
 
 from ..diagnostics import Reporter, did_you_mean, failure
 from ..source import Source, Span
@@ -392,5 +391,7 @@ def _places_of_scalars(root: YamlNode) -> list[tuple[int, int]]:
 
 
 def _is_in_one(offset: int, places: list[tuple[int, int]]) -> bool:
+    from bisect import bisect_right
+
     index = bisect_right(places, (offset, sys.maxsize)) - 1
     return index >= 0 and offset < places[index][1]
