@@ -10,7 +10,7 @@ from .places import Place, home_of
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from ..source import Span
-    from ..xmltree import Node
+    from ..xmltree import Node, Places
     from .lowering import Lowering
 
 
@@ -312,19 +312,46 @@ def with_attributes(element: Element, attributes: dict[str, object]) -> Element:
 
 
 class Record:
-    """An element's attributes, whether written as attributes, as a mapping, or as one value."""
+    """An element's attributes, whether written as attributes, as a mapping, or as one value.
 
-    __slots__ = ("others", "spans", "values")
+    Attributes:
+        key: the key that gives the element its name and its place.
+        values: the attributes.
+        others: what else stands in the element.
+    """
 
-    def __init__(self) -> None:
-        """Start empty."""
+    __slots__ = ("_spans", "key", "others", "values")
+
+    def __init__(self, key: Element) -> None:
+        """Start with the attributes that the key has itself."""
+        self.key = key
         self.values: dict[str, object] = {}
-        self.spans: dict[str, Span] = {}
         self.others: list[Node] = []
+        self._spans: dict[str, Span] = {}
+        if key.attributes:
+            self.values = {k: v for k, v in key.attributes.items() if v is not None}
 
-    def element(self, key: Element) -> Element:
-        """Return the element of a key's name with these attributes, which stands where it does."""
-        return Element(key.name, key.span, self.values, self.others, key.trace, self.spans)
+    def set(self, name: str, value: object, span: Span) -> None:
+        """Set an attribute that is written at a span."""
+        self.values[name] = value
+        self._spans[name] = span
+
+    def span(self, name: str) -> Span:
+        """Return where the value of an attribute is written; finding out may take long."""
+        return self._spans.get(name) or self.key.value_span(name)
+
+    def places(self) -> Places | None:
+        """Return where the values are written, for an element that has these attributes."""
+        if not self.key.attributes:
+            return self._spans
+        if not self._spans and len(self.values) == len(self.key.attributes):
+            return self.key.value_spans
+        return {name: self.span(name) for name in self.values}
+
+    def element(self) -> Element:
+        """Return the element with these attributes that the key stands for."""
+        key = self.key
+        return Element(key.name, key.span, self.values, self.others, key.trace, self.places())
 
 
 def read_record(lowering: Lowering, key: Element, scalar: str | None) -> Record:
@@ -338,12 +365,7 @@ def read_record(lowering: Lowering, key: Element, scalar: str | None) -> Record:
     Raises:
         YamaroError: a bare value where none is meant, or an attribute given twice.
     """
-    record = Record()
-    if key.attributes:
-        for name, value in key.attributes.items():
-            if value is not None:
-                record.values[name] = value
-                record.spans[name] = key.value_span(name)
+    record = Record(key)
     children = key.children
     if len(children) == 1 and type(children[0]) is Text:
         _read_scalar(key, children[0], scalar, record)
@@ -394,8 +416,7 @@ def _read_scalar(key: Element, text: Text, scalar: str | None, record: Record) -
         )
     if scalar in record.values:
         raise _attribute_twice(key, scalar, text.span, record)
-    record.values[scalar] = value
-    record.spans[scalar] = text.span
+    record.set(scalar, value, text.span)
 
 
 def _read_dict(key: Element, value: dict[object, object], span: Span, record: Record) -> None:
@@ -412,8 +433,7 @@ def _read_dict(key: Element, value: dict[object, object], span: Span, record: Re
         if name in record.values:
             raise _attribute_twice(key, name, span, record)
         if item is not None:
-            record.values[name] = item
-            record.spans[name] = span
+            record.set(name, item, span)
 
 
 _RECORD_EXAMPLES = {
@@ -435,8 +455,7 @@ def _read_child(
             raise _attribute_twice(key, name, child.span, record)
         check_once(lowering, written[name], child)
     written[name] = child
-    record.values[name] = value
-    record.spans[name] = span
+    record.set(name, value, span)
 
 
 def _attribute_twice(key: Element, name: str, span: Span, record: Record) -> YamaroError:
@@ -445,6 +464,6 @@ def _attribute_twice(key: Element, name: str, span: Span, record: Record) -> Yam
         f"'{name}' of '{key.name}' is given twice",
         span,
         hint="remove one of the two",
-        notes=(f"first given at {record.spans[name].place()}",),
+        notes=(f"first given at {record.span(name).place()}",),
         trace=key.trace,
     )

@@ -9,7 +9,7 @@ from ..xmltree import Element, format_number
 from .fields import Fields, read_record
 from .geometry import section_geometry, solid_shape
 from .lowering import remember
-from .numbers import LAYOUTS, Numbers, read_numbers
+from .numbers import LAYOUTS, Numbers, read_attribute, read_numbers
 from .pose import Pose, compose_poses, origin_element, pose_at, read_pose
 
 TYPE_CHECKING = False
@@ -168,7 +168,7 @@ def _number(lowering: Lowering, key: Element) -> tuple[Numbers, Span]:
             hint=f"write {key.name}: 1.0",
             trace=key.trace,
         )
-    span = record.spans["value"]
+    span = record.span("value")
     return _one(lowering, key, record.values["value"], span), span
 
 
@@ -188,7 +188,7 @@ def _given_inertia(lowering: Lowering, key: Element) -> Element:
     record = read_record(lowering, key, "row")
     value = record.values.pop("row", None)
     if value is not None:
-        span = record.spans["row"]
+        span = record.span("row")
         numbers = read_numbers(lowering, value, span, count=6, name="inertia", trace=key.trace)
         words: dict[str, object] = dict(zip(MOMENTS, numbers.words, strict=True))
         return Element(
@@ -210,16 +210,9 @@ def _given_inertia(lowering: Lowering, key: Element) -> Element:
             trace=key.trace,
         )
     for name in MOMENTS:
-        number = read_numbers(
-            lowering,
-            record.values[name],
-            record.spans[name],
-            count=1,
-            name=name,
-            trace=key.trace,
-        )
+        number = read_attribute(lowering, record, name, count=1, name=name)
         record.values[name] = number.text
-    return record.element(key)
+    return record.element()
 
 
 def _computed_inertia(lowering: Lowering, owner: Element, moments: Inertia) -> Element:

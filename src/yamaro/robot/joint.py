@@ -7,7 +7,7 @@ from math import pi
 from ..diagnostics import YamaroError, failure
 from ..xmltree import Element, format_number, format_value
 from .fields import read_record, read_value, sort_fields, with_attributes, word_of
-from .numbers import read_numbers
+from .numbers import read_attribute
 from .places import JOINT, RECORD_KEYS
 from .pose import lower_origin
 from .urdf import JOINT_TYPES, joint_type_hint
@@ -174,9 +174,9 @@ def _lower_parent(lowering: Lowering, parent_key: Element) -> Element:
             trace=parent_key.trace,
         )
     record.values["link"] = word_of(
-        "parent", record.values["link"], record.spans["link"], owner=parent_key
+        "parent", record.values["link"], record.span("link"), owner=parent_key
     )
-    return record.element(parent_key)
+    return record.element()
 
 
 def _child_element(lowering: Lowering, key: Element, fields: Fields, child: str) -> Element:
@@ -208,15 +208,13 @@ def _lower_record(lowering: Lowering, key: Element) -> Element:
     record = read_record(lowering, key, SCALARS.get(name))
     for attribute, value in record.values.items():
         count = numbers.get(attribute)
-        span = record.spans[attribute]
+        label = name if attribute == SCALARS.get(name) else attribute
         if count is not None:
-            label = "axis" if name == "axis" else attribute
-            row = read_numbers(lowering, value, span, count=count, name=label, trace=key.trace)
+            row = read_attribute(lowering, record, attribute, count=count, name=label)
             record.values[attribute] = row.text
-        elif attribute == SCALARS.get(name):
-            record.values[attribute] = word_of(name, value, span, owner=key)
         else:
-            record.values[attribute] = word_of(attribute, value, span, owner=key)
+            span = record.span(attribute)
+            record.values[attribute] = word_of(label, value, span, owner=key)
     if name in REQUIRED and REQUIRED[name] not in record.values:
         raise failure(
             "empty-value",
@@ -225,7 +223,7 @@ def _lower_record(lowering: Lowering, key: Element) -> Element:
             hint="write axis: 0 0 1" if name == "axis" else "write mimic: with a joint's name",
             trace=key.trace,
         )
-    return record.element(key)
+    return record.element()
 
 
 def _assume_limits(

@@ -5,11 +5,10 @@ from __future__ import annotations
 from ..diagnostics import failure
 from ..xmltree import Comment, Element, Text
 from .fields import Record, check_once, check_plain, is_left_out, read_record, word_of
-from .numbers import read_numbers
+from .numbers import read_attribute
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from ..source import Span
     from ..xmltree import Node
     from .lowering import Lowering
 
@@ -35,7 +34,7 @@ def lower_material(lowering: Lowering, key: Element) -> Element:
     name = word_of(
         "material" if is_short else "name",
         record.values.pop("name"),
-        record.spans["name"],
+        record.span("name"),
         owner=key,
     )
     return Element(
@@ -44,7 +43,7 @@ def lower_material(lowering: Lowering, key: Element) -> Element:
         attributes={"name": name, **record.values},
         children=[_lower_detail(lowering, detail) for detail in details],
         trace=key.trace,
-        value_spans=record.spans,
+        value_spans=record.places(),
     )
 
 
@@ -94,18 +93,23 @@ def _lower_detail(lowering: Lowering, detail: Node) -> Node:
 
 def _lower_color(lowering: Lowering, key: Element) -> Element:
     record = read_record(lowering, key, "rgba")
-    value, span = _required(record, "rgba", key, "four numbers: color: 0.8 0.1 0.1 1")
-    rgba = read_numbers(lowering, value, span, count=4, name="rgba", trace=key.trace)
-    return _detail(key, record, "rgba", rgba.text)
+    _require(record, "rgba", "four numbers: color: 0.8 0.1 0.1 1")
+    rgba = read_attribute(lowering, record, "rgba", count=4, name="rgba")
+    record.values["rgba"] = rgba.text
+    return record.element()
 
 
 def _lower_texture(lowering: Lowering, key: Element) -> Element:
     record = read_record(lowering, key, "filename")
-    value, span = _required(record, "filename", key, "a file: texture: package://arm/red.png")
-    return _detail(key, record, "filename", word_of("texture", value, span, owner=key))
+    _require(record, "filename", "a file: texture: package://arm/red.png")
+    file, span = record.values["filename"], record.span("filename")
+    record.values["filename"] = word_of("texture", file, span, owner=key)
+    return record.element()
 
 
-def _required(record: Record, name: str, key: Element, what: str) -> tuple[object, Span]:
+def _require(record: Record, name: str, what: str) -> None:
+    """Raise an error if an attribute is missing."""
+    key = record.key
     if name not in record.values:
         raise failure(
             "empty-value",
@@ -114,9 +118,3 @@ def _required(record: Record, name: str, key: Element, what: str) -> tuple[objec
             hint=f"give it {what}",
             trace=key.trace,
         )
-    return record.values[name], record.spans[name]
-
-
-def _detail(key: Element, record: Record, name: str, text: str) -> Element:
-    record.values[name] = text
-    return record.element(key)

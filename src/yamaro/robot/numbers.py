@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from math import isfinite
+
 from ..diagnostics import YamaroError, failure
 from ..source import Span
 from ..xmltree import LiteralList, format_number, format_value, is_number, plain_value
@@ -10,6 +12,7 @@ from .lowering import remember
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from ..diagnostics import Frame
+    from .fields import Record
     from .lowering import Lowering
 
 NEGLIGIBLE = 1e-12
@@ -91,30 +94,47 @@ def read_numbers(
         YamaroError: a word, NaN, an infinity, or a wrong count.
     """
     if type(value) is str:
-        numbers = lowering.numbers.get(value)
+        numbers = _numbers_of(lowering, value)
         if numbers is None:
-            numbers = Numbers(*_read_text(value, span, name, trace))
-            remember(lowering.numbers, value, numbers)
+            raise _bad_text(value, span, name, trace)
     else:
-        numbers = Numbers(*_read_object(value, span, name, trace))
+        numbers = Numbers(*_read_object(lowering, value, span, name, trace))
     if len(numbers.words) != count:
         raise _wrong_count(span, numbers.words, count=count, name=name, trace=trace)
     return numbers
 
 
-def _read_text(
-    text: str, span: Span, name: str, trace: Frame | None
-) -> tuple[tuple[str, ...], tuple[float, ...]]:
-    words = text.replace(",", " ").split()
-    spelled = []
-    values = []
-    for index, word in enumerate(words):
-        value = _parse(word)
-        if value is None or value - value != 0:
-            raise _bad_word(word, _place(span, words, index), name, trace)
-        values.append(value)
-        spelled.append(str(int(word, 0)) if word[1:2] in ("x", "o") else word)
-    return tuple(spelled), tuple(values)
+def read_attribute(
+    lowering: Lowering, record: Record, attribute: str, *, count: int, name: str
+) -> Numbers:
+    """Return the numbers that an attribute has; see `read_numbers`.
+
+    Where it is written is only found out where it matters, which spares most runs the search.
+    """
+    value = record.values[attribute]
+    numbers = _numbers_of(lowering, value) if type(value) is str else None
+    if numbers is not None and len(numbers.words) == count:
+        return numbers
+    span, trace = record.span(attribute), record.key.trace
+    return read_numbers(lowering, value, span, count=count, name=name, trace=trace)
+
+
+def _numbers_of(lowering: Lowering, text: str) -> Numbers | None:
+    """Return the numbers in a text, or None where a word is no finite number."""
+    numbers = lowering.numbers.get(text)
+    if numbers is None:
+        words = _split(text)
+        values = [value for word in words if (value := _parse(word)) is not None]
+        if len(values) < len(words) or not all(map(isfinite, values)):
+            return None
+        spelled = [str(int(word, 0)) if word[1:2] in ("x", "o") else word for word in words]
+        numbers = Numbers(tuple(spelled), tuple(values))
+        remember(lowering.numbers, text, numbers)
+    return numbers
+
+
+def _split(text: str) -> list[str]:
+    return text.replace(",", " ").split()
 
 
 def _parse(word: str) -> float | None:
@@ -136,7 +156,7 @@ def _parse(word: str) -> float | None:
 
 
 def _read_object(
-    value: object, span: Span, name: str, trace: Frame | None
+    lowering: Lowering, value: object, span: Span, name: str, trace: Frame | None
 ) -> tuple[tuple[str, ...], tuple[float, ...]]:
     if type(value) is float and value - value == 0:
         return (format_number(value),), (value,)
@@ -148,11 +168,13 @@ def _read_object(
     for item in items:
         if type(item) is str:
             place = _item_place(item, span) if is_literal else span
-            parts, numbers = _read_text(item, place, name, trace)
-            if not parts:
+            numbers = _numbers_of(lowering, item)
+            if numbers is None:
+                raise _bad_text(item, place, name, trace)
+            if not numbers.words:
                 raise _bad_word(item, place, name, trace)
-            words += parts
-            values += numbers
+            words += numbers.words
+            values += numbers.values
             continue
         number = _as_float(item)
         if number is None or number - number != 0:
@@ -186,6 +208,16 @@ def _spell(item: object, number: float) -> str:
 def _shown(item: object) -> str:
     text = "None" if item is None else format_value(item)
     return text if len(text) <= MAX_SHOWN else text[: MAX_SHOWN - 1] + "…"
+
+
+def _bad_text(text: str, span: Span, name: str, trace: Frame | None) -> YamaroError:
+    """Return the error of the first word in a text that is no finite number."""
+    words = _split(text)
+    for index, word in enumerate(words):
+        value = _parse(word)
+        if value is None or not isfinite(value):
+            return _bad_word(word, _place(span, words, index), name, trace)
+    raise AssertionError(text)
 
 
 def _bad_word(word: str, span: Span, name: str, trace: Frame | None) -> YamaroError:

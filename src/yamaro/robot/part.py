@@ -176,10 +176,10 @@ def _lower_part(lowering: Lowering, part: Element, out: list[Node]) -> None:
         if not isinstance(node, Element):
             pending.append(node)
             continue
-        is_own = type(node) is Element and not node.verbatim and node.name in ("joint", "link")
-        target = out if is_own else beside
-        target += pending
-        pending = []
+        is_own = type(node) is Element and node.name in ("joint", "link") and not node.verbatim
+        if pending:
+            (out if is_own else beside).extend(pending)
+            pending.clear()
         if not is_own:
             _lower_beside(lowering, node, beside)
         elif node.name == "joint":

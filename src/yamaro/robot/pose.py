@@ -112,17 +112,19 @@ def _read_origin(lowering: Lowering, fields: Fields, origin: Element) -> Pose:
             )
     record = read_record(lowering, origin, None)
     rows: dict[str, Numbers] = {}
+    spans: dict[str, Span] = {}
     for name, value in record.values.items():
         if name not in ("xyz", "rpy", "pivot"):
             raise failure(
                 "unknown-key",
                 f"'{name}' is no attribute of an origin in a part",
-                record.spans[name],
+                record.span(name),
                 hint="write xyz, rpy and pivot, or <origin>: for an element as it is",
                 trace=origin.trace,
             )
-        rows[name] = _numbers(lowering, value, record.spans[name], name, origin.trace)
-    return _place(rows.get("xyz"), rows.get("rpy"), rows.get("pivot"), origin.span, record.spans)
+        spans[name] = record.span(name)
+        rows[name] = _numbers(lowering, value, spans[name], name, origin.trace)
+    return _place(rows.get("xyz"), rows.get("rpy"), rows.get("pivot"), origin.span, spans)
 
 
 def _read_vector(lowering: Lowering, key: Element, spans: dict[str, Span]) -> Numbers:
