@@ -10,10 +10,11 @@ from hypothesis import strategies as st
 from yamaro.diagnostics import INHERITED, Reporter, YamaroError, render
 from yamaro.source import Source
 from yamaro.syntax.context import ParseContext
-from yamaro.syntax.keys import AttributePlaces, parse_plain_key
+from yamaro.syntax.keys import AttributePlaces, find_outside, parse_plain_key
 from yamaro.syntax.nodes import Body, ElementNode
 from yamaro.syntax.parser import parse
 from yamaro.syntax.statements import parse_pairs, parse_statement
+from yamaro.syntax.template import skip_expression
 from yamaro.syntax.yaml_nodes import PLAIN, ScalarNode
 from yamaro.xmltree import Comment, Element, Text
 
@@ -127,6 +128,19 @@ def put_out_twice(key: ScalarNode, expected: object) -> list[object]:
     errors = [render(error) for error in context.errors]
     assert errors == (expected * 2 if isinstance(expected, list) else [])
     return list(body.statements)
+
+
+@settings(max_examples=500)
+@given(keys, st.sampled_from(["/", "=,", ",", " ", "'"]), st.integers(0, 9), st.integers(0, 40))
+def test_signs_are_found_as_by_looking_at_each(text: str, signs: str, start: int, end: int) -> None:
+    end = min(end, len(text))
+    at, expected = start, -1
+    while at < end and expected < 0:
+        after = skip_expression(text, at)
+        if after == at and text[at] in signs:
+            expected = at
+        at = max(after, at + 1)
+    assert find_outside(text, signs, start, end) == expected
 
 
 def test_what_is_not_evaluated_is_made_once() -> None:
