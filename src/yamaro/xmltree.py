@@ -100,12 +100,12 @@ class Element:
         return type(self)(
             self.name,
             self.span,
-            attributes=self.attributes,
-            children=children,
-            trace=self.trace,
-            value_spans=self.value_spans,
-            verbatim=self.verbatim,
-            body=self.body,
+            self.attributes,
+            children,
+            self.trace,
+            self.value_spans,
+            self.verbatim,
+            self.body,
         )
 
     def value_span(self, attribute: str) -> Span:

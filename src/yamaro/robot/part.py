@@ -87,7 +87,8 @@ def lower(
 def _places_of_parts(root: Element) -> dict[int, Element]:
     """Return the elements that hold a part, however deep, by identity, with the first part.
 
-    A part's own body is not searched. Every element is looked at once, however often it is shared.
+    A part's own body is not searched. Every element is looked at once, however often it is shared,
+    and what is empty not at all.
     """
     holders: dict[int, Element] = {}
     seen: set[int] = set()
@@ -104,10 +105,9 @@ def _places_of_parts(root: Element) -> dict[int, Element]:
         if id(element) in seen:
             continue
         seen.add(id(element))
-        inner = [c for c in element.children if isinstance(c, Element)]
-        if inner:
-            stack.append((element, True))
-            stack.extend((c, False) for c in reversed(inner) if type(c) is Element)
+        children = element.children
+        stack.append((element, True))
+        stack += [(c, False) for c in reversed(children) if type(c) is Element and c.children]
     return holders
 
 
