@@ -3,9 +3,11 @@
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from .compiler import Build as Build
+    from .compiler import Program as Program
     from .compiler import UsageError as UsageError
     from .compiler import build as build
     from .compiler import convert as convert
+    from .compiler import load as load
     from .diagnostics import Diagnostic as Diagnostic
     from .diagnostics import YamaroError as YamaroError
     from .diagnostics import YamaroWarning as YamaroWarning
@@ -22,11 +24,13 @@ __all__ = [
     "FlexiDict",
     "LoadError",
     "MemoryLoader",
+    "Program",
     "UsageError",
     "YamaroError",
     "YamaroWarning",
     "build",
     "convert",
+    "load",
 ]
 
 # Where each name comes from when it is first asked for: the command imports this package too, and
@@ -38,11 +42,13 @@ _MODULES = {
     "FlexiDict": "syntax.flexidict",
     "LoadError": "runtime.loader",
     "MemoryLoader": "runtime.loader",
+    "Program": "compiler",
     "UsageError": "compiler",
     "YamaroError": "diagnostics",
     "YamaroWarning": "diagnostics",
     "build": "compiler",
     "convert": "compiler",
+    "load": "compiler",
 }
 
 

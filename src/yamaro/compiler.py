@@ -17,7 +17,8 @@ from .diagnostics import (
 from .runtime.collector import RareCollection
 from .runtime.deep_stack import run_on_deep_stack
 from .runtime.interpreter import Interpreter
-from .runtime.loader import FileLoader, LoadError, decode
+from .runtime.library import Library
+from .runtime.loader import FileLoader, LoadError
 from .runtime.predefined import plain_data
 from .source import STANDARD_INPUT, STANDARD_INPUT_NAME, Source, Span
 from .syntax.context import ParseContext
@@ -29,9 +30,12 @@ from .xmltree import Element, unshared, write
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping, Sequence
+    from typing import TypeVar
 
     from .runtime.loader import Loader
     from .runtime.packages import PackageFinder
+
+    T = TypeVar("T")
     from .xmltree import Shared
 
 
@@ -89,6 +93,95 @@ class Build:
         return self._xml
 
 
+class Program:
+    """A file that can be converted again and again, with other variables.
+
+    It and the files it includes are read and parsed once, when they are first needed, as are the
+    Python modules beside them; changes on the disk are not seen. All else begins anew in each
+    conversion. Conversions may run in several threads at once.
+    """
+
+    __slots__ = ("_library", "_path", "_source", "_text")
+
+    def __init__(self, path: str, *, text: str | None = None, loader: Loader | None = None) -> None:
+        """Name the main file; see `yamaro.build`."""
+        self._path = path
+        self._text = text
+        self._library = Library(loader or FileLoader())
+        self._source: Source | None = None
+
+    def parse(self) -> None:
+        """Read and parse the main file.
+
+        Raises:
+            YamaroError: the file has errors.
+            UsageError: it cannot be read.
+        """
+        source = self._main_file()
+        reporter = Reporter()
+        self._run(lambda: self._library.parse(source, reporter=reporter), reporter)
+
+    def convert(self, /, *assignments: str, **variables: object) -> str:
+        """Return the XML; see `yamaro.convert`.
+
+        Raises:
+            YamaroError: the input has errors.
+            ValueError: an assignment is malformed.
+        """
+        return _converted(self, assignments, variables)
+
+    def build(
+        self,
+        *,
+        command_line: Sequence[str] = (),
+        variables: Mapping[str, object] | None = None,
+        strict: bool = False,
+        advice: bool = False,
+        on_message: Callable[[str], None] | None = None,
+    ) -> Build:
+        """Compile the file; see `yamaro.build`.
+
+        Raises:
+            YamaroError: the input has errors; it holds them, and the warnings found before.
+            UsageError: a `name:=value` is malformed.
+        """
+        passed, places = _read_command_line(command_line)
+        passed.update(variables or {})
+        source = self._main_file()
+        reporter = Reporter()
+        interpreter = Interpreter(
+            library=self._library,
+            reporter=reporter,
+            on_message=on_message or _print_to_standard_error,
+        )
+
+        def compile_robot() -> Build:
+            evaluated = interpreter.run_main(source, stem=_stem(self._path), variables=passed)
+            _warn_of_unknown_variables(interpreter, places, reporter)
+            return _finish(evaluated, interpreter, reporter, advice=advice)
+
+        result = self._run(compile_robot, reporter)
+        if strict and reporter.diagnostics:
+            for diagnostic in reporter.diagnostics:
+                diagnostic.severity = ERROR
+            raise YamaroError(reporter.diagnostics)
+        return result
+
+    def _main_file(self) -> Source:
+        if self._source is None:
+            self._source = _read_main(self._path, self._text, self._library)
+        return self._source
+
+    @staticmethod
+    def _run(function: Callable[[], T], reporter: Reporter) -> T:
+        """Return what `function` returns; an error it raises holds the warnings as well."""
+        try:
+            with RareCollection():
+                return run_on_deep_stack(function)
+        except YamaroError as error:
+            raise YamaroError([*reporter.diagnostics, *error.diagnostics]) from None
+
+
 def build(
     path: str,
     *,
@@ -116,30 +209,13 @@ def build(
         YamaroError: the input has errors; it holds them, and the warnings found before.
         UsageError: the main file cannot be read, or a `name:=value` is malformed.
     """
-    loader = loader or FileLoader()
-    passed, places = _read_command_line(command_line)
-    passed.update(variables or {})
-    source = _read_main(path, text, loader)
-    reporter = Reporter()
-    interpreter = Interpreter(
-        loader=loader, reporter=reporter, on_message=on_message or _print_to_standard_error
+    return Program(path, text=text, loader=loader).build(
+        command_line=command_line,
+        variables=variables,
+        strict=strict,
+        advice=advice,
+        on_message=on_message,
     )
-
-    def compile_robot() -> Build:
-        evaluated = interpreter.run_main(source, stem=_stem(path), variables=passed)
-        _warn_of_unknown_variables(interpreter, places, reporter)
-        return _finish(evaluated, interpreter, reporter, advice=advice)
-
-    try:
-        with RareCollection():
-            result = run_on_deep_stack(compile_robot)
-    except YamaroError as error:
-        raise YamaroError([*reporter.diagnostics, *error.diagnostics]) from None
-    if strict and reporter.diagnostics:
-        for diagnostic in reporter.diagnostics:
-            diagnostic.severity = ERROR
-        raise YamaroError(reporter.diagnostics)
-    return result
 
 
 def _finish(
@@ -239,19 +315,48 @@ def convert(path: str | os.PathLike[str], /, *assignments: str, **variables: obj
         OSError: the main file cannot be read.
         ValueError: an assignment is malformed.
     """
+    return _converted(Program(os.fspath(path)), assignments, variables)
+
+
+def load(path: str | os.PathLike[str], *, loader: Loader | None = None) -> Program:
+    """Return a program that converts a file again and again.
+
+    Args:
+        path: the main file.
+        loader: gives the text of files; the disk by default.
+
+    Raises:
+        YamaroError: the main file has errors, which are found without running it.
+        OSError: the main file cannot be read.
+    """
+    program = Program(os.fspath(path), loader=loader)
     try:
-        result = build(os.fspath(path), command_line=assignments, variables=variables)
+        program.parse()
     except UsageError as error:
-        cause = error.__cause__
-        if isinstance(cause, LoadError):
-            raise FileNotFoundError(str(error)) from None
-        raise ValueError(str(error)) from None
+        raise _as_built_in(error) from None
+    return program
+
+
+def _converted(
+    program: Program, assignments: Sequence[str], variables: Mapping[str, object]
+) -> str:
+    """Return the XML; issue the warnings in the name of whoever called our caller."""
+    try:
+        result = program.build(command_line=assignments, variables=variables)
+    except UsageError as error:
+        raise _as_built_in(error) from None
     if result.warnings:
         import warnings
 
         for diagnostic in result.warnings:
-            warnings.warn(str(YamaroError([diagnostic])), YamaroWarning, stacklevel=2)
+            warnings.warn(str(YamaroError([diagnostic])), YamaroWarning, stacklevel=3)
     return result.xml()
+
+
+def _as_built_in(error: UsageError) -> Exception:
+    """Return the exception of Python's own that says the same."""
+    is_missing = isinstance(error.__cause__, LoadError)
+    return FileNotFoundError(str(error)) if is_missing else ValueError(str(error))
 
 
 def _print_to_standard_error(text: str) -> None:
@@ -266,19 +371,17 @@ def _stem(path: str) -> str:
     return stem or "robot"
 
 
-def _read_main(path: str, text: str | None, loader: Loader) -> Source:
+def _read_main(path: str, text: str | None, library: Library) -> Source:
     if text is not None:
         is_file = path != STANDARD_INPUT
         name = path if is_file else STANDARD_INPUT_NAME
         return Source(
             text.removeprefix("\ufeff"), name=name, path=os.path.abspath(path) if is_file else ""
         )
-    absolute = os.path.abspath(path)
     try:
-        data = loader.read(absolute)
+        return library.source(os.path.abspath(path), path)
     except LoadError as error:
         raise UsageError(f"cannot read '{path}': {error}") from error
-    return decode(data, name=path, path=absolute)
 
 
 def _read_command_line(arguments: Sequence[str]) -> tuple[dict[str, object], dict[str, Span]]:
@@ -315,9 +418,7 @@ def _warn_of_unknown_variables(
         for name, scope, _ in document.declarations
         if scope != "import" and not name[0].isupper()
     }
-    read: set[str] = set()
-    for document in interpreter.files.documents:
-        read |= document.names_read
+    read = interpreter.files.names_read()
     for name, span in places.items():
         if name not in declared and name not in read:
             near = suggest(name, declared)

@@ -83,6 +83,18 @@ class Diagnostic:
         self.severity = severity
         self.trace = trace
 
+    def copy(self) -> Diagnostic:
+        """Return the same diagnostic, which may then be made another one."""
+        return Diagnostic(
+            self.code,
+            self.message,
+            self.span,
+            hint=self.hint,
+            notes=self.notes,
+            severity=self.severity,
+            trace=self.trace,
+        )
+
     def __repr__(self) -> str:
         return f"<{self.severity}[{self.code}] {self.span.place()}: {self.message}>"
 

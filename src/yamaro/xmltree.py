@@ -156,12 +156,13 @@ empty. Elements in it are never changed."""
 def unshared(root: Element, trace: Frame | None = None) -> Element:
     """Return a copy of a tree in which no element stands twice, each with a trace of its own.
 
-    `trace` is that of a root which inherits its own.
+    The copy may be changed. `trace` is that of a root which inherits its own.
     """
     top = with_trace(root, trace if root.trace is INHERITED else root.trace)
     pending = [top]
     while pending:
         element = pending.pop()
+        element.attributes = dict(element.attributes)
         children = element.children = list(element.children)
         for index, child in enumerate(children):
             if isinstance(child, Element):

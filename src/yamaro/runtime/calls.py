@@ -4,15 +4,15 @@ from __future__ import annotations
 
 from ..diagnostics import YamaroError, did_you_mean, failure
 from ..source import Span
-from ..syntax.context import ParseContext
 from ..syntax.names import STATEMENTS
 from ..syntax.nodes import Argument, Body, Constant, FunctionNode, Value
 from ..syntax.python import PythonCode
-from ..syntax.statements import late_value, parse_body
+from ..syntax.statements import parse_body
 from ..syntax.template import Template
 from ..syntax.yaml_nodes import MappingNode, SequenceNode
 from .declared import Declaration, notes_on
 from .expressions import function_names
+from .late import Late
 from .scope import MISSING, BlockScope, Namespace, Scope, function_key
 from .values import Values, count
 
@@ -110,16 +110,14 @@ class Match:
         self.is_complete = False
 
 
-def match_arguments(
-    node: FunctionNode, arguments: list[Argument], span: Span, late_context: ParseContext
-) -> Match:
+def match_arguments(node: FunctionNode, arguments: list[Argument], span: Span, late: Late) -> Match:
     """Return which argument goes to which parameter.
 
     Args:
         node: the function called.
         arguments: what the call gives.
         span: the place of the call.
-        late_context: gathers what is parsed only now.
+        late: parses what can be parsed only now.
 
     Raises:
         YamaroError: an argument is missing, unknown, given twice or of the wrong kind.
@@ -159,9 +157,9 @@ def match_arguments(
             )
         spans[name] = argument.span
         if parameter.is_block:
-            match.blocks.append((function_key(name), _block(argument, node, late_context)))
+            match.blocks.append((function_key(name), _block(argument, node, late)))
         else:
-            value = argument.value or late_value(argument, late_context)
+            value = argument.value or late.value(argument)
             if isinstance(value, Constant):
                 match.constants[name] = value.value
             else:
@@ -179,12 +177,12 @@ def match_arguments(
     return match
 
 
-def _block(argument: Argument, node: FunctionNode, late_context: ParseContext) -> Body:
+def _block(argument: Argument, node: FunctionNode, late: Late) -> Body:
     if argument.block is None:
         if isinstance(argument.node, SequenceNode) and any(
             isinstance(item, MappingNode) for item in argument.node.items
         ):
-            parse_body(argument.node, f"the block {argument.name}", late_context)
+            parse_body(argument.node, f"the block {argument.name}", late.context)
         raise _bad_call(
             "not-a-body",
             f"the block '{argument.name}' takes a body, and this is a value",

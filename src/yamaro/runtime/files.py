@@ -1,4 +1,4 @@
-"""The files of one conversion: each read and parsed once, with what its expressions see."""
+"""The files of one conversion, with what the expressions in them see."""
 
 from __future__ import annotations
 
@@ -6,13 +6,12 @@ import os
 
 from ..diagnostics import Frame, Reporter, did_you_mean, failure
 from ..source import Source, Span
-from ..syntax.context import ParseContext
 from ..syntax.nodes import Document, ImportNode
-from ..syntax.parser import parse, register
 from ..syntax.python import PythonCode
 from .declared import Declaration
 from .expressions import Evaluator
-from .loader import LoadError, decode
+from .late import Late
+from .loader import LoadError
 from .modules import LocalModules, import_names
 from .packages import PackageFinder
 from .predefined import CONSTANTS, Helpers
@@ -23,7 +22,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable
     from typing import Any
 
-    from .loader import Loader
+    from .library import Library
 
 
 class Files:
@@ -32,29 +31,40 @@ class Files:
     Attributes:
         read: the absolute path of every file read, in order, as the keys of a dict.
         codes: the Python code in all files that defines functions, by its file name.
-        late: gathers what is parsed only while the program runs; see `adopt`.
+        late: parses what can be parsed only while the program runs.
     """
 
-    __slots__ = ("_documents", "_loader", "_modules", "_print", "codes", "late", "packages", "read")
+    __slots__ = (
+        "_documents",
+        "_library",
+        "_modules",
+        "_print",
+        "_reporter",
+        "codes",
+        "late",
+        "packages",
+        "read",
+    )
 
     def __init__(
-        self, loader: Loader, *, reporter: Reporter, print_function: Callable[..., None]
+        self, library: Library, *, reporter: Reporter, print_function: Callable[..., None]
     ) -> None:
         """Begin without files.
 
         Args:
-            loader: gives the text of files.
+            library: reads and parses files.
             reporter: takes the warnings of parsing.
             print_function: stands in for Python's `print`.
         """
-        self._loader = loader
+        self._library = library
+        self._reporter = reporter
         self._print = print_function
         self._documents: dict[str, Document] = {}
         self._modules: dict[str, LocalModules] = {}
         self.packages = PackageFinder()
         self.read: dict[str, None] = {}
         self.codes: dict[str, PythonCode] = {}
-        self.late = ParseContext(reporter)
+        self.late = Late(reporter, self.codes)
 
     @property
     def documents(self) -> list[Document]:
@@ -72,7 +82,7 @@ class Files:
         document = self._documents.get(key)
         if document is None:
             self.note(key)
-            document = parse(source, reporter=self.late.reporter)
+            document = self._library.parse(source, reporter=self._reporter)
             self._documents[key] = document
             self.codes.update(document.codes)
         return document
@@ -81,14 +91,9 @@ class Files:
         """Note that a file was read."""
         self.read.setdefault(path)
 
-    def adopt(self) -> None:
-        """Take up the Python that was compiled late."""
-        if self.late.codes:
-            document = next(iter(self._documents.values()))
-            for python in self.late.codes:
-                register(document, python)
-            self.late.codes.clear()
-            self.codes.update(document.codes)
+    def names_read(self) -> set[str]:
+        """Return every name that an expression in the files reads."""
+        return self.late.names_read.union(*(each.names_read for each in self.documents))
 
     def where_declared(self, name: str) -> list[Declaration]:
         """Return every declaration of a name, in any file."""
@@ -103,7 +108,7 @@ class Files:
         """Return what expressions see in a run of a file, but for its imports."""
         source = document.source
         directory = os.path.dirname(source.path) if source.path else os.getcwd()
-        helpers = Helpers(directory, self._loader, self.packages, self.note)
+        helpers = Helpers(directory, self._library.loader, self.packages, self.note)
         names = {**CONSTANTS, **helpers.names(), "print": self._print}
         names["__import__"] = self._modules_in(directory).import_hook
         return Home(source, directory, names, frame)
@@ -124,7 +129,7 @@ class Files:
 
     def _modules_in(self, directory: str) -> LocalModules:
         if directory not in self._modules:
-            self._modules[directory] = LocalModules(directory)
+            self._modules[directory] = LocalModules(directory, self._library.modules)
         return self._modules[directory]
 
     def load(self, path: str, span: Span, home: Home) -> Source:
@@ -146,9 +151,10 @@ class Files:
         if known is not None:
             return known.source
         try:
-            data = self._loader.read(absolute)
+            name = _shown_name(path, absolute, home.source)
+            source = self._library.source(absolute, name)
         except LoadError as error:
-            neighbours = self._loader.neighbours(absolute)
+            neighbours = self._library.loader.neighbours(absolute)
             likely = [name for name in neighbours if name.endswith((".yaml", ".yml"))]
             raise failure(
                 "missing-file",
@@ -158,7 +164,7 @@ class Files:
                 notes=[f"looked for {absolute}"],
             ) from None
         self.note(absolute)
-        return decode(data, name=_shown_name(path, absolute, home.source), path=absolute)
+        return source
 
     def _unknown_package(self, path: str, span: Span, home: Home) -> Exception:
         package = path.partition("://")[2].partition("/")[0]

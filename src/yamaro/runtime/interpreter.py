@@ -41,7 +41,7 @@ from ..syntax.nodes import (
     VariablesNode,
 )
 from ..syntax.python import PythonCode
-from ..syntax.statements import late_call, refuse_second_function
+from ..syntax.statements import refuse_second_function
 from ..syntax.template import Template
 from ..syntax.variables import variable_name
 from ..xmltree import (
@@ -79,7 +79,7 @@ if TYPE_CHECKING:
     from typing import Any
 
     from ..xmltree import Node
-    from .loader import Loader
+    from .library import Library
 
 MAX_DEPTH = 1500
 """How deep calls and includes may nest."""
@@ -91,7 +91,7 @@ class Interpreter:
     def __init__(
         self,
         *,
-        loader: Loader,
+        library: Library,
         reporter: Reporter,
         on_message: Callable[[str], None],
         shares: bool = True,
@@ -99,7 +99,7 @@ class Interpreter:
         """Begin a conversion.
 
         Args:
-            loader: gives the text of files.
+            library: gives the files.
             reporter: takes the warnings.
             on_message: takes what `print` and `process` print, without a final line break.
             shares: let one element stand wherever it would be built again just as it is, its
@@ -108,7 +108,7 @@ class Interpreter:
         self.reporter = reporter
         self.messages = Messages(on_message)
         self.shared = Shared()
-        self.files = Files(loader, reporter=reporter, print_function=self.messages.print)
+        self.files = Files(library, reporter=reporter, print_function=self.messages.print)
         self.evaluator = Evaluator(self.files.codes, self.files.where_declared)
         self.values = Values(self.evaluator)
         self.shares = shares
@@ -360,8 +360,7 @@ class Interpreter:
         if not text:
             return
         if is_function_name(text):
-            arguments = late_call(node, text, self.files.late)
-            self.files.adopt()
+            arguments = self.files.late.call(node, text)
             self._call(text, arguments, node.span, scope, out)
             return
         if text in STATEMENTS:
@@ -373,7 +372,7 @@ class Interpreter:
                 f"for an XML element of that name write <{text}>:",
             )
         if node.faults:
-            raise YamaroError(node.faults)
+            raise YamaroError(fault.copy() for fault in node.faults)
         fault = name_fault(text, "element")
         if fault is not None:
             raise failure(
@@ -493,7 +492,6 @@ class Interpreter:
         match = self._matches.get(id(arguments))
         if match is None or match.node is not function.node:
             match = match_arguments(function.node, arguments, span, self.files.late)
-            self.files.adopt()
             self._matches[id(arguments)] = match
         closure = function.closure
         callee = Scope(closure.home, self.shared, closure=closure, caller=scope.context)

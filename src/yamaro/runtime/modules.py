@@ -17,18 +17,19 @@ from .expressions import InputFault, run_module
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
-    from types import ModuleType
+    from types import CodeType, ModuleType
     from typing import Any
 
 
 class LocalModules:
     """The modules in one folder, for one conversion."""
 
-    __slots__ = ("_directory", "_modules", "_prefix", "files")
+    __slots__ = ("_codes", "_directory", "_modules", "_prefix", "files")
 
-    def __init__(self, directory: str) -> None:
-        """Look for modules in `directory`."""
+    def __init__(self, directory: str, codes: dict[str, CodeType]) -> None:
+        """Look for modules in `directory`; `codes` holds those compiled before, by their paths."""
         self._directory = directory
+        self._codes = codes
         self._modules: dict[str, ModuleType] = {}
         self._prefix = f"_yamaro_{id(self):x}"
         self.files: list[str] = []  # what was read
@@ -69,8 +70,11 @@ class LocalModules:
         self._modules[name] = module
         sys.modules[fields["__name__"]] = module
         try:
-            with open(path, "rb") as file:
-                code = compile(file.read(), path, "exec", dont_inherit=True)
+            code = self._codes.get(path)
+            if code is None:
+                with open(path, "rb") as file:
+                    code = compile(file.read(), path, "exec", dont_inherit=True)
+                self._codes[path] = code
             self.files.append(path)
             run_module(code, fields)
         except BaseException:

@@ -234,7 +234,7 @@ class InsertNode:
 class DynamicNode:
     """A bare key with `$(…)` in it: an element or a call, whatever its value turns out to be."""
 
-    __slots__ = ("call", "content", "faults", "key", "node", "span")
+    __slots__ = ("content", "faults", "key", "node", "span")
 
     def __init__(
         self,
@@ -258,7 +258,6 @@ class DynamicNode:
         self.content = content
         self.faults = faults
         self.span = span
-        self.call: list[Argument] | None = None
 
 
 class IfNode:

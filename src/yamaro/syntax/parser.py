@@ -41,22 +41,22 @@ def parse(source: Source, *, reporter: Reporter) -> Document:
     document.declarations = context.declarations
     document.extents = context.extents
     for python in context.codes:
-        register(document, python)
+        register(python, codes=document.codes, names_read=document.names_read)
     return document
 
 
-def register(document: Document, python: PythonCode) -> None:
-    """Note the names that some Python reads, and where its functions are written."""
+def register(python: PythonCode, *, codes: dict[str, PythonCode], names_read: set[str]) -> None:
+    """Note the names that some Python reads, and by its file name code that defines functions."""
     if python.name is not None:
-        document.names_read.add(python.name)
+        names_read.add(python.name)
         return
     pending: list[CodeType] = [python.code]
     while pending:
         code = pending.pop()
-        document.names_read.update(code.co_names)
+        names_read.update(code.co_names)
         for constant in code.co_consts:
             if isinstance(constant, type(code)):
-                document.codes[code.co_filename] = python
+                codes[code.co_filename] = python
                 pending.append(constant)
 
 

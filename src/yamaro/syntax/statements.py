@@ -33,7 +33,6 @@ from .nodes import (
     Statement,
     TextContent,
     TextNode,
-    Value,
 )
 from .python import PythonCode, compile_statements
 from .signatures import parse_argument_name, parse_input, parse_short_arguments
@@ -664,22 +663,3 @@ _PARSERS: dict[str, Callable[[ScalarNode, YamlNode, ParseContext], Statement]] =
     "print": _parse_print,
     "process": _parse_process,
 }
-
-# --- what is read only when it is known what it means -----------------------------------------
-
-
-def late_value(argument: Argument, context: ParseContext) -> Value:
-    """Return a capitalised argument as a value, once its parameter turned out to be no block."""
-    if argument.value is None:
-        assert argument.node is not None
-        argument.value = parse_value(argument.node, context)
-    return argument.value
-
-
-def late_call(dynamic: DynamicNode, name: str, context: ParseContext) -> list[Argument]:
-    """Return what stands under a dynamic key as arguments, once it turned out to be a call."""
-    if dynamic.call is None:
-        dynamic.call = parse_arguments(name, dynamic.node, context)
-        if context.errors:
-            raise YamaroError(context.errors)
-    return dynamic.call

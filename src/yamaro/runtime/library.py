@@ -1,0 +1,75 @@
+"""The files of a program: each read and parsed once, for all conversions of it."""
+
+from __future__ import annotations
+
+from ..diagnostics import Diagnostic, Reporter
+from ..source import Source
+from ..syntax.nodes import Document
+from ..syntax.parser import parse
+from .loader import decode
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from types import CodeType
+
+    from .loader import Loader
+
+
+class Library:
+    """Reads and parses files, and remembers what came of it.
+
+    Nothing in it changes once it is there, so that conversions may run one after the other or at
+    once, in several threads: at worst two of them parse the same file. What could not be read or
+    has errors is not remembered.
+
+    Attributes:
+        loader: gives the text of files.
+        modules: the code of Python modules by their paths.
+    """
+
+    __slots__ = ("_parsed", "_texts", "loader", "modules")
+
+    def __init__(self, loader: Loader) -> None:
+        """Begin without files."""
+        self.loader = loader
+        self.modules: dict[str, CodeType] = {}
+        self._texts: dict[str, str] = {}
+        self._parsed: dict[tuple[str, str], tuple[Document, list[Diagnostic]]] = {}
+
+    def source(self, path: str, name: str) -> Source:
+        """Return a file.
+
+        Args:
+            path: where it is, absolute.
+            name: what it is called in messages.
+
+        Raises:
+            LoadError: it cannot be read.
+            YamaroError: it is not text in UTF-8.
+        """
+        text = self._texts.get(path)
+        if text is not None:
+            return Source(text, name=name, path=path)
+        source = decode(self.loader.read(path), name=name, path=path)
+        self._texts[path] = source.text
+        return source
+
+    def parse(self, source: Source, *, reporter: Reporter) -> Document:
+        """Return the syntax tree of a file; every call reports its warnings.
+
+        Raises:
+            YamaroError: the file has errors.
+        """
+        key = (source.path, source.name)
+        if key not in self._parsed:
+            found = Reporter()
+            try:
+                self._parsed[key] = (parse(source, reporter=found), found.diagnostics)
+            except BaseException:
+                for warning in found.diagnostics:
+                    reporter.add(warning)
+                raise
+        document, warnings = self._parsed[key]
+        for warning in warnings:
+            reporter.add(warning.copy())  # the caller's own: a strict build makes it an error
+        return document
