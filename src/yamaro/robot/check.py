@@ -6,12 +6,10 @@ Everything here is linear in the size of the robot and recurses no deeper than t
 from __future__ import annotations
 
 from ..xmltree import Element
-from .check_context import CheckContext, attribute_text
+from .check_context import FILES, MATERIALS, TREE, CheckContext, attribute_text
 from .check_files import check_files
-from .check_joint import check_joint
-from .check_link import check_link, check_pose
 from .check_material import check_materials
-from .check_schema import check_schema
+from .check_schema import check_elements
 from .check_tree import check_spelling, check_tree
 from .urdf import SRDF_ELEMENTS, VERSIONS
 
@@ -49,20 +47,17 @@ def check(
     """
     children = root.elements()
     links = [child for child in children if child.name == "link"]
-    joints = [child for child in children if child.name == "joint"]
     materials = [child for child in children if child.name == "material"]
-    context = CheckContext(reporter)
+    context = CheckContext(reporter, shared=shared)
     context.version = _check_robot(root, links, context)
-    check_schema(root, context)
+    joints = check_elements(root, context)
+    context.stage = TREE
     tree = check_tree(links, joints, context)
-    for link in links:
-        check_link(link, context)
-    for joint in joints:
-        check_pose(joint, joint, context)
-        check_joint(joint, context)
-    check_materials(materials, links, context)
+    context.stage = MATERIALS
+    check_materials(materials, context)
     if resolve_mesh is not None:
-        check_files(root, context, resolve_mesh=resolve_mesh, places_searched=places_searched)
+        context.stage = FILES
+        check_files(context, resolve_mesh=resolve_mesh, places_searched=places_searched)
     context.flush()
     if advice is not None:
         from .check_advice import check_advice

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from math import isfinite
+from math import isfinite, nan
 
-from ..diagnostics import WARNING, Diagnostic, suggest
+from ..diagnostics import INHERITED, WARNING, Diagnostic, suggest
 from ..xmltree import Element, format_value
 
 TYPE_CHECKING = False
@@ -13,7 +13,10 @@ if TYPE_CHECKING:
 
     from ..diagnostics import Reporter
     from ..source import Span
-    from .urdf import AttributeRule
+    from ..xmltree import Shared
+
+    Children = dict[str, Element]
+    """The first child element of each name; parsers of URDF read no other where one is meant."""
 
 SUGGESTION_BUDGET = 200_000
 """Names compared in one run to find the one meant; keeps a robot full of faults linear."""
@@ -35,6 +38,13 @@ class NumberFault:
         self.kind = kind
 
 
+SCHEMA, TREE, LINKS, JOINTS, MATERIALS, COLORS, USES, FILES = range(8)
+"""The stages of the check, in the order in which findings are told.
+
+One walk over the elements finds what belongs to several stages.
+"""
+
+
 class Finding:
     """A diagnostic, and how often the same came up."""
 
@@ -54,19 +64,52 @@ STRAY_CODES = ("unknown-element", "unknown-attribute")
 class CheckContext:
     """One run of the checks: where findings go, and what has been worked out so far."""
 
-    __slots__ = ("_found", "_numbers", "_suggestion_budget", "reporter", "sound", "version")
+    __slots__ = (
+        "_found",
+        "_numbers",
+        "_suggestion_budget",
+        "count",
+        "file_owners",
+        "material_uses",
+        "materials_inside",
+        "reporter",
+        "sound",
+        "sound_elements",
+        "stage",
+        "version",
+    )
 
-    def __init__(self, reporter: Reporter, *, version: str = "1.0") -> None:
-        """Report to `reporter`; `version` is the URDF version of the robot.
+    def __init__(
+        self, reporter: Reporter, *, version: str = "1.0", shared: Shared | None = None
+    ) -> None:
+        """Report to `reporter`.
 
-        `sound` holds the texts that have been found right for a kind of attribute.
+        Args:
+            reporter: takes the findings.
+            version: the URDF version of the robot.
+            shared: the elements that stand in several places.
+
+        Attributes:
+            count: how often something was found.
+            stage: the stage that findings belong to.
+            sound: what has been found right: what was asked, and the texts of the values.
+            sound_elements: for each shared element, by identity, whether all was right in it.
+            material_uses: the first link and visual's material of each name that visuals use.
+            materials_inside: the names of the materials that are defined in visuals.
+            file_owners: the links and materials that may refer to files, each in turn.
         """
         self.reporter = reporter
         self.version = version
-        self.sound: set[tuple[str, AttributeRule]] = set()
+        self.stage = SCHEMA
+        self.count = 0
+        self.sound: set[tuple[object, ...]] = set()
+        self.sound_elements = dict.fromkeys(shared or (), False)
+        self.material_uses: dict[str, tuple[Element, Element]] = {}
+        self.materials_inside: set[str] = set()
+        self.file_owners: list[Element] = []
         self._numbers: dict[str, tuple[float, ...] | NumberFault] = {}
         self._suggestion_budget = SUGGESTION_BUDGET
-        self._found: dict[object, Finding] = {}
+        self._found: list[dict[object, Finding]] = [{} for _ in range(FILES + 1)]
 
     def warn(
         self,
@@ -79,21 +122,27 @@ class CheckContext:
         missing: str | None = None,
         hint: str | None = None,
         notes: Sequence[str] = (),
+        first: Element | None = None,
     ) -> None:
         """Note a finding at an attribute's value, or at the element when none is named.
 
         With `is_of_name` it is at the attribute's name.
 
         A line in a loop or a function makes many elements; what is wrong with them for the same
-        reason is told once. `missing` names what is not there, where that is the fault.
+        reason is told once. `missing` names what is not there, where that is the fault. `first` is
+        the element that this one repeats, where the notes tell of its trace.
         """
+        self.count += 1
         if attribute is not None and is_of_name:
             span = element.name_span(attribute)
         else:
             span = place_of(element, attribute)
-        found = self._found.setdefault((code, span.key(), attribute, missing), Finding())
+        found = self._found[self.stage].setdefault(
+            (code, span.key(), attribute, missing), Finding()
+        )
         found.count += 1
         if found.diagnostic is None:
+            is_known = first is None or first.trace is not INHERITED
             found.diagnostic = Diagnostic(
                 code,
                 message,
@@ -101,13 +150,13 @@ class CheckContext:
                 hint=hint,
                 notes=notes,
                 severity=WARNING,
-                trace=element.trace,
+                trace=element.trace if is_known else INHERITED,
             )
 
     def flush(self) -> None:
-        """Report what was found, in the order it was found."""
+        """Report what was found, stage by stage, in the order it was found."""
         told = {d.span.key() for d in self.reporter.diagnostics if d.code in KEY_CODES}
-        for found in self._found.values():
+        for found in self._all_found().values():
             diagnostic = found.diagnostic
             if diagnostic is None:
                 continue
@@ -116,7 +165,17 @@ class CheckContext:
             if found.count > 1:
                 diagnostic.notes += (f"{found.count} elements made here have this fault",)
             self.reporter.add(diagnostic)
-        self._found.clear()
+
+    def _all_found(self) -> dict[object, Finding]:
+        """Return what was found in all stages; what came up in several is told in the first."""
+        all_found: dict[object, Finding] = {}
+        for stage in self._found:
+            for key, found in stage.items():
+                if key in all_found:
+                    all_found[key].count += found.count
+                else:
+                    all_found[key] = found
+        return all_found
 
     def near(self, word: str, candidates: Collection[str]) -> str | None:
         """Return the hint "did you mean 'x'?", or None when nothing is near."""
@@ -149,8 +208,9 @@ class CheckContext:
 
     def number(self, element: Element | None, attribute: str) -> float | None:
         """Return the number in an attribute, or None if it is absent or faulty."""
-        found = self.numbers(element, attribute, 1)
-        return found[0] if found else None
+        text = attribute_text(element, attribute)
+        found = self.read(text) if text is not None else ()
+        return found[0] if type(found) is tuple and len(found) == 1 else None
 
 
 def read_numbers(text: str) -> tuple[float, ...] | NumberFault:
@@ -159,20 +219,28 @@ def read_numbers(text: str) -> tuple[float, ...] | NumberFault:
     Spacing is judged as urdfdom does: it splits at spaces alone, and a lone number must be the end
     of its text.
     """
-    numbers = []
-    for item in text.split():
-        try:
-            number = float(item)
-        except ValueError:
-            return NumberFault(item, WORD)
-        if "_" in item or not item.isascii():
-            return NumberFault(item, WORD)
-        if not isfinite(number):
-            return NumberFault(item, NOT_FINITE)
-        numbers.append(number)
+    try:
+        numbers = tuple(map(float, text.split()))
+    except ValueError:
+        numbers = (nan,)
+    if not text.isascii() or "_" in text or not all(map(isfinite, numbers)):
+        for item in text.split():
+            kind = _fault_of(item)
+            if kind is not None:
+                return NumberFault(item, kind)
     if (numbers and not text.isprintable()) or (len(numbers) == 1 and text[-1] == " "):
         return NumberFault(text, SPACING)
-    return tuple(numbers)
+    return numbers
+
+
+def _fault_of(item: str) -> str | None:
+    """Return what is wrong with a number, if anything is."""
+    if "_" in item or not item.isascii():
+        return WORD
+    try:
+        return None if isfinite(float(item)) else NOT_FINITE
+    except ValueError:
+        return WORD
 
 
 def attribute_text(element: Element | None, attribute: str) -> str | None:

@@ -10,13 +10,13 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Iterator, Sequence
 
     from ..source import Span
+    from .check_context import Children
 
 PACKAGE_SCHEME = "package://"
 LOCAL_SCHEMES = (PACKAGE_SCHEME, "file://")
 
 
 def check_files(
-    root: Element,
     context: CheckContext,
     *,
     resolve_mesh: Callable[[str, Span], str | None],
@@ -24,7 +24,7 @@ def check_files(
 ) -> None:
     """Report each file that is not there and each unknown package once, where first used."""
     told: set[str] = set()
-    for element, owner in file_references(root):
+    for element, owner in _file_references(context.file_owners):
         filename = attribute_text(element, "filename")
         if filename is None or filename in told or not is_local(filename):
             continue
@@ -46,9 +46,19 @@ def check_files(
             _report_package(package, places, element, owner, context)
 
 
-def file_references(root: Element) -> Iterator[tuple[Element, Element]]:
+def note_file(element: Element, children: Children, owner: Element, context: CheckContext) -> None:
+    """Note a link or material with a mesh or texture in it, for `check_files` to look at.
+
+    Of an element that stands in several places one owner is enough: a file is told of once.
+    """
+    owners = context.file_owners
+    if not owners or owners[-1] is not owner:
+        owners.append(owner)
+
+
+def _file_references(owners: list[Element]) -> Iterator[tuple[Element, Element]]:
     """Yield each mesh and texture element with the link or material that holds it."""
-    for owner in root.elements():
+    for owner in owners:
         if owner.name == "material":
             texture = child_named(owner, "texture")
             if texture is not None:

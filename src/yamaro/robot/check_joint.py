@@ -5,8 +5,13 @@ from __future__ import annotations
 from math import hypot
 
 from ..xmltree import Element
-from .check_context import CheckContext, attribute_text, child_named, shown
+from .check_context import JOINTS, CheckContext, attribute_text, shown
+from .check_link import check_pose
 from .urdf import JOINT_TYPES, joint_type_hint
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from .check_context import Children
 
 UNIT_TOLERANCE = 1e-3
 """How far from 1 the length of an axis may be: three digits, as 0.707 for 1/√2, are enough."""
@@ -15,25 +20,28 @@ LIMITED = ("revolute", "prismatic")
 WITH_AXIS = ("revolute", "continuous", "prismatic", "planar")
 
 
-def check_joint(joint: Element, context: CheckContext) -> None:
-    """Check the values of a joint that its type gives a meaning to."""
+def check_joint(joint: Element, children: Children, owner: Element, context: CheckContext) -> None:
+    """Check the pose of a joint, and the values that its type gives a meaning to."""
+    context.stage = JOINTS
+    check_pose(children, joint, context)
     kind = attribute_text(joint, "type")
     if kind is None:
         return
     if kind not in JOINT_TYPES:
         _report_type(kind, joint, context)
         return
-    if kind in WITH_AXIS:
-        _check_axis(joint, context)
-    limit = child_named(joint, "limit")
+    axis = children.get("axis")
+    if axis is not None and kind in WITH_AXIS:
+        _check_axis(axis, joint, context)
+    limit = children.get("limit")
     if limit is not None:
         _check_limit(limit, kind, joint, context)
     elif kind in LIMITED:
         _report_missing_limit(kind, joint, context)
-    safety = child_named(joint, "safety_controller")
+    safety = children.get("safety_controller")
     if safety is not None:
         _check_order(safety, "soft_lower_limit", "soft_upper_limit", joint, context)
-    dynamics = child_named(joint, "dynamics")
+    dynamics = children.get("dynamics")
     if dynamics is not None:
         _check_dynamics(dynamics, joint, context)
 
@@ -52,10 +60,12 @@ def _report_type(kind: str, joint: Element, context: CheckContext) -> None:
     )
 
 
-def _check_axis(joint: Element, context: CheckContext) -> None:
-    axis = child_named(joint, "axis")
+def _check_axis(axis: Element, joint: Element, context: CheckContext) -> None:
+    text = attribute_text(axis, "xyz")
+    if text is None or ("axis", text) in context.sound:
+        return
     xyz = context.numbers(axis, "xyz", 3)
-    if axis is None or not xyz:
+    if not xyz:
         return
     length = hypot(*xyz)
     if length == 0:
@@ -75,6 +85,8 @@ def _check_axis(joint: Element, context: CheckContext) -> None:
             attribute="xyz",
             hint=f"write {unit}; some parsers scale the motion by the length",
         )
+    else:
+        context.sound.add(("axis", text))
 
 
 # --- limits -----------------------------------------------------------------------------------
@@ -96,18 +108,17 @@ def _limit_hint(kind: str, hint: str) -> str:
 
 
 def _check_limit(limit: Element, kind: str, joint: Element, context: CheckContext) -> None:
-    if kind in LIMITED:
-        has_range = any(attribute_text(limit, name) is not None for name in ("lower", "upper"))
-        if not has_range:
-            context.warn(
-                "missing-limit",
-                f"joint '{_name(joint)}' is {kind}, but its limit has no 'lower' and no 'upper': "
-                "parsers take 0 for both, and it cannot move",
-                limit,
-                hint=_limit_hint(kind, "add `lower=-1, upper=1` to it"),
-            )
-            return
-    if kind != "continuous":
+    if kind in LIMITED and (
+        attribute_text(limit, "lower") is None and attribute_text(limit, "upper") is None
+    ):
+        context.warn(
+            "missing-limit",
+            f"joint '{_name(joint)}' is {kind}, but its limit has no 'lower' and no 'upper': "
+            "parsers take 0 for both, and it cannot move",
+            limit,
+            hint=_limit_hint(kind, "add `lower=-1, upper=1` to it"),
+        )
+    elif kind != "continuous":
         _check_order(limit, "lower", "upper", joint, context)
 
 
@@ -115,13 +126,15 @@ def _check_order(
     element: Element, lower_name: str, upper_name: str, joint: Element, context: CheckContext
 ) -> None:
     """Check that the lower bound, 0 where it is absent, is not above the upper."""
-    lower = context.number(element, lower_name)
-    upper = context.number(element, upper_name)
-    if lower is None and attribute_text(element, lower_name) is None:
-        lower = 0.0
-    if upper is None and attribute_text(element, upper_name) is None:
-        upper = 0.0
+    texts = (attribute_text(element, lower_name), attribute_text(element, upper_name))
+    if ("order", *texts) in context.sound:
+        return
+    lower, upper = (
+        0.0 if text is None else context.number(element, name)
+        for name, text in zip((lower_name, upper_name), texts, strict=True)
+    )
     if lower is None or upper is None or lower <= upper:
+        context.sound.add(("order", *texts))
         return
     absent = [n for n in (lower_name, upper_name) if attribute_text(element, n) is None]
     context.warn(

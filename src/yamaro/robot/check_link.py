@@ -5,8 +5,12 @@ from __future__ import annotations
 from math import fabs, hypot, tau
 
 from ..xmltree import Element
-from .check_context import CheckContext, attribute_text, child_named, label, shown
+from .check_context import LINKS, CheckContext, attribute_text, label, shown
 from .urdf import SHAPES
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from .check_context import Children
 
 TRIANGLE_TOLERANCE = 1e-3
 """By how much, relative, two principal moments may fall short of the third: room for rounding."""
@@ -14,33 +18,24 @@ TRIANGLE_TOLERANCE = 1e-3
 ANGLE_TOLERANCE = 1e-2
 CAPSULE_CODE = "capsule-needs-urdf-1.1"
 INERTIA_NAMES = ("ixx", "ixy", "ixz", "iyy", "iyz", "izz")
-
-
-def check_link(link: Element, context: CheckContext) -> None:
-    """Check the inertial and every shape of a link."""
-    for child in link.children:
-        if not isinstance(child, Element):
-            continue
-        if child.name == "inertial":
-            check_pose(child, link, context)
-            _check_inertial(child, link, context)
-        elif child.name in ("visual", "collision"):
-            check_pose(child, link, context)
-            geometry = child_named(child, "geometry")
-            if geometry is not None:
-                _check_geometry(geometry, child, link, context)
+PLAIN_SHAPES = ("box", "cylinder", "sphere")
 
 
 # --- mass and inertia -------------------------------------------------------------------------
 
 
-def _check_inertial(inertial: Element, link: Element, context: CheckContext) -> None:
-    mass_element = child_named(inertial, "mass")
+def check_inertial(
+    inertial: Element, children: Children, link: Element, context: CheckContext
+) -> None:
+    """Check the pose, the mass and the inertia of a link's inertial."""
+    context.stage = LINKS
+    check_pose(children, link, context)
+    mass_element = children.get("mass")
     mass = context.number(mass_element, "value")
     if mass_element is not None and mass is not None and mass <= 0:
         _report_mass(mass, mass_element, link, context)
         return
-    inertia = child_named(inertial, "inertia")
+    inertia = children.get("inertia")
     if inertia is not None:
         _check_inertia(inertia, link, context)
 
@@ -59,6 +54,9 @@ def _report_mass(mass: float, element: Element, link: Element, context: CheckCon
 
 
 def _check_inertia(inertia: Element, link: Element, context: CheckContext) -> None:
+    texts = tuple([attribute_text(inertia, name) for name in INERTIA_NAMES])
+    if texts in context.sound:
+        return
     values = []
     for name in INERTIA_NAMES:
         number = context.number(inertia, name)
@@ -68,6 +66,7 @@ def _check_inertia(inertia: Element, link: Element, context: CheckContext) -> No
     moments = principal_moments(values)
     fault = _inertia_fault(moments)
     if fault is None:
+        context.sound.add(texts)
         return
     spans = inertia.value_spans
     context.warn(
@@ -81,18 +80,23 @@ def _check_inertia(inertia: Element, link: Element, context: CheckContext) -> No
 
 def _inertia_fault(moments: tuple[float, float, float]) -> str | None:
     """Say why no body has these principal moments, ascending, in kg·m²; None if one can have."""
-    low, middle, high = (0.0 if fabs(m) < 1e-12 * max(moments) else m for m in moments)
-    numbers = f"{shown(low)}, {shown(middle)} and {shown(high)}"
-    if high == 0 and low == 0:
-        return "all its entries are 0, and it could be turned without effort"
+    negligible = 1e-12 * max(moments)
+    low, middle, high = (0.0 if fabs(m) < negligible else m for m in moments)
     if low <= 0:
+        if high == 0 and low == 0:
+            return "all its entries are 0, and it could be turned without effort"
+        numbers = _all_shown(low, middle, high)
         return f"its eigenvalues are {numbers}, and all three must be more than 0"
     if low + middle < high * (1 - TRIANGLE_TOLERANCE):
         return (
-            f"of its eigenvalues {numbers} the two smaller ones together must reach the largest "
-            f"(the triangle inequality)"
+            f"of its eigenvalues {_all_shown(low, middle, high)} the two smaller ones together "
+            "must reach the largest (the triangle inequality)"
         )
     return None
+
+
+def _all_shown(low: float, middle: float, high: float) -> str:
+    return f"{shown(low)}, {shown(middle)} and {shown(high)}"
 
 
 def principal_moments(values: list[float]) -> tuple[float, float, float]:
@@ -137,9 +141,24 @@ def _rotate(matrix: list[list[float]], p: int, q: int) -> None:
 # --- shapes -----------------------------------------------------------------------------------
 
 
+def check_section(
+    section: Element, children: Children, link: Element, context: CheckContext
+) -> None:
+    """Check the pose and the shape of a visual or collision."""
+    context.stage = LINKS
+    check_pose(children, link, context)
+    geometry = children.get("geometry")
+    if geometry is not None:
+        _check_geometry(geometry, section, link, context)
+
+
 def _check_geometry(
     geometry: Element, section: Element, link: Element, context: CheckContext
 ) -> None:
+    if len(geometry.children) == 1:
+        only = geometry.children[0]
+        if isinstance(only, Element) and only.name in PLAIN_SHAPES:
+            return
     shapes = [child for child in geometry.elements() if child.name in SHAPES]
     where = f"a {section.name} of {label(link)}"
     if not shapes:
@@ -192,14 +211,19 @@ def _report_capsule(capsule: Element, where: str, context: CheckContext) -> None
 # --- poses ------------------------------------------------------------------------------------
 
 
-def check_pose(element: Element, owner: Element, context: CheckContext) -> None:
+def check_pose(children: Children, owner: Element, context: CheckContext) -> None:
     """Check the origin of a joint, visual, collision or inertial: one rotation, in radians."""
-    origin = child_named(element, "origin")
+    origin = children.get("origin")
     if origin is None:
         return
-    quaternion = attribute_text(origin, "quat_xyzw")
-    if quaternion is not None:
+    if attribute_text(origin, "quat_xyzw") is not None:
         _check_quaternion(origin, owner, context)
+    rpy = attribute_text(origin, "rpy")
+    if rpy is not None and ("rpy", rpy) not in context.sound:
+        _check_angles(rpy, origin, owner, context)
+
+
+def _check_angles(rpy: str, origin: Element, owner: Element, context: CheckContext) -> None:
     for angle in context.numbers(origin, "rpy", 3):
         if fabs(angle) > tau + ANGLE_TOLERANCE:
             context.warn(
@@ -210,6 +234,7 @@ def check_pose(element: Element, owner: Element, context: CheckContext) -> None:
                 hint=f"angles are in radians; for degrees write `$(radians({shown(angle)}))`",
             )
             return
+    context.sound.add(("rpy", rpy))
 
 
 def _check_quaternion(origin: Element, owner: Element, context: CheckContext) -> None:

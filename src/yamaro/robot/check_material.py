@@ -3,46 +3,47 @@
 from __future__ import annotations
 
 from ..xmltree import Element
-from .check_context import CheckContext, attribute_text, child_named, label, shown
+from .check_context import COLORS, USES, CheckContext, attribute_text, child_named, label, shown
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from .check_context import Children
 
 
-def check_materials(materials: list[Element], links: list[Element], context: CheckContext) -> None:
-    """Check the robot's own materials and those in the visuals of its links."""
+def check_materials(materials: list[Element], context: CheckContext) -> None:
+    """Check the robot's own materials, and that the materials of its visuals are defined."""
     known: dict[str, Element] = {}
     for material in materials:
         _check_global(material, known, context)
-    uses = list(_materials_of(links))
-    inline: set[str] = set()
-    for _, material in uses:
-        _check_color(material, context)
-        if _is_defined(material):
-            inline.add(attribute_text(material, "name") or "")
-    told: set[str] = set()
-    for link, material in uses:
-        name = attribute_text(material, "name")
-        if not name or name in known or name in inline or name in told:
+    context.stage = USES
+    inside = context.materials_inside
+    for name, (link, material) in context.material_uses.items():
+        if name in known or name in inside:
             continue
-        told.add(name)
         context.warn(
             "unknown-material",
             f"the material '{name}' of {label(link)} is not defined",
             material,
             attribute="name",
-            hint=context.near(name, [*known, *sorted(inline)])
+            hint=context.near(name, [*known, *sorted(inside)])
             or f"define it: `material/name={name}:` with `color/rgba=0.8 0.8 0.8 1:` in it",
         )
 
 
-def _materials_of(links: list[Element]) -> list[tuple[Element, Element]]:
-    """Return the materials of the visuals, each with its link."""
-    found = []
-    for link in links:
-        for visual in link.children:
-            if isinstance(visual, Element) and visual.name == "visual":
-                material = child_named(visual, "material")
-                if material is not None:
-                    found.append((link, material))
-    return found
+def check_used_material(
+    material: Element, children: Children, owner: Element, context: CheckContext
+) -> None:
+    """Check the material of a visual, and note its name for `check_materials`."""
+    if owner is material:
+        return  # one of the robot's own, which `check_materials` looks at
+    name = attribute_text(material, "name") or ""
+    if children:
+        context.stage = COLORS
+        _check_color(material, context)
+        if _is_defined(material):
+            context.materials_inside.add(name)
+    if name and name not in context.material_uses:
+        context.material_uses[name] = (owner, material)
 
 
 def _is_defined(material: Element) -> bool:
@@ -65,8 +66,8 @@ def _check_global(material: Element, known: dict[str, Element], context: CheckCo
             hint="name it by its look, as in dark_grey",
         )
         return
-    first = known.setdefault(name, material)
-    if first is not material:
+    first = known.get(name)
+    if first is not None:
         context.warn(
             "duplicate-material",
             f"there are two materials named '{name}'",
@@ -76,6 +77,7 @@ def _check_global(material: Element, known: dict[str, Element], context: CheckCo
             notes=(f"first defined at {first.value_span('name').place()}",),
         )
         return
+    known[name] = material
     if not _is_defined(material):
         context.warn(
             "missing-element",

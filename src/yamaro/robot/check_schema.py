@@ -1,4 +1,7 @@
-"""Check of each element against the URDF table: what is missing, unknown, repeated or malformed."""
+"""Check of each element against the URDF table: what is missing, unknown, repeated or malformed.
+
+It is the one walk over all elements, and calls the checks of what their values mean.
+"""
 
 from __future__ import annotations
 
@@ -6,6 +9,7 @@ from ..diagnostics import did_you_mean
 from ..xmltree import Element
 from .check_context import (
     NOT_FINITE,
+    SCHEMA,
     SPACING,
     CheckContext,
     NumberFault,
@@ -13,6 +17,10 @@ from .check_context import (
     label,
     shown,
 )
+from .check_files import note_file
+from .check_joint import check_joint
+from .check_link import check_inertial, check_section
+from .check_material import check_used_material
 from .urdf import (
     ANY,
     ELEMENTS,
@@ -24,6 +32,26 @@ from .urdf import (
     AttributeRule,
     ElementRule,
 )
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from .check_context import Children
+
+    ValueCheck = Callable[[Element, Children, Element, CheckContext], None]
+    """Takes an element, its first child of each name, the link or joint it is in, the context."""
+
+VALUE_CHECKS: dict[str, ValueCheck] = {
+    "inertial": check_inertial,
+    "visual": check_section,
+    "collision": check_section,
+    "joint": check_joint,
+    "material": check_used_material,
+    "mesh": note_file,
+    "texture": note_file,
+}
+"""What looks at the values of an element, by its name."""
 
 XYZ = "x y z"
 COMPONENTS = {
@@ -89,41 +117,70 @@ PARENTS = {
 }
 
 
-def check_schema(root: Element, context: CheckContext) -> None:
-    """Check every element that URDF defines; what others define is left alone."""
+def check_elements(root: Element, context: CheckContext) -> list[tuple[Element, Children]]:
+    """Check every element that URDF defines; what others define is left alone.
+
+    Returns:
+        The joints, each with its first child element of each name.
+    """
+    joints = []
     _check_attributes(root, ELEMENTS["robot"], root, context)
     for child in root.children:
         if not isinstance(child, Element):
             continue
         if child.name in ("link", "joint", "material"):
-            _check_element(child, ELEMENTS[child.name], child, context)
+            children = _check_element(child, ELEMENTS[child.name], child, context)
+            if child.name == "joint":
+                joints.append((child, children))
         elif child.name not in OUTERMOST:
             _check_outermost(child, context)
+    return joints
 
 
 def _check_element(
     element: Element, rule: ElementRule, owner: Element, context: CheckContext
-) -> None:
+) -> Children:
     """Check an element and what is in it; the depth is bounded by the table."""
     _check_attributes(element, rule, owner, context)
     known = rule.children
-    first: dict[str, Element] = {}
+    shared = context.sound_elements
+    first: Children = {}
     for child in element.children:
         if not isinstance(child, Element):
             continue
         name = child.name
-        if name not in known:
+        many = known.get(name)
+        if many is None:
             _check_unknown_child(child, element, rule, owner, context)
             continue
-        if known[name] == ONCE:
+        if many == ONCE:
             if name in first:
-                _report_repeated(child, first[name], element, owner, context)
+                _check_repeated(child, first[name], element, owner, context)
                 continue
             first[name] = child
-        _check_element(child, ELEMENTS[name], owner, context)
+        is_sound = shared.get(id(child)) if shared else None
+        if is_sound is None:
+            _check_element(child, ELEMENTS[name], owner, context)
+        elif not is_sound:
+            _check_shared(child, owner, context)
     for name in rule.required_children:
         if name not in first:
             _report_missing_child(name, element, owner, context)
+    check_values = VALUE_CHECKS.get(element.name)
+    if check_values is not None:
+        check_values(element, first, owner, context)
+        context.stage = SCHEMA
+    return first
+
+
+def _check_shared(element: Element, owner: Element, context: CheckContext) -> None:
+    """Check an element that stands in several places, and note whether all is right in it.
+
+    Where it is not, it is checked at each of them: what is found is told with its number.
+    """
+    count = context.count
+    _check_element(element, ELEMENTS[element.name], owner, context)
+    context.sound_elements[id(element)] = context.count == count
 
 
 # --- attributes -------------------------------------------------------------------------------
@@ -316,7 +373,7 @@ def _holder(element: Element, owner: Element) -> str:
 # --- children ---------------------------------------------------------------------------------
 
 
-def _report_repeated(
+def _check_repeated(
     child: Element, first: Element, element: Element, owner: Element, context: CheckContext
 ) -> None:
     context.warn(
@@ -326,6 +383,12 @@ def _report_repeated(
         hint="keep one of them",
         notes=(f"the first is at {first.span.place()}",),
     )
+    if child.name == "inertial":  # its values are told of as well
+        children: Children = {}
+        for inner in child.elements():
+            children.setdefault(inner.name, inner)
+        check_inertial(child, children, owner, context)
+        context.stage = SCHEMA
 
 
 def _report_missing_child(
@@ -346,6 +409,8 @@ def _check_unknown_child(
 ) -> None:
     if ":" in child.name or child.name in rule.extensions:
         return
+    if child.name == "material":
+        note_file(child, {}, owner, context)  # the files in it are looked for all the same
     if element.name == "geometry":
         message = f"'{child.name}' in {label(owner)} is not a shape that URDF has"
     else:

@@ -2,8 +2,13 @@
 
 from __future__ import annotations
 
+from ..diagnostics import INHERITED
 from ..xmltree import Element
 from .check_context import CheckContext, attribute_text, child_named, listed
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from .check_context import Children
 
 LONG_CHAIN = 1000
 """Links on one path above which parsers that recurse run out of stack (pinocchio does at 5,000)."""
@@ -41,12 +46,14 @@ class Tree:
         return parts
 
 
-def check_tree(links: list[Element], joints: list[Element], context: CheckContext) -> Tree:
+def check_tree(
+    links: list[Element], joints: list[tuple[Element, Children]], context: CheckContext
+) -> Tree:
     """Check names, references and the shape of the tree; return what goes by which name."""
     tree = Tree()
     for link in links:
         _check_name(link, tree.links, context)
-    for joint in joints:
+    for joint, _ in joints:
         _check_name(joint, tree.joints, context)
     hanging, is_complete = _check_references(joints, tree, context)
     in_circle = _check_circles(hanging, context)
@@ -66,8 +73,11 @@ def _check_name(element: Element, known: dict[str, Element], context: CheckConte
     if name is None:
         return
     check_spelling(element, name, context)
-    first = known.setdefault(name, element)
-    if first is element or not name:
+    first = known.get(name)
+    if first is None:
+        known[name] = element
+        return
+    if not name:
         return
     context.warn(
         f"duplicate-{element.name}",
@@ -76,13 +86,14 @@ def _check_name(element: Element, known: dict[str, Element], context: CheckConte
         attribute="name",
         hint="give each a name of its own; in a function, build it from an argument: `$(side)_arm`",
         notes=(_note_of_first(first, element),),
+        first=first,
     )
 
 
 def _note_of_first(first: Element, second: Element) -> str:
     """Return where the first of two elements was made, and what led there if that differs."""
     place, trace = first.value_span("name"), first.trace
-    if trace is not second.trace and trace is not None:
+    if trace is not second.trace and trace is not None and trace is not INHERITED:
         way = f"in {trace.name}, {trace.kind} at {trace.span.place()}"
         return f"first defined at {place.place()}, {way}"
     if place.key() == second.value_span("name").key():
@@ -113,43 +124,45 @@ def check_spelling(element: Element, name: str, context: CheckContext) -> None:
 
 
 class Hanging:
-    """How a link hangs: the joint above it and the name of the parent link."""
+    """How links hang, by name: the joint above each, and the name of the parent link."""
 
-    __slots__ = ("joint", "parent")
+    __slots__ = ("joints", "parents")
 
-    def __init__(self, joint: Element, parent: str) -> None:
-        """Say that `joint` holds the link to the link named `parent`."""
-        self.joint = joint
-        self.parent = parent
+    def __init__(self) -> None:
+        """Start with links that hang on nothing."""
+        self.joints: dict[str, Element] = {}
+        self.parents: dict[str, str] = {}
 
 
 def _check_references(
-    joints: list[Element], tree: Tree, context: CheckContext
-) -> tuple[dict[str, Hanging], bool]:
+    joints: list[tuple[Element, Children]], tree: Tree, context: CheckContext
+) -> tuple[Hanging, bool]:
     """Return how each link hangs, and whether every joint says so and its links exist."""
-    hanging: dict[str, Hanging] = {}
+    hanging = Hanging()
     is_complete = True
-    for joint in joints:
-        parent = _reference(joint, "parent", tree, context)
-        child = _reference(joint, "child", tree, context)
+    for joint, children in joints:
+        parent = _reference(joint, children.get("parent"), tree, context)
+        child = _reference(joint, children.get("child"), tree, context)
         if child is None:
             is_complete = False
-            continue
-        if child in hanging:
-            _report_two_parents(child, hanging[child].joint, joint, context)
+        elif child in hanging.joints:
+            _report_two_parents(child, hanging.joints[child], joint, context)
         else:
-            hanging[child] = Hanging(joint, NOWHERE if parent is None else parent)
+            hanging.joints[child] = joint
+            hanging.parents[child] = NOWHERE if parent is None else parent
     return hanging, is_complete
 
 
-def _reference(joint: Element, role: str, tree: Tree, context: CheckContext) -> str | None:
-    """Return the name of a link that exists, or None after a report."""
-    element = child_named(joint, role)
-    name = attribute_text(element, "link")
-    if element is None or name is None:
+def _reference(
+    joint: Element, element: Element | None, tree: Tree, context: CheckContext
+) -> str | None:
+    """Return the link that a parent or child names, if it exists, or None after a report."""
+    if element is None:
         return None
-    if name in tree.links:
+    name = attribute_text(element, "link")
+    if name is None or name in tree.links:
         return name
+    role = element.name
     joint_name = attribute_text(joint, "name")
     context.warn(
         f"unknown-{role}",
@@ -187,31 +200,32 @@ def _report_two_parents(child: str, first: Element, second: Element, context: Ch
     )
 
 
-def _check_circles(hanging: dict[str, Hanging], context: CheckContext) -> bool:
+def _check_circles(hanging: Hanging, context: CheckContext) -> bool:
     """Report each circle of joints once; return whether there is one."""
+    parents = hanging.parents
     done: set[str] = set()
     circles = []
-    for start in hanging:
+    for start in parents:
         path: dict[str, None] = {}
         name = start
-        while name in hanging and name not in done and name not in path:
+        while name in parents and name not in done and name not in path:
             path[name] = None
-            name = hanging[name].parent
+            name = parents[name]
         if name in path:
             names = list(path)
             circles.append(names[names.index(name) :])
         done.update(path)
     if circles:
-        order = {name: index for index, name in enumerate(hanging)}
+        order = {name: index for index, name in enumerate(parents)}
         for circle in circles:
             last = circle.index(max(circle, key=order.__getitem__))
             _report_circle(circle[last:] + circle[:last], hanging, context)
     return bool(circles)
 
 
-def _report_circle(circle: list[str], hanging: dict[str, Hanging], context: CheckContext) -> None:
+def _report_circle(circle: list[str], hanging: Hanging, context: CheckContext) -> None:
     """Report a circle, given from child to parent, at the joint that was written last."""
-    joint = hanging[circle[0]].joint
+    joint = hanging.joints[circle[0]]
     way = [circle[0], *reversed(circle)]
     if len(way) > MAX_PATH_SHOWN:
         way = [*way[: MAX_PATH_SHOWN - 2], "…", way[-1]]
@@ -231,8 +245,8 @@ def _report_circle(circle: list[str], hanging: dict[str, Hanging], context: Chec
     )
 
 
-def _check_roots(tree: Tree, hanging: dict[str, Hanging], context: CheckContext) -> None:
-    roots = [name for name in tree.links if name not in hanging]
+def _check_roots(tree: Tree, hanging: Hanging, context: CheckContext) -> None:
+    roots = [name for name in tree.links if name not in hanging.parents]
     if len(roots) < 2:
         return
     context.warn(
@@ -245,27 +259,29 @@ def _check_roots(tree: Tree, hanging: dict[str, Hanging], context: CheckContext)
     )
 
 
-def _check_depth(hanging: dict[str, Hanging], tree: Tree, context: CheckContext) -> None:
+def _check_depth(hanging: Hanging, tree: Tree, context: CheckContext) -> None:
     """Warn once if a path from the root is too long for parsers that recurse."""
-    if len(hanging) < LONG_CHAIN:
+    parents = hanging.parents
+    if len(parents) < LONG_CHAIN:
         return
     depth: dict[str, int] = {}
-    for start in hanging:
+    for start in parents:
         path = []
         name = start
-        while name in hanging and name not in depth:
+        while name in parents and name not in depth:
             path.append(name)
-            name = hanging[name].parent
+            name = parents[name]
         level = depth.get(name, 0)
         for name in reversed(path):
             level += 1
             depth[name] = level
-    deepest = max(depth, key=lambda name: depth[name])
-    if depth[deepest] <= LONG_CHAIN:
+    longest = max(depth.values())
+    if longest <= LONG_CHAIN:
         return
+    deepest = next(name for name, level in depth.items() if level == longest)
     context.warn(
         "long-chain",
-        f"link '{deepest}' has {depth[deepest]} joints above it",
+        f"link '{deepest}' has {longest} joints above it",
         tree.links[deepest],
         attribute="name",
         hint=f"keep chains under {LONG_CHAIN}: some parsers crash on longer ones (pinocchio)",
@@ -275,10 +291,12 @@ def _check_depth(hanging: dict[str, Hanging], tree: Tree, context: CheckContext)
 # --- mimic ------------------------------------------------------------------------------------
 
 
-def _check_mimics(joints: list[Element], tree: Tree, context: CheckContext) -> None:
+def _check_mimics(
+    joints: list[tuple[Element, Children]], tree: Tree, context: CheckContext
+) -> None:
     masters: dict[str, str] = {}
-    for joint in joints:
-        mimic = child_named(joint, "mimic")
+    for joint, children in joints:
+        mimic = children.get("mimic")
         master = attribute_text(mimic, "joint")
         if mimic is None or master is None:
             continue
