@@ -1,0 +1,241 @@
+"""The parent's side of a jail: it forks the child, listens to it, and ends it."""
+
+from __future__ import annotations
+
+import errno
+import fcntl
+import os
+import platform
+import select
+import signal
+import sys
+import time
+import warnings
+
+from . import landlock, seccomp
+from .calls import architecture, here, lift
+from .child import Cell, live_in_jail
+from .limits import (
+    JailAnswerBroken,
+    JailAnswerTooLong,
+    JailCpuTimeOver,
+    JailCrashed,
+    JailError,
+    JailOutOfMemory,
+    JailTimeOver,
+    JailTooManyThreads,
+    JailUnavailable,
+    JailWorkFailed,
+)
+from .protocol import ANSWER, FAILED, HEADER, LONGEST_REASON, MEMORY, NO_JAIL, READY
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable, Sequence
+
+    from .limits import JailLimits
+
+_WATCH_INTERVAL = 0.02
+"""Seconds between two looks at how many threads the child has: Linux has no limit of its own for
+that but RLIMIT_NPROC, which counts all processes of the user and lets root pass."""
+_GRACE = 1.0
+"""Seconds that a child has to die in once it has closed its end of the pipe."""
+_PIPE_SIZE = 1 << 20
+_ALL_SIGNALS = signal.valid_signals()
+_FORK_WARNING = r"This process .* is multi-threaded, use of fork"
+
+
+def why_unavailable() -> str | None:
+    """Return why this Linux can have no jail, or None."""
+    found = architecture()
+    if found is None:
+        return f"the jail knows x86-64 and aarch64, not {platform.machine()}"
+    version = landlock.version()
+    if version == -errno.ENOSYS:
+        return "the kernel has no Landlock, which Linux 5.13 brought"
+    if version == -errno.EOPNOTSUPP:
+        return "Landlock is turned off; name it in the kernel's option lsm="
+    if version < 1:
+        return f"Landlock is refused here, perhaps by a container: {os.strerror(-version)}"
+    error = seccomp.why_unavailable(found)
+    if error:
+        return f"the kernel takes no seccomp filters: {os.strerror(error)}"
+    if not os.path.exists("/proc/self/statm"):
+        return "/proc is not mounted, which tells how much memory and how many threads there are"
+    return None
+
+
+class Child:
+    """The jailed process as its parent sees it; gone when its `with` block ends."""
+
+    def __init__(self, limits: JailLimits) -> None:
+        self._limits = limits
+        self._deadline = time.monotonic() + limits.seconds
+        self._pid = 0
+        self._reader = -1
+        self._writer = -1
+
+    def __enter__(self) -> Child:
+        self._reader, writer = os.pipe()
+        self._writer = lift(writer)
+        try:
+            fcntl.fcntl(self._writer, fcntl.F_SETPIPE_SZ, _PIPE_SIZE)
+        except OSError:  # the user's pipes are as large as they may be; a small one is only slower
+            pass
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self._end()
+        os.close(self._reader)
+        if self._writer >= 0:
+            os.close(self._writer)
+
+    def start(self, ruleset: int, environment: Sequence[str], work: Callable[[], bytes]) -> None:
+        """Fork.
+
+        Signals wait meanwhile, so that no Ctrl-C loses the child's number, and no handler of the
+        parent's runs in the child. A parent with threads can fork well as long as none of its
+        other threads holds a lock that the work needs; the work would wait for it in vain, until
+        the wall clock ends it. That is known, so the warning about it is turned off; for good,
+        since to turn it on again would race with other threads.
+        """
+        for stream in (sys.stdout, sys.stderr):
+            _flush(stream)
+        warnings.filterwarnings("ignore", message=_FORK_WARNING, category=DeprecationWarning)
+        cell = Cell(
+            writer=self._writer,
+            parent=os.getpid(),
+            ruleset=ruleset,
+            program=seccomp.program(here()),
+            limits=self._limits,
+            environment=environment,
+        )
+        mask = signal.pthread_sigmask(signal.SIG_BLOCK, _ALL_SIGNALS)
+        try:
+            self._pid = os.fork()
+            if self._pid == 0:
+                live_in_jail(cell, work)
+        finally:
+            signal.pthread_sigmask(signal.SIG_SETMASK, mask)
+        os.close(self._writer)
+        self._writer = -1
+
+    def listen(self) -> bytes:
+        """Return the answer."""
+        try:
+            kind, length = self._header()
+        except (JailCrashed, JailAnswerBroken) as error:
+            raise JailUnavailable(f"the jail could not be set up: {error}") from None
+        if kind == NO_JAIL:
+            raise JailUnavailable(self._text(length))
+        if kind != READY:
+            raise JailUnavailable("the jail could not be set up")
+        kind, length = self._header()
+        if kind == ANSWER:
+            if length > self._limits.answer:
+                raise JailAnswerTooLong(f"the answer has {length} bytes")
+            return self._read(length)
+        if kind == MEMORY:
+            raise JailOutOfMemory("the memory does not suffice")
+        if kind == FAILED:
+            raise JailWorkFailed(self._text(length))
+        raise JailAnswerBroken("the answer is none")
+
+    def _header(self) -> tuple[bytes, int]:
+        kind, length = HEADER.unpack(self._read(HEADER.size))
+        return kind, length
+
+    def _text(self, length: int) -> str:
+        return self._read(min(length, LONGEST_REASON)).decode("utf-8", "backslashreplace")
+
+    def _read(self, length: int) -> bytes:
+        """Return so many bytes from the child, watching it meanwhile."""
+        chunks = []
+        missing = length
+        poll = select.poll()
+        poll.register(self._reader, select.POLLIN)
+        next_look = 0.0
+        while missing:
+            now = time.monotonic()
+            if now >= self._deadline:
+                raise JailTimeOver(f"it takes longer than {self._limits.seconds:g} s")
+            if now >= next_look:
+                self._look_at_threads()
+                next_look = now + _WATCH_INTERVAL
+            if not poll.poll(1000 * min(_WATCH_INTERVAL, self._deadline - now)):
+                continue
+            chunk = os.read(self._reader, min(missing, _PIPE_SIZE))
+            if not chunk:
+                raise self._why_it_ended()
+            chunks.append(chunk)
+            missing -= len(chunk)
+        return b"".join(chunks)
+
+    def _look_at_threads(self) -> None:
+        try:
+            with open(f"/proc/{self._pid}/stat", "rb") as file:
+                fields = file.read().rpartition(b")")[2].split()
+        except OSError:  # it has ended
+            return
+        if int(fields[17]) > self._limits.threads:  # the 20th field, num_threads
+            raise JailTooManyThreads(f"it runs more than {self._limits.threads} threads")
+
+    def _why_it_ended(self) -> JailError:
+        """Return the error for a child that has closed its end of the pipe too early."""
+        give_up = time.monotonic() + _GRACE
+        while (is_running := self._is_running()) and time.monotonic() < give_up:
+            time.sleep(0.001)
+        cpu_seconds, status = self._end()
+        if is_running or status is None or not os.WIFSIGNALED(status):
+            return JailAnswerBroken("the answer was cut short")
+        ended_by = os.WTERMSIG(status)
+        if ended_by == signal.SIGXCPU:
+            return JailCpuTimeOver(f"it computes for more than {self._limits.cpu_seconds} s")
+        if ended_by == signal.SIGKILL:
+            if cpu_seconds >= self._limits.cpu_seconds:
+                return JailCpuTimeOver(f"it computes for more than {self._limits.cpu_seconds} s")
+            return JailCrashed("it was killed; perhaps the machine has no memory left")
+        if ended_by == signal.SIGSYS:
+            return JailCrashed("it made a system call of another architecture")
+        return JailCrashed(f"it crashed ({signal.Signals(ended_by).name})")
+
+    def _is_running(self) -> bool:
+        try:
+            options = os.WEXITED | os.WNOHANG | os.WNOWAIT
+            return os.waitid(os.P_PID, self._pid, options) is None
+        except ChildProcessError:  # someone else has asked for its status
+            return False
+
+    def _end(self) -> tuple[float, int | None]:
+        """Kill the child if it lives, and return its processor time and its status.
+
+        An exception that a signal handler raises waits until the child is gone.
+        """
+        if not self._pid:
+            return 0.0, None
+        pid, self._pid = self._pid, 0
+        interruption: BaseException | None = None
+        result: tuple[float, int | None] = (0.0, None)
+        is_killed = False
+        while True:
+            try:
+                if not is_killed:
+                    os.kill(pid, signal.SIGKILL)
+                    is_killed = True
+                _, status, usage = os.wait4(pid, 0)
+                result = (usage.ru_utime + usage.ru_stime, status)
+                break
+            except OSError:  # someone else has asked for its status
+                break
+            except BaseException as error:
+                interruption = error
+        if interruption is not None:
+            raise interruption
+        return result
+
+
+def _flush(stream: object) -> None:
+    try:
+        stream.flush()  # type: ignore[attr-defined]
+    except (AttributeError, OSError, ValueError):  # there is none, or it is closed or broken
+        pass
