@@ -14,7 +14,7 @@ from .source import STANDARD_INPUT, STANDARD_INPUT_NAME
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Callable, Sequence
 
     from .compiler import Build
     from .diagnostics import Diagnostic
@@ -131,7 +131,7 @@ def main(argv: Sequence[str] | None = None) -> int:
 
     with RareCollection():  # here and not only in `build`, for what is imported before
         status = _run_safely(sys.argv[1:], ProcessStreams)
-        gc.freeze()  # all goes with the process: nothing in it need be looked through
+        gc.freeze()  # all goes with the process: nothing in it need be looked through or freed
     return status
 
 
@@ -299,16 +299,17 @@ def _run_on_file(arguments: Arguments, streams: Streams) -> int:
     from .diagnostics import YamaroError
 
     arguments.resolve_output()
-    _refuse_overwriting(arguments, arguments.words)
+    _refuse_overwriting(arguments, lambda: arguments.words)
     try:
         build, content = _build(arguments, streams)
     except YamaroError as error:
         _show(error.diagnostics, arguments, streams)
         return INPUT_ERROR
+    streams.kept.append(build)
     _show(build.warnings, arguments, streams)
     if arguments.command == "check" and build.warnings:
         return INPUT_ERROR
-    _refuse_overwriting(arguments, [*build.files, *build.meshes])
+    _refuse_overwriting(arguments, lambda: [*build.files, *build.meshes])
     return _deliver(content, arguments, streams)
 
 
@@ -398,9 +399,9 @@ def _completion(words: list[str]) -> bytes:
     return completion.script(words[0]).encode()
 
 
-def _refuse_overwriting(arguments: Arguments, inputs: Sequence[str]) -> None:
+def _refuse_overwriting(arguments: Arguments, inputs: Callable[[], Sequence[str]]) -> None:
     output = arguments.options.get("output", "-")
-    if output not in STANDARD_OUTPUT and is_input(arguments.output_path, inputs):
+    if output not in STANDARD_OUTPUT and is_input(arguments.output_path, inputs()):
         raise WrongUsage(f"the output {_quote(output)} is one of the files that are compiled")
 
 

@@ -461,8 +461,12 @@ class _MeshFinder:
         """Return the files of every mesh and texture in a tree, each once, in order."""
         files: dict[str, None] = {}
         pending = [root]
+        seen: set[int] = set()  # an element may stand in several places
         while pending:
             element = pending.pop()
+            if id(element) in seen:
+                continue
+            seen.add(id(element))
             if element.name in ("mesh", "texture") and element.attributes.get("filename"):
                 filename = str(element.attributes["filename"])
                 span = element.value_span("filename")
