@@ -776,8 +776,12 @@ def test_a_conversion_imports_little(words: list[str], text: str) -> None:
 
 @pytest.mark.parametrize(
     ("text", "unused"),
-    [(PLAIN, "yamaro.robot.part"), ("launch: {node/name=n: }\n", "yamaro.robot")],
-    ids=["robot without parts", "no robot"],
+    [
+        (ARM, "yamaro.robot.mesh"),
+        (PLAIN, "yamaro.robot.part"),
+        ("launch: {node/name=n: }\n", "yamaro.robot"),
+    ],
+    ids=["robot without meshes", "robot without parts", "no robot"],
 )
 def test_what_a_document_does_not_need_is_not_imported(text: str, unused: str) -> None:
     write(text)

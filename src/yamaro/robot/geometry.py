@@ -5,16 +5,6 @@ from __future__ import annotations
 from ..diagnostics import failure, suggest
 from ..xmltree import Element, Text, format_value
 from .fields import read_record, read_value, word_of
-from .mesh import (
-    MESH_ENDINGS,
-    TRIMESH_ENDINGS,
-    MeshFileError,
-    MissingLibraryError,
-    is_closed,
-    mesh_ending,
-    read_mesh,
-    solid_moments,
-)
 from .numbers import read_numbers
 from .shapes import Box, Capsule, Cylinder, Mesh, Sphere
 
@@ -177,6 +167,8 @@ def _read_shape_word(lowering: Lowering, key: Element) -> tuple[str, str, Span]:
     kind = word.lower()
     if kind in COUNTS:
         return kind, word, span
+    from .mesh import MESH_ENDINGS, mesh_ending  # as below: most robots have no mesh
+
     if mesh_ending(word) in MESH_ENDINGS:
         return "mesh", word, span
     raise failure(
@@ -193,6 +185,8 @@ def _shape_hint(word: str) -> str:
     if near:
         return f"did you mean '{near}'?"
     if "." in word or "/" in word:
+        from .mesh import MESH_ENDINGS
+
         endings = " ".join(f".{ending}" for ending in MESH_ENDINGS)
         return f"mesh files are known by their ending: {endings}"
     return "the shapes are box, cylinder, sphere, capsule, and mesh files such as meshes/arm.stl"
@@ -317,6 +311,15 @@ def _solid_mesh(lowering: Lowering, geometry: Geometry, scale: tuple[float, ...]
 
 def _read_moments(geometry: Geometry, path: str) -> SolidMoments:
     """Return the volume integrals of a mesh file, for scale 1."""
+    from .mesh import (
+        TRIMESH_ENDINGS,
+        MeshFileError,
+        MissingLibraryError,
+        is_closed,
+        read_mesh,
+        solid_moments,
+    )
+
     span, word, trace = geometry.span, geometry.word, geometry.key.trace
     try:
         mesh = read_mesh(path)
