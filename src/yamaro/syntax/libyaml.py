@@ -58,7 +58,8 @@ def _load_binding() -> Any:
 def _find_package() -> list[str] | None:
     """Return the folders of the package, as importlib.util.find_spec does, without that import."""
     for finder in sys.meta_path:
-        spec = finder.find_spec("yaml", None)
+        find_spec = getattr(finder, "find_spec", None)  # some of old have none
+        spec = find_spec("yaml", None) if find_spec is not None else None
         if spec is not None and spec.submodule_search_locations is not None:
             return list(spec.submodule_search_locations)
     return None
