@@ -6,6 +6,7 @@ from math import isfinite, nan
 
 from ..diagnostics import INHERITED, WARNING, Diagnostic, suggest
 from ..xmltree import Element, format_value
+from .urdf import ELEMENTS, AttributeRule
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -75,6 +76,7 @@ class CheckContext:
         "reporter",
         "sound",
         "sound_elements",
+        "sound_texts",
         "stage",
         "version",
     )
@@ -92,7 +94,8 @@ class CheckContext:
         Attributes:
             count: how often something was found.
             stage: the stage that findings belong to.
-            sound: what has been found right: what was asked, and the texts of the values.
+            sound_texts: for each rule of an attribute, the texts that have been found right.
+            sound: what else has been found right: what was asked, and the texts of the values.
             sound_elements: for each shared element, by identity, whether all was right in it.
             material_uses: the first link and visual's material of each name that visuals use.
             materials_inside: the names of the materials that are defined in visuals.
@@ -103,6 +106,9 @@ class CheckContext:
         self.stage = SCHEMA
         self.count = 0
         self.sound: set[tuple[object, ...]] = set()
+        self.sound_texts: dict[AttributeRule, set[str]] = {
+            rule: set() for element in ELEMENTS.values() for rule in element.attributes.values()
+        }
         self.sound_elements = dict.fromkeys(shared or (), False)
         self.material_uses: dict[str, tuple[Element, Element]] = {}
         self.materials_inside: set[str] = set()

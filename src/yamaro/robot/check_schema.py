@@ -52,6 +52,7 @@ VALUE_CHECKS: dict[str, ValueCheck] = {
     "texture": note_file,
 }
 """What looks at the values of an element, by its name."""
+NO_CHILDREN: Children = {}
 
 XYZ = "x y z"
 COMPONENTS = {
@@ -142,6 +143,21 @@ def _check_element(
 ) -> Children:
     """Check an element and what is in it; the depth is bounded by the table."""
     _check_attributes(element, rule, owner, context)
+    first = _check_children(element, rule, owner, context) if element.children else NO_CHILDREN
+    for name in rule.required_children:
+        if name not in first:
+            _report_missing_child(name, element, owner, context)
+    check_values = VALUE_CHECKS.get(element.name)
+    if check_values is not None:
+        check_values(element, first, owner, context)
+        context.stage = SCHEMA
+    return first
+
+
+def _check_children(
+    element: Element, rule: ElementRule, owner: Element, context: CheckContext
+) -> Children:
+    """Check the elements in an element, and return the first of each name that may stand once."""
     known = rule.children
     shared = context.sound_elements
     first: Children = {}
@@ -163,13 +179,6 @@ def _check_element(
             _check_element(child, ELEMENTS[name], owner, context)
         elif not is_sound:
             _check_shared(child, owner, context)
-    for name in rule.required_children:
-        if name not in first:
-            _report_missing_child(name, element, owner, context)
-    check_values = VALUE_CHECKS.get(element.name)
-    if check_values is not None:
-        check_values(element, first, owner, context)
-        context.stage = SCHEMA
     return first
 
 
@@ -191,13 +200,13 @@ def _check_attributes(
 ) -> None:
     attributes = element.attributes
     known = rule.attributes
-    sound = context.sound
+    sound = context.sound_texts
     for name, value in attributes.items():
         attribute_rule = known.get(name)
         if attribute_rule is None:
             _check_unknown_attribute(name, element, rule, owner, context)
         elif attribute_rule.count != TEXT and (
-            type(value) is not str or (value, attribute_rule) not in sound
+            type(value) is not str or value not in sound[attribute_rule]
         ):
             _check_numbers(name, attribute_rule, element, owner, context)
     for name in rule.required:
@@ -223,7 +232,7 @@ def _check_numbers(
             if number < 0 or (rule.sign == POSITIVE and number == 0):
                 _report_sign(number, name, rule, element, owner, context)
                 return
-    context.sound.add((text, rule))
+    context.sound_texts[rule].add(text)
 
 
 def _report_not_a_number(
