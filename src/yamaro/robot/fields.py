@@ -44,7 +44,7 @@ def sort_fields(lowering: Lowering, owner: Element, place: Place) -> Fields:
             name = child.name
             if name not in known or child.verbatim:
                 _sort_element(lowering, child, place, fields)
-            elif is_left_out(child):
+            elif len(child.children) == 1 and is_left_out(child):
                 continue
             elif name in keys:
                 _replace_key(lowering, child, fields)

@@ -120,25 +120,6 @@ class Interpreter:
         self.depth = 0
         self.part_depth = 0
         self._matches: dict[int, Match] = {}  # by the identity of a call's arguments
-        self._run: dict[type, Callable[[Any, Scope, list[Node], Body | None], None]] = {
-            ElementNode: self._run_element,
-            Element: self._run_static,
-            Text: self._run_ready,
-            Comment: self._run_ready,
-            TextNode: self._run_text,
-            CommentNode: self._run_comment,
-            PartNode: self._run_part,
-            CallNode: self._run_call,
-            InsertNode: self._run_insert,
-            DynamicNode: self._run_dynamic,
-            IfNode: self._run_if,
-            ForNode: self._run_for,
-            IncludeNode: self._run_include,
-            VariablesNode: self._run_variables,
-            FunctionsNode: self._run_functions,
-            PrintNode: self._run_print,
-            ProcessNode: self._run_process,
-        }
 
     # --- files ---
 
@@ -195,15 +176,14 @@ class Interpreter:
         self.files.import_modules(document, scope.home, self.evaluator)
         nothing: list[Node] = []
         for statement in document.sections:
-            self._run[type(statement)](statement, scope, nothing, None)
+            _RUN[type(statement)](self, statement, scope, nothing, None)
 
     # --- bodies ---
 
     def run_body(self, body: Body, scope: Scope, out: list[Node]) -> None:
         """Run the statements of a body, appending what they make to `out`."""
-        run = self._run
         for statement in body.statements:
-            run[type(statement)](statement, scope, out, body)
+            _RUN[type(statement)](self, statement, scope, out, body)
 
     def _run_element(
         self, node: ElementNode, scope: Scope, out: list[Node], body: Body | None
@@ -618,3 +598,25 @@ class Interpreter:
             space._add(key, value)
         for key in dict.fromkeys(self.shared.declared[before:]):
             space._add(key, MISSING)
+
+
+# Not in the interpreter itself, which would then refer to itself and live until the collector runs.
+_RUN: dict[type, Callable[[Interpreter, Any, Scope, list[Node], Body | None], None]] = {
+    ElementNode: Interpreter._run_element,
+    Element: Interpreter._run_static,
+    Text: Interpreter._run_ready,
+    Comment: Interpreter._run_ready,
+    TextNode: Interpreter._run_text,
+    CommentNode: Interpreter._run_comment,
+    PartNode: Interpreter._run_part,
+    CallNode: Interpreter._run_call,
+    InsertNode: Interpreter._run_insert,
+    DynamicNode: Interpreter._run_dynamic,
+    IfNode: Interpreter._run_if,
+    ForNode: Interpreter._run_for,
+    IncludeNode: Interpreter._run_include,
+    VariablesNode: Interpreter._run_variables,
+    FunctionsNode: Interpreter._run_functions,
+    PrintNode: Interpreter._run_print,
+    ProcessNode: Interpreter._run_process,
+}
