@@ -216,7 +216,7 @@ def check_pose(children: Children, owner: Element, context: CheckContext) -> Non
     origin = children.get("origin")
     if origin is None:
         return
-    if attribute_text(origin, "quat_xyzw") is not None:
+    if "quat_xyzw" in origin.attributes and attribute_text(origin, "quat_xyzw") is not None:
         _check_quaternion(origin, owner, context)
     rpy = attribute_text(origin, "rpy")
     if rpy is not None and ("rpy", rpy) not in context.sound:
