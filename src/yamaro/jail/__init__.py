@@ -80,12 +80,10 @@ def run_jailed(
     reason = check_available()
     if reason is not None:
         raise JailUnavailable(reason)
-    from .landlock import Ruleset
-    from .parent import Child
+    from .parent import run
 
-    with Ruleset([*python_folders(), *readable]) as ruleset, Child(limits) as child:
-        child.start(ruleset.descriptor, environment, work)
-        return child.listen()
+    folders = [*python_folders(), *readable]
+    return run(work, readable=folders, limits=limits, environment=environment)
 
 
 def check_available() -> str | None:

@@ -15,6 +15,7 @@ import warnings
 from . import landlock, seccomp
 from .calls import architecture, here, lift
 from .child import Cell, live_in_jail
+from .landlock import Ruleset
 from .limits import (
     JailAnswerBroken,
     JailAnswerTooLong,
@@ -65,15 +66,46 @@ def why_unavailable() -> str | None:
     return None
 
 
+def run(
+    work: Callable[[], bytes],
+    *,
+    readable: Sequence[str],
+    limits: JailLimits,
+    environment: Sequence[str],
+) -> bytes:
+    """Return what `work` returns, having run it in a jail that `why_unavailable` sees no bar to.
+
+    Signals wait while descriptors are opened and the child is forked, so that no Ctrl-C loses one
+    of them, and no handler of the parent's runs in the child. Where there are other threads they
+    may take a signal meanwhile, and Python then interrupts the main thread all the same; a child
+    that is lost like that ends with its parent, or at a limit.
+    """
+    for stream in (sys.stdout, sys.stderr):
+        _flush(stream)
+    mask = signal.pthread_sigmask(signal.SIG_BLOCK, _ALL_SIGNALS)
+    try:
+        with Ruleset(readable) as ruleset, Child(limits) as child:
+            child.start(ruleset.descriptor, environment, work)
+            try:
+                signal.pthread_sigmask(signal.SIG_SETMASK, mask)
+                return child.listen()
+            finally:
+                signal.pthread_sigmask(signal.SIG_BLOCK, _ALL_SIGNALS)
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, mask)
+
+
 class Child:
     """The jailed process as its parent sees it; gone when its `with` block ends."""
 
     def __init__(self, limits: JailLimits) -> None:
+        """Hold the limits; time runs from here."""
         self._limits = limits
         self._deadline = time.monotonic() + limits.seconds
         self._pid = 0
         self._reader = -1
         self._writer = -1
+        self._state = -1  # of /proc/…/stat
 
     def __enter__(self) -> Child:
         self._reader, writer = os.pipe()
@@ -86,21 +118,20 @@ class Child:
 
     def __exit__(self, *_: object) -> None:
         self._end()
-        os.close(self._reader)
-        if self._writer >= 0:
-            os.close(self._writer)
+        descriptors = (self._reader, self._writer, self._state)
+        self._reader = self._writer = self._state = -1
+        for descriptor in descriptors:
+            if descriptor >= 0:
+                os.close(descriptor)
 
     def start(self, ruleset: int, environment: Sequence[str], work: Callable[[], bytes]) -> None:
         """Fork.
 
-        Signals wait meanwhile, so that no Ctrl-C loses the child's number, and no handler of the
-        parent's runs in the child. A parent with threads can fork well as long as none of its
-        other threads holds a lock that the work needs; the work would wait for it in vain, until
-        the wall clock ends it. That is known, so the warning about it is turned off; for good,
-        since to turn it on again would race with other threads.
+        A parent with threads can fork well as long as none of its other threads holds a lock that
+        the work needs; the work would wait for it in vain, until the wall clock ends it. That is
+        known, so the warning about it is turned off; for good, since to turn it on again would
+        race with other threads.
         """
-        for stream in (sys.stdout, sys.stderr):
-            _flush(stream)
         warnings.filterwarnings("ignore", message=_FORK_WARNING, category=DeprecationWarning)
         cell = Cell(
             writer=self._writer,
@@ -110,15 +141,17 @@ class Child:
             limits=self._limits,
             environment=environment,
         )
-        mask = signal.pthread_sigmask(signal.SIG_BLOCK, _ALL_SIGNALS)
+        self._pid = os.fork()
+        if self._pid == 0:
+            live_in_jail(cell, work)
+        writer, self._writer = self._writer, -1
+        os.close(writer)
         try:
-            self._pid = os.fork()
-            if self._pid == 0:
-                live_in_jail(cell, work)
-        finally:
-            signal.pthread_sigmask(signal.SIG_SETMASK, mask)
-        os.close(self._writer)
-        self._writer = -1
+            self._state = os.open(f"/proc/{self._pid}/stat", os.O_RDONLY | os.O_CLOEXEC)
+        except FileNotFoundError:  # it has ended, and the kernel was told to forget such children
+            pass
+        except OSError as error:
+            raise JailUnavailable(f"threads cannot be counted: {error}") from None
 
     def listen(self) -> bytes:
         """Return the answer."""
@@ -173,8 +206,7 @@ class Child:
 
     def _look_at_threads(self) -> None:
         try:
-            with open(f"/proc/{self._pid}/stat", "rb") as file:
-                fields = file.read().rpartition(b")")[2].split()
+            fields = os.pread(self._state, 1000, 0).rpartition(b")")[2].split()
         except OSError:  # it has ended
             return
         if int(fields[17]) > self._limits.threads:  # the 20th field, num_threads
