@@ -11,9 +11,11 @@ if TYPE_CHECKING:
 
     from ..diagnostics import Diagnostic, Frame, Reporter, YamaroError
     from ..source import Span
+    from ..syntax.forms import Form
     from ..xmltree import Node, Shared
     from .mesh import SolidMoments
     from .numbers import Numbers
+    from .patterns import Pattern
     from .shapes import Inertia
 
     Key = TypeVar("Key")
@@ -42,17 +44,18 @@ class Lowering:
         inertias: the words of the moments of inertia that were computed; robots have equal bodies.
         moments: the volume integrals of the mesh files read so far, by path.
         near_keys: what a key in a place was found to be a misspelling of.
+        patterns: how to lower the parts of a form, or None where that has no pattern.
         parents: the joints whose first child is a `<parent>` made here, of which the link may yet
             be the name of a part.
         mimics: the joints with a `<mimic>` made here, of which the joint may yet be the name of a
             part.
+        told: how often something was reported so far.
         part_links: the link of each part, by the part's name.
         part_joints: the joint of each part, by the part's name.
     """
 
     __slots__ = (
         "_reported",
-        "_told",
         "errors",
         "has_capsule",
         "inertias",
@@ -64,9 +67,11 @@ class Lowering:
         "parents",
         "part_joints",
         "part_links",
+        "patterns",
         "reporter",
         "resolve_mesh",
         "shared",
+        "told",
     )
 
     def __init__(
@@ -88,16 +93,17 @@ class Lowering:
         self.inertias: dict[Inertia, tuple[str, ...]] = {}
         self.moments: dict[str, SolidMoments] = {}
         self.near_keys: dict[tuple[str, str], str | None] = {}
+        self.patterns: dict[Form, Pattern | None] = {}
         self.parents: list[Element] = []
         self.mimics: list[Element] = []
         self.part_links: dict[str, str] = {}
         self.part_joints: dict[str, str] = {}
         self._reported: set[object] = set()
-        self._told = 0
+        self.told = 0
 
     def absorb(self, error: YamaroError) -> None:
         """Record the errors of an exception and go on; the same at the same place counts once."""
-        self._told += 1
+        self.told += 1
         for diagnostic in error.diagnostics:
             key = (diagnostic.code, diagnostic.message, diagnostic.span.key())
             if key not in self._reported:
@@ -108,7 +114,7 @@ class Lowering:
         self, code: str, message: str, span: Span, *, hint: str | None, trace: Frame | None
     ) -> None:
         """Report a warning; see `Diagnostic`."""
-        self._told += 1
+        self.told += 1
         self.reporter.warn(code, message, span, hint=hint, trace=trace)
 
     def once(self, key: Element, lower: Callable[[Lowering, Element], Product]) -> Product:
@@ -125,9 +131,9 @@ class Lowering:
             return lower(self, key)
         product: Product | None = notes.get("lowered")
         if product is None:
-            told = self._told
+            told = self.told
             product = lower(self, key)
-            if told == self._told:
+            if told == self.told:
                 notes["lowered"] = product
                 self._share(product)
         return product

@@ -7,6 +7,7 @@ that joints refer to are resolved at the end, over the whole tree.
 from __future__ import annotations
 
 from ..diagnostics import YamaroError, failure
+from ..syntax.forms import FormedPart
 from ..xmltree import Element, PartElement, format_value
 from .fields import (
     Fields,
@@ -21,6 +22,7 @@ from .joint import lower_joint
 from .link import lower_link
 from .lowering import Lowering
 from .material import lower_material
+from .patterns import lower_formed
 from .places import PART
 
 TYPE_CHECKING = False
@@ -164,6 +166,13 @@ class PartNames:
 
 def _lower_part(lowering: Lowering, part: Element, out: list[Node]) -> None:
     """Append the joint and link of a part, in the order written, and then what stands beside."""
+    if type(part) is FormedPart:
+        lower_formed(lowering, part, out, _lower_each)
+    else:
+        _lower_each(lowering, part, out)
+
+
+def _lower_each(lowering: Lowering, part: Element, out: list[Node]) -> None:
     fields = sort_fields(lowering, part, PART)
     names = _read_names(lowering, part, fields)
     if names.part is not None:

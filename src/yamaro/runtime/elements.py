@@ -7,8 +7,8 @@ same values come again, so that a loop that makes a thousand equal links makes o
 from __future__ import annotations
 
 from ..diagnostics import INHERITED, Frame
-from ..syntax.forms import Form, FormText
-from ..xmltree import Element, Text, format_number, format_value
+from ..syntax.forms import Form, FormedPart, filled, key_of
+from ..xmltree import Element, Text, format_value
 from .scope import MISSING, Scope
 from .values import ALWAYS_WRITABLE, Values, is_writable
 
@@ -20,9 +20,6 @@ if TYPE_CHECKING:
 
 MAX_KNOWN = 64
 """How many elements of one form are kept, and after how many new ones in a row none is any more."""
-
-_PLAIN = frozenset((str, int, float, bool, type(None)))
-"""Types of values that are equal for good once they are equal."""
 
 
 class Known:
@@ -71,12 +68,9 @@ class Builder:
 
         It may stand in other places as well, and inherits its trace.
         """
-        table = self._in_parts if in_part else self._outside
-        known = table.get(form)
-        if known is None:
-            known = table[form] = Known()
+        known = self._known(form, in_part)
         elements = known.elements
-        key = None if elements is None else _key(values)
+        key = None if elements is None else key_of(values)
         if elements is None or key is None:
             return self._make(form, values, INHERITED, in_part, known)
         found = elements.get(key)
@@ -97,11 +91,14 @@ class Builder:
         self, form: Form, values: tuple[Any, ...], in_part: bool, trace: Frame | None
     ) -> Element:
         """Return an element of its own, with a trace; what stands in it may be shared."""
+        return self._make(form, values, trace, in_part, self._known(form, in_part))
+
+    def _known(self, form: Form, in_part: bool) -> Known:
         table = self._in_parts if in_part else self._outside
         known = table.get(form)
         if known is None:
             known = table[form] = Known()
-        return self._make(form, values, trace, in_part, known)
+        return known
 
     def _make(
         self,
@@ -111,44 +108,55 @@ class Builder:
         in_part: bool,
         known: Known,
     ) -> Element:
-        children: list[Node] = []
         if form.text is not None:
             text, span = form.text
-            value = _filled(text, values)
-            if value is not None or in_part:  # in a part, None leaves the key out
-                children.append(Text(value, span))
+            value = filled(text, values)
+            children: list[Node] = [] if value is None and not in_part else [Text(value, span)]
             return Element(
                 form.name, form.span, {}, children, trace, None, form.verbatim, form.body
             )
         attributes: dict[str, object] = {}
         for name, text in form.attributes:
-            value = text if type(text) is str else _filled(text, values)
+            value = filled(text, values)
             if value is not None:
                 attributes[name] = value
+        return Element(
+            form.name,
+            form.span,
+            attributes,
+            self._children(form, values, in_part, known),
+            trace,
+            form.value_spans,
+            form.verbatim,
+            form.body,
+        )
+
+    def _children(
+        self, form: Form, values: tuple[Any, ...], in_part: bool, known: Known
+    ) -> list[Node]:
+        children: list[Node] = []
         for node, inner, first, end, text, span in form.content:
             if inner is not None:
                 children.append(self.element(inner, values[first:end], in_part))
             elif node is not None:
                 children.append(node)
             else:
-                value = _filled(text, values)
-                if value is not None or in_part:
+                value = filled(text, values)
+                if value is not None or in_part:  # in a part, None leaves the key out
                     children.append(Text(value, span))
         if known.built < 2:
             known.built += 1
             if known.built == 2:
                 for element in form.static:
                     self.share(element)
-        return Element(
-            form.name,
-            form.span,
-            attributes,
-            children,
-            trace,
-            form.value_spans,
-            form.verbatim,
-            form.body,
-        )
+        return children
+
+    def part(self, form: Form, values: tuple[Any, ...], trace: Frame | None) -> FormedPart:
+        """Return a part of a form with these values."""
+        return FormedPart(form, values, trace, self._part_children)
+
+    def _part_children(self, form: Form, values: tuple[Any, ...]) -> list[Node]:
+        return self._children(form, values, True, self._known(form, True))
 
 
 def evaluate_holes(form: Form, scope: Scope, values: Values) -> tuple[Any, ...]:
@@ -171,45 +179,3 @@ def evaluate_holes(form: Form, scope: Scope, values: Values) -> tuple[Any, ...]:
                 value = text
         results.append(value)
     return tuple(results)
-
-
-def _filled(text: FormText, values: tuple[Any, ...]) -> Any:
-    """Return the value of a text: of its one expression, or its pieces joined."""
-    kind = type(text)
-    if kind is str:
-        return text
-    if kind is int:
-        return values[text]  # type: ignore[index]
-    words = []
-    for piece in text:  # type: ignore[union-attr]
-        if type(piece) is str:
-            words.append(piece)
-            continue
-        value = values[piece]  # type: ignore[index]
-        kind = type(value)
-        if kind is str:
-            words.append(value)
-        elif kind is float:
-            words.append(format_number(value))
-        else:
-            words.append("None" if value is None else format_value(value))
-    return "".join(words)
-
-
-def _key(values: tuple[Any, ...]) -> object:
-    """Return what tells values apart by all that can be seen of them, or None for what cannot be.
-
-    In Python 1, 1.0 and True are equal, and so are 0.0 and -0.0.
-    """
-    if len(values) == 1:
-        value = values[0]
-        kind = type(value)
-        if kind is str:
-            return value
-        return (value, kind, str(value)) if kind in _PLAIN else None
-    kinds = tuple(map(type, values))
-    if not _PLAIN.issuperset(kinds):
-        return None
-    if 0.0 in values:
-        return values, kinds, tuple(map(str, values))
-    return values, kinds

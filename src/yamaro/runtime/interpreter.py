@@ -323,8 +323,12 @@ class Interpreter:
         out.append(Comment(text, node.span))
 
     def _run_part(self, node: PartNode, scope: Scope, out: list[Node], body: Body | None) -> None:
-        part = PartElement("part", node.span, trace=self._trace(), body=body)
         self.has_parts = True
+        if node.form is not None and self.shares:
+            values = evaluate_holes(node.form, scope, self.values)
+            out.append(self.builder.part(node.form, values, self._trace()))
+            return
+        part = PartElement("part", node.span, trace=self._trace(), body=body)
         self.part_depth += 1
         holder, self.holder = self.holder, self.frame
         self.run_body(node.body, scope, part.children)

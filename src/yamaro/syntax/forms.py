@@ -1,21 +1,24 @@
-"""Elements of fixed shape: where in them which expression is evaluated.
+"""Elements and parts of fixed shape: where in them which expression is evaluated.
 
-An element node without statements inside has the same shape each time it is run; only the values
-of its expressions differ. Its form lists these once, for all runs.
+What has no statements inside has the same shape each time it is run; only the values of its
+expressions differ. Its form lists these once, for all runs.
 """
 
 from __future__ import annotations
 
-from ..xmltree import Comment, Element, Text
-from .nodes import Body, Content, ElementNode, TextContent
+from ..xmltree import Comment, Element, PartElement, Text, format_number, format_value
+from .nodes import Body, Content, ElementNode, PartNode, TextContent
 from .template import Template
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Callable
     from typing import Any
 
+    from ..diagnostics import Frame
     from ..source import Span
     from ..xmltree import Node
+    from .nodes import Attribute
     from .python import PythonCode
 
 FormText = str | int | tuple[str | int, ...]
@@ -27,10 +30,10 @@ end among those of the whole; or a text with its span."""
 
 
 class Form:
-    """The shape of one element node.
+    """The shape of one element or part.
 
     Attributes:
-        name: the element's name.
+        name: the element's name, or "part".
         span: the place of its key.
         verbatim: whether it is written in angle brackets.
         body: the body it stands in.
@@ -56,25 +59,33 @@ class Form:
         "verbatim",
     )
 
-    def __init__(self, node: ElementNode, body: Body) -> None:
-        """Take the shape of a node that stands in `body`, and which `is_fixed`."""
-        assert isinstance(node.name, str)
-        self.name = node.name
-        self.span = node.span
-        self.verbatim = node.verbatim
+    def __init__(
+        self,
+        name: str,
+        span: Span,
+        attributes: list[Attribute],
+        content: Content,
+        *,
+        body: Body,
+        verbatim: bool = False,
+    ) -> None:
+        """Take the shape of what `is_fixed`; see the class."""
+        self.name = name
+        self.span = span
+        self.verbatim = verbatim
         self.body = body
         self.holes: list[tuple[PythonCode, bool]] = []
         self.attributes: list[tuple[str, FormText]] = []
         self.value_spans: dict[str, Span] = {}
         self.content: list[Piece] = []
-        for attribute in node.attributes:
+        for attribute in attributes:
             assert isinstance(attribute.name, str)
             self.attributes.append((attribute.name, self._text(attribute.value)))
             self.value_spans[attribute.name] = attribute.span
-        self._add_content(node.content)
+        self._add_content(content)
         self.text: tuple[FormText, Span] | None = None
-        if isinstance(node.content, TextContent) and not self.attributes:
-            self.text = (self.content[0][4], node.content.span)
+        if isinstance(content, TextContent) and not attributes:
+            self.text = (self.content[0][4], content.span)
         self.static = [piece[0] for piece in self.content if isinstance(piece[0], Element)]
 
     def _text(self, value: str | Template) -> FormText:
@@ -105,13 +116,22 @@ class Form:
                     self.content.append((statement, None, 0, 0, "", None))
 
 
-def is_fixed(node: ElementNode) -> bool:
-    """Tell whether an element has the same shape each time it is run."""
-    if not isinstance(node.name, str):
-        return False
-    if not all(isinstance(attribute.name, str) for attribute in node.attributes):
-        return False
-    content = node.content
+def form_of(node: ElementNode | PartNode, body: Body) -> Form | None:
+    """Return the form of a node that stands in `body`, or None if its shape is not fixed."""
+    if isinstance(node, PartNode):
+        if not has_fixed_shape(node.body):
+            return None
+        return Form("part", node.span, [], node.body, body=body)
+    name, attributes, content = node.name, node.attributes, node.content
+    if not isinstance(name, str) or not has_fixed_shape(content):
+        return None
+    if not all(isinstance(attribute.name, str) for attribute in attributes):
+        return None
+    return Form(name, node.span, attributes, content, body=body, verbatim=node.verbatim)
+
+
+def has_fixed_shape(content: Content) -> bool:
+    """Tell whether what an element holds has the same shape each time it is run."""
     if isinstance(content, Body):
         return all(
             isinstance(statement, (Element, Text, Comment))
@@ -119,3 +139,91 @@ def is_fixed(node: ElementNode) -> bool:
             for statement in content.statements
         )
     return content is None or isinstance(content, TextContent)
+
+
+def filled(text: FormText, values: tuple[Any, ...]) -> Any:
+    """Return the value of a text: of its one expression, or its pieces joined."""
+    kind = type(text)
+    if kind is str:
+        return text
+    if kind is int:
+        return values[text]  # type: ignore[index]
+    words = []
+    for piece in text:  # type: ignore[union-attr]
+        if type(piece) is str:
+            words.append(piece)
+            continue
+        value = values[piece]  # type: ignore[index]
+        kind = type(value)
+        if kind is str:
+            words.append(value)
+        elif kind is float:
+            words.append(format_number(value))
+        else:
+            words.append("None" if value is None else format_value(value))
+    return "".join(words)
+
+
+_PLAIN = frozenset((str, int, float, bool, type(None)))
+"""Types of values that are equal for good once they are equal."""
+
+
+def key_of(values: tuple[Any, ...]) -> object:
+    """Return what tells values apart by all that can be seen of them, or None for what cannot be.
+
+    In Python 1, 1.0 and True are equal, and so are 0.0 and -0.0.
+    """
+    if len(values) == 1:
+        value = values[0]
+        kind = type(value)
+        if kind is str:
+            return value
+        return (value, kind, str(value)) if kind in _PLAIN else None
+    kinds = tuple(map(type, values))
+    if not _PLAIN.issuperset(kinds):
+        return None
+    if 0.0 in values:
+        return values, kinds, tuple(map(str, values))
+    return values, kinds
+
+
+class FormedPart(PartElement):
+    """A part of fixed shape, with the values in it; what it holds is built when it is asked for."""
+
+    __slots__ = ("_build", "_children", "form", "values")
+
+    def __init__(
+        self,
+        form: Form,
+        values: tuple[Any, ...],
+        trace: Frame | None,
+        build: Callable[[Form, tuple[Any, ...]], list[Node]],
+    ) -> None:
+        """Hold one value for each hole of the form; `build` makes the children."""
+        self.name = form.name
+        self.span = form.span
+        self.attributes = _NOTHING
+        self.trace = trace
+        self.value_spans = None
+        self.verbatim = False
+        self.body = form.body
+        self.form = form
+        self.values = values
+        self._build = build
+        self._children: list[Node] | None = None
+
+    @property
+    def children(self) -> list[Node]:  # type: ignore[override]
+        """The keys and elements of the part."""
+        if self._children is None:
+            self._children = self._build(self.form, self.values)
+        return self._children
+
+    def with_children(self, children: list[Node]) -> PartElement:
+        """Return the same part with other children."""
+        part = PartElement(self.name, self.span, {}, children, self.trace)
+        part.body = self.body
+        return part
+
+
+_NOTHING: dict[str, object] = {}

@@ -182,13 +182,14 @@ class CommentNode:
 
 
 class PartNode:
-    """`part:`: a joint and a link, lowered after evaluation."""
+    """`part:`: a joint and a link, lowered after evaluation; `form` as in an ElementNode."""
 
-    __slots__ = ("body", "span")
+    __slots__ = ("body", "form", "span")
 
     def __init__(self, body: Body, span: Span) -> None:
         self.body = body
         self.span = span
+        self.form: Form | None = None
 
 
 class Argument:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from ..diagnostics import INHERITED, YamaroError, did_you_mean, failure, suggest
 from ..xmltree import Comment, Element, Text, is_comment_text
 from .context import ParseContext
-from .forms import Form, is_fixed
+from .forms import form_of
 from .includes import parse_include
 from .iterations import parse_in, parse_iterator, parse_range
 from .keys import AttributePlaces, find_outside, parse_attributes, parse_name, parse_plain_key
@@ -221,6 +221,8 @@ def _as_put_out(statement: Statement, body: Body) -> Statement:
     """
     if isinstance(statement, ElementNode):
         return _element_put_out(statement, body)
+    if isinstance(statement, PartNode):
+        statement.form = form_of(statement, body)
     if isinstance(statement, TextNode) and isinstance(statement.value, str):
         return Text(statement.value, statement.span)
     if isinstance(statement, CommentNode) and isinstance(statement.value, str):
@@ -230,11 +232,10 @@ def _as_put_out(statement: Statement, body: Body) -> Statement:
 
 
 def _element_put_out(node: ElementNode, body: Body) -> Element | ElementNode:
-    if not is_fixed(node):
-        return node
+    form = form_of(node, body)
     children = _static_children(node.content)
-    if children is None or any(not isinstance(own.value, str) for own in node.attributes):
-        node.form = Form(node, body)
+    if form is None or form.holes or children is None:
+        node.form = form
         return node
     return Element(
         str(node.name),

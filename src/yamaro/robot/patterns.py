@@ -1,0 +1,291 @@
+"""Parts of one form: what they have in common is lowered once.
+
+Most parts that a loop or a function makes differ in their name, their parent and their pose alone.
+Where all else has the same values as in a part that was lowered before, and nothing was told of
+that one, its joint and link are taken over with what is the part's own put in. Any other part is
+lowered as if there were no pattern.
+"""
+
+from __future__ import annotations
+
+from ..diagnostics import INHERITED, YamaroError
+from ..syntax.forms import Form, filled, key_of
+from ..xmltree import Element, Text
+from .fields import Fields
+from .lowering import remember
+from .pose import origin_element, read_pose
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+    from typing import Any
+
+    from ..source import Span
+    from ..syntax.forms import FormedPart, FormText
+    from ..xmltree import Node
+    from .lowering import Lowering
+
+MAX_KNOWN = 64
+"""How many parts of one form are kept to take over from."""
+
+POSE_KEYS = frozenset(("xyz", "rpy", "pivot"))
+
+OwnKey = tuple["FormText", "Span", "Span"]
+"""A key with a value of its own in each part: the text, the place of the key, and of the value."""
+
+
+class Known:
+    """A part that was lowered, to take over from: its joint and link.
+
+    Attributes:
+        joint: its joint.
+        rest: what stands in the joint behind parent, child and origin.
+        has_mimic: whether a mimic is among it.
+        link: its link.
+    """
+
+    __slots__ = ("has_mimic", "joint", "link", "rest")
+
+    def __init__(self, joint: Element, link: Element, *, has_mimic: bool) -> None:
+        """Hold a joint and a link of which nothing was told."""
+        self.joint = joint
+        self.rest = joint.children[3:]
+        self.has_mimic = has_mimic
+        self.link = link
+
+
+class Pattern:
+    """How to lower the parts of one form.
+
+    Attributes:
+        name: the text of the part's name.
+        parent: the `parent` key.
+        pose: the keys of the pose, by name.
+        pose_holes: the numbers of the holes in these.
+        common_holes: the numbers of all holes but those in the name, the parent and the pose.
+        is_joint_first: whether the joint stands before the link.
+        known: parts that were lowered, by the values of the common holes.
+        origins: the origins of the joints, by the values of the pose.
+    """
+
+    __slots__ = (
+        "common_holes",
+        "is_joint_first",
+        "known",
+        "name",
+        "origins",
+        "parent",
+        "pose",
+        "pose_holes",
+    )
+
+    def __init__(self, reader: _Reader) -> None:
+        """Take what was read of a form."""
+        self.name = reader.name
+        self.parent = reader.keys.pop("parent")
+        self.pose = reader.keys
+        self.pose_holes = tuple(reader.pose_holes)
+        self.common_holes = tuple(reader.common_holes)
+        self.is_joint_first = reader.is_joint_first
+        self.known: dict[object, Known] = {}
+        self.origins: dict[object, Element] = {}
+
+
+# --- reading a form ---------------------------------------------------------------------------
+
+
+class _Unusual(Exception):
+    """The form is not that of a part with a name, a joint and a link, written as most are."""
+
+
+class _Reader:
+    """Reads what a form says about name, joint and link."""
+
+    def __init__(self, form: Form) -> None:
+        self.name: FormText = ""
+        self.keys: dict[str, OwnKey] = {}
+        self.pose_holes: list[int] = []
+        self.common_holes: list[int] = []
+        seen: list[str] = []
+        for node, inner, first, end, _, _ in form.content:
+            key = _plain_key(node, inner)
+            if key in seen:
+                raise _Unusual
+            seen.append(key)
+            if key == "name":
+                self.name = _own_key(node, inner, first)[0]
+            elif key == "joint" and inner is not None and not inner.attributes:
+                self._read_joint(inner, first)
+            elif key == "link" and not (inner.attributes if inner else node.attributes):  # type: ignore[union-attr]
+                self.common_holes += range(first, end)
+            else:
+                raise _Unusual
+        if len(seen) != 3 or "parent" not in self.keys:
+            raise _Unusual
+        self.is_joint_first = seen.index("joint") < seen.index("link")
+
+    def _read_joint(self, form: Form, start: int) -> None:
+        seen: set[str] = set()
+        for node, inner, first, end, _, _ in form.content:
+            key = _plain_key(node, inner)
+            if key in seen or key == "origin":
+                raise _Unusual
+            seen.add(key)
+            holes = range(start + first, start + end)
+            if key == "parent" or key in POSE_KEYS:
+                self.keys[key] = _own_key(node, inner, start + first)
+                if key in POSE_KEYS:
+                    self.pose_holes += holes
+            else:
+                self.common_holes += holes
+
+
+def _plain_key(node: Node | None, form: Form | None) -> str:
+    """Return the name of a key; raise _Unusual if it is anything else, or in angle brackets."""
+    key = node if form is None else form
+    if not isinstance(key, (Element, Form)) or key.verbatim:
+        raise _Unusual
+    return key.name
+
+
+def _own_key(node: Node | None, form: Form | None, first: int) -> OwnKey:
+    """Return a key that holds a text and nothing else, with its holes numbered in the whole."""
+    if form is not None:
+        if form.text is None:
+            raise _Unusual
+        text, span = form.text
+        return _shifted(text, first), form.span, span
+    if not isinstance(node, Element) or node.attributes or len(node.children) != 1:
+        raise _Unusual
+    only = node.children[0]
+    if not isinstance(only, Text) or not isinstance(only.value, str):
+        raise _Unusual
+    return only.value, node.span, only.span
+
+
+def _shifted(text: FormText, by: int) -> FormText:
+    """Return a text whose holes have higher numbers."""
+    if isinstance(text, str):
+        return text
+    if isinstance(text, int):
+        return text + by
+    return tuple([piece if isinstance(piece, str) else piece + by for piece in text])
+
+
+# --- lowering by a pattern --------------------------------------------------------------------
+
+
+def lower_formed(
+    lowering: Lowering,
+    part: FormedPart,
+    out: list[Node],
+    lower: Callable[[Lowering, Element, list[Node]], None],
+) -> None:
+    """Append the joint and link of a part; `lower` is how that is done without a pattern."""
+    form = part.form
+    if form not in lowering.patterns:
+        lowering.patterns[form] = _pattern_of(form)
+    pattern = lowering.patterns[form]
+    if pattern is None:
+        lower(lowering, part, out)
+        return
+    values = part.values
+    common = key_of(tuple([values[hole] for hole in pattern.common_holes]))
+    known = None if common is None else pattern.known.get(common)
+    if known is not None and _take_over(lowering, pattern, known, values, out):
+        return
+    told, before = lowering.told, len(out)
+    lower(lowering, part, out)
+    if common is not None and known is None and told == lowering.told:
+        _learn(lowering, pattern, common, out[before:])
+
+
+def _pattern_of(form: Form) -> Pattern | None:
+    try:
+        return Pattern(_Reader(form))
+    except _Unusual:
+        return None
+
+
+def _learn(lowering: Lowering, pattern: Pattern, common: object, made: list[Node]) -> None:
+    """Keep a joint and a link to take over from; what stands in them is shared from now on."""
+    joint, link = made if pattern.is_joint_first else reversed(made)
+    assert isinstance(joint, Element)
+    assert isinstance(link, Element)
+    if len(pattern.known) >= MAX_KNOWN:
+        pattern.known.clear()
+    has_mimic = bool(lowering.mimics) and lowering.mimics[-1] is joint
+    known = pattern.known[common] = Known(joint, link, has_mimic=has_mimic)
+    for node in [*known.rest, *link.children]:
+        if isinstance(node, Element):
+            lowering.shared.setdefault(id(node), {})
+
+
+def _take_over(
+    lowering: Lowering, pattern: Pattern, known: Known, values: tuple[Any, ...], out: list[Node]
+) -> bool:
+    """Append the joint and link of a part made after another one, unless it has a fault."""
+    name, parent = filled(pattern.name, values), filled(pattern.parent[0], values)
+    if type(name) is not str or type(parent) is not str:
+        return False
+    words = name.replace(",", " ").split()
+    parent = parent.strip()
+    if len(words) not in (1, 2) or not parent:
+        return False
+    origin = _origin(lowering, pattern, known.joint, values)
+    if origin is None:
+        return False
+    if len(words) == 2:
+        joint_name, link_name = words
+    else:
+        joint_name, link_name = f"{words[0]}_joint", f"{words[0]}_link"
+        lowering.part_links.setdefault(words[0], link_name)
+        lowering.part_joints.setdefault(words[0], joint_name)
+    first, model = known.joint, known.joint.children
+    children: list[Node] = [
+        _with(model[0], {"link": parent}),
+        _with(model[1], {"link": link_name}),
+        origin,
+        *known.rest,
+    ]
+    attributes = {**first.attributes, "name": joint_name}
+    joint = Element("joint", first.span, attributes, children, INHERITED, first.value_spans)
+    own = known.link
+    link = Element("link", own.span, {"name": link_name}, own.children, INHERITED, own.value_spans)
+    out += (joint, link) if pattern.is_joint_first else (link, joint)
+    lowering.parents.append(joint)
+    if known.has_mimic:
+        lowering.mimics.append(joint)
+    return True
+
+
+def _with(model: Node, attributes: dict[str, object]) -> Element:
+    assert isinstance(model, Element)
+    return Element(model.name, model.span, attributes, [], INHERITED, model.value_spans)
+
+
+def _origin(
+    lowering: Lowering, pattern: Pattern, joint: Element, values: tuple[Any, ...]
+) -> Element | None:
+    """Return the origin of a joint, or None if its pose has a fault."""
+    key = key_of(tuple([values[hole] for hole in pattern.pose_holes]))
+    if key is None:
+        return None
+    origin = pattern.origins.get(key)
+    if origin is not None:
+        lowering.shared.setdefault(id(origin), {})
+        return origin
+    fields = Fields()
+    for name, (text, span, text_span) in pattern.pose.items():
+        value = filled(text, values)
+        if value is not None:  # which leaves the key out
+            fields.keys[name] = Element(name, span, {}, [Text(value, text_span)], INHERITED)
+    told = lowering.told
+    try:
+        origin = origin_element(read_pose(lowering, fields), joint)
+    except YamaroError:
+        return None
+    if told != lowering.told:
+        return None
+    remember(pattern.origins, key, origin)
+    return origin
