@@ -1,0 +1,506 @@
+"""The guards that safe code calls in place of operators, loops, look-ups and texts.
+
+Each does what Python does, after it has checked by exact types that the result will not be too
+large, and has counted what it costs. They are in the order of the language's reference: arithmetic,
+comparisons, collections, attributes and calls, loops, texts, statements.
+"""
+
+from __future__ import annotations
+
+import operator
+from itertools import islice
+from math import log2
+
+from ..diagnostics import did_you_mean
+from ..syntax.flexidict import FlexiDict
+from .safe_limits import RUN_IT, SafetyError, refused
+from .safe_methods import CHANGING, DATA, READING
+from .safe_values import (
+    CONTAINERS,
+    ITERABLES,
+    LIST_ITERATOR,
+    SCALARS,
+    SEQUENCES,
+    SET_LIKE,
+    WHOLE,
+    Function,
+    Meter,
+    Module,
+    OrderedSet,
+    a_type,
+)
+from .scope import Namespace
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterable, Iterator
+    from typing import Any
+
+_GENERATOR = type(_ for _ in ())
+_MANY_BITS = 512  # computing with fewer takes no longer than a step
+_ERRORS = {
+    kind.__name__: kind
+    for kind in (Exception, NotImplementedError, RuntimeError, TypeError, ValueError)
+}
+
+
+class Guards(Meter):
+    """The guards of one conversion, with the count of its steps.
+
+    Attributes:
+        calls: how many lambdas are running, one within the other.
+        own: the identities of the functions written in C that may be called.
+        lazy_functions: the permitted `any`, `all` and `next`.
+    """
+
+    calls = 0
+    own: frozenset[int] = frozenset()
+    lazy_functions: tuple[Function, ...] = ()
+
+    # --- arithmetic ---
+
+    def add(self, a: Any, b: Any) -> Any:
+        """Return `a + b`."""
+        result = a + b
+        kind = type(result)
+        if kind is float:
+            return result
+        if kind is int:
+            if result.bit_length() > self.limits.integer:
+                self.check_integer(result.bit_length())
+        elif kind is str:
+            self.check_text(len(result))
+        elif kind in SEQUENCES:
+            self.check_sequence(len(result))
+        return result
+
+    def sub(self, a: Any, b: Any) -> Any:
+        """Return `a - b`."""
+        if type(a) in SET_LIKE:
+            return self._combine(operator.sub, a, b)
+        result = a - b
+        if type(result) is int and result.bit_length() > self.limits.integer:
+            self.check_integer(result.bit_length())
+        return result
+
+    def mul(self, a: Any, b: Any) -> Any:
+        """Return `a * b`."""
+        kind, other = type(a), type(b)
+        if kind is float or other is float:
+            return a * b
+        if kind in WHOLE and other in WHOLE:
+            self._check_bits(a.bit_length() + b.bit_length())
+        elif other in WHOLE:
+            self._check_repeated(a, b)
+        elif kind in WHOLE:
+            self._check_repeated(b, a)
+        return a * b
+
+    def _check_bits(self, bits: int) -> None:
+        if bits > _MANY_BITS:
+            if bits > self.limits.integer + 1:
+                self.check_integer(bits)
+            self.charge(bits >> 5)
+
+    def _check_repeated(self, value: Any, times: int) -> None:
+        kind = type(value)
+        if kind is str:
+            self.check_text(len(value) * max(times, 0))
+        elif kind in SEQUENCES:
+            self.check_sequence(len(value) * max(times, 0))
+
+    def div(self, a: Any, b: Any) -> Any:
+        """Return `a / b`, which is a decimal number always."""
+        return a / b
+
+    def floordiv(self, a: Any, b: Any) -> Any:
+        """Return `a // b`."""
+        if type(a) is int and a.bit_length() > _MANY_BITS:
+            self.charge(a.bit_length() >> 5)
+        return a // b
+
+    def mod(self, a: Any, b: Any) -> Any:
+        """Return `a % b`, unless that would be the formatting of a text."""
+        if type(a) is str:
+            raise refused("formatting a text with `%`", hint="write an f-string: f'{x:.3f}'")
+        if type(a) is int and a.bit_length() > _MANY_BITS:
+            self.charge(a.bit_length() >> 5)
+        return a % b
+
+    def pow(self, a: Any, b: Any) -> Any:
+        """Return `a ** b`."""
+        if type(a) in WHOLE and type(b) in WHOLE and b > 0 and not -2 < a < 2:
+            self._check_bits((a.bit_length() - (0 if a & (a - 1) else 1)) * b)
+        return a**b
+
+    def lshift(self, a: Any, b: Any) -> Any:
+        """Return `a << b`."""
+        if type(a) in WHOLE and type(b) in WHOLE and b > 0 and a:
+            self._check_bits(a.bit_length() + b)
+        return a << b
+
+    def rshift(self, a: Any, b: Any) -> Any:
+        """Return `a >> b`."""
+        return a >> b
+
+    def bit_and(self, a: Any, b: Any) -> Any:
+        """Return `a & b`."""
+        return self._combine(operator.and_, a, b)
+
+    def bit_or(self, a: Any, b: Any) -> Any:
+        """Return `a | b`."""
+        return self._combine(operator.or_, a, b)
+
+    def bit_xor(self, a: Any, b: Any) -> Any:
+        """Return `a ^ b`."""
+        return self._combine(operator.xor, a, b)
+
+    def _combine(self, operate: Callable[[Any, Any], Any], a: Any, b: Any) -> Any:
+        """Return the result of an operator that sets and dicts have too."""
+        if type(a) in WHOLE:
+            return operate(a, b)
+        for value in (a, b):
+            if type(value) in CONTAINERS:
+                self.keys(value if type(value) is not OrderedSet else set.__iter__(value))
+                self.charge(len(value))
+        result = operate(a, b)
+        if type(result) is set:
+            result = OrderedSet(result)
+        if type(result) in CONTAINERS:
+            self.check_sequence(len(result))
+        return result
+
+    # --- comparisons ---
+
+    def hashed(self, value: Any) -> Any:
+        """Return the left side of an `in`: it may be hashed, and compared with each item."""
+        return self.measured(value)
+
+    def searched(self, value: Any) -> Any:
+        """Return the right side of an `in`, having counted what searching it costs."""
+        kind = type(value)
+        if kind is str:
+            self.charge(len(value) >> 3)
+        elif kind is range:
+            self.charge(len(value) >> 2)
+        elif kind in SEQUENCES or kind is FlexiDict or kind is LIST_ITERATOR:
+            self.charge(operator.length_hint(value))
+            if kind is not LIST_ITERATOR:
+                self.expanded(value)
+        elif kind in CONTAINERS:
+            self.charge(len(value) >> 4)
+            if kind is type({}.values()) or kind is type({}.items()):
+                self.expanded(value)
+        return value
+
+    # --- collections ---
+
+    def item(self, owner: Any, index: Any) -> Any:
+        """Return `owner[index]`."""
+        kind = type(owner)
+        if kind is dict:
+            self.key(index, len(owner))
+        elif kind is FlexiDict:
+            self.charge(len(owner))
+            self.measured(index)
+        return owner[index]
+
+    def piece(self, owner: Any, start: Any, stop: Any, step: Any) -> Any:
+        """Return `owner[start:stop:step]`."""
+        piece = owner[slice(start, stop, step)]
+        kind = type(piece)
+        if kind is str:
+            self.check_text(len(piece))
+        elif kind in SEQUENCES:
+            self.check_sequence(len(piece))
+        return piece
+
+    def display(self, made: Any) -> Any:
+        """Return a list, tuple or dict into which others were unpacked."""
+        self.check_sequence(len(made))
+        return made
+
+    def spread(self, value: Any) -> Any:
+        """Return what is unpacked by `*`, having counted its items."""
+        return self.items(value)
+
+    def mapping(self, value: Any) -> Any:
+        """Return what is unpacked by `**`."""
+        if type(value) is not dict:
+            raise TypeError(f"argument after ** must be a mapping, not {type(value).__name__}")
+        self.check_sequence(len(value))
+        self.keys(value)
+        return value
+
+    def set_of(self, items: list[Any]) -> OrderedSet:
+        """Return the set of items."""
+        self.check_sequence(len(items))
+        self.keys(items)
+        return OrderedSet(items)
+
+    def dict_of(self, pairs: list[tuple[Any, Any]]) -> dict[Any, Any]:
+        """Return the dict of pairs."""
+        self.keys([key for key, _ in pairs])
+        return dict(pairs)
+
+    def list_of(self, items: Iterator[Any]) -> list[Any]:
+        """Return the list of what a generator gives, which counts its own steps."""
+        made = list(islice(items, self.limits.sequence + 1))
+        if len(made) > self.limits.sequence:
+            self.check_sequence(len(made))
+        return made
+
+    # --- attributes and calls ---
+
+    def attribute(self, owner: Any, name: str) -> Any:
+        """Return `owner.name`, for reading."""
+        kind = type(owner)
+        if kind is Module:
+            try:
+                return owner.members[name]
+            except KeyError:
+                raise self._no_member(owner, name) from None
+        if kind is Namespace:
+            return getattr(owner, name)
+        method = READING.get(kind, {}).get(name)
+        if method is not None:
+            bound = Function(method, self, owner)
+            bound.shown = f"<method {name} of {a_type(owner)}>"
+            return bound
+        if name in DATA.get(kind, ()):
+            return getattr(owner, name)
+        return self._no_attribute(owner, name)
+
+    def attribute_to_change(self, owner: Any, name: str) -> Any:
+        """Return `owner.name` in a process block, where methods may change their object."""
+        method = CHANGING.get(type(owner), {}).get(name)
+        if method is not None:
+            return Function(method, self, owner)
+        return self.attribute(owner, name)
+
+    def _no_member(self, module: Module, name: str) -> SafetyError:
+        known = ", ".join(sorted(module.members))
+        near = did_you_mean(name, module.members)
+        return refused(f"`{module.name}.{name}`", hint=near or f"`{module.name}` has {known}")
+
+    def _no_attribute(self, owner: Any, name: str) -> Any:
+        kind = type(owner)
+        if name in CHANGING.get(kind, {}):
+            raise refused(
+                f"the method `{name}`",
+                f"it changes {a_type(owner)}",
+                f"call `{name}` in a `process` statement",
+            )
+        if kind is Function or id(owner) in self.own:
+            raise refused("an attribute of a function", hint="write a lambda: lambda x: x.upper()")
+        if kind not in SCALARS and (kind not in ITERABLES or kind is LIST_ITERATOR):
+            raise refused(f"an attribute of {a_type(owner)}")
+        if hasattr(kind, name):
+            hint = "write an f-string: f'{x:.3f}'" if name[:6] == "format" else RUN_IT
+            raise refused(f"the method `{name}` of {a_type(owner)}", hint=hint)
+        return getattr(owner, name)  # raises Python's own error
+
+    def called(self, value: Any) -> Any:
+        """Return what is about to be called."""
+        kind = type(value)
+        if kind is Function or id(value) in self.own:
+            return value
+        if kind in SCALARS or kind in ITERABLES or kind is Module or kind is Namespace:
+            return value  # the call raises Python's own error
+        raise refused(f"calling {a_type(value)}")
+
+    def lazy(self, value: Any) -> Any:
+        """Return what is about to be called with a generator expression first.
+
+        Only `any`, `all` and `next` get the generator; others get what it gives.
+        """
+        if any(value is function for function in self.lazy_functions):
+            return value
+        call = self.called(value)
+        return lambda items, *args, **named: call(self.iterator_of(items), *args, **named)
+
+    def function(self, made: Callable[..., Any], weight: int) -> Function:
+        """Return a lambda that counts its steps and how deep it calls itself."""
+        function = Function(self._run, made, weight)
+        function.shown = "<function <lambda>>"
+        return function
+
+    def _run(self, made: Callable[..., Any], weight: int, /, *args: Any, **named: Any) -> Any:
+        self.steps += weight
+        if self.steps > self._most_steps:
+            raise self.out_of_steps()
+        if self.calls >= self.limits.calls:
+            raise self.limits.passed("calls", "this function calls itself too deep")
+        self.calls += 1
+        try:
+            return made(*args, **named)
+        finally:
+            self.calls -= 1
+
+    # --- loops ---
+
+    def each(self, source: Any, weight: int) -> Iterator[Any]:
+        """Return an iterator that counts the steps of each turn."""
+        return self._count(self._iterate(source), weight)
+
+    def _count(self, items: Iterator[Any], weight: int) -> Iterator[Any]:
+        most = self._most_steps
+        for item in items:
+            self.steps += weight
+            if self.steps > most:
+                raise self.out_of_steps()
+            yield item
+
+    def _iterate(self, source: Any) -> Iterator[Any]:
+        kind = type(source)
+        if kind in ITERABLES or kind in SCALARS or kind in self.foreign:
+            return iter(source)
+        if kind is Function or kind is Module or kind is Namespace or id(source) in self.own:
+            raise TypeError(f"{a_type(source)[2:]!r} object is not iterable")
+        if kind is _GENERATOR:
+            return source  # type: ignore[no-any-return]
+        raise refused(f"going through {a_type(source)}")
+
+    def items(self, source: Any) -> Any:
+        """Return a collection, or else a list of what an iterator gives, having counted it."""
+        kind = type(source)
+        if kind in ITERABLES and kind is not LIST_ITERATOR:
+            size = len(source)
+            if size:
+                self.charge(size)
+            return source
+        return self.list_of(self.each(source, 1))
+
+    def iterator_of(self, items: Iterator[Any]) -> Iterator[Any]:
+        """Return what a generator expression gives, for those who go through it all."""
+        return iter(self.list_of(items))
+
+    # --- texts ---
+
+    def join(self, *parts: str) -> str:
+        """Return the parts of an f-string as one text."""
+        self.check_text(sum(map(len, parts)))
+        return "".join(parts)
+
+    def formatted(self, value: Any, conversion: str, spec: str) -> str:
+        """Return a value as an f-string shows it."""
+        if conversion:
+            value = self.representation(value) if conversion != "s" else self.text(value)
+            if conversion == "a":
+                value = value.encode("ascii", "backslashreplace").decode("ascii")
+        if not spec:
+            return self.text(value)
+        kind = type(value)
+        if kind in SCALARS or kind in self.foreign:
+            self._check_spec(spec)
+            if kind is int:
+                self._check_bits(value.bit_length())
+            elif kind is str:
+                self.check_text(len(value))
+            return format(value, spec)
+        if kind in CONTAINERS or kind in (Function, Module, Namespace, range):
+            name = "set" if kind is OrderedSet else kind.__name__
+            raise TypeError(f"unsupported format string passed to {name}.__format__")
+        raise refused(f"formatting {a_type(value)}")
+
+    def _check_spec(self, spec: str) -> None:
+        if spec[-1] == "n":
+            raise refused(
+                "the format `n`",
+                "its result depends on the language of the machine",
+                "write the format `d` or `g`",
+            )
+        digits = 0
+        for char in spec:
+            # Digits of any script count.
+            digits = digits * 10 + int(char) if char.isdecimal() else 0
+            if digits > self.limits.width:
+                raise self.limits.passed("width", f"the format '{spec[:40]}' makes long texts")
+
+    # --- statements ---
+
+    def owner(self, value: Any) -> Any:
+        """Return a list or dict, an item of which is about to be assigned."""
+        kind = type(value)
+        if kind is dict:
+            self.charge(1)
+            if len(value) >= self.limits.sequence:
+                self.check_sequence(len(value) + 1)
+        elif kind is not list and kind not in SCALARS and kind not in ITERABLES:
+            raise refused(f"an assignment to an item of {a_type(value)}")
+        return value
+
+    def change(self, name: str, value: Any, other: Any) -> Any:
+        """Return what a variable is after `value += other`, or another such operator."""
+        kind = type(value)
+        if kind is list and name == "iadd":
+            items = self.items(other)
+            self.check_sequence(len(value) + len(items))
+            value += items
+        elif kind is list and name == "imul" and type(other) in WHOLE:
+            self._check_repeated(value, other)
+            value *= other
+        elif kind is dict and name == "ibit_or" and type(other) is dict:
+            CHANGING[dict]["update"](self, value, other)
+        elif kind is OrderedSet and type(other) is OrderedSet and name in _IN_PLACE:
+            self.keys(set.__iter__(other), len(value))
+            self.check_sequence(len(value) + len(other))
+            value = _IN_PLACE[name](value, other)
+        else:
+            value = getattr(self, name[1:])(value, other)
+        return value
+
+    def change_item(self, name: str, owner: Any, key: Any, other: Any) -> None:
+        """Do `owner[key] += other`, or another such operator."""
+        self.owner(owner)[key] = self.change(name, self.item(owner, key), other)
+
+    def error(self, name: str, message: Any) -> Exception:
+        """Return the exception that `raise` is to raise."""
+        return _ERRORS[name](self.text(message))
+
+    # --- what methods and functions share ---
+
+    def sort(self, values: Any, /, *, key: Any = None, reverse: Any = False) -> list[Any]:
+        """Return what Python's `sorted` does."""
+        items = list(self.items(values))
+        if key is None:
+            self.check_sortable(items, len(items))
+            return sorted(items, reverse=reverse)
+        keys = list(map(self.called(key), items))
+        self.check_sortable(keys, len(keys))
+        places = sorted(range(len(items)), key=keys.__getitem__, reverse=reverse)
+        return [items[place] for place in places]
+
+    def new_dict(self, pairs: Any = (), /, **named: Any) -> dict[Any, Any]:
+        """Return what Python's `dict` does."""
+        if type(pairs) is dict:
+            self.check_sequence(len(pairs))
+            self.keys(pairs)
+            return dict(pairs, **named)
+        checked: list[Any] = []
+        for pair in self.items(pairs):
+            checked.append(tuple(self.items(pair)) if type(pair) in ITERABLES else pair)
+            if type(checked[-1]) is not tuple or len(checked[-1]) != 2:
+                break  # dict tells what is wrong with it
+        else:
+            self.keys([key for key, _ in checked])
+        return dict(checked, **named)
+
+    def check_sortable(self, values: Iterable[Any], count: int) -> None:
+        """Count what it costs to sort values."""
+        size = sum(
+            self.expanded(value) if type(value) in CONTAINERS else 1 + self._long(value)
+            for value in values
+        )
+        self.charge(int(size * log2(count + 2)))
+
+    def _long(self, value: Any) -> int:
+        return len(value) >> 9 if type(value) is str else 0
+
+
+_IN_PLACE: dict[str, Callable[[Any, Any], Any]] = {
+    "ibit_and": operator.iand,
+    "ibit_or": operator.ior,
+    "ibit_xor": operator.ixor,
+    "isub": operator.isub,
+}

@@ -1,0 +1,375 @@
+"""The values that safe code meets, and what handling them costs.
+
+Code in safe mode never holds an object whose operators, iteration or text run code of a file, nor a
+generator, a code object, a frame or a module. What it holds is of the exact types listed here; all
+else is refused where it would come in (`Meter.admit`).
+"""
+
+from __future__ import annotations
+
+from functools import partial
+
+from ..syntax.flexidict import FlexiDict
+from .safe_limits import SafeLimits, SafetyError, refused
+from .scope import Namespace
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterable, Iterator
+    from typing import Any
+
+WORDS_OF_TYPES = {
+    "NoneType": "nothing (null)",
+    "float": "a number",
+    "int": "a number",
+    "str": "a text",
+}
+
+
+class Function(partial):  # type: ignore[type-arg]
+    """A function that safe code may call: a permitted one, a lambda, or a method with its object.
+
+    A `partial` calls as fast as Python can. Its own attributes are out of reach, since each
+    attribute is looked up by exact type.
+    """
+
+    shown = "<function>"
+
+    def __repr__(self) -> str:
+        return self.shown
+
+
+def function(call: Callable[..., Any], shown: str, *bound: Any) -> Function:
+    """Return a permitted function that Python would show as `shown`."""
+    made = Function(call, *bound)
+    made.shown = shown
+    return made
+
+
+class Module:
+    """Stands for a Python module: a few of its functions and numbers, by name."""
+
+    __slots__ = ("members", "name")
+
+    def __init__(self, name: str, members: dict[str, Any]) -> None:
+        """Show `members` and nothing else."""
+        self.name = name
+        self.members = members
+
+    def __repr__(self) -> str:
+        return f"<module '{self.name}'>"
+
+
+class OrderedSet(set):  # type: ignore[type-arg]
+    """A set whose order is the same in every run.
+
+    Python orders texts by hashes that change from run to run. Sets of numbers keep Python's order.
+    """
+
+    __slots__ = ()
+
+    def __iter__(self) -> Iterator[Any]:
+        items = list(super().__iter__())
+        if not all(_has_fixed_hash(item) for item in items):
+            items.sort(key=_order)
+        return iter(items)
+
+    def __repr__(self) -> str:
+        return f"{{{', '.join(map(repr, self))}}}" if self else "set()"
+
+    __str__ = __repr__
+
+    def __reduce__(self) -> Any:
+        return (OrderedSet, (list(self),))
+
+
+def _has_fixed_hash(item: Any) -> bool:
+    if type(item) is tuple:
+        return all(type(part) in NUMBERS and part == part for part in item)
+    return type(item) in NUMBERS and item == item  # the hash of nan is chance
+
+
+def _order(item: Any) -> tuple[str, Any]:
+    """Return a key by which any hashable values can be sorted."""
+    kind = type(item)
+    if kind in (str, int, float, bool):
+        return ("0" if kind is not str else "1", item if item == item else 0.0)
+    return (f"2{kind.__name__}", repr(item))
+
+
+NUMBERS = frozenset((int, float, bool, complex))
+WHOLE = frozenset((int, bool))
+SCALARS = frozenset((int, float, bool, complex, str, type(None)))
+DICT_VIEWS = frozenset((type({}.keys()), type({}.values()), type({}.items())))
+SET_LIKE = frozenset((OrderedSet, type({}.keys()), type({}.items())))
+LIST_ITERATOR: type = type(iter([]))
+SEQUENCES = frozenset((list, tuple))
+CONTAINERS = frozenset((list, tuple, dict, OrderedSet, FlexiDict)) | DICT_VIEWS
+ITERABLES = CONTAINERS | {str, range, LIST_ITERATOR}
+OPAQUE = frozenset((Function, Module, Namespace, range, LIST_ITERATOR))
+TAME = frozenset((str, bool, type(None)))
+"""Types whose hashes nobody can choose, or of which there are too few to do harm."""
+
+_LONG = 64  # shorter texts cost nothing beyond the step that makes them
+_TAME_INTEGER = 1 << 31
+
+
+def a_type(value: Any) -> str:
+    """Return what a value is, in words for a message."""
+    name = type(value).__name__
+    if name == "OrderedSet":
+        return "a set"
+    if name == "list_iterator":
+        return "an iterator"
+    if name in ("Function", "builtin_function_or_method"):
+        return "a function"
+    return WORDS_OF_TYPES.get(name) or f"{'an' if name[:1] in 'aeiou' else 'a'} {name}"
+
+
+class Meter:
+    """Counts the steps of one conversion, and measures values before they are worked on.
+
+    Attributes:
+        steps: taken so far.
+        limits: how many may be taken, and how large values may be.
+        foreign: further exact types that are let in, such as numpy's, each with a function that
+            tells the size of a value.
+    """
+
+    def __init__(self, limits: SafeLimits) -> None:
+        """Count from 0."""
+        self.limits = limits
+        self.steps = 0
+        self.foreign: dict[type, Callable[[Any], int]] = {}
+        self._most_steps = limits.steps
+
+    # --- steps ---
+
+    def charge(self, steps: int) -> None:
+        """Count steps.
+
+        Raises:
+            SafetyError: there were too many.
+        """
+        self.steps += steps
+        if self.steps > self._most_steps:
+            raise self.out_of_steps()
+
+    def out_of_steps(self) -> SafetyError:
+        """Return the error for too many steps."""
+        return self.limits.passed("steps", "the expressions of this file take too many steps")
+
+    def charge_sizes(self, *values: Any) -> None:
+        """Count what it costs to go through the given texts and collections once."""
+        for value in values:
+            kind = type(value)
+            if kind in SCALARS and kind is not str:
+                continue
+            if kind in ITERABLES and kind is not LIST_ITERATOR:
+                size = len(value)
+                if size > _LONG:
+                    self.charge(size >> 3 if kind is str else size)
+
+    # --- sizes ---
+
+    def check_text(self, size: int) -> None:
+        """Count a text that is about to be made.
+
+        Raises:
+            SafetyError: it is too long.
+        """
+        if size > _LONG:
+            if size > self.limits.text:
+                raise self.limits.passed("text", f"this text has {size:,} characters")
+            self.charge(size >> 3)
+
+    def check_sequence(self, size: int) -> None:
+        """Count a collection that is about to be made.
+
+        Raises:
+            SafetyError: it has too many items.
+        """
+        if size > self.limits.sequence:
+            raise self.limits.passed("sequence", f"this makes {size:,} items")
+        self.charge(size)
+
+    def check_integer(self, bits: int) -> None:
+        """Check a whole number that is about to be computed.
+
+        Raises:
+            SafetyError: it has too many bits.
+        """
+        if bits > self.limits.integer:
+            raise self.limits.passed(
+                "integer",
+                f"this whole number has {bits:,} bits",
+                "a decimal number, such as 10.0, has no such limit",
+            )
+
+    def expanded(self, value: Any) -> int:
+        """Return the items in a value, those in lists within lists included, each time they occur.
+
+        `[[[0] * 1000] * 1000] * 1000` takes 24 kB and has a thousand million items.
+
+        Raises:
+            SafetyError: there are too many, or they are nested too deep.
+        """
+        if type(value) not in CONTAINERS:
+            return self._size_of_leaf(value)
+        count = 0
+        most, deepest = self.limits.sequence, self.limits.depth
+        stack: list[Iterator[Any]] = [_parts(value)]
+        while stack:
+            for item in stack[-1]:
+                kind = type(item)
+                if kind in CONTAINERS:
+                    count += 1
+                    stack.append(_parts(item))
+                    break
+                count += 1 if kind in SCALARS and kind is not str else self._size_of_leaf(item)
+                if count > most:
+                    raise self._too_many(count)
+            else:
+                stack.pop()
+            if count > most:
+                raise self._too_many(count)
+            if len(stack) > deepest:
+                raise self.limits.passed(
+                    "depth",
+                    "lists are nested too deep here",
+                    "a list may not hold itself",
+                )
+        self.charge(count)
+        return count
+
+    def _too_many(self, count: int) -> SafetyError:
+        return self.limits.passed(
+            "sequence", f"with the lists in it, this value has more than {count - 1:,} items"
+        )
+
+    def _size_of_leaf(self, value: Any) -> int:
+        kind = type(value)
+        if kind is str:
+            return 1 + (len(value) >> 6)
+        if kind in self.foreign:
+            return self.foreign[kind](value)
+        return 1
+
+    def measured(self, value: Any) -> Any:
+        """Return a value that is about to be compared or hashed, having counted what that costs."""
+        kind = type(value)
+        if kind is str:
+            if len(value) > 4096:
+                self.charge(len(value) >> 9)
+        elif kind in CONTAINERS:
+            self.expanded(value)
+        return value
+
+    # --- keys of dicts, items of sets ---
+
+    def key(self, value: Any, owner_size: int = 0) -> Any:
+        """Return a value that is about to be hashed.
+
+        A file can choose numbers whose hashes collide, so that each look-up goes through all that
+        is there. Therefore numbers other than small whole ones count as if they did.
+        """
+        kind = type(value)
+        if kind in TAME or (kind is int and -_TAME_INTEGER < value < _TAME_INTEGER):
+            return value
+        if kind is tuple:
+            self.expanded(value)
+        if owner_size > _LONG:
+            self.charge(owner_size >> 4)
+        return value
+
+    def keys(self, values: Iterable[Any], owner_size: int = 0) -> None:
+        """Count what it costs to put values into a set, or as keys into a dict."""
+        wild = 0
+        for value in values:
+            kind = type(value)
+            if kind in TAME or (kind is int and -_TAME_INTEGER < value < _TAME_INTEGER):
+                continue
+            wild += 1
+            if kind is tuple:
+                self.expanded(value)
+        if wild + owner_size > _LONG:
+            self.charge(wild * (wild + owner_size) >> 4)
+
+    # --- coming in, going out ---
+
+    def admit(self, value: Any) -> Any:
+        """Return a value from outside, having checked that it is plain data.
+
+        Raises:
+            SafetyError: it is or holds anything else.
+        """
+        kind = type(value)
+        if kind in SCALARS or kind in OPAQUE:
+            return value
+        if kind is set or kind is frozenset:
+            return OrderedSet(value)
+        if kind not in CONTAINERS and kind not in self.foreign:
+            raise refused(f"a value of the type `{kind.__name__}`", "only plain data can be used")
+        self.expanded(value)
+        if kind in CONTAINERS:
+            for item in _leaves(value):
+                if type(item) not in SCALARS:
+                    self.admit(item)
+        return value
+
+    def text(self, value: Any) -> str:
+        """Return what `str` gives.
+
+        Raises:
+            SafetyError: it would be too long, or differ from run to run.
+        """
+        return value if type(value) is str else self.representation(value)
+
+    def representation(self, value: Any) -> str:
+        """Return what `repr` gives; see `text`."""
+        kind = type(value)
+        if kind is float or kind is bool or value is None:
+            return repr(value)
+        if kind is int:
+            bits = value.bit_length()
+            if bits > _LONG:
+                self.check_integer(bits)
+                self.charge(bits >> 3)
+            return repr(value)
+        if kind is LIST_ITERATOR:
+            raise refused("the text of an iterator", hint="write list(…) around it")
+        if kind in CONTAINERS:
+            self.expanded(value)
+            self.check_text(sum(map(_least_length, _leaves(value))))
+        elif kind is str:
+            self.check_text(len(value))
+        written = repr(value)
+        self.check_text(len(written))
+        return written
+
+
+def _parts(value: Any) -> Iterator[Any]:
+    """Give the items of a collection; of a dict its keys and values."""
+    kind = type(value)
+    if kind is dict:
+        return (part for pair in value.items() for part in pair)
+    if kind is OrderedSet:
+        return set.__iter__(value)
+    return iter(value)
+
+
+def _leaves(value: Any) -> Iterator[Any]:
+    """Give all that is in a collection and is none itself; its size has been checked."""
+    stack = [_parts(value)]
+    while stack:
+        for item in stack[-1]:
+            if type(item) in CONTAINERS:
+                stack.append(_parts(item))
+                break
+            yield item
+        else:
+            stack.pop()
+
+
+def _least_length(value: Any) -> int:
+    return len(value) + 4 if type(value) is str else 3
