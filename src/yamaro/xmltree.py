@@ -149,8 +149,8 @@ Node = Element | Text | Comment
 
 Shared = dict[int, dict[str, "Any"]]
 """The elements that stand in several places of a tree, by identity, each with notes of what has
-been worked out for it once for all its places, such as its text. Where nothing is shared, it is
-empty. Elements in it are never changed."""
+been worked out for it once for all its places; and the lists of children that several elements
+have. Where nothing is shared, it is empty. What is in it is never changed."""
 
 
 def unshared(root: Element, trace: Frame | None = None) -> Element:
@@ -306,28 +306,50 @@ class _Writer:
                 return
         out.append(f"{head}>{end}")
         deeper = margin + "  " if end else ""
+        if end and id(children) in self._shared:
+            self._write_shared(children, element, deeper, out, prefixes)
+        else:
+            self._write_children(children, element, deeper, end, out, prefixes)
+        out.append(f"{margin}</{name}>{end}")
+
+    def _write_children(
+        self,
+        children: list[Node],
+        owner: Element,
+        margin: str,
+        end: str,
+        out: list[str],
+        prefixes: frozenset[str],
+    ) -> None:
         shared = self._shared
         for child in children:
             if not isinstance(child, Element):
                 if isinstance(child, Comment):
-                    out.append(f"{deeper}<!--{_comment_text(child, element)}-->{end}")
+                    out.append(f"{margin}<!--{_comment_text(child, owner)}-->{end}")
             elif shared and end and id(child) in shared:
-                self._write_shared(child, deeper, out, prefixes)
+                self._write_shared(child, child, margin, out, prefixes)
             else:
-                self.write(child, deeper, end, out, prefixes)
-        out.append(f"{margin}</{name}>{end}")
+                self.write(child, margin, end, out, prefixes)
 
     def _write_shared(
-        self, element: Element, margin: str, out: list[str], prefixes: frozenset[str]
+        self,
+        what: Element | list[Node],
+        owner: Element,
+        margin: str,
+        out: list[str],
+        prefixes: frozenset[str],
     ) -> None:
-        """Write an element that stands in several places: from the second on, in one piece."""
-        passage = self._passages.get(id(element))
+        """Write an element, or children, of several places: from the second on, in one piece."""
+        passage = self._passages.get(id(what))
         if passage is not None and passage.margin == margin and passage.prefixes == prefixes:
             out.append(passage.text or passage.put_together(out))
             return
         start = len(out)
-        self.write(element, margin, "\n", out, prefixes)
-        self._passages[id(element)] = _Passage(margin, prefixes, start, len(out))
+        if isinstance(what, Element):
+            self.write(what, margin, "\n", out, prefixes)
+        else:
+            self._write_children(what, owner, margin, "\n", out, prefixes)
+        self._passages[id(what)] = _Passage(margin, prefixes, start, len(out))
 
     def _write_mixed(
         self, element: Element, head: str, end: str, out: list[str], prefixes: frozenset[str]

@@ -75,6 +75,7 @@ class CheckContext:
         "materials_inside",
         "reporter",
         "sound",
+        "sound_children",
         "sound_elements",
         "sound_texts",
         "stage",
@@ -96,6 +97,8 @@ class CheckContext:
             stage: the stage that findings belong to.
             sound_texts: for each rule of an attribute, the texts that have been found right.
             sound: what else has been found right: what was asked, and the texts of the values.
+            sound_children: of the children that several elements have, where all was right in
+                them, the first of each name.
             sound_elements: for each shared element, by identity, whether all was right in it.
             material_uses: the first link and visual's material of each name that visuals use.
             materials_inside: the names of the materials that are defined in visuals.
@@ -110,6 +113,7 @@ class CheckContext:
             rule: set() for element in ELEMENTS.values() for rule in element.attributes.values()
         }
         self.sound_elements = dict.fromkeys(shared or (), False)
+        self.sound_children: dict[int, Children] = {}
         self.material_uses: dict[str, tuple[Element, Element]] = {}
         self.materials_inside: set[str] = set()
         self.file_owners: list[Element] = []

@@ -143,7 +143,13 @@ def _check_element(
 ) -> Children:
     """Check an element and what is in it; the depth is bounded by the table."""
     _check_attributes(element, rule, owner, context)
-    first = _check_children(element, rule, owner, context) if element.children else NO_CHILDREN
+    children = element.children
+    if not children:
+        first = NO_CHILDREN
+    elif id(children) in context.sound_elements:
+        first = _check_shared_children(element, rule, owner, context)
+    else:
+        first = _check_children(element, rule, owner, context)
     for name in rule.required_children:
         if name not in first:
             _report_missing_child(name, element, owner, context)
@@ -179,6 +185,19 @@ def _check_children(
             _check_element(child, ELEMENTS[name], owner, context)
         elif not is_sound:
             _check_shared(child, owner, context)
+    return first
+
+
+def _check_shared_children(
+    element: Element, rule: ElementRule, owner: Element, context: CheckContext
+) -> Children:
+    """Check children that several elements have, once if all is right in them."""
+    first = context.sound_children.get(id(element.children))
+    if first is None:
+        count = context.count
+        first = _check_children(element, rule, owner, context)
+        if context.count == count:
+            context.sound_children[id(element.children)] = first
     return first
 
 

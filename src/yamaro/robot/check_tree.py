@@ -205,7 +205,10 @@ def _check_circles(hanging: Hanging, context: CheckContext) -> bool:
     parents = hanging.parents
     done: set[str] = set()
     circles = []
-    for start in parents:
+    for start, parent in parents.items():
+        if parent in done or (parent not in parents and parent != start):
+            done.add(start)  # as it is with most, since parents are mostly written first
+            continue
         path: dict[str, None] = {}
         name = start
         while name in parents and name not in done and name not in path:
@@ -265,7 +268,10 @@ def _check_depth(hanging: Hanging, tree: Tree, context: CheckContext) -> None:
     if len(parents) < LONG_CHAIN:
         return
     depth: dict[str, int] = {}
-    for start in parents:
+    for start, parent in parents.items():
+        if parent in depth or parent not in parents:
+            depth[start] = depth.get(parent, 0) + 1
+            continue
         path = []
         name = start
         while name in parents and name not in depth:

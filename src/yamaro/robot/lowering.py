@@ -139,7 +139,9 @@ class Lowering:
         return product
 
     def _share(self, product: Element | list[Node]) -> None:
-        """Add what a shared key is lowered to, to the shared elements."""
-        for node in product if isinstance(product, list) else (product,):
-            if isinstance(node, Element):
-                self.shared.setdefault(id(node), {})
+        """Add what a shared key is lowered to, to what is shared."""
+        self.shared.setdefault(id(product), {})
+        if isinstance(product, list):
+            for node in product:
+                if isinstance(node, Element):
+                    self.shared.setdefault(id(node), {})

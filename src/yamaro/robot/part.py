@@ -300,17 +300,19 @@ def _resolve_names(lowering: Lowering, robot: Element) -> None:
     links = _names(robot, "link")
     root_link: Element | None = None
     for joint in lowering.parents:
-        parent = _reference(joint, "parent")
-        name = str(parent.attributes["link"])
+        parent = joint.children[0]
+        assert isinstance(parent, Element)
+        name = parent.attributes["link"]
+        assert isinstance(name, str)
         if name in links:
             continue
         if name in lowering.part_links:
             _refer(lowering, joint, parent, "link", lowering.part_links[name])
         elif name == ROOT_LINK and root_link is None:
             root_link = parent
-    joints = _names(robot, "joint") if lowering.mimics else frozenset()
+    joints = _names(robot, "joint") if lowering.mimics else set()
     for joint in lowering.mimics:
-        mimic = _reference(joint, "mimic")
+        mimic = _mimic_of(joint)
         name = str(mimic.attributes["joint"])
         if name not in joints and name in lowering.part_joints:
             _refer(lowering, joint, mimic, "joint", lowering.part_joints[name])
@@ -324,23 +326,22 @@ def _resolve_names(lowering: Lowering, robot: Element) -> None:
         robot.children.insert(0, link)
 
 
-def _names(robot: Element, kind: str) -> frozenset[str]:
+def _names(robot: Element, kind: str) -> set[str]:
     """Return the names of the robot's links or joints, whether from parts or plain XML."""
-    return frozenset(
-        [
-            format_value(child.attributes.get("name"))
-            for child in robot.children
-            if isinstance(child, Element) and child.name == kind
-        ]
-    )
+    names = set()
+    for child in robot.children:
+        if isinstance(child, Element) and child.name == kind:
+            name = child.attributes.get("name")
+            names.add(name if type(name) is str else format_value(name))
+    return names
 
 
-def _reference(joint: Element, name: str) -> Element:
-    """Return the `<parent>` or `<mimic>` that was made for a joint."""
+def _mimic_of(joint: Element) -> Element:
+    """Return the `<mimic>` that was made for a joint."""
     for child in joint.children:
-        if isinstance(child, Element) and child.name == name and not child.verbatim:
+        if isinstance(child, Element) and child.name == "mimic" and not child.verbatim:
             return child
-    raise AssertionError(name)
+    raise AssertionError("the joint has none")
 
 
 def _refer(

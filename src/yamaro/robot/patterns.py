@@ -216,9 +216,11 @@ def _learn(lowering: Lowering, pattern: Pattern, common: object, made: list[Node
         pattern.known.clear()
     has_mimic = bool(lowering.mimics) and lowering.mimics[-1] is joint
     known = pattern.known[common] = Known(joint, link, has_mimic=has_mimic)
+    shared = lowering.shared
+    shared.setdefault(id(link.children), {})
     for node in [*known.rest, *link.children]:
         if isinstance(node, Element):
-            lowering.shared.setdefault(id(node), {})
+            shared.setdefault(id(node), {})
 
 
 def _take_over(
@@ -273,7 +275,8 @@ def _origin(
         return None
     origin = pattern.origins.get(key)
     if origin is not None:
-        lowering.shared.setdefault(id(origin), {})
+        if id(origin) not in lowering.shared:
+            lowering.shared[id(origin)] = {}
         return origin
     fields = Fields()
     for name, (text, span, text_span) in pattern.pose.items():
