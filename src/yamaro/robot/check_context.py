@@ -19,6 +19,9 @@ if TYPE_CHECKING:
     Children = dict[str, Element]
     """The first child element of each name; parsers of URDF read no other where one is meant."""
 
+MAX_REMEMBERED_LENGTH = 24
+"""Characters of a text whose numbers are remembered."""
+
 SUGGESTION_BUDGET = 200_000
 """Names compared in one run to find the one meant; keeps a robot full of faults linear."""
 
@@ -200,10 +203,15 @@ class CheckContext:
         return suggest(word, candidates)
 
     def read(self, text: str) -> tuple[float, ...] | NumberFault:
-        """Return the numbers in a text; equal texts are read once."""
+        """Return the numbers in a text; equal texts are read once, unless they are long.
+
+        Long ones hold computed numbers, which seldom come again.
+        """
         found = self._numbers.get(text)
         if found is None:
-            found = self._numbers[text] = read_numbers(text)
+            found = read_numbers(text)
+            if len(text) <= MAX_REMEMBERED_LENGTH:
+                self._numbers[text] = found
         return found
 
     def numbers(self, element: Element | None, attribute: str, count: int) -> tuple[float, ...]:

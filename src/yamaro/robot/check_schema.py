@@ -8,6 +8,7 @@ from __future__ import annotations
 from ..diagnostics import did_you_mean
 from ..xmltree import Element
 from .check_context import (
+    MAX_REMEMBERED_LENGTH,
     NOT_FINITE,
     SCHEMA,
     SPACING,
@@ -251,7 +252,8 @@ def _check_numbers(
             if number < 0 or (rule.sign == POSITIVE and number == 0):
                 _report_sign(number, name, rule, element, owner, context)
                 return
-    context.sound_texts[rule].add(text)
+    if len(text) <= MAX_REMEMBERED_LENGTH:
+        context.sound_texts[rule].add(text)
 
 
 def _report_not_a_number(

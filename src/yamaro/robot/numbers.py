@@ -15,6 +15,9 @@ if TYPE_CHECKING:
     from .fields import Record
     from .lowering import Lowering
 
+MAX_REMEMBERED_LENGTH = 24
+"""Texts that are longer hold computed numbers, which seldom come again."""
+
 NEGLIGIBLE = 1e-12
 """Components of a pose below this, in metres or radians, come out as 0."""
 
@@ -129,7 +132,8 @@ def _numbers_of(lowering: Lowering, text: str) -> Numbers | None:
             return None
         spelled = [str(int(word, 0)) if word[1:2] in ("x", "o") else word for word in words]
         numbers = Numbers(tuple(spelled), tuple(values))
-        remember(lowering.numbers, text, numbers)
+        if len(text) <= MAX_REMEMBERED_LENGTH:
+            remember(lowering.numbers, text, numbers)
     return numbers
 
 

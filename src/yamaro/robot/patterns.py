@@ -12,7 +12,6 @@ from ..diagnostics import INHERITED, YamaroError
 from ..syntax.forms import Form, filled, key_of
 from ..xmltree import Element, Text
 from .fields import Fields
-from .lowering import remember
 from .pose import origin_element, read_pose
 
 TYPE_CHECKING = False
@@ -26,7 +25,7 @@ if TYPE_CHECKING:
     from .lowering import Lowering
 
 MAX_KNOWN = 64
-"""How many parts of one form are kept to take over from."""
+"""How many parts of one form are kept to take over from, and how many origins."""
 
 POSE_KEYS = frozenset(("xyz", "rpy", "pivot"))
 
@@ -290,5 +289,7 @@ def _origin(
         return None
     if told != lowering.told:
         return None
-    remember(pattern.origins, key, origin)
+    if len(pattern.origins) >= MAX_KNOWN:
+        pattern.origins.clear()
+    pattern.origins[key] = origin
     return origin

@@ -182,7 +182,7 @@ def key_of(values: tuple[Any, ...]) -> object:
     kinds = tuple(map(type, values))
     if not _PLAIN.issuperset(kinds):
         return None
-    if 0.0 in values:
+    if 0.0 in values and float in kinds:
         return values, kinds, tuple(map(str, values))
     return values, kinds
 
