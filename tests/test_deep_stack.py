@@ -8,6 +8,9 @@ import subprocess
 import sys
 import threading
 import time
+import warnings
+import weakref
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -41,6 +44,15 @@ def write(folder: Path, text: str) -> Path:
     path = folder / "t.yaml"
     path.write_text(text, encoding="utf-8")
     return path
+
+
+@pytest.fixture
+def untraced() -> Iterator[None]:
+    """Keep a tool that measures coverage out of a test: what is traced runs in its own thread."""
+    trace = sys.gettrace()
+    sys.settrace(None)
+    yield
+    sys.settrace(trace)
 
 
 # --- recursion --------------------------------------------------------------------------------
@@ -163,16 +175,63 @@ def test_results_and_exceptions_come_through() -> None:
         run_on_deep_stack(fail)
 
 
+@pytest.mark.usefixtures("untraced")
 def test_where_no_thread_can_be_started_the_function_runs_all_the_same(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     monkeypatch.setattr(deep_stack, "STACK_SIZES", (1,))  # far too small to be allowed
-    trace = sys.gettrace()
-    sys.settrace(None)
-    try:
-        assert run_on_deep_stack(threading.get_ident) == threading.get_ident()
-    finally:
-        sys.settrace(trace)
+    monkeypatch.setattr(deep_stack, "_idle", [])
+    assert run_on_deep_stack(threading.get_ident) == threading.get_ident()
+
+
+@pytest.mark.usefixtures("untraced")
+def test_the_thread_is_used_again_and_holds_on_to_nothing() -> None:
+    class Result:
+        pass
+
+    first = run_on_deep_stack(threading.get_ident)
+    result = run_on_deep_stack(Result)
+    assert run_on_deep_stack(threading.get_ident) == first != threading.get_ident()
+    gone = weakref.ref(result)
+    del result
+    assert gone() is None
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="there is no fork here")
+def test_a_forked_process_starts_a_thread_of_its_own() -> None:
+    compile_text("out:\n")
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # of forking a process that has threads
+        process = os.fork()
+    if process == 0:
+        os._exit(0 if compile_text("out:\n").endswith("<out/>\n") else 1)
+    deadline = time.monotonic() + 20
+    while time.monotonic() < deadline:
+        ended, status = os.waitpid(process, os.WNOHANG)
+        if ended:
+            assert status == 0
+            return
+        time.sleep(0.01)
+    os.kill(process, signal.SIGKILL)
+    os.waitpid(process, 0)
+    pytest.fail("the forked process waits for a thread that it has not")
+
+
+@pytest.mark.usefixtures("untraced")
+def test_an_interrupted_thread_is_not_used_again(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(deep_stack, "_idle", [])
+
+    def interrupt(self: object, longest: float | None = None) -> None:
+        if longest is None:
+            raise KeyboardInterrupt
+
+    with monkeypatch.context() as patch:
+        patch.setattr(deep_stack._Job, "wait", interrupt)
+        with pytest.raises(KeyboardInterrupt):
+            run_on_deep_stack(lambda: time.sleep(0.2))
+    time.sleep(0.3)
+    assert deep_stack._idle_worker() is None
+    assert compile_text("out:\n").endswith("<out/>\n")
 
 
 # --- interrupts -------------------------------------------------------------------------------

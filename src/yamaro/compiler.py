@@ -341,16 +341,19 @@ def _converted(
     program: Program, assignments: Sequence[str], variables: Mapping[str, object]
 ) -> str:
     """Return the XML; issue the warnings in the name of whoever called our caller."""
-    try:
-        result = program.build(command_line=assignments, variables=variables)
-    except UsageError as error:
-        raise _as_built_in(error) from None
-    if result.warnings:
+    with RareCollection():  # until the tree is gone: the collector need not look through it
+        try:
+            result = program.build(command_line=assignments, variables=variables)
+        except UsageError as error:
+            raise _as_built_in(error) from None
+        found, xml = result.warnings, result.xml()
+        del result
+    if found:
         import warnings
 
-        for diagnostic in result.warnings:
+        for diagnostic in found:
             warnings.warn(str(YamaroError([diagnostic])), YamaroWarning, stacklevel=3)
-    return result.xml()
+    return xml
 
 
 def _as_built_in(error: UsageError) -> Exception:

@@ -8,6 +8,7 @@ may have a stack of any size, of which only what is touched takes memory.
 from __future__ import annotations
 
 import _thread
+import os
 import sys
 
 TYPE_CHECKING = False
@@ -24,6 +25,11 @@ WAKING_INTERVAL = 0.2
 
 _lock = _thread.allocate_lock()  # stack size and recursion limit are set for the whole process
 _limits: list[int] = []  # the recursion limit that was found, once for each function running
+_idle: list[_Worker] = []  # threads that wait for more to do; to start one takes half a millisecond
+MAX_IDLE = 4
+
+if hasattr(os, "register_at_fork"):  # a forked process has none of the threads
+    os.register_at_fork(after_in_child=_idle.clear)
 
 
 def run_on_deep_stack(function: Callable[[], T]) -> T:
@@ -33,47 +39,144 @@ def run_on_deep_stack(function: Callable[[], T]) -> T:
     """
     if sys.gettrace() is not None or sys.getprofile() is not None:
         return _run_here(function)
-    outcome: list[tuple[T | None, BaseException | None]] = []
-    identity: list[int] = []
+    job = _Job(function)
+    worker = None
+    try:
+        worker = _idle_worker() or _new_worker()
+        if worker is None:
+            return _run_here(function)
+        worker.give(job)
+        job.wait()
+    except BaseException:
+        if worker is not None:
+            worker.stop(job)
+        raise
+    try:
+        value: T = job.result()
+        return value
+    finally:
+        del job  # a traceback that refers to itself would be kept alive
+
+
+class _Job:
+    """A function to run, and what came of it."""
+
+    __slots__ = ("_done", "_error", "_function", "_value")
+
+    def __init__(self, function: Callable[[], Any]) -> None:
+        self._function = function
+        self._value: Any = None
+        self._error: BaseException | None = None
+        self._done = _thread.allocate_lock()
+        self._done.acquire()
+
+    def run(self) -> None:
+        """Run the function."""
+        _raise_recursion_limit()
+        try:
+            self._value = self._function()
+        except BaseException as error:
+            self._error = error
+        finally:
+            _restore_recursion_limit()
+
+    def end(self) -> None:
+        """Let whoever waits go on."""
+        self._done.release()
+
+    def wait(self, longest: float | None = None) -> None:
+        """Wait for the end, or for so many seconds."""
+        if longest is not None:
+            self._done.acquire(timeout=longest)
+            return
+        while not self._done.acquire(timeout=WAKING_INTERVAL):
+            pass
+
+    def result(self) -> Any:
+        """Return what the function returned, or raise what it raised."""
+        if self._error is not None:
+            raise self._error
+        return self._value
+
+
+class _Worker:
+    """A thread with a deep stack, which runs one job after another."""
+
+    __slots__ = ("_awake", "_identity", "_job", "is_stopped")
+
+    def __init__(self) -> None:
+        self._job: _Job | None = None
+        self._identity = 0
+        self._awake = _thread.allocate_lock()
+        self._awake.acquire()
+        self.is_stopped = False
+
+    def give(self, job: _Job) -> None:
+        """Let the thread run a job."""
+        self._job = job
+        self._awake.release()
+
+    def work(self) -> None:
+        """Run what is given, in the thread, until it is stopped."""
+        self._identity = _thread.get_ident()
+        try:
+            while not self.is_stopped:
+                self._awake.acquire()
+                job, self._job = self._job, None
+                if job is None:
+                    return
+                job.run()
+                if len(_idle) < MAX_IDLE:
+                    _idle.append(self)
+                else:
+                    self.is_stopped = True
+                job.end()
+                del job  # what came of it is not to be kept alive
+        except BaseException:  # an interruption that came after the job was done
+            self.is_stopped = True
+
+    def stop(self, job: _Job) -> None:
+        """End the thread after Ctrl-C, and give it a moment to leave its `finally` clauses."""
+        import ctypes
+
+        self.is_stopped = True
+        if self._identity:
+            ctypes.pythonapi.PyThreadState_SetAsyncExc(
+                ctypes.c_ulong(self._identity), ctypes.py_object(KeyboardInterrupt)
+            )
+            job.wait(1.0)
+
+
+def _idle_worker() -> _Worker | None:
+    while _idle:
+        try:
+            worker = _idle.pop()
+        except IndexError:  # another thread took the last one
+            return None
+        if not worker.is_stopped:
+            return worker
+    return None
+
+
+def _new_worker() -> _Worker | None:
+    """Return a worker whose thread is started, or None if no thread can be."""
+    worker = _Worker()
+    outcome: list[bool] = []
     done = _thread.allocate_lock()
     done.acquire()
 
-    def run() -> None:
-        identity.append(_thread.get_ident())
-        try:
-            outcome.append((function(), None))
-        except BaseException as error:
-            outcome.append((None, error))
-        finally:
-            _restore_recursion_limit()
-            done.release()
-
     def begin() -> None:
         # Ctrl-C interrupts the main thread only, so no lock can be left taken here.
-        _raise_recursion_limit()
-        if not _start(run):
-            _restore_recursion_limit()
-            done.release()
+        outcome.append(_start(worker.work))
+        done.release()
 
     try:
         _thread.start_new_thread(begin, ())
-        while not done.acquire(timeout=WAKING_INTERVAL):
-            pass
-    except RuntimeError:  # no thread can be started
-        return _run_here(function)
-    except BaseException:
-        if identity:
-            _stop(identity[0], done)
-        raise
-    if not outcome:
-        return _run_here(function)
-    value, error = outcome[0]
-    if error is not None:
-        try:
-            raise error
-        finally:
-            del error, outcome  # a traceback that refers to itself would be kept alive
-    return value  # type: ignore[return-value]
+    except RuntimeError:
+        return None
+    while not done.acquire(timeout=WAKING_INTERVAL):
+        pass
+    return worker if outcome[0] else None
 
 
 def _run_here(function: Callable[[], T]) -> T:
@@ -119,13 +222,3 @@ def _start(run: Callable[[], None]) -> bool:
             finally:
                 _thread.stack_size(before)
     return False
-
-
-def _stop(identity: int, done: Any) -> None:
-    """End the thread after Ctrl-C, and give it a moment to leave its `finally` clauses."""
-    import ctypes
-
-    ctypes.pythonapi.PyThreadState_SetAsyncExc(
-        ctypes.c_ulong(identity), ctypes.py_object(KeyboardInterrupt)
-    )
-    done.acquire(timeout=1.0)
