@@ -7,6 +7,7 @@ from math import pi
 from ..diagnostics import YamaroError, failure
 from ..xmltree import Element, format_number, format_value
 from .fields import read_record, read_value, sort_fields, with_attributes, word_of
+from .lowering import remember
 from .numbers import read_attribute
 from .places import JOINT, RECORD_KEYS
 from .pose import lower_origin
@@ -202,7 +203,26 @@ def _origin_element(lowering: Lowering, key: Element, fields: Fields, child: str
 
 
 def _lower_record(lowering: Lowering, key: Element) -> Element:
-    """Return `axis`, `limit`, `dynamics` and the like with attributes, numbers checked."""
+    """Return `axis`, `limit`, `dynamics` and the like with attributes, numbers checked.
+
+    A function that gives each joint its limit makes a key of its own each time, which holds the
+    same elements: what these come out as is taken over.
+    """
+    if key.name == "mimic":  # whose joint may yet get another name
+        return _worked_out(lowering, key)
+    held = (key.name, id(key.attributes) if key.attributes else 0, *map(id, key.children))
+    known = lowering.records.get(held)
+    if known is None:
+        told = lowering.told
+        known = _worked_out(lowering, key)
+        if told == lowering.told:
+            remember(lowering.records, held, known)
+        return known
+    attributes, children, spans = known.attributes, known.children, known.value_spans
+    return Element(key.name, key.span, attributes, children, key.trace, spans)
+
+
+def _worked_out(lowering: Lowering, key: Element) -> Element:
     name = key.name
     numbers = NUMBERS[name]
     record = read_record(lowering, key, SCALARS.get(name))

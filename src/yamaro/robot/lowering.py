@@ -44,6 +44,7 @@ class Lowering:
         inertias: the words of the moments of inertia that were computed; robots have equal bodies.
         moments: the volume integrals of the mesh files read so far, by path.
         near_keys: what a key in a place was found to be a misspelling of.
+        records: what keys such as `limit` came out as, by name and the identity of what they hold.
         patterns: how to lower the parts of a form, or None where that has no pattern.
         parents: the joints whose first child is a `<parent>` made here, of which the link may yet
             be the name of a part.
@@ -68,6 +69,7 @@ class Lowering:
         "part_joints",
         "part_links",
         "patterns",
+        "records",
         "reporter",
         "resolve_mesh",
         "shared",
@@ -93,6 +95,7 @@ class Lowering:
         self.inertias: dict[Inertia, tuple[str, ...]] = {}
         self.moments: dict[str, SolidMoments] = {}
         self.near_keys: dict[tuple[str, str], str | None] = {}
+        self.records: dict[tuple[object, ...], Element] = {}
         self.patterns: dict[Form, Pattern | None] = {}
         self.parents: list[Element] = []
         self.mimics: list[Element] = []
