@@ -110,7 +110,6 @@ ALLOWED_CALLS = """
     set_robust_list  273    99
     set_tid_address  218    96
     rseq             334   293
-    arch_prctl       158     -
     prctl            157   167
     sched_yield       24   124
     sched_getaffinity 204  123

@@ -6,6 +6,7 @@ import ctypes
 import errno
 import gc
 import os
+import posix
 import resource
 import signal
 import struct
@@ -191,7 +192,9 @@ def _clear_environment(kept_names: Sequence[str]) -> None:  # pragma: no cover
         ctypes.memset(address, 0, len(ctypes.string_at(address)))
         index += 1
     libc.clearenv()
-    os.environ.clear()
+    posix.environ.clear()  # what `os` made its mapping of
+    for name in list(os.environ):  # Python's copy; faster than `clear`, which reads each first
+        del os.environ[name]
     os.environ.update(kept)
     for library in ("OPENBLAS", "OMP", "MKL"):
         os.environ[f"{library}_NUM_THREADS"] = "1"
@@ -222,7 +225,7 @@ def _set_limits(limits: JailLimits) -> None:  # pragma: no cover
     _lower(resource.RLIMIT_AS, taken + limits.memory)
 
 
-def _lower(which: int, soft: int, hard: int | None = None) -> None:
+def _lower(which: int, soft: int, hard: int | None = None) -> None:  # pragma: no cover
     """Set a limit of the kernel's, unless the process has a lower one already."""
     before = resource.getrlimit(which)
     wanted = (soft, soft if hard is None else hard)

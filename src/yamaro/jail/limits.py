@@ -16,7 +16,7 @@ class JailLimits:
         memory: int = 3 << 30,
         open_files: int = 256,
         threads: int = 256,
-        answer: int = 512 << 20,
+        answer: int = 256 << 20,
     ) -> None:
         """Set the limits.
 

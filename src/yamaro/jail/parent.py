@@ -233,8 +233,7 @@ class Child:
 
     def _is_running(self) -> bool:
         try:
-            options = os.WEXITED | os.WNOHANG | os.WNOWAIT
-            return os.waitid(os.P_PID, self._pid, options) is None
+            return _look_at(self._pid) is None
         except ChildProcessError:  # someone else has asked for its status
             return False
 
@@ -252,6 +251,7 @@ class Child:
         while True:
             try:
                 if not is_killed:
+                    _look_at(pid)  # for the number may be another's by now
                     os.kill(pid, signal.SIGKILL)
                     is_killed = True
                 _, status, usage = os.wait4(pid, 0)
@@ -264,6 +264,15 @@ class Child:
         if interruption is not None:
             raise interruption
         return result
+
+
+def _look_at(pid: int) -> object:
+    """Return how a child ended, or None if it runs; its status stays to be asked for.
+
+    Raises:
+        ChildProcessError: there is no such child.
+    """
+    return os.waitid(os.P_PID, pid, os.WEXITED | os.WNOHANG | os.WNOWAIT)
 
 
 def _flush(stream: object) -> None:
