@@ -6,6 +6,7 @@ mode: exec                  (eval if left out)
 code: unsafe-code           (or limit-…, an exception's name, or harmless)
 at: the piece of the code that the error points at    (not for harmless)
 value: what it gives        (only for harmless: its repr)
+steps: a smaller limit, where the usual one takes long to reach
 ---
 the code, of which ⟪'a'*9⟫ stands for what Python makes of 'a'*9
 """
@@ -29,6 +30,7 @@ class Payload(NamedTuple):
     code: str
     at: str
     value: str
+    steps: int | None
     text: str
 
 
@@ -43,7 +45,7 @@ def read_payloads() -> list[Payload]:
             fields = dict(
                 line.split(": ", 1) for line in lines if line and not line.startswith("#")
             )
-            unknown = fields.keys() - {"mode", "code", "at", "value"}
+            unknown = fields.keys() - {"mode", "code", "at", "value", "steps"}
             assert text and not unknown, f"{path.name}: {name}: {unknown}"
             found.append(
                 Payload(
@@ -53,6 +55,7 @@ def read_payloads() -> list[Payload]:
                     code=fields["code"],
                     at=_made(fields.get("at", "")),
                     value=fields.get("value", ""),
+                    steps=int(fields["steps"]) if "steps" in fields else None,
                     text=_made(text.rstrip("\n")),
                 )
             )

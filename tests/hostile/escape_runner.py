@@ -1,6 +1,6 @@
 """Runs attacks in a process of its own: `python -m tests.hostile.escape_runner`.
 
-Reads one JSON object a line (mode, text), and writes one a line: what came of it, and which
+Reads one JSON object a line (mode, text, steps), and writes one a line: what came of it, and which
 canaries were reached. Python itself reports every file opened, process started or module imported
 meanwhile.
 """
@@ -22,7 +22,7 @@ from typing import Any, NoReturn
 from yamaro.diagnostics import YamaroError
 from yamaro.runtime.expressions import Evaluator
 from yamaro.runtime.safe_code import compile_safe
-from yamaro.runtime.safe_limits import SafetyError
+from yamaro.runtime.safe_limits import SafeLimits, SafetyError
 from yamaro.runtime.safe_runtime import SafeRuntime
 from yamaro.runtime.scope import Home, Namespace, Scope, Shared
 from yamaro.source import Source, Span
@@ -76,11 +76,12 @@ def world() -> str:
     )
 
 
-def attack(mode: str, text: str) -> dict[str, Any]:
+def attack(mode: str, text: str, steps: int | None = None) -> dict[str, Any]:
     """Return what comes of running a text in safe mode, the way a conversion would."""
     global is_watching
     said: list[str] = []
-    runtime = SafeRuntime(say=said.append)
+    limits = SafeLimits(steps=steps) if steps else SafeLimits()
+    runtime = SafeRuntime(limits, say=said.append)
     shared = Shared()
     legs = Namespace("Legs", shared)
     legs._add("count", 4)
@@ -154,7 +155,7 @@ def main() -> None:
     sys.addaudithook(watch)
     for line in sys.stdin:
         asked = SimpleNamespace(**json.loads(line))
-        print(json.dumps(attack(asked.mode, asked.text)), flush=True)
+        print(json.dumps(attack(asked.mode, asked.text, asked.steps)), flush=True)
 
 
 if __name__ == "__main__":

@@ -111,7 +111,18 @@ _HINTS = {
     "While": "write the statement for: of the language",
 }
 
-_WEIGHTS = {"Dict": 4, "DictComp": 4, "Lambda": 6, "List": 2, "ListComp": 3, "Set": 6, "SetComp": 6}
+_WEIGHTS = {
+    "Attribute": 6,
+    "Call": 4,
+    "Dict": 4,
+    "DictComp": 4,
+    "JoinedStr": 3,
+    "Lambda": 24,
+    "List": 2,
+    "ListComp": 3,
+    "Set": 6,
+    "SetComp": 6,
+}
 """Steps of a node, where one would not do justice to the memory it takes."""
 
 _OPERATORS = {
@@ -354,7 +365,7 @@ def _target(self: _Rewriter, node: ast.AST) -> Any:
         return ast.copy_location(type(node)(items, node.ctx), node)
     if type(node) is ast.Subscript and type(node.slice) is not ast.Slice:
         owner = self.guard("owner", node.value, self.visit(node.value))
-        key = self.guard("key", node.slice, self.visit(node.slice))
+        key = self.guard("stored_key", node.slice, self.visit(node.slice))
         return ast.copy_location(ast.Subscript(owner, key, node.ctx), node)
     if type(node) is ast.Subscript:
         raise self.refused("an assignment to a slice", node)
@@ -470,11 +481,9 @@ def _binary(self: _Rewriter, node: ast.BinOp) -> ast.AST:
 def _is_harmless(operator: str, left: ast.expr, right: ast.expr) -> bool:
     """Tell whether an operation can neither grow nor take long, as a constant in it shows.
 
-    A sum with a constant number is no text and no list, and a product with a decimal is none.
+    A sum or product with a decimal is no text, no list and no whole number.
     """
-    if operator in ("Add", "Sub"):
-        return _is_number(left) or _is_number(right)
-    if operator in ("Mult", "Pow"):
+    if operator in ("Add", "Sub", "Mult", "Pow"):
         return _is_decimal(left) or _is_decimal(right)
     return operator in ("FloorDiv", "Mod") and _is_number(left)
 
@@ -488,13 +497,18 @@ def _is_decimal(node: ast.expr) -> bool:
 
 
 def _is_small(node: ast.expr) -> bool:
-    """Tell whether a node is a constant, or a constant with a sign."""
+    """Tell whether a node is a constant, or one with a sign, that is cheap to compare and hash."""
     if type(node) is ast.UnaryOp:
         node = node.operand
-    return type(node) is ast.Constant
+    if type(node) is not ast.Constant:
+        return False
+    return type(node.value) is str or (type(node.value) is int and node.value < 1 << 31)
 
 
 def _unary(self: _Rewriter, node: ast.UnaryOp) -> ast.AST:
+    guard = {ast.USub: "neg", ast.Invert: "invert"}.get(type(node.op))
+    if guard is not None and type(node.operand) is not ast.Constant:
+        return self.guard(guard, node, self.visit(node.operand))
     return ast.copy_location(ast.UnaryOp(node.op, self.visit(node.operand)), node)
 
 

@@ -37,7 +37,6 @@ if TYPE_CHECKING:
     from typing import Any
 
 _GENERATOR = type(_ for _ in ())
-_MANY_BITS = 512  # computing with fewer takes no longer than a step
 _ERRORS = {
     kind.__name__: kind
     for kind in (Exception, NotImplementedError, RuntimeError, TypeError, ValueError)
@@ -54,6 +53,7 @@ class Guards(Meter):
     """
 
     calls = 0
+    _owner_size = 0
     own: frozenset[int] = frozenset()
     lazy_functions: tuple[Function, ...] = ()
 
@@ -66,8 +66,8 @@ class Guards(Meter):
         if kind is float:
             return result
         if kind is int:
-            if result.bit_length() > self.limits.integer:
-                self.check_integer(result.bit_length())
+            if result.bit_length() > self.many_bits:
+                self._check_bits(result.bit_length())
         elif kind is str:
             self.check_text(len(result))
         elif kind in SEQUENCES:
@@ -79,9 +79,21 @@ class Guards(Meter):
         if type(a) in SET_LIKE:
             return self._combine(operator.sub, a, b)
         result = a - b
-        if type(result) is int and result.bit_length() > self.limits.integer:
-            self.check_integer(result.bit_length())
+        if type(result) is int and result.bit_length() > self.many_bits:
+            self._check_bits(result.bit_length())
         return result
+
+    def neg(self, a: Any) -> Any:
+        """Return `-a`."""
+        result = -a
+        if type(result) is int and result.bit_length() > self.many_bits:
+            self._check_bits(result.bit_length())
+        return result
+
+    def invert(self, a: Any) -> Any:
+        """Return `~a`."""
+        self.charge_bits(a)
+        return ~a
 
     def mul(self, a: Any, b: Any) -> Any:
         """Return `a * b`."""
@@ -97,7 +109,7 @@ class Guards(Meter):
         return a * b
 
     def _check_bits(self, bits: int) -> None:
-        if bits > _MANY_BITS:
+        if bits > self.many_bits:
             if bits > self.limits.integer + 1:
                 self.check_integer(bits)
             self.charge(bits >> 5)
@@ -115,16 +127,14 @@ class Guards(Meter):
 
     def floordiv(self, a: Any, b: Any) -> Any:
         """Return `a // b`."""
-        if type(a) is int and a.bit_length() > _MANY_BITS:
-            self.charge(a.bit_length() >> 5)
+        self.charge_bits(a)
         return a // b
 
     def mod(self, a: Any, b: Any) -> Any:
         """Return `a % b`, unless that would be the formatting of a text."""
         if type(a) is str:
             raise refused("formatting a text with `%`", hint="write an f-string: f'{x:.3f}'")
-        if type(a) is int and a.bit_length() > _MANY_BITS:
-            self.charge(a.bit_length() >> 5)
+        self.charge_bits(a)
         return a % b
 
     def pow(self, a: Any, b: Any) -> Any:
@@ -141,6 +151,7 @@ class Guards(Meter):
 
     def rshift(self, a: Any, b: Any) -> Any:
         """Return `a >> b`."""
+        self.charge_bits(a)
         return a >> b
 
     def bit_and(self, a: Any, b: Any) -> Any:
@@ -158,6 +169,7 @@ class Guards(Meter):
     def _combine(self, operate: Callable[[Any, Any], Any], a: Any, b: Any) -> Any:
         """Return the result of an operator that sets and dicts have too."""
         if type(a) in WHOLE:
+            self.charge_bits(a, b)
             return operate(a, b)
         for value in (a, b):
             if type(value) in CONTAINERS:
@@ -167,7 +179,7 @@ class Guards(Meter):
         if type(result) is set:
             result = OrderedSet(result)
         if type(result) in CONTAINERS:
-            self.check_sequence(len(result))
+            self.check_table(len(result))
         return result
 
     # --- comparisons ---
@@ -180,7 +192,7 @@ class Guards(Meter):
         """Return the right side of an `in`, having counted what searching it costs."""
         kind = type(value)
         if kind is str:
-            self.charge(len(value) >> 3)
+            self.charge(len(value))
         elif kind is range:
             self.charge(len(value) >> 2)
         elif kind in SEQUENCES or kind is FlexiDict or kind is LIST_ITERATOR:
@@ -217,7 +229,7 @@ class Guards(Meter):
 
     def display(self, made: Any) -> Any:
         """Return a list, tuple or dict into which others were unpacked."""
-        self.check_sequence(len(made))
+        (self.check_table if type(made) is dict else self.check_sequence)(len(made))
         return made
 
     def spread(self, value: Any) -> Any:
@@ -234,12 +246,13 @@ class Guards(Meter):
 
     def set_of(self, items: list[Any]) -> OrderedSet:
         """Return the set of items."""
-        self.check_sequence(len(items))
+        self.check_table(len(items))
         self.keys(items)
         return OrderedSet(items)
 
     def dict_of(self, pairs: list[tuple[Any, Any]]) -> dict[Any, Any]:
         """Return the dict of pairs."""
+        self.check_table(len(pairs))
         self.keys([key for key, _ in pairs])
         return dict(pairs)
 
@@ -356,7 +369,7 @@ class Guards(Meter):
         if kind in ITERABLES or kind in SCALARS or kind in self.foreign:
             return iter(source)
         if kind is Function or kind is Module or kind is Namespace or id(source) in self.own:
-            raise TypeError(f"{a_type(source)[2:]!r} object is not iterable")
+            raise TypeError(f"{a_type(source)} cannot be gone through")
         if kind is _GENERATOR:
             return source  # type: ignore[no-any-return]
         raise refused(f"going through {a_type(source)}")
@@ -410,6 +423,7 @@ class Guards(Meter):
                 "its result depends on the language of the machine",
                 "write the format `d` or `g`",
             )
+        self.check_text(len(spec))
         digits = 0
         for char in spec:
             # Digits of any script count.
@@ -422,13 +436,18 @@ class Guards(Meter):
     def owner(self, value: Any) -> Any:
         """Return a list or dict, an item of which is about to be assigned."""
         kind = type(value)
+        self._owner_size = 0
         if kind is dict:
-            self.charge(1)
+            self._owner_size = len(value)
             if len(value) >= self.limits.sequence:
                 self.check_sequence(len(value) + 1)
         elif kind is not list and kind not in SCALARS and kind not in ITERABLES:
             raise refused(f"an assignment to an item of {a_type(value)}")
         return value
+
+    def stored_key(self, key: Any) -> Any:
+        """Return the key of that item."""
+        return self.key(key, self._owner_size)
 
     def change(self, name: str, value: Any, other: Any) -> Any:
         """Return what a variable is after `value += other`, or another such operator."""
@@ -474,7 +493,7 @@ class Guards(Meter):
     def new_dict(self, pairs: Any = (), /, **named: Any) -> dict[Any, Any]:
         """Return what Python's `dict` does."""
         if type(pairs) is dict:
-            self.check_sequence(len(pairs))
+            self.check_table(len(pairs))
             self.keys(pairs)
             return dict(pairs, **named)
         checked: list[Any] = []
@@ -483,6 +502,7 @@ class Guards(Meter):
             if type(checked[-1]) is not tuple or len(checked[-1]) != 2:
                 break  # dict tells what is wrong with it
         else:
+            self.check_table(len(checked))
             self.keys([key for key, _ in checked])
         return dict(checked, **named)
 

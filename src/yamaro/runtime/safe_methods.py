@@ -150,6 +150,11 @@ def _get(guards: Guards, owner: dict[Any, Any], key: Any, default: Any = None, /
     return owner.get(guards.key(key, len(owner)), default)
 
 
+def _copy_dict(guards: Guards, owner: dict[Any, Any], /) -> dict[Any, Any]:
+    guards.check_table(len(owner))
+    return owner.copy()
+
+
 def _set_default(guards: Guards, owner: dict[Any, Any], key: Any, default: Any = None, /) -> Any:
     if len(owner) >= guards.limits.sequence:
         guards.check_sequence(len(owner) + 1)
@@ -176,7 +181,7 @@ def _combining(name: str) -> Method:
         sets = [guards.items(other) for other in others]
         for values in sets:
             guards.keys(values, len(owner))
-        guards.check_sequence(len(owner) + sum(map(len, sets)) if name == "union" else len(owner))
+        guards.check_table(len(owner) + sum(map(len, sets)) if name == "union" else len(owner))
         result = method(owner, *sets)
         return OrderedSet(result) if type(result) is set else result
 
@@ -202,7 +207,7 @@ def _update_set(guards: Guards, owner: set[Any], /, *others: Any) -> None:
     for other in others:
         values = guards.items(other)
         guards.keys(values, len(owner))
-        guards.check_sequence(len(owner) + len(values))
+        guards.check_table(len(owner) + len(values))
         owner.update(values)
 
 
@@ -246,7 +251,7 @@ READING: dict[type, dict[str, Method]] = {
     },
     tuple: {name: _comparing(tuple, name) for name in ("count", "index")},
     dict: {
-        **_plain(dict, "copy"),
+        "copy": _copy_dict,
         **{name: _view(name) for name in ("items", "keys", "values")},
         "get": _get,
     },

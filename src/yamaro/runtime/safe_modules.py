@@ -126,12 +126,16 @@ def _permutations(guards: Guards, number: Any, chosen: Any = None, /) -> int:
 
 def _check_count(guards: Guards, number: Any) -> None:
     if type(number) in WHOLE and number > 1:
-        guards.check_integer(min(number, 1 << 32) * max(int(number).bit_length() - 2, 1))
+        bits = min(number, 1 << 32) * max(int(number).bit_length() - 2, 1)
+        guards.check_integer(bits)
+        guards.charge(bits >> 3)
 
 
 def _check_choice(guards: Guards, number: Any, chosen: Any) -> None:
     if type(number) in WHOLE and type(chosen) in WHOLE and chosen > 0 and number > 0:
-        guards.check_integer(chosen * int(number).bit_length())
+        bits = chosen * int(number).bit_length()
+        guards.check_integer(bits)
+        guards.charge(bits >> 3)
 
 
 def _with_whole_numbers(name: str) -> Callable[..., Any]:

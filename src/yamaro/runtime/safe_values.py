@@ -8,6 +8,7 @@ else is refused where it would come in (`Meter.admit`).
 from __future__ import annotations
 
 from functools import partial
+from itertools import pairwise
 
 from ..syntax.flexidict import FlexiDict
 from .safe_limits import SafeLimits, SafetyError, refused
@@ -19,6 +20,12 @@ if TYPE_CHECKING:
     from typing import Any
 
 WORDS_OF_TYPES = {
+    "Module": "a module",
+    "Namespace": "a namespace",
+    "OrderedSet": "a set",
+    "builtin_function_or_method": "a function",
+    "Function": "a function",
+    "list_iterator": "an iterator",
     "NoneType": "nothing (null)",
     "float": "a number",
     "int": "a number",
@@ -33,7 +40,8 @@ class Function(partial):  # type: ignore[type-arg]
     attribute is looked up by exact type.
     """
 
-    shown = "<function>"
+    __slots__ = ("shown",)
+    shown: str
 
     def __repr__(self) -> str:
         return self.shown
@@ -70,9 +78,13 @@ class OrderedSet(set):  # type: ignore[type-arg]
 
     def __iter__(self) -> Iterator[Any]:
         items = list(super().__iter__())
-        if not all(_has_fixed_hash(item) for item in items):
-            items.sort(key=_order)
-        return iter(items)
+        if all(_has_fixed_hash(item) for item in items):
+            return iter(items)
+        keyed = sorted(((_order(item), item) for item in items), key=lambda pair: pair[0])
+        for (key, item), (following, _) in pairwise(keyed):
+            if key == following and item == item:
+                raise refused("a set of functions", "its order is chance", "write a list: […]")
+        return iter([item for _, item in keyed])
 
     def __repr__(self) -> str:
         return f"{{{', '.join(map(repr, self))}}}" if self else "set()"
@@ -93,7 +105,7 @@ def _order(item: Any) -> tuple[str, Any]:
     """Return a key by which any hashable values can be sorted."""
     kind = type(item)
     if kind in (str, int, float, bool):
-        return ("0" if kind is not str else "1", item if item == item else 0.0)
+        return ("1" if kind is str else "0", item) if item == item else ("", 0)
     return (f"2{kind.__name__}", repr(item))
 
 
@@ -110,19 +122,14 @@ OPAQUE = frozenset((Function, Module, Namespace, range, LIST_ITERATOR))
 TAME = frozenset((str, bool, type(None)))
 """Types whose hashes nobody can choose, or of which there are too few to do harm."""
 
-_LONG = 64  # shorter texts cost nothing beyond the step that makes them
+_LONG = 16  # shorter texts cost nothing beyond the step that makes them
+MANY_BITS = 512  # whole numbers with fewer do neither
 _TAME_INTEGER = 1 << 31
 
 
 def a_type(value: Any) -> str:
     """Return what a value is, in words for a message."""
     name = type(value).__name__
-    if name == "OrderedSet":
-        return "a set"
-    if name == "list_iterator":
-        return "an iterator"
-    if name in ("Function", "builtin_function_or_method"):
-        return "a function"
     return WORDS_OF_TYPES.get(name) or f"{'an' if name[:1] in 'aeiou' else 'a'} {name}"
 
 
@@ -134,6 +141,7 @@ class Meter:
         limits: how many may be taken, and how large values may be.
         foreign: further exact types that are let in, such as numpy's, each with a function that
             tells the size of a value.
+        many_bits: of a whole number that is worth counting.
     """
 
     def __init__(self, limits: SafeLimits) -> None:
@@ -142,6 +150,7 @@ class Meter:
         self.steps = 0
         self.foreign: dict[type, Callable[[Any], int]] = {}
         self._most_steps = limits.steps
+        self.many_bits = min(MANY_BITS, limits.integer)
 
     # --- steps ---
 
@@ -167,8 +176,16 @@ class Meter:
                 continue
             if kind in ITERABLES and kind is not LIST_ITERATOR:
                 size = len(value)
-                if size > _LONG:
-                    self.charge(size >> 3 if kind is str else size)
+                if kind is not str:
+                    self.charge(size)
+                elif size > _LONG:
+                    self.charge(size >> 3)
+
+    def charge_bits(self, *values: Any) -> None:
+        """Count what it costs to compute with large whole numbers, and to keep the result."""
+        for value in values:
+            if type(value) is int and value.bit_length() > self.many_bits:
+                self.charge(value.bit_length() >> 5)
 
     # --- sizes ---
 
@@ -192,6 +209,15 @@ class Meter:
         if size > self.limits.sequence:
             raise self.limits.passed("sequence", f"this makes {size:,} items")
         self.charge(size)
+
+    def check_table(self, size: int) -> None:
+        """Count a dict or set that is about to be made; an item takes as much as four of a list.
+
+        Raises:
+            SafetyError: it has too many items.
+        """
+        self.check_sequence(size)
+        self.charge(size * 3)
 
     def check_integer(self, bits: int) -> None:
         """Check a whole number that is about to be computed.
@@ -271,29 +297,24 @@ class Meter:
         """Return a value that is about to be hashed.
 
         A file can choose numbers whose hashes collide, so that each look-up goes through all that
-        is there. Therefore numbers other than small whole ones count as if they did.
+        is there. Therefore values whose hashes can be chosen count as if they did.
         """
-        kind = type(value)
-        if kind in TAME or (kind is int and -_TAME_INTEGER < value < _TAME_INTEGER):
-            return value
-        if kind is tuple:
+        if type(value) is tuple:
             self.expanded(value)
-        if owner_size > _LONG:
-            self.charge(owner_size >> 4)
+        if owner_size > 64 and not _is_tame(value):
+            self.charge(owner_size >> 2)
         return value
 
     def keys(self, values: Iterable[Any], owner_size: int = 0) -> None:
         """Count what it costs to put values into a set, or as keys into a dict."""
         wild = 0
         for value in values:
-            kind = type(value)
-            if kind in TAME or (kind is int and -_TAME_INTEGER < value < _TAME_INTEGER):
-                continue
-            wild += 1
-            if kind is tuple:
+            if type(value) is tuple:
                 self.expanded(value)
-        if wild + owner_size > _LONG:
-            self.charge(wild * (wild + owner_size) >> 4)
+            if not _is_tame(value):
+                wild += 1
+        if wild + owner_size > 64:
+            self.charge(wild * (wild + owner_size) >> 2)
 
     # --- coming in, going out ---
 
@@ -332,7 +353,7 @@ class Meter:
             return repr(value)
         if kind is int:
             bits = value.bit_length()
-            if bits > _LONG:
+            if bits > 64:
                 self.check_integer(bits)
                 self.charge(bits >> 3)
             return repr(value)
@@ -346,6 +367,16 @@ class Meter:
         written = repr(value)
         self.check_text(len(written))
         return written
+
+
+def _is_tame(value: Any) -> bool:
+    """Tell whether a file cannot choose the hash of a value: of few whole numbers, or a text."""
+    kind = type(value)
+    if kind is int:
+        return bool(-_TAME_INTEGER < value < _TAME_INTEGER)
+    if kind is tuple:
+        return len(value) <= 3 and all(type(part) is not tuple and _is_tame(part) for part in value)
+    return kind in TAME
 
 
 def _parts(value: Any) -> Iterator[Any]:
