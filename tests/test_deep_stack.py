@@ -197,6 +197,15 @@ def test_the_thread_is_used_again_and_holds_on_to_nothing() -> None:
     assert gone() is None
 
 
+def test_a_process_ends_whose_conversion_was_the_first_to_import_threading(tmp_path: Path) -> None:
+    path = write(tmp_path, "import: threading\nout: $(threading.active_count())\n")
+    code = (
+        f"import sys, yamaro; assert 'threading' not in sys.modules; yamaro.convert({str(path)!r})"
+    )
+    environment = {k: v for k, v in os.environ.items() if not k.startswith("COVERAGE_")}
+    subprocess.run([sys.executable, "-I", "-c", code], timeout=60, check=True, env=environment)
+
+
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="there is no fork here")
 def test_a_forked_process_starts_a_thread_of_its_own() -> None:
     compile_text("out:\n")

@@ -329,6 +329,8 @@ def load(path: str | os.PathLike[str], *, loader: Loader | None = None) -> Progr
         YamaroError: the main file has errors, which are found without running it.
         OSError: the main file cannot be read.
     """
+    import threading  # noqa: F401 - lets `deep_stack` keep its thread for the next conversion
+
     program = Program(os.fspath(path), loader=loader)
     try:
         program.parse()

@@ -100,13 +100,18 @@ class _Job:
 
 
 class _Worker:
-    """A thread with a deep stack, which runs one job after another."""
+    """A thread with a deep stack, which runs one job after another.
 
-    __slots__ = ("_awake", "_identity", "_job", "is_stopped")
+    Python takes the thread that first imports `threading` for the main one, and waits for it when
+    the process ends. So where that is not imported yet, and a job may do it, there is but one job.
+    """
+
+    __slots__ = ("_awake", "_identity", "_is_lasting", "_job", "is_stopped")
 
     def __init__(self) -> None:
         self._job: _Job | None = None
         self._identity = 0
+        self._is_lasting = "threading" in sys.modules
         self._awake = _thread.allocate_lock()
         self._awake.acquire()
         self.is_stopped = False
@@ -126,7 +131,7 @@ class _Worker:
                 if job is None:
                     return
                 job.run()
-                if len(_idle) < MAX_IDLE:
+                if self._is_lasting and len(_idle) < MAX_IDLE:
                     _idle.append(self)
                 else:
                     self.is_stopped = True
