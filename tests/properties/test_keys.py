@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from yamaro.diagnostics import INHERITED, Reporter, YamaroError, render
 from yamaro.source import Source
 from yamaro.syntax.context import ParseContext
-from yamaro.syntax.keys import AttributePlaces, find_outside, parse_plain_key
+from yamaro.syntax.keys import find_outside, parse_plain_key
 from yamaro.syntax.nodes import Body, ElementNode
 from yamaro.syntax.parser import parse
 from yamaro.syntax.statements import parse_pairs, parse_statement
@@ -94,8 +94,8 @@ def test_a_plain_key_says_what_the_grammar_says(text: str) -> None:
         return
     key = node_of(text)
     name, attributes = plain
-    places = AttributePlaces(key)
-    element = Element(name, key, attributes=attributes, value_spans=places)
+
+    element = Element(name, key, attributes=attributes, value_spans=key)
     assert by_the_grammar(key) == (
         name,
         [
@@ -103,7 +103,7 @@ def test_a_plain_key_says_what_the_grammar_says(text: str) -> None:
             for own, value in attributes.items()
         ],
     )
-    assert places.get("no_attribute") is None
+    assert key.get("no_attribute") is None
 
 
 @settings(max_examples=500)

@@ -236,23 +236,17 @@ def parse_plain_key(text: str) -> PlainKey | None:
     return name, attributes
 
 
-class AttributePlaces:
-    """Where the attributes of a key are written: worked out when asked, which is seldom."""
+def place_of_attribute(key: ScalarNode, attribute: str) -> Span | None:
+    """Return the place of an attribute's value in a key that `parse_plain_key` has read.
 
-    __slots__ = ("_key",)
-
-    def __init__(self, key: ScalarNode) -> None:
-        """Stand for the attributes of a key that `parse_plain_key` has read."""
-        self._key = key
-
-    def get(self, attribute: str, /) -> Span | None:
-        """Return the place of an attribute's value, or None if the key has no such attribute."""
-        text = self._key.text
-        context = ParseContext(Reporter())
-        for own in parse_attributes(self._key, text.index("/") + 1, len(text), context=context):
-            if own.name == attribute:
-                return own.span
-        return None
+    None if the key has no such attribute. It takes a while, and is seldom asked.
+    """
+    text = key.text
+    context = ParseContext(Reporter())
+    for own in parse_attributes(key, text.index("/") + 1, len(text), context=context):
+        if own.name == attribute:
+            return own.span
+    return None
 
 
 def _trim(text: str, start: int, end: int) -> tuple[int, int]:

@@ -8,7 +8,7 @@ from .context import ParseContext
 from .forms import form_of
 from .includes import parse_include
 from .iterations import parse_in, parse_iterator, parse_range
-from .keys import AttributePlaces, find_outside, parse_attributes, parse_name, parse_plain_key
+from .keys import find_outside, parse_attributes, parse_name, parse_plain_key
 from .mappings import Fields, Pairs, item_hint, pairs_of, refuse_not_indented
 from .names import ROOT_STATEMENTS, STATEMENTS, is_function_name, is_identifier
 from .nodes import (
@@ -299,7 +299,7 @@ def _add_plain(
     except YamaroError as error:
         context.keep(error)
         content = None
-    children = [] if content is None else _static_children(content)
+    children = _NO_CHILDREN if content is None else _static_children(content)
     if children is None:
         own = []
         if attributes:
@@ -310,15 +310,13 @@ def _add_plain(
         return
     body.statements.append(
         Element(
-            name,
-            key,
-            attributes=attributes,
-            children=children,
-            trace=INHERITED,
-            value_spans=AttributePlaces(key) if attributes else None,
-            body=body,
+            name, key, attributes, children, INHERITED, key if attributes else None, False, body
         )
     )
+
+
+_NO_CHILDREN: list[Node] = []
+"""What an element holds that is empty; nobody changes an element that the parser has made."""
 
 
 def _parse_angled(key: ScalarNode, node: YamlNode, context: ParseContext) -> Statement:

@@ -46,6 +46,15 @@ class ScalarNode(Span):
         last = self.offset(end - 1) + 1 if end > start else first
         return Span(self.source, first, max(first, last))
 
+    def get(self, attribute: str, /) -> Span | None:
+        """Return where the value of an attribute stands in the key of an element.
+
+        So that a key is what `xmltree.Places` asks for, and no object besides is needed.
+        """
+        from .keys import place_of_attribute
+
+        return place_of_attribute(self, attribute)
+
     def anchor_span(self) -> Span:
         """Return the place of the scalar's anchor, such as `&name`."""
         written = f"&{self.anchor}"
