@@ -145,20 +145,43 @@ class Program:
             YamaroError: the input has errors; it holds them, and the warnings found before.
             UsageError: a `name:=value` is malformed.
         """
-        passed, places = _read_command_line(command_line)
-        passed.update(variables or {})
-        source = self._main_file()
-        reporter = Reporter()
-        interpreter = Interpreter(
-            library=self._library,
-            reporter=reporter,
-            on_message=on_message or _print_to_standard_error,
+        return self._compile(
+            command_line,
+            variables or {},
+            strict=strict,
+            advice=advice,
+            on_message=on_message,
+            take=lambda build: build,
         )
 
-        def compile_robot() -> Build:
+    def _compile(
+        self,
+        command_line: Sequence[str],
+        variables: Mapping[str, object],
+        *,
+        take: Callable[[Build], T],
+        strict: bool = False,
+        advice: bool = False,
+        on_message: Callable[[str], None] | None = None,
+    ) -> T:
+        """Compile the file, see `build`, and return what `take` takes of the result.
+
+        What it does not take is freed in the thread that made it, whose core has it at hand.
+        """
+        passed, places = _read_command_line(command_line)
+        passed.update(variables)
+        source = self._main_file()
+        reporter = Reporter()
+
+        def compile_robot() -> T:
+            interpreter = Interpreter(
+                library=self._library,
+                reporter=reporter,
+                on_message=on_message or _print_to_standard_error,
+            )
             evaluated = interpreter.run_main(source, stem=_stem(self._path), variables=passed)
             _warn_of_unknown_variables(interpreter, places, reporter)
-            return _finish(evaluated, interpreter, reporter, advice=advice)
+            return take(_finish(evaluated, interpreter, reporter, advice=advice))
 
         result = self._run(compile_robot, reporter)
         if strict and reporter.diagnostics:
@@ -343,19 +366,20 @@ def _converted(
     program: Program, assignments: Sequence[str], variables: Mapping[str, object]
 ) -> str:
     """Return the XML; issue the warnings in the name of whoever called our caller."""
-    with RareCollection():  # until the tree is gone: the collector need not look through it
-        try:
-            result = program.build(command_line=assignments, variables=variables)
-        except UsageError as error:
-            raise _as_built_in(error) from None
-        found, xml = result.warnings, result.xml()
-        del result
+    try:
+        xml, found = program._compile(assignments, variables, take=_xml_and_warnings)
+    except UsageError as error:
+        raise _as_built_in(error) from None
     if found:
         import warnings
 
         for diagnostic in found:
             warnings.warn(str(YamaroError([diagnostic])), YamaroWarning, stacklevel=3)
     return xml
+
+
+def _xml_and_warnings(build: Build) -> tuple[str, list[Diagnostic]]:
+    return build.xml(), build.warnings
 
 
 def _as_built_in(error: UsageError) -> Exception:
