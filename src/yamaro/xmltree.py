@@ -257,6 +257,11 @@ _LONGEST_REMEMBERED = 16
 """Characters of a value worth remembering: longer ones seldom come again, and there are many."""
 
 
+_MOST_REMEMBERED = 4096
+_spelled: dict[str, str] = {}
+"""Values of attributes as they are written, whatever document they are of."""
+
+
 def write(root: Element, *, shared: Shared | None = None) -> str:
     """Return the tree as an XML document; raise YamaroError where XML cannot hold a character."""
     out = ['<?xml version="1.0"?>\n']
@@ -267,12 +272,11 @@ def write(root: Element, *, shared: Shared | None = None) -> str:
 class _Writer:
     """Writes elements, remembering what comes again: values of attributes and shared elements."""
 
-    __slots__ = ("_passages", "_shared", "_spelled")
+    __slots__ = ("_passages", "_shared")
 
     def __init__(self, shared: Shared) -> None:
         self._shared = shared
         self._passages: dict[int, _Passage] = {}
-        self._spelled: dict[str, str] = {}
 
     def write(
         self, element: Element, margin: str, end: str, out: list[str], prefixes: frozenset[str]
@@ -280,18 +284,19 @@ class _Writer:
         """Write an element: on lines of its own, or with no space added if `end` is empty."""
         name = element.name
         head = f"{margin}<{name}"
-        spelled = self._spelled
         for key, value in element.attributes.items():
             if type(value) is not str:
                 if value is None:
                     continue
                 value = format_value(value)
             if not value.isidentifier():  # most names are, and have nothing to escape
-                escaped = spelled.get(value)
+                escaped = _spelled.get(value)
                 if escaped is None:
                     escaped = _attribute_text(value, element, key)
                     if len(value) <= _LONGEST_REMEMBERED:
-                        spelled[value] = escaped
+                        if len(_spelled) >= _MOST_REMEMBERED:
+                            _spelled.clear()
+                        _spelled[value] = escaped
                 value = escaped
             head += f' {key}="{value}"'
         if ":" in head:

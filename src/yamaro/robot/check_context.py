@@ -6,7 +6,6 @@ from math import isfinite, nan
 
 from ..diagnostics import INHERITED, WARNING, Diagnostic, suggest
 from ..xmltree import Element, format_value
-from .urdf import ELEMENTS, AttributeRule
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -21,6 +20,8 @@ if TYPE_CHECKING:
 
 MAX_REMEMBERED_LENGTH = 24
 """Characters of a text whose numbers are remembered."""
+MOST_REMEMBERED = 4096
+"""Texts remembered at a time."""
 
 SUGGESTION_BUDGET = 200_000
 """Names compared in one run to find the one meant; keeps a robot full of faults linear."""
@@ -70,7 +71,6 @@ class CheckContext:
 
     __slots__ = (
         "_found",
-        "_numbers",
         "_suggestion_budget",
         "count",
         "file_owners",
@@ -80,7 +80,6 @@ class CheckContext:
         "sound",
         "sound_children",
         "sound_elements",
-        "sound_texts",
         "stage",
         "version",
     )
@@ -98,7 +97,6 @@ class CheckContext:
         Attributes:
             count: how often something was found.
             stage: the stage that findings belong to.
-            sound_texts: for each rule of an attribute, the texts that have been found right.
             sound: what else has been found right: what was asked, and the texts of the values.
             sound_children: of the children that several elements have, where all was right in
                 them, the first of each name.
@@ -112,15 +110,11 @@ class CheckContext:
         self.stage = SCHEMA
         self.count = 0
         self.sound: set[tuple[object, ...]] = set()
-        self.sound_texts: dict[AttributeRule, set[str]] = {
-            rule: set() for element in ELEMENTS.values() for rule in element.attributes.values()
-        }
         self.sound_elements = dict.fromkeys(shared or (), False)
         self.sound_children: dict[int, Children] = {}
         self.material_uses: dict[str, tuple[Element, Element]] = {}
         self.materials_inside: set[str] = set()
         self.file_owners: list[Element] = []
-        self._numbers: dict[str, tuple[float, ...] | NumberFault] = {}
         self._suggestion_budget = SUGGESTION_BUDGET
         self._found: list[dict[object, Finding]] = [{} for _ in range(FILES + 1)]
 
@@ -207,11 +201,13 @@ class CheckContext:
 
         Long ones hold computed numbers, which seldom come again.
         """
-        found = self._numbers.get(text)
+        found = _remembered.get(text)
         if found is None:
             found = read_numbers(text)
             if len(text) <= MAX_REMEMBERED_LENGTH:
-                self._numbers[text] = found
+                if len(_remembered) >= MOST_REMEMBERED:
+                    _remembered.clear()
+                _remembered[text] = found
         return found
 
     def numbers(self, element: Element | None, attribute: str, count: int) -> tuple[float, ...]:
@@ -229,6 +225,10 @@ class CheckContext:
         text = attribute_text(element, attribute)
         found = self.read(text) if text is not None else ()
         return found[0] if type(found) is tuple and len(found) == 1 else None
+
+
+_remembered: dict[str, tuple[float, ...] | NumberFault] = {}
+"""The numbers in texts, whatever robot they are of."""
 
 
 def read_numbers(text: str) -> tuple[float, ...] | NumberFault:

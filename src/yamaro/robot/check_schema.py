@@ -9,6 +9,7 @@ from ..diagnostics import did_you_mean
 from ..xmltree import Element
 from .check_context import (
     MAX_REMEMBERED_LENGTH,
+    MOST_REMEMBERED,
     NOT_FINITE,
     SCHEMA,
     SPACING,
@@ -220,13 +221,12 @@ def _check_attributes(
 ) -> None:
     attributes = element.attributes
     known = rule.attributes
-    sound = context.sound_texts
     for name, value in attributes.items():
         attribute_rule = known.get(name)
         if attribute_rule is None:
             _check_unknown_attribute(name, element, rule, owner, context)
         elif attribute_rule.count != TEXT and (
-            type(value) is not str or value not in sound[attribute_rule]
+            type(value) is not str or value not in attribute_rule.sound
         ):
             _check_numbers(name, attribute_rule, element, owner, context)
     for name in rule.required:
@@ -253,7 +253,9 @@ def _check_numbers(
                 _report_sign(number, name, rule, element, owner, context)
                 return
     if len(text) <= MAX_REMEMBERED_LENGTH:
-        context.sound_texts[rule].add(text)
+        if len(rule.sound) >= MOST_REMEMBERED:
+            rule.sound.clear()
+        rule.sound.add(text)
 
 
 def _report_not_a_number(

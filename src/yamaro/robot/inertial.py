@@ -215,13 +215,17 @@ def _given_inertia(lowering: Lowering, key: Element) -> Element:
     return record.element()
 
 
+_remembered: dict[Inertia, tuple[str, ...]] = {}
+"""The words of moments of inertia, whatever robot they are of: robots have equal bodies."""
+
+
 def _computed_inertia(lowering: Lowering, owner: Element, moments: Inertia) -> Element:
     if not all(map(isfinite, moments)):
         raise _too_large(owner)
-    words = lowering.inertias.get(moments)
+    words = _remembered.get(moments)
     if words is None:
         words = tuple([format_number(value) if value else "0" for value in moments])
-        remember(lowering.inertias, moments, words)
+        remember(_remembered, moments, words)
     return Element("inertia", owner.span, dict(zip(MOMENTS, words, strict=True)), [], owner.trace)
 
 

@@ -14,9 +14,7 @@ if TYPE_CHECKING:
     from ..syntax.forms import Form
     from ..xmltree import Node, Shared
     from .mesh import SolidMoments
-    from .numbers import Numbers
     from .patterns import Pattern
-    from .shapes import Inertia
 
     Key = TypeVar("Key")
     Value = TypeVar("Value")
@@ -40,8 +38,6 @@ class Lowering:
         has_capsule: whether the robot's URDF version knows capsules.
         shared: the elements that stand in several places, with notes of what they come out as.
         origins: the `<origin>` made of shared keys, by the identity of these.
-        numbers: the numbers in a text; most texts occur many times.
-        inertias: the words of the moments of inertia that were computed; robots have equal bodies.
         moments: the volume integrals of the mesh files read so far, by path.
         near_keys: what a key in a place was found to be a misspelling of.
         records: what keys such as `limit` came out as, by name and the identity of what they hold.
@@ -59,11 +55,9 @@ class Lowering:
         "_reported",
         "errors",
         "has_capsule",
-        "inertias",
         "mimics",
         "moments",
         "near_keys",
-        "numbers",
         "origins",
         "parents",
         "part_joints",
@@ -91,8 +85,6 @@ class Lowering:
         self.shared = shared
         self.errors: list[Diagnostic] = []
         self.origins: dict[tuple[int, ...], Element] = {}
-        self.numbers: dict[str, Numbers] = {}
-        self.inertias: dict[Inertia, tuple[str, ...]] = {}
         self.moments: dict[str, SolidMoments] = {}
         self.near_keys: dict[tuple[str, str], str | None] = {}
         self.records: dict[tuple[object, ...], Element] = {}

@@ -97,7 +97,7 @@ def read_numbers(
         YamaroError: a word, NaN, an infinity, or a wrong count.
     """
     if type(value) is str:
-        numbers = _numbers_of(lowering, value)
+        numbers = _numbers_of(value)
         if numbers is None:
             raise _bad_text(value, span, name, trace)
     else:
@@ -115,16 +115,20 @@ def read_attribute(
     Where it is written is only found out where it matters, which spares most runs the search.
     """
     value = record.values[attribute]
-    numbers = _numbers_of(lowering, value) if type(value) is str else None
+    numbers = _numbers_of(value) if type(value) is str else None
     if numbers is not None and len(numbers.words) == count:
         return numbers
     span, trace = record.span(attribute), record.key.trace
     return read_numbers(lowering, value, span, count=count, name=name, trace=trace)
 
 
-def _numbers_of(lowering: Lowering, text: str) -> Numbers | None:
+_remembered: dict[str, Numbers] = {}
+"""The numbers in texts, whatever robot they are of: most occur many times."""
+
+
+def _numbers_of(text: str) -> Numbers | None:
     """Return the numbers in a text, or None where a word is no finite number."""
-    numbers = lowering.numbers.get(text)
+    numbers = _remembered.get(text)
     if numbers is None:
         words = _split(text)
         values = [value for word in words if (value := _parse(word)) is not None]
@@ -133,7 +137,7 @@ def _numbers_of(lowering: Lowering, text: str) -> Numbers | None:
         spelled = [str(int(word, 0)) if word[1:2] in ("x", "o") else word for word in words]
         numbers = Numbers(tuple(spelled), tuple(values))
         if len(text) <= MAX_REMEMBERED_LENGTH:
-            remember(lowering.numbers, text, numbers)
+            remember(_remembered, text, numbers)
     return numbers
 
 
@@ -172,7 +176,7 @@ def _read_object(
     for item in items:
         if type(item) is str:
             place = _item_place(item, span) if is_literal else span
-            numbers = _numbers_of(lowering, item)
+            numbers = _numbers_of(item)
             if numbers is None:
                 raise _bad_text(item, place, name, trace)
             if not numbers.words:

@@ -37,7 +37,7 @@ OFTEN = "often"
 class AttributeRule:
     """What URDF says about one attribute."""
 
-    __slots__ = ("count", "required", "sign")
+    __slots__ = ("count", "required", "sign", "sound")
 
     def __init__(self, count: int, *, required: bool = False, sign: str = ANY) -> None:
         """Describe an attribute.
@@ -50,6 +50,7 @@ class AttributeRule:
         self.count = count
         self.required = required
         self.sign = sign
+        self.sound: set[str] = set()  # texts that were found right, whatever robot they are of
 
 
 class ElementRule:
