@@ -130,15 +130,26 @@ def _numbers_of(text: str) -> Numbers | None:
     """Return the numbers in a text, or None where a word is no finite number."""
     numbers = _remembered.get(text)
     if numbers is None:
-        words = _split(text)
-        values = [value for word in words if (value := _parse(word)) is not None]
-        if len(values) < len(words) or not all(map(isfinite, values)):
-            return None
-        spelled = [str(int(word, 0)) if word[1:2] in ("x", "o") else word for word in words]
-        numbers = Numbers(tuple(spelled), tuple(values))
-        if len(text) <= MAX_REMEMBERED_LENGTH:
+        numbers = _read(text)
+        if numbers is not None and len(text) <= MAX_REMEMBERED_LENGTH:
             remember(_remembered, text, numbers)
     return numbers
+
+
+def _read(text: str) -> Numbers | None:
+    words = _split(text)
+    if text.isascii() and "_" not in text:  # as nearly always: Python reads the rest alike
+        try:
+            values = tuple(map(float, words))
+        except ValueError:
+            pass
+        else:
+            return Numbers(tuple(words), values) if all(map(isfinite, values)) else None
+    read = [value for word in words if (value := _parse(word)) is not None]
+    if len(read) < len(words) or not all(map(isfinite, read)):
+        return None
+    spelled = [str(int(word, 0)) if word[1:2] in ("x", "o") else word for word in words]
+    return Numbers(tuple(spelled), tuple(read))
 
 
 def _split(text: str) -> list[str]:

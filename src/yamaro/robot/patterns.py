@@ -8,6 +8,8 @@ lowered as if there were no pattern.
 
 from __future__ import annotations
 
+from operator import itemgetter
+
 from ..diagnostics import INHERITED, YamaroError
 from ..syntax.forms import Form, filled, key_of
 from ..xmltree import Element, Text
@@ -60,22 +62,22 @@ class Pattern:
         name: the text of the part's name.
         parent: the `parent` key.
         pose: the keys of the pose, by name.
-        pose_holes: the numbers of the holes in these.
-        common_holes: the numbers of all holes but those in the name, the parent and the pose.
+        pose_of: takes the values in these out of those of the part.
+        common_of: takes out all values but those in the name, the parent and the pose.
         is_joint_first: whether the joint stands before the link.
         known: parts that were lowered, by the values of the common holes.
         origins: the origins of the joints, by the values of the pose.
     """
 
     __slots__ = (
-        "common_holes",
+        "common_of",
         "is_joint_first",
         "known",
         "name",
         "origins",
         "parent",
         "pose",
-        "pose_holes",
+        "pose_of",
     )
 
     def __init__(self, reader: _Reader) -> None:
@@ -83,8 +85,8 @@ class Pattern:
         self.name = reader.name
         self.parent = reader.keys.pop("parent")
         self.pose = reader.keys
-        self.pose_holes = tuple(reader.pose_holes)
-        self.common_holes = tuple(reader.common_holes)
+        self.pose_of = _taker(reader.pose_holes)
+        self.common_of = _taker(reader.common_holes)
         self.is_joint_first = reader.is_joint_first
         self.known: dict[object, Known] = {}
         self.origins: dict[object, Element] = {}
@@ -171,6 +173,13 @@ def _shifted(text: FormText, by: int) -> FormText:
     return tuple([piece if isinstance(piece, str) else piece + by for piece in text])
 
 
+def _taker(holes: list[int]) -> Callable[[tuple[Any, ...]], tuple[Any, ...]]:
+    """Return a function that takes the values of some holes out of all values."""
+    if len(holes) > 1:
+        return itemgetter(*holes)
+    return itemgetter(slice(holes[0], holes[0] + 1) if holes else slice(0))
+
+
 # --- lowering by a pattern --------------------------------------------------------------------
 
 
@@ -189,7 +198,7 @@ def lower_formed(
         lower(lowering, part, out)
         return
     values = part.values
-    common = key_of(tuple([values[hole] for hole in pattern.common_holes]))
+    common = key_of(pattern.common_of(values))
     known = None if common is None else pattern.known.get(common)
     if known is not None and _take_over(lowering, pattern, known, values, out):
         return
@@ -262,14 +271,18 @@ def _take_over(
 
 def _with(model: Node, attributes: dict[str, object]) -> Element:
     assert isinstance(model, Element)
-    return Element(model.name, model.span, attributes, [], INHERITED, model.value_spans)
+    return Element(model.name, model.span, attributes, _NOTHING, INHERITED, model.value_spans)
+
+
+_NOTHING: list[Node] = []
+"""What a `<parent>` or `<child>` holds."""
 
 
 def _origin(
     lowering: Lowering, pattern: Pattern, joint: Element, values: tuple[Any, ...]
 ) -> Element | None:
     """Return the origin of a joint, or None if its pose has a fault."""
-    key = key_of(tuple([values[hole] for hole in pattern.pose_holes]))
+    key = key_of(pattern.pose_of(values))
     if key is None:
         return None
     origin = pattern.origins.get(key)

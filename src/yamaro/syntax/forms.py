@@ -182,8 +182,10 @@ def key_of(values: tuple[Any, ...]) -> object:
     kinds = tuple(map(type, values))
     if not _PLAIN.issuperset(kinds):
         return None
-    if 0.0 in values and float in kinds:
-        return values, kinds, tuple(map(str, values))
+    if 0.0 in values:
+        zeros = [str(value) for value in values if type(value) is float and not value]
+        if zeros:
+            return values, kinds, tuple(zeros)
     return values, kinds
 
 
