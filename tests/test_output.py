@@ -28,7 +28,7 @@ def entries(folder: Path) -> list[str]:
 
 def test_file_is_written_and_folders_are_made(tmp_path: Path) -> None:
     target = tmp_path / "build" / "urdf" / "robot.urdf"
-    write_file(str(target), NEW)
+    write_file(str(target), [NEW])
     assert target.read_bytes() == NEW
     assert entries(target.parent) == ["robot.urdf"]
 
@@ -36,7 +36,7 @@ def test_file_is_written_and_folders_are_made(tmp_path: Path) -> None:
 def test_new_file_gets_the_mode_of_the_umask(tmp_path: Path) -> None:
     before = os.umask(0o027)
     try:
-        write_file(str(tmp_path / "a"), NEW)
+        write_file(str(tmp_path / "a"), [NEW])
     finally:
         os.umask(before)
     assert stat.S_IMODE(os.stat(tmp_path / "a").st_mode) == 0o640
@@ -47,7 +47,7 @@ def test_mode_of_an_old_file_is_kept(tmp_path: Path, mode: int) -> None:
     target = tmp_path / "a"
     target.write_bytes(OLD)
     target.chmod(mode)
-    write_file(str(target), NEW)
+    write_file(str(target), [NEW])
     assert target.read_bytes() == NEW
     assert stat.S_IMODE(target.stat().st_mode) == mode
 
@@ -58,7 +58,7 @@ def test_owner_of_an_old_file_is_kept(tmp_path: Path) -> None:
     target.write_bytes(OLD)
     os.chown(target, 12345, 23456)
     target.chmod(0o664)
-    write_file(str(target), NEW)
+    write_file(str(target), [NEW])
     result = target.stat()
     assert (result.st_uid, result.st_gid, stat.S_IMODE(result.st_mode)) == (12345, 23456, 0o664)
 
@@ -67,7 +67,7 @@ def test_a_reader_of_the_old_file_keeps_the_old_text(tmp_path: Path) -> None:
     target = tmp_path / "a"
     target.write_bytes(OLD)
     with open(target, "rb") as reader:
-        write_file(str(target), NEW)
+        write_file(str(target), [NEW])
         assert reader.read() == OLD
     assert target.read_bytes() == NEW
 
@@ -78,7 +78,7 @@ def test_link_stays_and_its_target_is_replaced(tmp_path: Path) -> None:
     target.write_bytes(OLD)
     link = tmp_path / "link"
     link.symlink_to(Path("real") / "a")
-    write_file(str(link), NEW)
+    write_file(str(link), [NEW])
     assert link.is_symlink()
     assert target.read_bytes() == NEW
     assert entries(tmp_path / "real") == ["a"]
@@ -87,7 +87,7 @@ def test_link_stays_and_its_target_is_replaced(tmp_path: Path) -> None:
 def test_dangling_link_makes_its_target(tmp_path: Path) -> None:
     link = tmp_path / "link"
     link.symlink_to(tmp_path / "new" / "a")
-    write_file(str(link), NEW)
+    write_file(str(link), [NEW])
     assert link.is_symlink()
     assert (tmp_path / "new" / "a").read_bytes() == NEW
 
@@ -96,21 +96,21 @@ def test_link_loop_is_an_error(tmp_path: Path) -> None:
     (tmp_path / "a").symlink_to(tmp_path / "b")
     (tmp_path / "b").symlink_to(tmp_path / "a")
     with pytest.raises(OSError, match="symbolic links"):
-        write_file(str(tmp_path / "a"), NEW)
+        write_file(str(tmp_path / "a"), [NEW])
 
 
 @pytest.mark.parametrize("name", ["folder", "folder/", "missing/"])
 def test_folder_is_no_place_to_write_to(tmp_path: Path, name: str) -> None:
     (tmp_path / "folder").mkdir()
     with pytest.raises(IsADirectoryError):
-        write_file(f"{tmp_path}/{name}", NEW)
+        write_file(f"{tmp_path}/{name}", [NEW])
     assert entries(tmp_path) == ["folder"]
 
 
 def test_file_in_the_way_of_a_folder_is_an_error(tmp_path: Path) -> None:
     (tmp_path / "a").write_bytes(OLD)
     with pytest.raises(NotADirectoryError):
-        write_file(str(tmp_path / "a" / "b"), NEW)
+        write_file(str(tmp_path / "a" / "b"), [NEW])
     assert (tmp_path / "a").read_bytes() == OLD
 
 
@@ -121,19 +121,19 @@ def test_read_only_file_is_not_replaced(tmp_path: Path, monkeypatch: pytest.Monk
     if os.geteuid() == 0:  # root may write anything
         monkeypatch.setattr(os, "access", lambda path, mode: False)
     with pytest.raises(PermissionError):
-        write_file(str(target), NEW)
+        write_file(str(target), [NEW])
     assert target.read_bytes() == OLD
 
 
 def test_devices_and_pipes_are_written_to_directly(tmp_path: Path) -> None:
-    write_file(os.devnull, NEW)
+    write_file(os.devnull, [NEW])
     assert stat.S_ISCHR(os.stat(os.devnull).st_mode)
     pipe = tmp_path / "pipe"
     os.mkfifo(pipe)
     received: list[bytes] = []
     reader = threading.Thread(target=lambda: received.append(pipe.read_bytes()))
     reader.start()
-    write_file(str(pipe), NEW)
+    write_file(str(pipe), [NEW])
     reader.join(10)
     assert received == [NEW]
     assert stat.S_ISFIFO(os.stat(pipe).st_mode)
@@ -142,7 +142,7 @@ def test_devices_and_pipes_are_written_to_directly(tmp_path: Path) -> None:
 @pytest.mark.skipif(not os.path.exists("/dev/full"), reason="needs /dev/full")
 def test_full_device_is_an_error() -> None:
     with pytest.raises(OSError, match="No space left") as caught:
-        write_file("/dev/full", NEW)
+        write_file("/dev/full", [NEW])
     assert caught.value.errno == errno.ENOSPC
 
 
@@ -163,7 +163,7 @@ def test_a_failing_step_leaves_the_old_file_and_nothing_else(
     with monkeypatch.context() as patch:
         patch.setattr(os, call, fail)
         with pytest.raises(type(fault)):
-            write_file(str(target), NEW)
+            write_file(str(target), [NEW])
     assert target.read_bytes() == OLD
     assert entries(tmp_path) == ["a"]
     assert signal.getsignal(signal.SIGTERM) == signal.SIG_DFL
@@ -172,7 +172,7 @@ def test_a_failing_step_leaves_the_old_file_and_nothing_else(
 def test_short_writes_are_continued(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     real_write = os.write
     monkeypatch.setattr(os, "write", lambda fd, data: real_write(fd, data[:3]))
-    write_file(str(tmp_path / "a"), NEW * 5)
+    write_file(str(tmp_path / "a"), [NEW] * 5)
     assert (tmp_path / "a").read_bytes() == NEW * 5
 
 
@@ -188,7 +188,7 @@ def test_a_pipe_that_does_not_block_is_waited_for() -> None:
 
     reader = threading.Thread(target=read)
     reader.start()
-    write_all(write_end, content)
+    write_all(write_end, [content])
     os.close(write_end)
     reader.join(10)
     os.close(read_end)
@@ -203,7 +203,7 @@ def fsync(descriptor):
     print("writing", flush=True)
     time.sleep(60)
 os.fsync = fsync
-output.write_file(sys.argv[1], b"new")
+output.write_file(sys.argv[1], [b"new"])
 """
 
 
@@ -236,7 +236,7 @@ def test_kill_while_writing_leaves_the_old_file_whole(tmp_path: Path) -> None:
     process.wait(10)
     process.stdout.close()
     assert target.read_bytes() == OLD
-    write_file(str(target), NEW)
+    write_file(str(target), [NEW])
     assert target.read_bytes() == NEW
 
 
@@ -244,7 +244,7 @@ def test_signals_that_others_treat_are_left_to_them(tmp_path: Path) -> None:
     seen: list[int] = []
     before = signal.signal(signal.SIGTERM, lambda number, frame: seen.append(number))
     try:
-        write_file(str(tmp_path / "a"), NEW)
+        write_file(str(tmp_path / "a"), [NEW])
         os.kill(os.getpid(), signal.SIGTERM)
         assert seen == [signal.SIGTERM]
     finally:
@@ -252,7 +252,7 @@ def test_signals_that_others_treat_are_left_to_them(tmp_path: Path) -> None:
 
 
 def test_writing_works_outside_the_main_thread(tmp_path: Path) -> None:
-    thread = threading.Thread(target=write_file, args=(str(tmp_path / "a"), NEW))
+    thread = threading.Thread(target=write_file, args=(str(tmp_path / "a"), [NEW]))
     thread.start()
     thread.join()
     assert (tmp_path / "a").read_bytes() == NEW
@@ -264,7 +264,7 @@ def test_writers_at_the_same_time_leave_one_whole_file(tmp_path: Path) -> None:
 
     def rewrite(content: bytes) -> None:
         for _ in range(5):
-            write_file(target, content)
+            write_file(target, [content])
 
     threads = [threading.Thread(target=rewrite, args=(content,)) for content in contents]
     for thread in threads:
@@ -299,11 +299,11 @@ def test_standard_output_has_all_its_names() -> None:
 def test_result_goes_to_streams_with_and_without_bytes(monkeypatch: pytest.MonkeyPatch) -> None:
     text_stream = io.StringIO()
     monkeypatch.setattr(sys, "stdout", text_stream)
-    Streams(quiet=False).write_result("é".encode())
+    Streams(quiet=False).write_result(["é".encode()])
     assert text_stream.getvalue() == "é"
     byte_stream = io.TextIOWrapper(io.BytesIO(), encoding="ascii")
     monkeypatch.setattr(sys, "stdout", byte_stream)
-    Streams(quiet=False).write_result("é".encode())
+    Streams(quiet=False).write_result(["é".encode()])
     assert byte_stream.buffer.getvalue() == "é".encode()
 
 
@@ -341,7 +341,7 @@ def test_streams_that_are_missing_or_closed_do_no_harm(monkeypatch: pytest.Monke
     assert not streams.is_terminal()
     assert streams.result_encoding() == "utf-8"
     with pytest.raises(OSError, match="Bad file descriptor"):
-        streams.write_result(NEW)
+        streams.write_result([NEW])
     closed = io.StringIO()
     closed.close()
     monkeypatch.setattr(sys, "stderr", closed)

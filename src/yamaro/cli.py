@@ -14,7 +14,7 @@ from .source import STANDARD_INPUT, STANDARD_INPUT_NAME
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
+    from collections.abc import Callable, Iterable, Sequence
 
     from .compiler import Build
     from .diagnostics import Diagnostic
@@ -284,13 +284,13 @@ def _quote(text: str) -> str:
 
 def _run(arguments: Arguments, streams: Streams) -> int:
     if arguments.has("help"):
-        return _deliver(HELP.encode(), arguments, streams)
+        return _deliver([HELP.encode()], arguments, streams)
     if arguments.has("version"):
         from . import __version__
 
-        return _deliver(f"yamaro {__version__}\n".encode(), arguments, streams)
+        return _deliver([f"yamaro {__version__}\n".encode()], arguments, streams)
     if arguments.command == "completion":
-        return _deliver(_completion(arguments.words), arguments, streams)
+        return _deliver([_completion(arguments.words)], arguments, streams)
     return _run_on_file(arguments, streams)
 
 
@@ -301,7 +301,7 @@ def _run_on_file(arguments: Arguments, streams: Streams) -> int:
     arguments.resolve_output()
     _refuse_overwriting(arguments, lambda: arguments.words)
     try:
-        build, content = _build(arguments, streams)
+        build, chunks = _build(arguments, streams)
     except YamaroError as error:
         _show(error.diagnostics, arguments, streams)
         return INPUT_ERROR
@@ -310,17 +310,17 @@ def _run_on_file(arguments: Arguments, streams: Streams) -> int:
     if arguments.command == "check" and build.warnings:
         return INPUT_ERROR
     _refuse_overwriting(arguments, lambda: [*build.files, *build.meshes])
-    return _deliver(content, arguments, streams)
+    return _deliver(chunks, arguments, streams)
 
 
-def _deliver(content: bytes, arguments: Arguments, streams: Streams) -> int:
+def _deliver(chunks: Iterable[bytes], arguments: Arguments, streams: Streams) -> int:
     """Write the result to where it is wanted; a place that cannot be written to is an error."""
     output = arguments.options.get("output", "-")
     try:
         if output in STANDARD_OUTPUT:
-            streams.write_result(content)
+            streams.write_result(chunks)
         else:
-            write_file(arguments.output_path, content)
+            write_file(arguments.output_path, chunks)
     except BrokenPipeError:
         raise
     except OSError as error:
@@ -330,7 +330,7 @@ def _deliver(content: bytes, arguments: Arguments, streams: Streams) -> int:
     return DONE
 
 
-def _build(arguments: Arguments, streams: Streams) -> tuple[Build, bytes]:
+def _build(arguments: Arguments, streams: Streams) -> tuple[Build, Iterable[bytes]]:
     """Build the file, with standard output out of reach; return the build and what to write."""
     import warnings
 
@@ -360,17 +360,16 @@ def _build(arguments: Arguments, streams: Streams) -> tuple[Build, bytes]:
         streams.restore()
 
 
-def _result(build: Build, arguments: Arguments, streams: Streams) -> bytes:
+def _result(build: Build, arguments: Arguments, streams: Streams) -> Iterable[bytes]:
     """Return what a successful build gives under the command and options asked for."""
     if arguments.command == "tree":
-        return _tree(build, arguments, streams)
+        return [_tree(build, arguments, streams)]
     if arguments.has("deps"):
         names = dict.fromkeys(filter(os.path.isabs, build.files + build.meshes))
-        return b"".join(os.fsencode(name) + b"\n" for name in names)
-    content = build.xml().encode()  # a check needs it too: some faults show only here
+        return [os.fsencode(name) + b"\n" for name in names]
     if arguments.command == "check":
-        return b"" if streams.quiet else f"{_display_name(arguments)}: ok\n".encode()
-    return content
+        return [] if streams.quiet else [f"{_display_name(arguments)}: ok\n".encode()]
+    return build.encoded()
 
 
 def _tree(build: Build, arguments: Arguments, streams: Streams) -> bytes:

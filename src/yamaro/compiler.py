@@ -25,11 +25,11 @@ from .syntax.context import ParseContext
 from .syntax.names import is_identifier, python_name
 from .syntax.values import parse_inline
 from .syntax.yaml_nodes import PLAIN, ScalarNode
-from .xmltree import Element, unshared, write
+from .xmltree import Element, unshared, write_pieces
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Mapping, Sequence
+    from collections.abc import Callable, Iterator, Mapping, Sequence
     from typing import TypeVar
 
     from .runtime.loader import Loader
@@ -43,17 +43,21 @@ class UsageError(Exception):
     """The command was used wrongly: the main file is missing, or an argument is malformed."""
 
 
+PIECES_IN_CHUNK = 10_000
+"""Pieces of text, of some dozens of characters each, that are written at a time."""
+
+
 class Build:
     """A finished robot or other document."""
 
-    __slots__ = ("_finder", "_make_root", "_root", "_tree", "_xml", "files", "warnings")
+    __slots__ = ("_finder", "_make_root", "_pieces", "_root", "_tree", "files", "warnings")
 
     def __init__(
         self,
         tree: Element,
         make_root: Callable[[], Element],
         *,
-        xml: str,
+        pieces: list[str],
         warnings: list[Diagnostic],
         files: list[str],
         finder: _MeshFinder,
@@ -63,7 +67,7 @@ class Build:
         Args:
             tree: the finished tree, in which an element may stand in several places.
             make_root: makes the same tree with an element for each place, traced to its origin.
-            xml: the document.
+            pieces: the document, in pieces.
             warnings: what was noticed, in order.
             files: the absolute path of every file read, in order.
             finder: finds the files of meshes.
@@ -71,7 +75,7 @@ class Build:
         self._tree = tree
         self._make_root = make_root
         self._root: Element | None = None
-        self._xml = xml
+        self._pieces = pieces
         self.warnings = warnings
         self.files = files
         self._finder = finder
@@ -90,7 +94,14 @@ class Build:
 
     def xml(self) -> str:
         """Return the document as text."""
-        return self._xml
+        if len(self._pieces) > 1:
+            self._pieces = ["".join(self._pieces)]
+        return self._pieces[0]
+
+    def encoded(self) -> Iterator[bytes]:
+        """Give the document in UTF-8, chunk by chunk: a long one is never in memory as a whole."""
+        for start in range(0, len(self._pieces), PIECES_IN_CHUNK):
+            yield "".join(self._pieces[start : start + PIECES_IN_CHUNK]).encode()
 
 
 class Program:
@@ -276,7 +287,7 @@ def _finish(
     return Build(
         found.root,
         make_root,
-        xml=found.xml,
+        pieces=found.pieces,
         warnings=reporter.diagnostics,
         files=list(interpreter.files.read),
         finder=finder,
@@ -286,11 +297,13 @@ def _finish(
 class _Completed:
     """A document that is lowered, checked and written, or None with the errors that forbid it."""
 
-    __slots__ = ("diagnostics", "root", "xml")
+    __slots__ = ("diagnostics", "pieces", "root")
 
-    def __init__(self, root: Element | None, xml: str, diagnostics: list[Diagnostic]) -> None:
+    def __init__(
+        self, root: Element | None, pieces: list[str], diagnostics: list[Diagnostic]
+    ) -> None:
         self.root = root
-        self.xml = xml
+        self.pieces = pieces
         self.diagnostics = diagnostics
 
 
@@ -318,9 +331,9 @@ def _complete(
             )
             for diagnostic in advisor.diagnostics if advisor else ():
                 reporter.add(diagnostic)
-        return _Completed(root, write(root, shared=shared), reporter.diagnostics)
+        return _Completed(root, write_pieces(root, shared), reporter.diagnostics)
     except YamaroError as error:
-        return _Completed(None, "", [*reporter.diagnostics, *error.diagnostics])
+        return _Completed(None, [], [*reporter.diagnostics, *error.diagnostics])
 
 
 def convert(path: str | os.PathLike[str], /, *assignments: str, **variables: object) -> str:

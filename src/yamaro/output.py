@@ -20,7 +20,7 @@ STANDARD_OUTPUT = frozenset(("-", "/dev/stdout", "/dev/fd/1", "/proc/self/fd/1")
 # --- files ------------------------------------------------------------------------------------
 
 
-def write_file(path: str, content: bytes) -> None:
+def write_file(path: str, chunks: Iterable[bytes]) -> None:
     """Write a file so that it is seen either whole or as it was before.
 
     The content goes to a temporary file in the same folder, which then takes the name of the
@@ -39,7 +39,7 @@ def write_file(path: str, content: bytes) -> None:
     except FileNotFoundError:
         old = None
     if old is not None and not stat.S_ISREG(old.st_mode):
-        _write_directly(path, content)
+        _write_directly(path, chunks)
         return
     if old is not None and not os.access(path, os.W_OK):
         raise PermissionError(13, os.strerror(13), path)
@@ -47,7 +47,7 @@ def write_file(path: str, content: bytes) -> None:
     folder = os.path.dirname(target)
     if old is None:
         os.makedirs(folder, exist_ok=True)
-    _replace(target, content, old)
+    _replace(target, chunks, old)
 
 
 def is_input(path: str, inputs: Iterable[str]) -> bool:
@@ -67,9 +67,14 @@ def is_input(path: str, inputs: Iterable[str]) -> bool:
     return False
 
 
-def write_all(descriptor: int, content: bytes) -> None:
-    """Write all of `content` to a file descriptor; raise OSError if that cannot be done."""
-    rest = memoryview(content)
+def write_all(descriptor: int, chunks: Iterable[bytes]) -> None:
+    """Write all chunks to a file descriptor; raise OSError if that cannot be done."""
+    for chunk in chunks:
+        _write_chunk(descriptor, chunk)
+
+
+def _write_chunk(descriptor: int, chunk: bytes) -> None:
+    rest = memoryview(chunk)
     while rest:
         try:
             rest = rest[os.write(descriptor, rest) :]
@@ -79,21 +84,21 @@ def write_all(descriptor: int, content: bytes) -> None:
             select.select([], [descriptor], [])
 
 
-def _write_directly(path: str, content: bytes) -> None:
+def _write_directly(path: str, chunks: Iterable[bytes]) -> None:
     descriptor = os.open(path, os.O_WRONLY)
     try:
-        write_all(descriptor, content)
+        write_all(descriptor, chunks)
     finally:
         os.close(descriptor)
 
 
-def _replace(target: str, content: bytes, old: os.stat_result | None) -> None:
+def _replace(target: str, chunks: Iterable[bytes], old: os.stat_result | None) -> None:
     """Write `target` by way of a temporary file that is gone afterwards in any case."""
     temporary = os.path.join(os.path.dirname(target), f".yamaro-{os.urandom(8).hex()}.tmp")
     guard = _TerminationGuard(temporary)
     guard.set()
     try:
-        _write_new(temporary, content, old)
+        _write_new(temporary, chunks, old)
         os.replace(temporary, target)
     except BaseException:
         _remove(temporary)
@@ -102,7 +107,7 @@ def _replace(target: str, content: bytes, old: os.stat_result | None) -> None:
         guard.reset()
 
 
-def _write_new(path: str, content: bytes, old: os.stat_result | None) -> None:
+def _write_new(path: str, chunks: Iterable[bytes], old: os.stat_result | None) -> None:
     """Write a new file through to the disk, with the mode and, if allowed, the owner of `old`."""
     descriptor = os.open(
         path, os.O_WRONLY | os.O_CREAT | os.O_EXCL | getattr(os, "O_BINARY", 0), 0o666
@@ -111,7 +116,7 @@ def _write_new(path: str, content: bytes, old: os.stat_result | None) -> None:
         if old is not None and hasattr(os, "fchmod"):
             _keep_owner(descriptor, old)
             os.fchmod(descriptor, stat.S_IMODE(old.st_mode))
-        write_all(descriptor, content)
+        write_all(descriptor, chunks)
         os.fsync(descriptor)
     finally:
         os.close(descriptor)
@@ -209,16 +214,17 @@ class Streams:
             self._null = None
         sys.stdout, sys.stderr = self._out, self._err
 
-    def write_result(self, content: bytes) -> None:
+    def write_result(self, chunks: Iterable[bytes]) -> None:
         """Write to standard output; raise OSError if that cannot be done."""
         if self._out is None:
             raise OSError(9, os.strerror(9))
         self._out.flush()
         buffer = getattr(self._out, "buffer", None)
         if buffer is None:
-            self._out.write(content.decode("utf-8", "surrogateescape"))
+            self._out.write(b"".join(chunks).decode("utf-8", "surrogateescape"))
         else:
-            buffer.write(content)
+            for chunk in chunks:
+                buffer.write(chunk)
             buffer.flush()
         self._out.flush()
 
@@ -285,11 +291,11 @@ class ProcessStreams(Streams):
         except (OSError, ValueError):
             return
 
-    def write_result(self, content: bytes) -> None:
+    def write_result(self, chunks: Iterable[bytes]) -> None:
         """Write to standard output; raise OSError if that cannot be done."""
         if self._out is None:
             raise OSError(9, os.strerror(9))
-        write_all(self._out_fd, content)
+        write_all(self._out_fd, chunks)
 
     def say(self, text: str) -> None:
         """Write text and a line break to standard error, if anyone can still hear it."""
@@ -299,7 +305,7 @@ class ProcessStreams(Streams):
             if not self.quiet:
                 self._err.flush()
             encoding = self._err.encoding or "utf-8"
-            write_all(self._err_fd, (text + os.linesep).encode(encoding, "backslashreplace"))
+            _write_chunk(self._err_fd, (text + os.linesep).encode(encoding, "backslashreplace"))
         except (OSError, ValueError):
             return
 

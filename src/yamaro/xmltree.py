@@ -262,11 +262,16 @@ _spelled: dict[str, str] = {}
 """Values of attributes as they are written, whatever document they are of."""
 
 
-def write(root: Element, *, shared: Shared | None = None) -> str:
+def write(root: Element) -> str:
     """Return the tree as an XML document; raise YamaroError where XML cannot hold a character."""
+    return "".join(write_pieces(root, {}))
+
+
+def write_pieces(root: Element, shared: Shared) -> list[str]:
+    """Return the pieces of text that make the document, which spares putting them together."""
     out = ['<?xml version="1.0"?>\n']
-    _Writer(shared or {}).write(root, "", "\n", out, frozenset(("xml",)))
-    return "".join(out)
+    _Writer(shared).write(root, "", "\n", out, frozenset(("xml",)))
+    return out
 
 
 class _Writer:

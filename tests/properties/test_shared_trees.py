@@ -11,7 +11,7 @@ from tests.test_check import FAULTY, GOOD_ROBOTS, NEWER_ROBOTS, bad_robots, read
 from yamaro.diagnostics import INHERITED, Diagnostic, Frame, Reporter, YamaroError
 from yamaro.robot.check import check
 from yamaro.source import Source, Span
-from yamaro.xmltree import Comment, Element, Shared, Text, format_number, unshared, write
+from yamaro.xmltree import Comment, Element, Shared, Text, format_number, unshared, write_pieces
 
 SPAN = Span(Source("key: value", name="t.yaml"), 0, 3)
 
@@ -51,7 +51,7 @@ def trees(draw: Any) -> Element:
 
 def written(root: Element, shared: Shared) -> str:
     try:
-        return write(root, shared=shared)
+        return "".join(write_pieces(root, shared))
     except YamaroError as error:
         return str(error)
 

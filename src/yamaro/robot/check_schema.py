@@ -40,6 +40,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
     from .check_context import Children
+    from .check_tree import JointParts
 
     ValueCheck = Callable[[Element, Children, Element, CheckContext], None]
     """Takes an element, its first child of each name, the link or joint it is in, the context."""
@@ -120,13 +121,13 @@ PARENTS = {
 }
 
 
-def check_elements(root: Element, context: CheckContext) -> list[tuple[Element, Children]]:
+def check_elements(root: Element, context: CheckContext) -> list[JointParts]:
     """Check every element that URDF defines; what others define is left alone.
 
     Returns:
-        The joints, each with its first child element of each name.
+        The joints, each with its first parent, child and mimic.
     """
-    joints = []
+    joints: list[JointParts] = []
     _check_attributes(root, ELEMENTS["robot"], root, context)
     for child in root.children:
         if not isinstance(child, Element):
@@ -134,7 +135,8 @@ def check_elements(root: Element, context: CheckContext) -> list[tuple[Element, 
         if child.name in ("link", "joint", "material"):
             children = _check_element(child, ELEMENTS[child.name], child, context)
             if child.name == "joint":
-                joints.append((child, children))
+                get = children.get
+                joints.append((child, get("parent"), get("child"), get("mimic")))
         elif child.name not in OUTERMOST:
             _check_outermost(child, context)
     return joints

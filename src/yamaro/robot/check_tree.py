@@ -6,9 +6,8 @@ from ..diagnostics import INHERITED
 from ..xmltree import Element
 from .check_context import CheckContext, attribute_text, child_named, listed
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from .check_context import Children
+JointParts = tuple[Element, Element | None, Element | None, Element | None]
+"""A joint with its first parent, child and mimic."""
 
 LONG_CHAIN = 1000
 """Links on one path above which parsers that recurse run out of stack (pinocchio does at 5,000)."""
@@ -46,14 +45,12 @@ class Tree:
         return parts
 
 
-def check_tree(
-    links: list[Element], joints: list[tuple[Element, Children]], context: CheckContext
-) -> Tree:
+def check_tree(links: list[Element], joints: list[JointParts], context: CheckContext) -> Tree:
     """Check names, references and the shape of the tree; return what goes by which name."""
     tree = Tree()
     for link in links:
         _check_name(link, tree.links, context)
-    for joint, _ in joints:
+    for joint, *_ in joints:
         _check_name(joint, tree.joints, context)
     hanging, is_complete = _check_references(joints, tree, context)
     in_circle = _check_circles(hanging, context)
@@ -135,14 +132,14 @@ class Hanging:
 
 
 def _check_references(
-    joints: list[tuple[Element, Children]], tree: Tree, context: CheckContext
+    joints: list[JointParts], tree: Tree, context: CheckContext
 ) -> tuple[Hanging, bool]:
     """Return how each link hangs, and whether every joint says so and its links exist."""
     hanging = Hanging()
     is_complete = True
-    for joint, children in joints:
-        parent = _reference(joint, children.get("parent"), tree, context)
-        child = _reference(joint, children.get("child"), tree, context)
+    for joint, parent_element, child_element, _ in joints:
+        parent = _reference(joint, parent_element, tree, context)
+        child = _reference(joint, child_element, tree, context)
         if child is None:
             is_complete = False
         elif child in hanging.joints:
@@ -297,14 +294,13 @@ def _check_depth(hanging: Hanging, tree: Tree, context: CheckContext) -> None:
 # --- mimic ------------------------------------------------------------------------------------
 
 
-def _check_mimics(
-    joints: list[tuple[Element, Children]], tree: Tree, context: CheckContext
-) -> None:
+def _check_mimics(joints: list[JointParts], tree: Tree, context: CheckContext) -> None:
     masters: dict[str, str] = {}
-    for joint, children in joints:
-        mimic = children.get("mimic")
+    for joint, _, _, mimic in joints:
+        if mimic is None:
+            continue
         master = attribute_text(mimic, "joint")
-        if mimic is None or master is None:
+        if master is None:
             continue
         name = attribute_text(joint, "name") or ""
         if master not in tree.joints:
