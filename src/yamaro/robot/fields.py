@@ -9,6 +9,8 @@ from .places import Place, home_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from ..source import Span
     from ..xmltree import Node, Places
     from .lowering import Lowering
@@ -35,11 +37,16 @@ class Fields:
         self.rest: list[Node] = []
 
 
-def sort_fields(lowering: Lowering, owner: Element, place: Place) -> Fields:
-    """Sort the children of `owner` by what `place` knows; record what is wrong, and go on."""
+def sort_fields(
+    lowering: Lowering, owner: Element, place: Place, children: Sequence[Node] | None = None
+) -> Fields:
+    """Sort the children of `owner` by what `place` knows; record what is wrong, and go on.
+
+    `children` are those to sort, if not all of them.
+    """
     fields = Fields()
     keys, rest, known, ordered = fields.keys, fields.rest, place.known, place.ordered
-    for child in owner.children:
+    for child in owner.children if children is None else children:
         if type(child) is Element:
             name = child.name
             if name not in known or child.verbatim:

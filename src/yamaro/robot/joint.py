@@ -9,7 +9,7 @@ from ..xmltree import Element, format_number, format_value
 from .fields import read_record, read_value, sort_fields, with_attributes, word_of
 from .lowering import remember
 from .numbers import read_attribute
-from .places import JOINT, RECORD_KEYS
+from .places import JOINT, POSE_KEYS, RECORD_KEYS
 from .pose import lower_origin
 from .urdf import JOINT_TYPES, joint_type_hint
 
@@ -40,6 +40,9 @@ NUMBERS: dict[str, dict[str, int]] = {
 }
 """The attributes of numbers, and how many numbers each takes."""
 
+OWN_KEYS = frozenset(("parent", *POSE_KEYS))
+"""The keys in which one joint mostly differs from another."""
+
 REQUIRED = {"axis": "xyz", "mimic": "joint"}
 
 
@@ -55,6 +58,18 @@ class JointType:
         self.key_span = key_span
 
 
+class CommonJoint:
+    """What joints have in common whose keys, but for those of OWN_KEYS, are the same elements."""
+
+    __slots__ = ("children", "has_mimic", "joint_type")
+
+    def __init__(self, joint_type: JointType, children: list[Node], *, has_mimic: bool) -> None:
+        """Hold the type, and what stands behind parent, child and origin."""
+        self.joint_type = joint_type
+        self.children = children
+        self.has_mimic = has_mimic
+
+
 def lower_joint(lowering: Lowering, key: Element, name: str, *, child: str) -> Element:
     """Return `<joint>`: parent, child, origin, then the rest as written.
 
@@ -64,20 +79,66 @@ def lower_joint(lowering: Lowering, key: Element, name: str, *, child: str) -> E
         name: the joint's name.
         child: the name of the part's link.
     """
-    fields = sort_fields(lowering, key, JOINT)
+    own, common_keys = _split(lowering, key)
+    common = lowering.joints.get(common_keys)
+    fields = sort_fields(lowering, key, JOINT, None if common is None else own)
     children: list[Node] = []
     if fields.has_text:
         return _joint_element(key, name, None, children)
-    joint_type = None
-    try:
-        joint_type = _read_type(lowering, key, fields)
-    except YamaroError as error:
-        lowering.absorb(error)
+    told = lowering.told
+    joint_type = common.joint_type if common is not None else _absorbed_type(lowering, key, fields)
     for make in (_parent_element, _child_element, _origin_element):
         try:
             children.append(make(lowering, key, fields, child))
         except YamaroError as error:
             lowering.absorb(error)
+    if common is not None:
+        children += common.children
+        has_mimic = common.has_mimic
+    else:
+        _add_rest(lowering, fields, children)
+        if joint_type is not None and joint_type.name in ASSUMED_RANGES:
+            _assume_limits(lowering, key, name, joint_type, fields, children)
+        has_mimic = "mimic" in fields.keys
+        if common_keys and told == lowering.told and joint_type is not None and not fields.plain:
+            found = CommonJoint(joint_type, children[3:], has_mimic=has_mimic)
+            remember(lowering.joints, common_keys, found)
+    joint = _joint_element(key, name, joint_type, children)
+    if "parent" not in fields.plain:
+        lowering.parents.append(joint)
+    if has_mimic:
+        lowering.mimics.append(joint)
+    return joint
+
+
+def _split(lowering: Lowering, key: Element) -> tuple[list[Node], tuple[int, ...]]:
+    """Return the keys that most joints have of their own, and which shared ones there are besides.
+
+    The latter are empty if there are others, or attributes, in which nothing is common.
+    """
+    own: list[Node] = []
+    common = []
+    shared = lowering.shared
+    for child in key.children:
+        if type(child) is Element and child.name in OWN_KEYS:
+            own.append(child)
+        elif id(child) in shared:
+            common.append(id(child))
+        else:
+            return [], ()
+    return own, () if key.attributes else tuple(common)
+
+
+def _absorbed_type(lowering: Lowering, key: Element, fields: Fields) -> JointType | None:
+    try:
+        return _read_type(lowering, key, fields)
+    except YamaroError as error:
+        lowering.absorb(error)
+        return None
+
+
+def _add_rest(lowering: Lowering, fields: Fields, children: list[Node]) -> None:
+    """Append the keys and elements that are output where they are written."""
     for node in fields.rest:
         if type(node) is Element and node.name in RECORD_KEYS and not node.verbatim:
             try:
@@ -86,14 +147,6 @@ def lower_joint(lowering: Lowering, key: Element, name: str, *, child: str) -> E
                 lowering.absorb(error)
         else:
             children.append(node)
-    if joint_type is not None and joint_type.name in ASSUMED_RANGES:
-        _assume_limits(lowering, key, name, joint_type, fields, children)
-    joint = _joint_element(key, name, joint_type, children)
-    if "parent" not in fields.plain:
-        lowering.parents.append(joint)
-    if "mimic" in fields.keys:
-        lowering.mimics.append(joint)
-    return joint
 
 
 def _joint_element(
@@ -203,26 +256,7 @@ def _origin_element(lowering: Lowering, key: Element, fields: Fields, child: str
 
 
 def _lower_record(lowering: Lowering, key: Element) -> Element:
-    """Return `axis`, `limit`, `dynamics` and the like with attributes, numbers checked.
-
-    A function that gives each joint its limit makes a key of its own each time, which holds the
-    same elements: what these come out as is taken over.
-    """
-    if key.name == "mimic":  # whose joint may yet get another name
-        return _worked_out(lowering, key)
-    held = (key.name, id(key.attributes) if key.attributes else 0, *map(id, key.children))
-    known = lowering.records.get(held)
-    if known is None:
-        told = lowering.told
-        known = _worked_out(lowering, key)
-        if told == lowering.told:
-            remember(lowering.records, held, known)
-        return known
-    attributes, children, spans = known.attributes, known.children, known.value_spans
-    return Element(key.name, key.span, attributes, children, key.trace, spans)
-
-
-def _worked_out(lowering: Lowering, key: Element) -> Element:
+    """Return `axis`, `limit`, `dynamics` and the like with attributes, numbers checked."""
     name = key.name
     numbers = NUMBERS[name]
     record = read_record(lowering, key, SCALARS.get(name))

@@ -13,6 +13,7 @@ if TYPE_CHECKING:
     from ..source import Span
     from ..syntax.forms import Form
     from ..xmltree import Node, Shared
+    from .joint import CommonJoint
     from .mesh import SolidMoments
     from .patterns import Pattern
 
@@ -40,7 +41,7 @@ class Lowering:
         origins: the `<origin>` made of shared keys, by the identity of these.
         moments: the volume integrals of the mesh files read so far, by path.
         near_keys: what a key in a place was found to be a misspelling of.
-        records: what keys such as `limit` came out as, by name and the identity of what they hold.
+        joints: what joints of shared keys have in common, by the identity of these.
         patterns: how to lower the parts of a form, or None where that has no pattern.
         parents: the joints whose first child is a `<parent>` made here, of which the link may yet
             be the name of a part.
@@ -55,6 +56,7 @@ class Lowering:
         "_reported",
         "errors",
         "has_capsule",
+        "joints",
         "mimics",
         "moments",
         "near_keys",
@@ -63,7 +65,6 @@ class Lowering:
         "part_joints",
         "part_links",
         "patterns",
-        "records",
         "reporter",
         "resolve_mesh",
         "shared",
@@ -85,9 +86,9 @@ class Lowering:
         self.shared = shared
         self.errors: list[Diagnostic] = []
         self.origins: dict[tuple[int, ...], Element] = {}
+        self.joints: dict[tuple[int, ...], CommonJoint] = {}
         self.moments: dict[str, SolidMoments] = {}
         self.near_keys: dict[tuple[str, str], str | None] = {}
-        self.records: dict[tuple[object, ...], Element] = {}
         self.patterns: dict[Form, Pattern | None] = {}
         self.parents: list[Element] = []
         self.mimics: list[Element] = []

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from ..diagnostics import INHERITED, Frame
 from ..syntax.forms import Form, FormedPart, filled, key_of
-from ..xmltree import Element, Text, format_value
+from ..xmltree import Element, Text, format_value, with_trace
 from .scope import MISSING, Scope
 from .values import ALWAYS_WRITABLE, Values, is_writable
 
@@ -41,13 +41,14 @@ class Builder:
         shared: the elements that stand in several places of the tree.
     """
 
-    __slots__ = ("_emitted", "_in_parts", "_kept", "_outside", "shared")
+    __slots__ = ("_emitted", "_in_parts", "_kept", "_outside", "_traced", "shared")
 
     def __init__(self) -> None:
         """Start with nothing built."""
         self.shared: Shared = {}
         self._kept: list[Element] = []  # what `shared` names by identity has to live
         self._emitted: set[int] = set()
+        self._traced: dict[tuple[int, Frame | None], Element] = {}
         self._in_parts: dict[Form, Known] = {}
         self._outside: dict[Form, Known] = {}
 
@@ -73,6 +74,19 @@ class Builder:
         key = None if elements is None else key_of(values)
         if elements is None or key is None:
             return self._make(form, values, INHERITED, in_part, known)
+        return self._kept_element(form, values, key, INHERITED, in_part, known)
+
+    def _kept_element(
+        self,
+        form: Form,
+        values: tuple[Any, ...],
+        key: object,
+        trace: Frame | None,
+        in_part: bool,
+        known: Known,
+    ) -> Element:
+        elements = known.elements
+        assert elements is not None
         found = elements.get(key)
         if found is not None:
             known.new_in_a_row = 0
@@ -84,14 +98,32 @@ class Builder:
             known.elements = None
         elif len(elements) >= MAX_KNOWN:
             elements.clear()
-        found = elements[key] = self._make(form, values, INHERITED, in_part, known)
+        found = elements[key] = self._make(form, values, trace, in_part, known)
+        return found
+
+    def traced(self, element: Element, trace: Frame | None) -> Element:
+        """Return an element that the parser made with a trace, the same for the same trace."""
+        key = (id(element), trace)
+        found = self._traced.get(key)
+        if found is not None:
+            if id(found) not in self.shared:
+                self.share(found)
+            return found
+        for child in element.children:
+            if isinstance(child, Element):
+                self.emit(child)
+        found = self._traced[key] = with_trace(element, trace)
         return found
 
     def top_element(
         self, form: Form, values: tuple[Any, ...], in_part: bool, trace: Frame | None
     ) -> Element:
-        """Return an element of its own, with a trace; what stands in it may be shared."""
-        return self._make(form, values, trace, in_part, self._known(form, in_part))
+        """Return an element as `element` does, but with a trace of its own."""
+        known = self._known(form, in_part)
+        key = None if known.elements is None else key_of(values)
+        if known.elements is None or key is None:
+            return self._make(form, values, trace, in_part, known)
+        return self._kept_element(form, values, (trace, key), trace, in_part, known)
 
     def _known(self, form: Form, in_part: bool) -> Known:
         table = self._in_parts if in_part else self._outside

@@ -53,7 +53,6 @@ from ..xmltree import (
     format_value,
     is_comment_text,
     unshared,
-    with_trace,
 )
 from .calls import (
     Block,
@@ -119,6 +118,7 @@ class Interpreter:
         self.has_frames = False
         self.depth = 0
         self.part_depth = 0
+        self._frames: dict[tuple[str, int, Frame | None, Frame | None], Frame] = {}
         self._matches: dict[int, Match] = {}  # by the identity of a call's arguments
 
     # --- files ---
@@ -230,10 +230,7 @@ class Interpreter:
         elif self.frame is self.holder:
             self.builder.emit(element)
         else:
-            for child in element.children:
-                if isinstance(child, Element):
-                    self.builder.emit(child)
-            element = with_trace(element, self.frame)
+            element = self.builder.traced(element, self.frame)
         out.append(element)
 
     def _run_ready(
@@ -480,7 +477,7 @@ class Interpreter:
         closure = function.closure
         callee = Scope(closure.home, self.shared, closure=closure, caller=scope.context)
         given = evaluate_arguments(match, scope, self.values)
-        frame = Frame("called", name, span, parent=self.frame, home=closure.home.frame)
+        frame = self._step("called", name, span, closure.home.frame)
         self._enter(frame, span)
         try:
             bind(match, given, callee, self.values)
@@ -495,6 +492,14 @@ class Interpreter:
             raise self._too_deep(span) from None
         finally:
             self._leave(frame)
+
+    def _step(self, kind: str, name: str, span: Span, home: Frame | None) -> Frame:
+        """Return the frame of a call or include from here; the same each time it is reached."""
+        key = (name, id(span), self.frame, home)
+        frame = self._frames.get(key)
+        if frame is None:
+            frame = self._frames[key] = Frame(kind, name, span, parent=self.frame, home=home)
+        return frame
 
     def _enter(self, frame: Frame, span: Span) -> None:
         if self.depth >= MAX_DEPTH:
@@ -549,7 +554,7 @@ class Interpreter:
         passed = passed_by(node, scope, self.values)
         source = self.files.load(path, node.path_span, scope.home)
         context = scope.context
-        frame = Frame("included", source.name, node.span, parent=self.frame)
+        frame = self._step("included", source.name, node.span, None)
         self._enter(frame, node.path_span)
         try:
             document = self.files.parse(source)
