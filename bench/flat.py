@@ -96,7 +96,7 @@ def measure(setting: Setting) -> Iterator[Figure]:
         }
         found = take_turns(works, setting)
         ratio = found["yamaro"] / found["events"]
-        yield Figure("the same in one process", ratio, " ×", shown(found), most=4)
+        yield Figure("the same in one process", ratio, " ×", shown(found))
 
 
 if __name__ == "__main__":

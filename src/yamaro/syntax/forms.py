@@ -178,7 +178,9 @@ def key_of(values: tuple[Any, ...]) -> object:
         kind = type(value)
         if kind is str:
             return value
-        return (value, kind, str(value)) if kind in _PLAIN else None
+        if kind not in _PLAIN:
+            return None
+        return (value, kind) if value else (kind, str(value))
     kinds = tuple(map(type, values))
     if not _PLAIN.issuperset(kinds):
         return None
