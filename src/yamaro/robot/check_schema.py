@@ -56,6 +56,12 @@ VALUE_CHECKS: dict[str, ValueCheck] = {
 }
 """What looks at the values of an element, by its name."""
 NO_CHILDREN: Children = {}
+LEAVES = frozenset(
+    name
+    for name, rule in ELEMENTS.items()
+    if not rule.required_children and name not in VALUE_CHECKS
+)
+"""Elements of which, when they are empty, the attributes are all there is to check."""
 
 XYZ = "x y z"
 COMPONENTS = {
@@ -186,7 +192,10 @@ def _check_children(
             first[name] = child
         is_sound = shared.get(id(child)) if shared else None
         if is_sound is None:
-            _check_element(child, ELEMENTS[name], owner, context)
+            if child.children or name not in LEAVES:
+                _check_element(child, ELEMENTS[name], owner, context)
+            else:
+                _check_attributes(child, ELEMENTS[name], owner, context)
         elif not is_sound:
             _check_shared(child, owner, context)
     return first

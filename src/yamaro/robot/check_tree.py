@@ -69,7 +69,8 @@ def _check_name(element: Element, known: dict[str, Element], context: CheckConte
     name = attribute_text(element, "name")
     if name is None:
         return
-    check_spelling(element, name, context)
+    if not name.isidentifier():  # which has nothing odd in it
+        check_spelling(element, name, context)
     first = known.get(name)
     if first is None:
         known[name] = element

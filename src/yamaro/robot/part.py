@@ -298,6 +298,7 @@ def _derived_names(words: list[str]) -> PartNames:
 def _resolve_names(lowering: Lowering, robot: Element) -> None:
     """Replace names of parts by those of their links and joints, and add `root_link`."""
     links = _names(robot, "link")
+    part_links = lowering.part_links
     root_link: Element | None = None
     for joint in lowering.parents:
         parent = joint.children[0]
@@ -306,8 +307,9 @@ def _resolve_names(lowering: Lowering, robot: Element) -> None:
         assert isinstance(name, str)
         if name in links:
             continue
-        if name in lowering.part_links:
-            _refer(lowering, joint, parent, "link", lowering.part_links[name])
+        link_name = part_links.get(name)
+        if link_name is not None:
+            _refer(lowering, joint, parent, "link", link_name)
         elif name == ROOT_LINK and root_link is None:
             root_link = parent
     joints = _names(robot, "joint") if lowering.mimics else set()

@@ -53,7 +53,7 @@ def find_function(
     Raises:
         YamaroError: there is none of that name.
     """
-    namespace, _, last = name.rpartition(".")
+    namespace, _, last = name.rpartition(".") if "." in name else ("", "", name)
     key = function_key(last)
     if namespace:
         found = _namespace(namespace, scope)
@@ -198,7 +198,12 @@ def evaluate_arguments(match: Match, scope: Scope, values: Values) -> dict[str, 
     given = match.constants.copy()
     evaluate = values.evaluator.evaluate
     for name, value, only in match.values:
-        given[name] = values.value(value, scope) if only is None else evaluate(only, scope)
+        if only is not None:
+            given[name] = evaluate(only, scope)
+        elif type(value) is Template:
+            given[name] = values.joined(value, scope)
+        else:
+            given[name] = values.value(value, scope)
     for key, body in match.blocks:
         given[key] = Block(body, scope)
     return given

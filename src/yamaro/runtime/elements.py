@@ -185,9 +185,10 @@ class Builder:
 
     def part(self, form: Form, values: tuple[Any, ...], trace: Frame | None) -> FormedPart:
         """Return a part of a form with these values."""
-        return FormedPart(form, values, trace, self._part_children)
+        return FormedPart(form, values, trace, self)
 
-    def _part_children(self, form: Form, values: tuple[Any, ...]) -> list[Node]:
+    def part_children(self, form: Form, values: tuple[Any, ...]) -> list[Node]:
+        """Return what a part of a form holds."""
         return self._children(form, values, True, self._known(form, True))
 
 

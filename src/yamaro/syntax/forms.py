@@ -12,14 +12,20 @@ from .template import Template
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable
-    from typing import Any
+    from typing import Any, Protocol
 
     from ..diagnostics import Frame
     from ..source import Span
     from ..xmltree import Node
     from .nodes import Attribute
     from .python import PythonCode
+
+    class PartBuilder(Protocol):
+        """Builds what a part holds."""
+
+        def part_children(self, form: Form, values: tuple[Any, ...]) -> list[Node]:
+            """Return the keys and elements of a part."""
+
 
 FormText = str | int | tuple[str | int, ...]
 """A text as it is written, the number of the hole whose value it is, or pieces to be joined."""
@@ -194,16 +200,16 @@ def key_of(values: tuple[Any, ...]) -> object:
 class FormedPart(PartElement):
     """A part of fixed shape, with the values in it; what it holds is built when it is asked for."""
 
-    __slots__ = ("_build", "_children", "form", "values")
+    __slots__ = ("_builder", "_children", "form", "values")
 
     def __init__(
         self,
         form: Form,
         values: tuple[Any, ...],
         trace: Frame | None,
-        build: Callable[[Form, tuple[Any, ...]], list[Node]],
+        builder: PartBuilder,
     ) -> None:
-        """Hold one value for each hole of the form; `build` makes the children."""
+        """Hold one value for each hole of the form; `builder` makes the children."""
         self.name = form.name
         self.span = form.span
         self.attributes = _NOTHING
@@ -213,14 +219,14 @@ class FormedPart(PartElement):
         self.body = form.body
         self.form = form
         self.values = values
-        self._build = build
+        self._builder = builder
         self._children: list[Node] | None = None
 
     @property
     def children(self) -> list[Node]:  # type: ignore[override]
         """The keys and elements of the part."""
         if self._children is None:
-            self._children = self._build(self.form, self.values)
+            self._children = self._builder.part_children(self.form, self.values)
         return self._children
 
     def with_children(self, children: list[Node]) -> PartElement:
