@@ -40,16 +40,23 @@ class Known:
 
     Attributes:
         joint: its joint.
+        parent: the joint's parent.
+        child: the joint's child.
         rest: what stands in the joint behind parent, child and origin.
         has_mimic: whether a mimic is among it.
         link: its link.
     """
 
-    __slots__ = ("has_mimic", "joint", "link", "rest")
+    __slots__ = ("child", "has_mimic", "joint", "link", "parent", "rest")
 
     def __init__(self, joint: Element, link: Element, *, has_mimic: bool) -> None:
         """Hold a joint and a link of which nothing was told."""
+        parent, child = joint.children[:2]
+        assert isinstance(parent, Element)
+        assert isinstance(child, Element)
         self.joint = joint
+        self.parent = parent
+        self.child = child
         self.rest = joint.children[3:]
         self.has_mimic = has_mimic
         self.link = link
@@ -251,10 +258,10 @@ def _take_over(
         joint_name, link_name = f"{words[0]}_joint", f"{words[0]}_link"
         lowering.part_links.setdefault(words[0], link_name)
         lowering.part_joints.setdefault(words[0], joint_name)
-    first, model = known.joint, known.joint.children
+    first, up, down = known.joint, known.parent, known.child
     children: list[Node] = [
-        _with(model[0], {"link": parent}),
-        _with(model[1], {"link": link_name}),
+        Element("parent", up.span, {"link": parent}, _NOTHING, INHERITED, up.value_spans),
+        Element("child", down.span, {"link": link_name}, _NOTHING, INHERITED, down.value_spans),
         origin,
         *known.rest,
     ]
@@ -267,11 +274,6 @@ def _take_over(
     if known.has_mimic:
         lowering.mimics.append(joint)
     return True
-
-
-def _with(model: Node, attributes: dict[str, object]) -> Element:
-    assert isinstance(model, Element)
-    return Element(model.name, model.span, attributes, _NOTHING, INHERITED, model.value_spans)
 
 
 _NOTHING: list[Node] = []

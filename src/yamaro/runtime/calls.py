@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ..diagnostics import YamaroError, did_you_mean, failure
+from ..diagnostics import Frame, YamaroError, did_you_mean, failure
 from ..source import Span
 from ..syntax.names import STATEMENTS
 from ..syntax.nodes import Argument, Body, Constant, FunctionNode, Value
@@ -97,9 +97,10 @@ class Match:
             it is a single expression, with that.
         blocks: each block with the key of its parameter.
         is_complete: whether every parameter is given something.
+        frame: the frame of the call when it was reached last, which is mostly that of the next.
     """
 
-    __slots__ = ("blocks", "constants", "is_complete", "node", "values")
+    __slots__ = ("blocks", "constants", "frame", "is_complete", "node", "values")
 
     def __init__(self, node: FunctionNode) -> None:
         """Begin without arguments."""
@@ -108,6 +109,7 @@ class Match:
         self.values: list[tuple[str, Value, PythonCode | None]] = []
         self.blocks: list[tuple[str, Body]] = []
         self.is_complete = False
+        self.frame: Frame | None = None
 
 
 def match_arguments(node: FunctionNode, arguments: list[Argument], span: Span, late: Late) -> Match:

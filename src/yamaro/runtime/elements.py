@@ -10,7 +10,7 @@ from ..diagnostics import INHERITED, Frame
 from ..syntax.forms import Form, FormedPart, filled, key_of
 from ..xmltree import Element, Text, format_value, with_trace
 from .scope import MISSING, Scope
-from .values import ALWAYS_WRITABLE, Values, is_writable
+from .values import ALWAYS_WRITABLE, SHORT, Values
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -206,7 +206,8 @@ def evaluate_holes(form: Form, scope: Scope, values: Values) -> tuple[Any, ...]:
         value = MISSING if name is None else get(name, MISSING)
         if value is MISSING:
             value = evaluate(python, scope)
-        if type(value) not in ALWAYS_WRITABLE and not is_writable(value):
+        kind = type(value)
+        if kind not in ALWAYS_WRITABLE and (kind is not int or not -SHORT < value < SHORT):
             text = evaluator.guard(format_value, value, python.span())
             if is_piece:
                 value = text

@@ -477,7 +477,14 @@ class Interpreter:
         closure = function.closure
         callee = Scope(closure.home, self.shared, closure=closure, caller=scope.context)
         given = evaluate_arguments(match, scope, self.values)
-        frame = self._step("called", name, span, closure.home.frame)
+        home, frame = closure.home.frame, match.frame
+        if (
+            frame is None
+            or frame.parent is not self.frame
+            or frame.home is not home
+            or frame.name != name
+        ):
+            frame = match.frame = self._step("called", name, span, home)
         self._enter(frame, span)
         try:
             bind(match, given, callee, self.values)

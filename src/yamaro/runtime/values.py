@@ -16,14 +16,14 @@ if TYPE_CHECKING:
 
 
 ALWAYS_WRITABLE = frozenset((str, float, bool, type(None)))
-_SHORT = 10**15
+SHORT = 10**15
 """Python refuses to write integers of thousands of digits; those below this it never does."""
 
 
 def is_writable(value: Any) -> bool:
     """Tell whether writing a value cannot fail."""
     kind = type(value)
-    return kind in ALWAYS_WRITABLE or (kind is int and -_SHORT < value < _SHORT)
+    return kind in ALWAYS_WRITABLE or (kind is int and -SHORT < value < SHORT)
 
 
 class Values:
