@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
 import signal
 import subprocess
@@ -16,7 +17,7 @@ from pathlib import Path
 import pytest
 
 from yamaro import YamaroError, build, convert
-from yamaro.runtime import deep_stack
+from yamaro.runtime import collector, deep_stack
 from yamaro.runtime.deep_stack import run_on_deep_stack
 from yamaro.runtime.loader import MemoryLoader
 
@@ -207,11 +208,18 @@ def test_a_process_ends_whose_conversion_was_the_first_to_import_threading(tmp_p
 
 
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="there is no fork here")
-def test_a_forked_process_starts_a_thread_of_its_own() -> None:
+@pytest.mark.parametrize("is_locked", [False, True])
+def test_a_forked_process_starts_a_thread_of_its_own(is_locked: bool) -> None:
     compile_text("out:\n")
-    with warnings.catch_warnings():
+    with contextlib.ExitStack() as stack:
+        if is_locked:  # as they are while another thread begins a conversion
+            stack.enter_context(deep_stack._lock)
+            stack.enter_context(collector._lock)
+        stack.enter_context(warnings.catch_warnings())
         warnings.simplefilter("ignore")  # of forking a process that has threads
         process = os.fork()
+        if process == 0:
+            stack.pop_all()
     if process == 0:
         os._exit(0 if compile_text("out:\n").endswith("<out/>\n") else 1)
     deadline = time.monotonic() + 20

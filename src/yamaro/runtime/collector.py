@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import _thread
 import gc
+import os
 
 THRESHOLD = 4_000_000
 """New objects after which the collector looks all the same, since users' Python may leave cycles.
@@ -16,6 +17,8 @@ A robot of 150,000 lines makes 3 million, in 400 MB.
 """
 
 _lock = _thread.allocate_lock()  # the thresholds are set for the whole process
+if hasattr(os, "register_at_fork"):  # a thread that holds it is not in the forked process
+    os.register_at_fork(after_in_child=_lock._at_fork_reinit)  # type: ignore[attr-defined]
 _found: list[tuple[int, int, int]] = []  # the thresholds before, once for each that runs
 
 

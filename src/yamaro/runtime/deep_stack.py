@@ -30,6 +30,7 @@ MAX_IDLE = 4
 
 if hasattr(os, "register_at_fork"):  # a forked process has none of the threads
     os.register_at_fork(after_in_child=_idle.clear)
+    os.register_at_fork(after_in_child=_lock._at_fork_reinit)  # type: ignore[attr-defined]
 
 
 def run_on_deep_stack(function: Callable[[], T]) -> T:
