@@ -8,7 +8,7 @@ from yamaro.diagnostics import Reporter, YamaroError
 from yamaro.source import Source
 from yamaro.syntax.context import ParseContext
 from yamaro.syntax.keys import find_outside
-from yamaro.syntax.python import expression_without_dollars, ros_call, ros_words
+from yamaro.syntax.python import PythonCode, expression_without_dollars, ros_call, ros_words
 from yamaro.syntax.template import Template, parse_template, skip_expression
 from yamaro.syntax.yaml_nodes import PLAIN, ScalarNode
 
@@ -55,7 +55,9 @@ def test_a_template_knows_its_places() -> None:
     parsed, _ = parse("ab $(x) $(y)")
     assert isinstance(parsed, Template)
     assert parsed.span().written() == "ab $(x) $(y)"
-    assert parsed.expression_span().written() == "x"
+    first = parsed.parts[1]
+    assert isinstance(first, PythonCode)
+    assert first.span().written() == "x"
 
 
 def test_xacros_spelling_is_a_warning() -> None:

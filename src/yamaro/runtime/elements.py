@@ -54,8 +54,9 @@ class Builder:
 
     def share(self, element: Element) -> None:
         """Note that an element stands in several places."""
-        self.shared.setdefault(id(element), {})
-        self._kept.append(element)
+        if id(element) not in self.shared:
+            self.shared[id(element)] = {}
+            self._kept.append(element)
 
     def emit(self, element: Element) -> None:
         """Note that an element that the parser made is put out, perhaps not for the first time."""
@@ -64,34 +65,24 @@ class Builder:
         else:
             self._emitted.add(id(element))
 
-    def element(self, form: Form, values: tuple[Any, ...], in_part: bool) -> Element:
+    def element(
+        self, form: Form, values: tuple[Any, ...], in_part: bool, trace: Frame | None = INHERITED
+    ) -> Element:
         """Return an element of a form with these values, one for each of its holes.
 
-        It may stand in other places as well, and inherits its trace.
+        It may stand in other places as well, which are reached the same way if it has a trace.
         """
         known = self._known(form, in_part)
         elements = known.elements
         key = None if elements is None else key_of(values)
         if elements is None or key is None:
-            return self._make(form, values, INHERITED, in_part, known)
-        return self._kept_element(form, values, key, INHERITED, in_part, known)
-
-    def _kept_element(
-        self,
-        form: Form,
-        values: tuple[Any, ...],
-        key: object,
-        trace: Frame | None,
-        in_part: bool,
-        known: Known,
-    ) -> Element:
-        elements = known.elements
-        assert elements is not None
+            return self._make(form, values, trace, in_part, known)
+        if trace is not INHERITED:
+            key = (trace, key)
         found = elements.get(key)
         if found is not None:
             known.new_in_a_row = 0
-            if id(found) not in self.shared:
-                self.share(found)
+            self.share(found)
             return found
         known.new_in_a_row += 1
         if known.new_in_a_row > MAX_KNOWN:
@@ -106,24 +97,13 @@ class Builder:
         key = (id(element), trace)
         found = self._traced.get(key)
         if found is not None:
-            if id(found) not in self.shared:
-                self.share(found)
+            self.share(found)
             return found
         for child in element.children:
             if isinstance(child, Element):
                 self.emit(child)
         found = self._traced[key] = with_trace(element, trace)
         return found
-
-    def top_element(
-        self, form: Form, values: tuple[Any, ...], in_part: bool, trace: Frame | None
-    ) -> Element:
-        """Return an element as `element` does, but with a trace of its own."""
-        known = self._known(form, in_part)
-        key = None if known.elements is None else key_of(values)
-        if known.elements is None or key is None:
-            return self._make(form, values, trace, in_part, known)
-        return self._kept_element(form, values, (trace, key), trace, in_part, known)
 
     def _known(self, form: Form, in_part: bool) -> Known:
         table = self._in_parts if in_part else self._outside

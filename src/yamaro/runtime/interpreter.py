@@ -192,10 +192,7 @@ class Interpreter:
         if form is not None and self.shares:
             values = evaluate_holes(form, scope, self.values)
             in_part = self.part_depth > 0
-            if self.frame is self.holder:
-                out.append(self.builder.element(form, values, in_part))
-            else:
-                out.append(self.builder.top_element(form, values, in_part, self.frame))
+            out.append(self.builder.element(form, values, in_part, self._trace()))
             return
         name = node.name
         if not isinstance(name, str):

@@ -38,10 +38,6 @@ class Template:
         first = parts[0]
         self.only = first if len(parts) == 1 and isinstance(first, PythonCode) else None
 
-    def expression_span(self) -> Span:
-        """Return the place of the first expression."""
-        return next(part.span() for part in self.parts if isinstance(part, PythonCode))
-
     def span(self) -> Span:
         """Return the place of the text."""
         if self.start == 0 and self.end == len(self.node.text):
