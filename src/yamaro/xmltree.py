@@ -11,7 +11,10 @@ from .source import Span
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from typing import Any, Protocol
+    from typing import Any, Protocol, TypeVar
+
+    Key = TypeVar("Key")
+    Value = TypeVar("Value")
 
     class Places(Protocol):
         """Where the values of an element's attributes are written; a dict is one."""
@@ -179,6 +182,21 @@ def with_trace(element: Element, trace: Frame | None) -> Element:
     return copy
 
 
+# --- what comes again ---------------------------------------------------------------------------
+
+MOST_REMEMBERED = 4096
+"""How much of a kind is remembered at a time; what is forgotten is only worked out again."""
+LONGEST_ROW_REMEMBERED = 24
+"""Characters of a row of numbers worth remembering: longer ones are computed, and seldom equal."""
+
+
+def remember(known: dict[Key, Value], key: Key, value: Value) -> None:
+    """Keep what has been worked out for when it comes again, in bounded memory."""
+    if len(known) >= MOST_REMEMBERED:
+        known.clear()
+    known[key] = value
+
+
 # --- values to text ---------------------------------------------------------------------------
 
 
@@ -257,7 +275,6 @@ _LONGEST_REMEMBERED = 16
 """Characters of a value worth remembering: longer ones seldom come again, and there are many."""
 
 
-_MOST_REMEMBERED = 4096
 _spelled: dict[str, str] = {}
 """Values of attributes as they are written, whatever document they are of."""
 
@@ -299,9 +316,7 @@ class _Writer:
                 if escaped is None:
                     escaped = _attribute_text(value, element, key)
                     if len(value) <= _LONGEST_REMEMBERED:
-                        if len(_spelled) >= _MOST_REMEMBERED:
-                            _spelled.clear()
-                        _spelled[value] = escaped
+                        remember(_spelled, value, escaped)
                 value = escaped
             head += f' {key}="{value}"'
         if ":" in head:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from math import isfinite, nan
 
 from ..diagnostics import INHERITED, WARNING, Diagnostic, suggest
-from ..xmltree import Element, format_value
+from ..xmltree import LONGEST_ROW_REMEMBERED, Element, format_value, remember
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -17,11 +17,6 @@ if TYPE_CHECKING:
 
     Children = dict[str, Element]
     """The first child element of each name; parsers of URDF read no other where one is meant."""
-
-MAX_REMEMBERED_LENGTH = 24
-"""Characters of a text whose numbers are remembered."""
-MOST_REMEMBERED = 4096
-"""Texts remembered at a time."""
 
 SUGGESTION_BUDGET = 200_000
 """Names compared in one run to find the one meant; keeps a robot full of faults linear."""
@@ -204,10 +199,8 @@ class CheckContext:
         found = _remembered.get(text)
         if found is None:
             found = read_numbers(text)
-            if len(text) <= MAX_REMEMBERED_LENGTH:
-                if len(_remembered) >= MOST_REMEMBERED:
-                    _remembered.clear()
-                _remembered[text] = found
+            if len(text) <= LONGEST_ROW_REMEMBERED:
+                remember(_remembered, text, found)
         return found
 
     def numbers(self, element: Element | None, attribute: str, count: int) -> tuple[float, ...]:

@@ -6,10 +6,8 @@ It is the one walk over all elements, and calls the checks of what their values 
 from __future__ import annotations
 
 from ..diagnostics import did_you_mean
-from ..xmltree import Element
+from ..xmltree import LONGEST_ROW_REMEMBERED, Element, remember
 from .check_context import (
-    MAX_REMEMBERED_LENGTH,
-    MOST_REMEMBERED,
     NOT_FINITE,
     SCHEMA,
     SPACING,
@@ -263,10 +261,8 @@ def _check_numbers(
             if number < 0 or (rule.sign == POSITIVE and number == 0):
                 _report_sign(number, name, rule, element, owner, context)
                 return
-    if len(text) <= MAX_REMEMBERED_LENGTH:
-        if len(rule.sound) >= MOST_REMEMBERED:
-            rule.sound.clear()
-        rule.sound.add(text)
+    if len(text) <= LONGEST_ROW_REMEMBERED:
+        remember(rule.sound, text, True)
 
 
 def _report_not_a_number(

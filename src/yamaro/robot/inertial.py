@@ -5,10 +5,9 @@ from __future__ import annotations
 from math import isfinite
 
 from ..diagnostics import YamaroError, failure
-from ..xmltree import Element, format_number
+from ..xmltree import Element, format_number, remember
 from .fields import Fields, read_record
 from .geometry import section_geometry, solid_shape
-from .lowering import remember
 from .numbers import LAYOUTS, Numbers, read_attribute, read_numbers
 from .pose import Pose, compose_poses, origin_element, pose_at, read_pose
 

@@ -5,9 +5,8 @@ from __future__ import annotations
 from math import pi
 
 from ..diagnostics import YamaroError, failure
-from ..xmltree import Element, format_number, format_value
+from ..xmltree import Element, format_number, format_value, remember
 from .fields import read_record, read_value, sort_fields, with_attributes, word_of
-from .lowering import remember
 from .numbers import read_attribute
 from .places import JOINT, POSE_KEYS, RECORD_KEYS
 from .pose import lower_origin

@@ -17,19 +17,7 @@ if TYPE_CHECKING:
     from .mesh import SolidMoments
     from .patterns import Pattern
 
-    Key = TypeVar("Key")
-    Value = TypeVar("Value")
     Product = TypeVar("Product", Element, list[Node])
-
-MOST_REMEMBERED = 4096
-"""How much of a kind is remembered at a time; what is forgotten is only worked out again."""
-
-
-def remember(known: dict[Key, Value], key: Key, value: Value) -> None:
-    """Keep what has been worked out for when it comes again, in bounded memory."""
-    if len(known) >= MOST_REMEMBERED:
-        known.clear()
-    known[key] = value
 
 
 class Lowering:

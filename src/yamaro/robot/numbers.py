@@ -6,17 +6,21 @@ from math import isfinite
 
 from ..diagnostics import YamaroError, failure
 from ..source import Span
-from ..xmltree import LiteralList, format_number, format_value, is_number, plain_value
-from .lowering import remember
+from ..xmltree import (
+    LONGEST_ROW_REMEMBERED,
+    LiteralList,
+    format_number,
+    format_value,
+    is_number,
+    plain_value,
+    remember,
+)
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from ..diagnostics import Frame
     from .fields import Record
     from .lowering import Lowering
-
-MAX_REMEMBERED_LENGTH = 24
-"""Texts that are longer hold computed numbers, which seldom come again."""
 
 NEGLIGIBLE = 1e-12
 """Components of a pose below this, in metres or radians, come out as 0."""
@@ -131,7 +135,7 @@ def _numbers_of(text: str) -> Numbers | None:
     numbers = _remembered.get(text)
     if numbers is None:
         numbers = _read(text)
-        if numbers is not None and len(text) <= MAX_REMEMBERED_LENGTH:
+        if numbers is not None and len(text) <= LONGEST_ROW_REMEMBERED:
             remember(_remembered, text, numbers)
     return numbers
 

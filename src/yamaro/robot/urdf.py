@@ -50,7 +50,7 @@ class AttributeRule:
         self.count = count
         self.required = required
         self.sign = sign
-        self.sound: set[str] = set()  # texts that were found right, whatever robot they are of
+        self.sound: dict[str, bool] = {}  # texts that were found right, whatever robot they are of
 
 
 class ElementRule:
