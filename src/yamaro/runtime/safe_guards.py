@@ -68,10 +68,8 @@ class Guards(Meter):
         if kind is int:
             if result.bit_length() > self.many_bits:
                 self._check_bits(result.bit_length())
-        elif kind is str:
-            self.check_text(len(result))
-        elif kind in SEQUENCES:
-            self.check_sequence(len(result))
+        else:
+            self.check_size(result)
         return result
 
     def sub(self, a: Any, b: Any) -> Any:
@@ -103,9 +101,9 @@ class Guards(Meter):
         if kind in WHOLE and other in WHOLE:
             self._check_bits(a.bit_length() + b.bit_length())
         elif other in WHOLE:
-            self._check_repeated(a, b)
+            self.check_size(a, b)
         elif kind in WHOLE:
-            self._check_repeated(b, a)
+            self.check_size(b, a)
         return a * b
 
     def _check_bits(self, bits: int) -> None:
@@ -114,7 +112,8 @@ class Guards(Meter):
                 self.check_integer(bits)
             self.charge(bits >> 5)
 
-    def _check_repeated(self, value: Any, times: int) -> None:
+    def check_size(self, value: Any, times: int = 1) -> None:
+        """Refuse a text or sequence that is too long, or would be if it were repeated."""
         kind = type(value)
         if kind is str:
             self.check_text(len(value) * max(times, 0))
@@ -220,11 +219,7 @@ class Guards(Meter):
     def piece(self, owner: Any, start: Any, stop: Any, step: Any) -> Any:
         """Return `owner[start:stop:step]`."""
         piece = owner[slice(start, stop, step)]
-        kind = type(piece)
-        if kind is str:
-            self.check_text(len(piece))
-        elif kind in SEQUENCES:
-            self.check_sequence(len(piece))
+        self.check_size(piece)
         return piece
 
     def display(self, made: Any) -> Any:
@@ -457,7 +452,7 @@ class Guards(Meter):
             self.check_sequence(len(value) + len(items))
             value += items
         elif kind is list and name == "imul" and type(other) in WHOLE:
-            self._check_repeated(value, other)
+            self.check_size(value, other)
             value *= other
         elif kind is dict and name == "ibit_or" and type(other) is dict:
             CHANGING[dict]["update"](self, value, other)

@@ -7,7 +7,7 @@ make texts of any length.
 from __future__ import annotations
 
 from ..syntax.flexidict import FlexiDict
-from .safe_values import SEQUENCES, OrderedSet
+from .safe_values import OrderedSet
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -28,11 +28,7 @@ def _counted(method: Method) -> Method:
     def run(guards: Guards, owner: Any, /, *args: Any, **named: Any) -> Any:
         guards.charge_sizes(owner, *args)
         result = method(owner, *args, **named)
-        kind = type(result)
-        if kind is str:
-            guards.check_text(len(result))
-        elif kind in SEQUENCES:
-            guards.check_sequence(len(result))
+        guards.check_size(result)
         return result
 
     return run
