@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from ..diagnostics import failure
 from ..source import Source, Span
+from .libyaml import Parser, YAMLError
 from .python import find_close
 from .yaml_nodes import quoted
 
@@ -21,7 +22,9 @@ if TYPE_CHECKING:
 
 
 MAX_KEY = 1024
+_NULS_OF_A_TEXT = 4
 _MARK = "\ufeff"
+_OTHER_BREAKS = {"\x85": "\\N", "\u2028": "\\L", "\u2029": "\\P"}
 _NO_BREAK_SPACE = "\u00a0"
 
 
@@ -50,6 +53,20 @@ def refuse_characters(source: Source) -> None:
     found = [at for at in places if at >= 0]
     if found:
         _refuse_character(source, min(found))
+    breaks = [at for char in _OTHER_BREAKS if (at := text.find(char)) >= 0]
+    if breaks:
+        _refuse_break(source, min(breaks))
+
+
+def _refuse_break(source: Source, at: int) -> NoReturn:
+    """Refuse what ends a line, a comment too, for YAML 1.1 but not for YAML 1.2 and editors."""
+    char = source.text[at]
+    raise failure(
+        "control-character",
+        f"the character U+{ord(char):04X} would end a line for some readers of YAML",
+        Span(source, at, at + 1),
+        hint=f'delete this invisible character; in a text write "{_OTHER_BREAKS[char]}" for it',
+    )
 
 
 def _refuse_character(source: Source, at: int) -> NoReturn:
@@ -57,7 +74,9 @@ def _refuse_character(source: Source, at: int) -> NoReturn:
         "control-character",
         f"the character U+{ord(source.text[at]):04X} cannot stand in a YAML file",
         Span(source, at, at + 1),
-        hint="delete this invisible character",
+        hint="delete this invisible character"
+        if source.text.count("\x00") < _NULS_OF_A_TEXT
+        else "with so many of them this is no text; is it the right file?",
     )
 
 
@@ -173,6 +192,7 @@ def _needs_quotes(reading: Reading, at: int) -> Exception:
         what, behind = "key", ":"
     elif "{" in before or "[" in before:
         ends = [index for index, each in enumerate(value) if index and each in ",]}"]
+        behind = value[ends[0] :] if ends else ""
         value = value[: ends[0]].rstrip() if ends else value
     hint = f"write {before}{quoted(value)}{behind}"
     if char == "%" and before.endswith("{"):
@@ -236,7 +256,7 @@ def _open_bracket(
 
 
 def _escape(reading: Reading, problem: str, context: str, begin: int, at: int) -> Exception | None:
-    if "escape" not in problem:
+    if "escape" not in problem and "hexdecimal" not in problem:
         return None
     slash = max(reading.text.rfind("\\", 0, at + 1), 0)
     if "invalid Unicode" in problem:
@@ -247,11 +267,50 @@ def _escape(reading: Reading, problem: str, context: str, begin: int, at: int) -
             reading.span(slash, slash + 2),
             hint="write the character itself",
         )
+    lacks_digits = reading.text[slash + 1 : slash + 2] in ("x", "u", "U")
     return failure(
         "yaml-escape",
-        f"'{reading.text[slash : slash + 2]}' is no escape that YAML knows",
+        f"the escape '{reading.text[slash : slash + 2]}' has too few hexadecimal digits behind it"
+        if lacks_digits
+        else f"'{reading.text[slash : slash + 2]}' is no escape that YAML knows",
         reading.span(slash, slash + 2),
         hint="use single quotes, where a backslash is just a backslash, or double the backslash",
+    )
+
+
+def _tag(reading: Reading, problem: str, context: str, begin: int, at: int) -> Exception | None:
+    """Explain a tag that is not spelt like one; those that are get the same code."""
+    if "tag handle" not in problem and context not in _READING_TAGS:
+        return None
+    text = reading.text
+    start = begin if text[begin : begin + 1] == "!" else at
+    _, end = _line_around(text, start)
+    written = text[start:end].split()[0] if text[start:end].strip() else "!"
+    return failure(
+        "yaml-tag",
+        f"'{written}' begins with !, which makes it a YAML tag, and tags have no meaning here",
+        reading.span(start, start + len(written)),
+        hint="quote the value if it is text; an expression says `not` where others write !",
+    )
+
+
+def _second_anchor(
+    reading: Reading, problem: str, context: str, begin: int, at: int
+) -> Exception | None:
+    """Explain an anchor behind which YAML allows neither a second one nor an alias."""
+    text = reading.text
+    start, _ = _line_around(text, at)
+    before = text[start:at].rstrip().rpartition(" ")[2]
+    if text[at : at + 1] not in ("&", "*") or not before.startswith("&"):
+        return None
+    written = text[at:].split(maxsplit=1)[0]
+    return failure(
+        "yaml-syntax",
+        "a value can have one anchor only"
+        if written.startswith("&")
+        else "an alias cannot have an anchor: its value has one already",
+        reading.span(at, at + len(written)),
+        hint=f"delete {written if written.startswith('&') else before}",
     )
 
 
@@ -373,12 +432,19 @@ def _misplaced(
             reading.span(at, at + 1),
             hint=f"write {key}: [{item}], or put the dash on the next line",
         )
-    if "comment or line break" in problem:
+    if "comment or line break" in problem or "indentation indicator" in problem:
         return failure(
             "yaml-syntax",
             "a block of text begins on the line after its | or >",
             reading.span(at, max(end, at + 1)),
             hint="move this to the next line, indented",
+        )
+    if "incompatible YAML" in problem:
+        return failure(
+            "yaml-syntax",
+            "this version of YAML is not known",
+            reading.span(start, end),
+            hint="delete the line",
         )
     if "directive" in problem or "directive" in context:
         return failure(
@@ -414,6 +480,9 @@ def _rest(reading: Reading, problem: str, context: str, begin: int, at: int) -> 
             hint="the keys of a file all begin in the first column; `...` ends a file",
         )
     if before.endswith(("]", "}", '"', "'")) and text[at:end].strip():
+        begun = _quote_over_lines(reading, start + len(before))
+        if begun is not None:
+            return begun
         key, colon, value = text[start:end].partition(": ")
         where = start + len(key) + 2
         if not colon or at < start + len(key):  # it is the key that begins with a quote
@@ -430,6 +499,35 @@ def _rest(reading: Reading, problem: str, context: str, begin: int, at: int) -> 
         reading.span(start + column, max(end, start + column + 1)),
         hint="entries of one mapping or list begin in the same column",
     )
+
+
+def _quote_over_lines(reading: Reading, end: int) -> Exception | None:
+    """Explain text behind a quote at `end` that closes one of a line before."""
+    text = reading.text
+    begin = _start_of_quoted(text, end)
+    if begin is None or not any(char in text[begin:end] for char in "\r\n"):
+        return None
+    line, _ = reading.span(end - 1, end).location()
+    return failure(
+        "yaml-open",
+        f"this quote is not closed before line {line}, where text follows behind the closing one",
+        reading.span(begin, begin + 1),
+        hint=f"put a {text[begin]} at the end of the text that begins here",
+    )
+
+
+def _start_of_quoted(text: str, end: int) -> int | None:
+    """Return where the quoted text begins whose closing quote stands just before `end`."""
+    parser = Parser(text)
+    try:
+        while (token := parser.get_token()) is not None:
+            if token.end_mark.index == end and getattr(token, "style", None) in ("'", '"'):
+                return int(token.start_mark.index)
+    except YAMLError:
+        return None
+    finally:
+        parser.dispose()
+    return None
 
 
 def _text_behind_quote(reading: Reading, key: str, value: str, where: int, at: int) -> Exception:
@@ -451,14 +549,17 @@ def _text_behind_quote(reading: Reading, key: str, value: str, where: int, at: i
     )
 
 
+_READING_TAGS = ("while parsing a tag", "while scanning a tag")
 _EXPLANATIONS = (
     _colon_in_key,
+    _tag,
     _tab,
     _no_break_space,
     _start_of_value,
     _open_quote,
     _open_bracket,
     _escape,
+    _second_anchor,
     _colon,
     _misplaced,
     _rest,
