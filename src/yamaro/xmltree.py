@@ -121,7 +121,7 @@ class Element:
         """Return where the attribute's name was written, or its value where that is unknown."""
         value = self.value_span(attribute)
         text, end = value.source.text, value.start
-        if text.startswith(attribute, end):
+        if self.attributes.get(attribute) == "" and text.startswith(attribute, end):
             # The place of an empty value is its name.
             return Span(value.source, end, end + len(attribute))
         while end > 0 and text[end - 1] in " \t\r\n:='\"":
