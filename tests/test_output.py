@@ -114,12 +114,18 @@ def test_file_in_the_way_of_a_folder_is_an_error(tmp_path: Path) -> None:
     assert (tmp_path / "a").read_bytes() == OLD
 
 
+def refuse(path: str, flags: int) -> int:
+    assert flags == os.O_WRONLY, "it is only asked whether the file may be written to"
+    raise PermissionError(errno.EACCES, os.strerror(errno.EACCES), path)
+
+
 def test_read_only_file_is_not_replaced(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     target = tmp_path / "a"
     target.write_bytes(OLD)
     target.chmod(0o444)
     if os.geteuid() == 0:  # root may write anything
         monkeypatch.setattr(os, "access", lambda path, mode: False)
+        monkeypatch.setattr(os, "open", refuse)
     with pytest.raises(PermissionError):
         write_file(str(target), [NEW])
     assert target.read_bytes() == OLD
@@ -153,6 +159,7 @@ def test_a_failing_step_leaves_the_old_file_and_nothing_else(
 ) -> None:
     target = tmp_path / "a"
     target.write_bytes(OLD)
+    target.chmod(0o600)
     real_close = os.close
 
     def fail(*arguments: Any) -> None:

@@ -26,8 +26,12 @@ def write_file(path: str, chunks: Iterable[bytes]) -> None:
     The content goes to a temporary file in the same folder, which then takes the name of the
     target. A symbolic link stays, and its target is replaced; the mode of an old file is kept;
     folders on the way are made. What is no regular file, such as a pipe or `/dev/null`, is
-    written to directly. The temporary file is removed on any failure, an interrupt or a
-    termination signal included.
+    written to directly.
+
+    The temporary file is removed on any failure, an interrupt included, and in the main thread a
+    termination signal. Nothing can do so after `kill -9` or a loss of power: a file named
+    `.yamaro-….tmp` is left then. Later writes let it be, since nothing tells it from the file of
+    another that writes at the same time, perhaps from another machine.
 
     Raises:
         OSError: with the reason; an old file is then unchanged.
@@ -42,7 +46,7 @@ def write_file(path: str, chunks: Iterable[bytes]) -> None:
         _write_directly(path, chunks)
         return
     if old is not None and not os.access(path, os.W_OK):
-        raise PermissionError(13, os.strerror(13), path)
+        os.close(os.open(path, os.O_WRONLY))  # raises the reason
     target = os.path.realpath(path)
     folder = os.path.dirname(target)
     if old is None:
@@ -77,11 +81,15 @@ def _write_chunk(descriptor: int, chunk: bytes) -> None:
     rest = memoryview(chunk)
     while rest:
         try:
-            rest = rest[os.write(descriptor, rest) :]
+            count = os.write(descriptor, rest)
         except BlockingIOError:
             import select
 
             select.select([], [descriptor], [])
+            continue
+        if not count:  # rather than try for ever
+            raise OSError(5, os.strerror(5))
+        rest = rest[count:]
 
 
 def _write_directly(path: str, chunks: Iterable[bytes]) -> None:
@@ -93,11 +101,11 @@ def _write_directly(path: str, chunks: Iterable[bytes]) -> None:
 
 
 def _replace(target: str, chunks: Iterable[bytes], old: os.stat_result | None) -> None:
-    """Write `target` by way of a temporary file that is gone afterwards in any case."""
+    """Write `target` by way of a temporary file that is gone afterwards, come what may."""
     temporary = os.path.join(os.path.dirname(target), f".yamaro-{os.urandom(8).hex()}.tmp")
     guard = _TerminationGuard(temporary)
-    guard.set()
     try:
+        guard.set()
         _write_new(temporary, chunks, old)
         os.replace(temporary, target)
     except BaseException:
@@ -115,7 +123,7 @@ def _write_new(path: str, chunks: Iterable[bytes], old: os.stat_result | None) -
     try:
         if old is not None and hasattr(os, "fchmod"):
             _keep_owner(descriptor, old)
-            os.fchmod(descriptor, stat.S_IMODE(old.st_mode))
+            _keep_mode(descriptor, old)
         write_all(descriptor, chunks)
         os.fsync(descriptor)
     finally:
@@ -129,6 +137,13 @@ def _keep_owner(descriptor: int, old: os.stat_result) -> None:
             os.fchown(descriptor, old.st_uid, old.st_gid)
         except OSError:
             return
+
+
+def _keep_mode(descriptor: int, old: os.stat_result) -> None:
+    """Set the mode, unless it is right: file systems that have but one refuse to set any."""
+    mode = stat.S_IMODE(old.st_mode)
+    if stat.S_IMODE(os.fstat(descriptor).st_mode) != mode:
+        os.fchmod(descriptor, mode)
 
 
 def _remove(path: str) -> None:
