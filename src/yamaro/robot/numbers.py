@@ -50,6 +50,9 @@ LAYOUTS = {
 UNITS = {"mm": 1e-3, "cm": 1e-2, "dm": 0.1, "km": 1e3, "g": 1e-3, "t": 1e3}
 """What the units that people write are in SI units."""
 
+_WORDS_OF_UNITS = frozenset(("m", "kg", "rad", "deg", "degree", "degrees", "°", "n", "nm", *UNITS))
+"""Words that are units when they stand behind a number."""
+
 
 class Numbers:
     """A row of numbers: values, and the words they are written as in XML; it never changes.
@@ -201,7 +204,7 @@ def _read_object(
             continue
         number = _as_float(item)
         if number is None or number - number != 0:
-            raise _bad_word(_shown(item), span, name, trace)
+            raise _bad_item(item, number, span, name, trace)
         words.append(_spell(item, number))
         values.append(number)
     return tuple(words), tuple(values)
@@ -239,27 +242,66 @@ def _bad_text(text: str, span: Span, name: str, trace: Frame | None) -> YamaroEr
     for index, word in enumerate(words):
         value = _parse(word)
         if value is None or not isfinite(value):
-            return _bad_word(word, _place(span, words, index), name, trace)
+            place = _place(span, words, index)
+            if index and word.lower() in _WORDS_OF_UNITS and _parse(words[index - 1]) is not None:
+                number = _in_base_unit(words[index - 1], word)
+                return _not_a_number(word, place, name, trace, hint=_hint_for_units(number))
+            return _bad_word(word, place, name, trace)
     raise AssertionError(text)
 
 
 def _bad_word(word: str, span: Span, name: str, trace: Frame | None) -> YamaroError:
     value = _parse(word)
     if value is not None and value - value != 0:
-        return failure(
-            "bad-number",
-            f"'{word}' in {_label(name)} is not a finite number",
-            span,
-            hint="URDF readers refuse NaN and infinities; write a number",
-            trace=trace,
-        )
+        return _not_finite(word, span, name, trace)
+    return _not_a_number(word, span, name, trace, hint=_word_hint(word, name))
+
+
+def _bad_item(
+    item: object, number: float | None, span: Span, name: str, trace: Frame | None
+) -> YamaroError:
+    """Return the error of what an expression or a list gave that is no text and no number."""
+    if number is not None:
+        return _not_finite(_shown(item), span, name, trace)
+    is_list = isinstance(item, (list, tuple))
+    word = "a list within a list" if is_list else f"'{_shown(item)}'"
+    return failure(
+        "bad-number",
+        f"{word} in {_label(name)} is not a number",
+        span,
+        hint=_general_hint(name),
+        trace=trace,
+    )
+
+
+def _not_finite(word: str, span: Span, name: str, trace: Frame | None) -> YamaroError:
+    return failure(
+        "bad-number",
+        f"'{word}' in {_label(name)} is not a finite number",
+        span,
+        hint="URDF readers refuse NaN and infinities; write a number",
+        trace=trace,
+    )
+
+
+def _not_a_number(
+    word: str, span: Span, name: str, trace: Frame | None, *, hint: str
+) -> YamaroError:
     return failure(
         "bad-number",
         f"'{word}' in {_label(name)} is not a number",
         span,
-        hint=_word_hint(word, name),
+        hint=hint,
         trace=trace,
     )
+
+
+def _general_hint(name: str) -> str:
+    return f"{_label(name)} takes {LAYOUTS.get(name, 'a number, such as 1.0')}"
+
+
+def _hint_for_units(number: str) -> str:
+    return f"numbers are in SI units and radians, written without the unit: {number}"
 
 
 def _word_hint(word: str, name: str) -> str:
@@ -269,11 +311,10 @@ def _word_hint(word: str, name: str) -> str:
         return f"to use a variable or an expression, write $({word})"
     number = word.rstrip("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ°%")
     if number and number != word and _parse(number) is not None:
-        without = _in_base_unit(number, word[len(number) :])
-        return f"numbers are in SI units and radians, written without the unit: {without}"
+        return _hint_for_units(_in_base_unit(number, word[len(number) :]))
     if any(sign in word for sign in "*/()") or word.strip("0123456789.+-") == "":
         return f"an expression stands in $(…): $({word})"
-    return f"{_label(name)} takes {LAYOUTS.get(name, 'a number, such as 1.0')}"
+    return _general_hint(name)
 
 
 def _in_base_unit(number: str, unit: str) -> str:

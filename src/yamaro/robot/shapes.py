@@ -91,7 +91,7 @@ class Sphere:
 
     def volume(self) -> float:
         """Return the volume in m³: 4/3·π·r³."""
-        return 4 / 3 * pi * self.radius**3
+        return 4 / 3 * pi * self.radius * self.radius * self.radius  # ** raises where it overflows
 
     def center(self) -> Vector:
         """Return the centre of mass in the shape's frame, in metres."""

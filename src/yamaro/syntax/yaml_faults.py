@@ -256,7 +256,7 @@ def _open_bracket(
 
 
 def _escape(reading: Reading, problem: str, context: str, begin: int, at: int) -> Exception | None:
-    if "escape" not in problem and "hexdecimal" not in problem:
+    if "escape" not in problem and "expected hex" not in problem:
         return None
     slash = max(reading.text.rfind("\\", 0, at + 1), 0)
     if "invalid Unicode" in problem:
