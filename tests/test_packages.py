@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import os
 import threading
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 
 import pytest
@@ -140,6 +142,28 @@ def test_of_two_packages_with_one_name_the_first_by_path_is_taken(tmp_path: Path
         make_package(tmp_path / folder, name="arm")
     finder = PackageFinder({"ROS_PACKAGE_PATH": str(tmp_path)})
     assert finder.find("arm", "/") == str(tmp_path / "a")
+
+
+@pytest.mark.parametrize("is_reversed", [False, True])
+def test_of_two_links_to_a_folder_the_first_by_name_counts(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, is_reversed: bool
+) -> None:
+    """In whatever order the system lists them."""
+    root = tmp_path / "ros"
+    root.mkdir()
+    make_package(tmp_path / "elsewhere" / "arm")
+    for name in ("b", "a", "c"):
+        (root / name).symlink_to(tmp_path / "elsewhere")
+    real = os.scandir
+
+    @contextmanager
+    def in_order(folder: str) -> Iterator[list[os.DirEntry[str]]]:
+        with real(folder) as entries:
+            yield sorted(entries, key=lambda entry: entry.name, reverse=is_reversed)
+
+    monkeypatch.setattr(os, "scandir", in_order)
+    found = PackageFinder({"ROS_PACKAGE_PATH": str(root)}).find("arm", "/")
+    assert found == str(root / "a" / "arm")
 
 
 def test_linked_folders_are_followed_and_loops_end(tmp_path: Path) -> None:

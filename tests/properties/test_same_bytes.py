@@ -27,6 +27,24 @@ class Missing:
             raise ImportError(name)
 sys.meta_path.insert(0, Missing())
 """
+# Folders give their entries in no order that anyone promises.
+OTHER_ORDER = """
+import os
+from contextlib import contextmanager
+listdir, scandir = os.listdir, os.scandir
+os.listdir = lambda *path: sorted(listdir(*path), reverse=%s)
+@contextmanager
+def in_order(*path):
+    with scandir(*path) as entries:
+        yield sorted(entries, key=lambda entry: entry.name, reverse=%s)
+os.scandir = in_order
+"""
+# As a window system or another host may do for all that runs in it.
+HOST_OF_THE_LOCALE = """
+import locale
+locale.setlocale(locale.LC_ALL, "")
+assert f"{1.5:n}" == "1,5", f"{1.5:n}"
+"""
 SCRIPT = """
 import json, sys, warnings
 from yamaro import build, YamaroError
@@ -51,6 +69,17 @@ def plain_cases() -> list[Path]:
         if case.with_suffix(".xml").exists()
         and not read_options(case)
         and not any(word in case.read_text(encoding="utf-8") for word in ABOUT_THE_PLACE)
+    ]
+
+
+def failing_cases() -> list[Path]:
+    """Return the cases that end with errors, and need no options and little time."""
+    return [
+        case
+        for case in find_cases()
+        if not case.with_suffix(".xml").exists()
+        and not read_options(case)
+        and not case.stem.startswith("recursion-in")
     ]
 
 
@@ -88,11 +117,35 @@ def expected(files: list[Path]) -> dict[str, Any]:
     return results
 
 
+@pytest.fixture(scope="module")
+def expected_errors() -> dict[str, Any]:
+    results = build_all(failing_cases(), PYTHONHASHSEED="0")
+    assert len(results) > 100
+    return results
+
+
 @pytest.mark.parametrize("seed", ["1", "4242"])
 def test_the_seed_of_hashes_changes_nothing(
     files: list[Path], expected: dict[str, Any], seed: str
 ) -> None:
     assert build_all(files, PYTHONHASHSEED=seed) == expected
+
+
+@pytest.mark.parametrize("seed", ["1", "4242"])
+def test_the_seed_of_hashes_changes_no_message(expected_errors: dict[str, Any], seed: str) -> None:
+    assert build_all(failing_cases(), PYTHONHASHSEED=seed) == expected_errors
+
+
+@pytest.mark.parametrize("is_reversed", [False, True])
+def test_the_order_of_folders_changes_nothing(
+    files: list[Path],
+    expected: dict[str, Any],
+    expected_errors: dict[str, Any],
+    is_reversed: bool,
+) -> None:
+    prelude = OTHER_ORDER % (is_reversed, is_reversed)
+    assert build_all(files, prelude=prelude) == expected
+    assert build_all(failing_cases(), prelude=prelude) == expected_errors
 
 
 def test_the_working_directory_changes_nothing(
@@ -110,6 +163,23 @@ def test_the_locale_changes_nothing(
     files: list[Path], expected: dict[str, Any], locale: str
 ) -> None:
     got = build_all(files, LC_ALL=locale, LANG=locale, PYTHONUTF8="0", PYTHONIOENCODING="utf-8")
+    assert got == expected
+
+
+def test_a_locale_of_ascii_changes_no_message(expected_errors: dict[str, Any]) -> None:
+    got = build_all(failing_cases(), LC_ALL="C", PYTHONUTF8="0", PYTHONIOENCODING="utf-8")
+    assert got == expected_errors
+
+
+@pytest.mark.skipif(not shutil.which("localedef"), reason="needs localedef")
+def test_a_host_that_writes_numbers_with_a_comma_changes_nothing(
+    files: list[Path], expected: dict[str, Any], tmp_path: Path
+) -> None:
+    made = tmp_path / "de_DE.UTF-8"
+    command = ["localedef", "--inputfile", "de_DE", "--charmap", "UTF-8", str(made)]
+    if subprocess.run(command, capture_output=True).returncode or not made.exists():
+        pytest.skip("the system has no sources of locales")
+    got = build_all(files, prelude=HOST_OF_THE_LOCALE, LC_ALL=made.name, LOCPATH=str(tmp_path))
     assert got == expected
 
 
