@@ -18,7 +18,10 @@ GIVEN = re.compile(rf"^(?:error|warning)\[({CODE})\]", re.MULTILINE)
 
 # Codes that depend on the machine, so that no golden case can hold them.
 TESTED_ELSEWHERE = {
+    "jail-broken": "test_policy.py",
+    "limit-time": "test_policy.py",
     "missing-extra": "test_part.py",
+    "no-jail": "test_policy.py",
     "unknown-package": "test_check.py",
 }
 

@@ -11,6 +11,7 @@ if TYPE_CHECKING:
     from .diagnostics import Diagnostic as Diagnostic
     from .diagnostics import YamaroError as YamaroError
     from .diagnostics import YamaroWarning as YamaroWarning
+    from .policy import Policy as Policy
     from .runtime.loader import FileLoader as FileLoader
     from .runtime.loader import LoadError as LoadError
     from .runtime.loader import MemoryLoader as MemoryLoader
@@ -24,6 +25,7 @@ __all__ = [
     "FlexiDict",
     "LoadError",
     "MemoryLoader",
+    "Policy",
     "Program",
     "UsageError",
     "YamaroError",
@@ -42,6 +44,7 @@ _MODULES = {
     "FlexiDict": "syntax.flexidict",
     "LoadError": "runtime.loader",
     "MemoryLoader": "runtime.loader",
+    "Policy": "policy",
     "Program": "compiler",
     "UsageError": "compiler",
     "YamaroError": "diagnostics",

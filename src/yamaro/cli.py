@@ -18,6 +18,10 @@ if TYPE_CHECKING:
 
     from .compiler import Build
     from .diagnostics import Diagnostic
+    from .policy import Limits, Policy
+
+MOST_SECONDS = 1e9
+"""The longest time-out, some thirty years: what the system's clocks can count."""
 
 DONE = 0
 INPUT_ERROR = 1
@@ -41,6 +45,14 @@ options, in any place:
   -q, --quiet           show errors only: no warnings, nothing that is printed
       --strict          treat warnings as errors
       --deps            list the files read and the meshes used, one a line, instead of the XML
+      --trust           let the file do whatever Python can; what `yamaro FILE` does by itself
+      --jail            let it do so in a process that can read its own folder and packages, write
+                        nothing, and reach no network (Linux only)
+      --safe            let it do nothing but compute: no Python modules, no loops in `process`;
+                        what `yamaro check` and `yamaro tree` do by themselves
+      --timeout SECONDS end it after that time (with --jail and --safe, 60 if none is given)
+      --allow-path PATH with --jail and --safe, let it read a file or folder; may be given again
+      --limit NAME=N    set how much it may use, such as turns=5000000; may be given again
       --color WHEN      colour messages: auto (the default), always or never
   -h, --help            show this help
   -V, --version         show the version
@@ -66,18 +78,33 @@ OPTIONS = {
     "--quiet": "quiet",
     "--strict": "strict",
     "--deps": "deps",
+    "--trust": "trust",
+    "--jail": "jail",
+    "--safe": "safe",
+    "--timeout": "timeout",
+    "--allow-path": "allow-path",
+    "--limit": "limit",
     "--color": "color",
     "-h": "help",
     "--help": "help",
     "-V": "version",
     "--version": "version",
 }
-TAKES_VALUE = {"output": "a file name", "color": "auto, always or never"}
+TAKES_VALUE = {
+    "output": "a file name",
+    "color": "auto, always or never",
+    "timeout": "a number of seconds",
+    "allow-path": "a file or folder",
+    "limit": "NAME=NUMBER",
+}
+TAKES_VALUES = ("allow-path", "limit")
+MODE_OPTIONS = ("trust", "jail", "safe")
+POLICY_OPTIONS = (*MODE_OPTIONS, "timeout", "allow-path", "limit")
 COLORS = ("auto", "always", "never")
 COMMANDS = {
-    "build": frozenset(("output", "quiet", "strict", "deps", "color")),
-    "check": frozenset(("quiet", "strict", "color")),
-    "tree": frozenset(("quiet", "strict", "color")),
+    "build": frozenset(("output", "quiet", "strict", "deps", "color", *POLICY_OPTIONS)),
+    "check": frozenset(("quiet", "strict", "color", *POLICY_OPTIONS)),
+    "tree": frozenset(("quiet", "strict", "color", *POLICY_OPTIONS)),
     "completion": frozenset(),
 }
 
@@ -85,7 +112,7 @@ COMMANDS = {
 class Arguments:
     """What the command line asks for."""
 
-    __slots__ = ("assignments", "command", "options", "output_path", "words")
+    __slots__ = ("assignments", "command", "lists", "options", "output_path", "words")
 
     def __init__(self) -> None:
         """Start with a plain build of nothing."""
@@ -93,6 +120,7 @@ class Arguments:
         self.words: list[str] = []
         self.assignments: list[str] = []
         self.options: dict[str, str] = {}
+        self.lists: dict[str, list[str]] = {}  # of the options that may be given several times
         self.output_path = ""
 
     def has(self, option: str) -> bool:
@@ -229,9 +257,11 @@ def _next_value(name: str, option: str, pending: list[str]) -> str:
 
 def _set_option(arguments: Arguments, name: str, value: str) -> None:
     option = OPTIONS[name]
-    if option in TAKES_VALUE and arguments.has(option):
+    if option in TAKES_VALUES:
+        arguments.lists.setdefault(option, []).append(value)
+    elif option in TAKES_VALUE and arguments.has(option):
         raise WrongUsage(f"'{name}' is given twice")
-    if option == "output" and not value:
+    if option in ("output", "allow-path") and not value:
         raise WrongUsage(f"'{name}' needs {TAKES_VALUE[option]} after it")
     if option == "color" and value not in COLORS:
         raise WrongUsage(f"'{name}' takes {TAKES_VALUE[option]}, not {_quote(value)}")
@@ -243,12 +273,68 @@ def _check_arguments(arguments: Arguments) -> None:
     for option in arguments.options:
         if option not in COMMANDS[command]:
             raise WrongUsage(f"'--{option}' has no meaning for 'yamaro {command}'")
+    modes = [f"--{mode}" for mode in MODE_OPTIONS if arguments.has(mode)]
+    if len(modes) > 1:
+        raise WrongUsage(f"'{modes[0]}' and '{modes[1]}' exclude each other")
     if command == "completion":
         return
     if not arguments.words:
         raise WrongUsage(_missing_file(command))
     if len(arguments.words) > 1:
         raise WrongUsage(_second_file(*arguments.words[:2]))
+
+
+def make_policy(arguments: Arguments) -> Policy:
+    """Return how far the file is trusted; what only looks at files runs none of their Python.
+
+    Raises:
+        WrongUsage: a limit or the time-out makes no sense.
+    """
+    from .policy import JAIL, SAFE, TRUSTED, Policy
+
+    modes = {"trust": TRUSTED, "jail": JAIL, "safe": SAFE}
+    mode = TRUSTED if arguments.command == "build" else SAFE
+    mode = next((modes[name] for name in MODE_OPTIONS if arguments.has(name)), mode)
+    allowed = arguments.lists.get("allow-path", [])
+    if allowed and mode == TRUSTED:
+        raise WrongUsage("'--allow-path' has a meaning with --jail and --safe only")
+    limits = dict(map(_read_limit, arguments.lists.get("limit", [])))
+    try:
+        return Policy(mode, limits=limits, timeout=_read_timeout(arguments), allowed_paths=allowed)
+    except ValueError as error:
+        raise WrongUsage(f"{error}") from None
+
+
+def _read_limit(text: str) -> tuple[str, int]:
+    """Return name and number of a `--limit`; the number may be written 5000000 or 5_000_000."""
+    from .policy import limit_names
+
+    name, has_value, value = text.partition("=")
+    names = limit_names()
+    if name not in names:
+        near = _near(name, dict.fromkeys(names, ""))
+        raise WrongUsage(
+            f"there is no limit {_quote(name)}{near or '; the limits are ' + ', '.join(names)}"
+        )
+    try:
+        return name.replace("-", "_"), int(value)
+    except ValueError:
+        example = f"'--limit {name}=1000'"
+        wrong = f"not {_quote(value)}" if has_value else f"as in {example}"
+        raise WrongUsage(f"the limit '{name}' needs a whole number, {wrong}") from None
+
+
+def _read_timeout(arguments: Arguments) -> float | None:
+    text = arguments.options.get("timeout")
+    if text is None:
+        return None
+    try:
+        seconds = float(text)
+    except ValueError:
+        seconds = 0.0
+    if not 0 < seconds <= MOST_SECONDS:
+        raise WrongUsage(f"'--timeout' takes a number of seconds above 0, not {_quote(text)}")
+    return seconds
 
 
 def _missing_file(command: str) -> str:
@@ -300,8 +386,11 @@ def _run_on_file(arguments: Arguments, streams: Streams) -> int:
 
     arguments.resolve_output()
     _refuse_overwriting(arguments, lambda: arguments.words)
+    policy = make_policy(arguments)
+    if streams.owns_process:
+        _bound_process(arguments, streams, policy)
     try:
-        build, chunks = _build(arguments, streams)
+        build, chunks = _build(arguments, streams, policy)
     except YamaroError as error:
         _show(error.diagnostics, arguments, streams)
         return INPUT_ERROR
@@ -311,6 +400,21 @@ def _run_on_file(arguments: Arguments, streams: Streams) -> int:
         return INPUT_ERROR
     _refuse_overwriting(arguments, lambda: [*build.files, *build.meshes])
     return _deliver(chunks, arguments, streams)
+
+
+def _bound_process(arguments: Arguments, streams: Streams, policy: Policy) -> None:
+    """See to it that this process takes no more memory and time than it may."""
+    from . import compiler, process
+
+    process.bound_memory(policy.limits.memory)
+    if policy.timeout is None or compiler.why_no_jail(policy) is None:
+        return
+
+    def say_why() -> None:
+        error = compiler.time_is_over(_display_name(arguments), policy)
+        _show(error.diagnostics, arguments, streams)
+
+    process.end_after(policy.timeout, say_why)
 
 
 def _deliver(chunks: Iterable[bytes], arguments: Arguments, streams: Streams) -> int:
@@ -330,14 +434,14 @@ def _deliver(chunks: Iterable[bytes], arguments: Arguments, streams: Streams) ->
     return DONE
 
 
-def _build(arguments: Arguments, streams: Streams) -> tuple[Build, Iterable[bytes]]:
+def _build(arguments: Arguments, streams: Streams, policy: Policy) -> tuple[Build, Iterable[bytes]]:
     """Build the file, with standard output out of reach; return the build and what to write."""
     import warnings
 
     from . import compiler
 
     path = arguments.words[0]
-    text = _read_pipe(path)
+    text = _read_pipe(path, policy.limits)
     streams.divert()
     try:
         with warnings.catch_warnings():
@@ -345,11 +449,13 @@ def _build(arguments: Arguments, streams: Streams) -> tuple[Build, Iterable[byte
                 warnings.simplefilter("ignore")
             build = compiler.build(
                 path,
+                text=text,
+                policy=policy,
                 command_line=arguments.assignments,
                 strict=arguments.has("strict"),
                 on_message=_drop if streams.quiet else streams.say,
-                text=text,
                 advice=arguments.command == "check",
+                has_root=arguments.command == "tree",
             )
             return build, _result(build, arguments, streams)
     except compiler.UsageError as error:
@@ -404,23 +510,33 @@ def _refuse_overwriting(arguments: Arguments, inputs: Callable[[], Sequence[str]
         raise WrongUsage(f"the output {_quote(output)} is one of the files that are compiled")
 
 
-def _read_pipe(path: str) -> str | None:
+def _read_pipe(path: str, limits: Limits) -> str | None:
     """Return the text of standard input or of a named pipe, None for what can be read by name."""
-    from .runtime.loader import decode
+    from .runtime.loader import LoadError, check_size, decode
 
+    most = limits.file + 1
     if path == STANDARD_INPUT:
         if sys.stdin is None:
             raise WrongUsage("standard input is closed")
         buffer = getattr(sys.stdin, "buffer", None)
-        data = sys.stdin.read().encode() if buffer is None else buffer.read()
-        return decode(data, name=STANDARD_INPUT_NAME, path="").text
-    try:
-        if os.stat(path).st_mode & 0o170000 != 0o010000:
+        data = sys.stdin.read(most).encode() if buffer is None else buffer.read(most)
+        name, absolute = STANDARD_INPUT_NAME, ""
+    else:
+        try:
+            if os.stat(path).st_mode & 0o170000 != 0o010000:
+                return None
+            with open(path, "rb") as file:
+                data = file.read(most)
+        except OSError:
             return None
-        with open(path, "rb") as file:
-            return decode(file.read(), name=path, path=os.path.abspath(path)).text
-    except OSError:
-        return None
+        name, absolute = path, os.path.abspath(path)
+    try:
+        check_size(len(data), limits)
+    except LoadError as error:
+        from .compiler import refusal_of_main
+
+        raise refusal_of_main(name, error) from None
+    return decode(data, name=name, path=absolute).text
 
 
 # --- what is said -----------------------------------------------------------------------------

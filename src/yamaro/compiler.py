@@ -12,13 +12,18 @@ from .diagnostics import (
     Reporter,
     YamaroError,
     YamaroWarning,
+    failure,
     suggest,
 )
+from .policy import JAIL, USUAL_SECONDS, Limits, Policy
 from .runtime.collector import RareCollection
+from .runtime.deadline import Deadline, TimeOver
 from .runtime.deep_stack import run_on_deep_stack
+from .runtime.expressions import TIME_HINT
 from .runtime.interpreter import Interpreter
-from .runtime.library import Library
+from .runtime.library import Library, rules_of
 from .runtime.loader import FileLoader, LoadError
+from .runtime.packages import PackageFinder
 from .runtime.predefined import plain_data
 from .source import STANDARD_INPUT, STANDARD_INPUT_NAME, Source, Span
 from .syntax.context import ParseContext
@@ -32,8 +37,10 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Iterator, Mapping, Sequence
     from typing import TypeVar
 
+    from .jail import JailError, JailLimits
     from .runtime.loader import Loader
-    from .runtime.packages import PackageFinder
+    from .runtime.reach import Reach
+    from .transfer import Outcome
 
     T = TypeVar("T")
     from .xmltree import Shared
@@ -43,6 +50,9 @@ class UsageError(Exception):
     """The command was used wrongly: the main file is missing, or an argument is malformed."""
 
 
+GRACE = 2.0
+"""Seconds that a conversion in a jail has to tell that its time is over, before it is ended."""
+
 PIECES_IN_CHUNK = 10_000
 """Pieces of text, of some dozens of characters each, that are written at a time."""
 
@@ -50,40 +60,37 @@ PIECES_IN_CHUNK = 10_000
 class Build:
     """A finished robot or other document."""
 
-    __slots__ = ("_finder", "_make_root", "_pieces", "_root", "_tree", "files", "warnings")
+    __slots__ = ("_find_meshes", "_make_root", "_pieces", "_root", "files", "warnings")
 
     def __init__(
         self,
-        tree: Element,
         make_root: Callable[[], Element],
+        find_meshes: Callable[[], list[str]],
         *,
         pieces: list[str],
         warnings: list[Diagnostic],
         files: list[str],
-        finder: _MeshFinder,
     ) -> None:
         """Hold the results of a build.
 
         Args:
-            tree: the finished tree, in which an element may stand in several places.
-            make_root: makes the same tree with an element for each place, traced to its origin.
+            make_root: makes the finished tree, each element traced to its origin.
+            find_meshes: gives the meshes referred to.
             pieces: the document, in pieces.
             warnings: what was noticed, in order.
             files: the absolute path of every file read, in order.
-            finder: finds the files of meshes.
         """
-        self._tree = tree
         self._make_root = make_root
+        self._find_meshes = find_meshes
         self._root: Element | None = None
         self._pieces = pieces
         self.warnings = warnings
         self.files = files
-        self._finder = finder
 
     @property
     def meshes(self) -> list[str]:
         """Return the meshes referred to: absolute paths, or as written if not found."""
-        return self._finder.referred_to(self._tree)
+        return self._find_meshes()
 
     @property
     def root(self) -> Element:
@@ -112,13 +119,24 @@ class Program:
     conversion. Conversions may run in several threads at once.
     """
 
-    __slots__ = ("_library", "_path", "_source", "_text")
+    __slots__ = ("_library", "_path", "_policy", "_reach", "_source", "_text")
 
-    def __init__(self, path: str, *, text: str | None = None, loader: Loader | None = None) -> None:
+    def __init__(
+        self,
+        path: str,
+        *,
+        text: str | None = None,
+        loader: Loader | None = None,
+        policy: Policy | None = None,
+    ) -> None:
         """Name the main file; see `yamaro.build`."""
         self._path = path
         self._text = text
-        self._library = Library(loader or FileLoader())
+        self._policy = policy or Policy()
+        self._reach = _reach_of(path, self._policy)
+        self._library = Library(
+            loader or FileLoader(self._policy.limits, self._reach), rules_of(self._policy)
+        )
         self._source: Source | None = None
 
     def parse(self) -> None:
@@ -130,7 +148,17 @@ class Program:
         """
         source = self._main_file()
         reporter = Reporter()
-        self._run(lambda: self._library.parse(source, reporter=reporter), reporter)
+
+        if self._has_jail():
+
+            def parse_there(say: Callable[[str], None]) -> None:
+                self._library.parse(source, reporter=Reporter())
+
+            outcome = self._run_jailed(parse_there, source, has_root=False)
+            if outcome.diagnostics:
+                raise YamaroError(outcome.diagnostics)
+            return
+        self._run(lambda: self._library.parse(source, reporter=reporter), reporter, source)
 
     def convert(self, /, *assignments: str, **variables: object) -> str:
         """Return the XML; see `yamaro.convert`.
@@ -149,6 +177,7 @@ class Program:
         strict: bool = False,
         advice: bool = False,
         on_message: Callable[[str], None] | None = None,
+        has_root: bool = True,
     ) -> Build:
         """Compile the file; see `yamaro.build`.
 
@@ -163,6 +192,7 @@ class Program:
             advice=advice,
             on_message=on_message,
             take=lambda build: build,
+            has_root=has_root,
         )
 
     def _compile(
@@ -171,30 +201,45 @@ class Program:
         variables: Mapping[str, object],
         *,
         take: Callable[[Build], T],
+        has_root: bool = False,
         strict: bool = False,
         advice: bool = False,
         on_message: Callable[[str], None] | None = None,
     ) -> T:
         """Compile the file, see `build`, and return what `take` takes of the result.
 
-        What it does not take is freed in the thread that made it, whose core has it at hand.
+        What it does not take is freed in the thread that made it, whose core has it at hand. Out of
+        a jail the tree comes only with `has_root`, since that takes time.
         """
         passed, places = _read_command_line(command_line)
         passed.update(variables)
         source = self._main_file()
         reporter = Reporter()
 
-        def compile_robot() -> T:
+        def compile_robot(say: Callable[[str], None]) -> Build:
             interpreter = Interpreter(
                 library=self._library,
                 reporter=reporter,
-                on_message=on_message or _print_to_standard_error,
+                on_message=say,
+                policy=self._policy,
+                packages=PackageFinder(),
             )
             evaluated = interpreter.run_main(source, stem=_stem(self._path), variables=passed)
             _warn_of_unknown_variables(interpreter, places, reporter)
-            return take(_finish(evaluated, interpreter, reporter, advice=advice))
+            return _finish(evaluated, interpreter, reporter, advice=advice, reach=self._reach)
 
-        result = self._run(compile_robot, reporter)
+        say = on_message or _print_to_standard_error
+        if self._has_jail():
+            outcome = self._run_jailed(compile_robot, source, has_root=has_root)
+            for line in outcome.messages:
+                say(line)
+            for diagnostic in outcome.diagnostics:
+                reporter.add(diagnostic)
+            if _has_errors(outcome):
+                raise YamaroError(reporter.diagnostics)
+            result = take(_build_of(outcome))
+        else:
+            result = self._run(lambda: take(compile_robot(say)), reporter, source)
         if strict and reporter.diagnostics:
             for diagnostic in reporter.diagnostics:
                 diagnostic.severity = ERROR
@@ -206,14 +251,119 @@ class Program:
             self._source = _read_main(self._path, self._text, self._library)
         return self._source
 
-    @staticmethod
-    def _run(function: Callable[[], T], reporter: Reporter) -> T:
+    def _run(self, function: Callable[[], T], reporter: Reporter, source: Source) -> T:
         """Return what `function` returns; an error it raises holds the warnings as well."""
+
+        def run() -> T:
+            try:
+                with Deadline(self._policy.timeout):
+                    return function()
+            except TimeOver:
+                raise _failure_of_all("limit-time", "the time is over", source, TIME_HINT) from None
+            except MemoryError:
+                hint = self._policy.limits.hint("memory")
+                message = "there is not enough memory for this file"
+                raise _failure_of_all("limit-memory", message, source, hint) from None
+
         try:
             with RareCollection():
-                return run_on_deep_stack(function)
+                return run_on_deep_stack(run)
         except YamaroError as error:
             raise YamaroError([*reporter.diagnostics, *error.diagnostics]) from None
+
+    # --- jails ---
+
+    def _has_jail(self) -> bool:
+        """Tell whether to run in a jail: it is asked for, or is to be had for a safe file.
+
+        Raises:
+            YamaroError: it is asked for, and not to be had.
+        """
+        reason = why_no_jail(self._policy)
+        if reason and self._policy.mode == JAIL:
+            raise self._no_jail(reason)
+        return reason is None
+
+    def _no_jail(self, reason: str) -> YamaroError:
+        return _failure_of_all(
+            "no-jail",
+            f"there can be no jail: {reason}",
+            self._main_file(),
+            "--safe works everywhere; nothing of the file was run",
+        )
+
+    def _run_jailed(
+        self,
+        compile_robot: Callable[[Callable[[str], None]], Build | None],
+        source: Source,
+        *,
+        has_root: bool,
+    ) -> Outcome:
+        """Return what comes of a conversion that is run in a jail.
+
+        Raises:
+            YamaroError: nothing came of it.
+        """
+        from .jail import (
+            KEPT_VARIABLES,
+            JailAnswerBroken,
+            JailError,
+            JailUnavailable,
+            run_jailed,
+        )
+        from .runtime.packages import MODEL_PATHS
+        from .transfer import from_bytes
+
+        assert self._reach is not None
+        try:
+            data = run_jailed(
+                lambda: self._outcome(compile_robot, source, has_root=has_root),
+                readable=self._reach.roots,
+                limits=_jail_limits(self._policy),
+                environment=[*KEPT_VARIABLES, *MODEL_PATHS],
+            )
+            outcome = from_bytes(data)
+            if has_root and outcome.root is None and not _has_errors(outcome):
+                raise JailAnswerBroken("the answer holds no tree")
+            return outcome
+        except JailUnavailable as error:
+            if self._policy.mode == JAIL:
+                raise self._no_jail(str(error)) from None
+            return from_bytes(self._outcome(compile_robot, source, has_root=has_root))
+        except JailError as error:
+            raise _failure_of_jail(error, self._policy, source) from None
+
+    def _outcome(
+        self,
+        compile_robot: Callable[[Callable[[str], None]], Build | None],
+        source: Source,
+        *,
+        has_root: bool,
+    ) -> bytes:
+        """Return what comes of a conversion as bytes."""
+        from .transfer import Outcome, to_bytes
+
+        messages: list[str] = []
+
+        def run() -> bytes:
+            build = compile_robot(messages.append)
+            if build is None:
+                return to_bytes(Outcome())
+            return to_bytes(
+                Outcome(
+                    messages=messages,
+                    diagnostics=build.warnings,
+                    pieces=build._pieces,
+                    files=build.files,
+                    meshes=build.meshes,
+                    root=build.root if has_root else None,
+                )
+            )
+
+        try:
+            return self._run(run, Reporter(), source)
+        except YamaroError as error:
+            return to_bytes(Outcome(messages=messages, diagnostics=error.diagnostics))
 
 
 def build(
@@ -226,6 +376,8 @@ def build(
     advice: bool = False,
     on_message: Callable[[str], None] | None = None,
     loader: Loader | None = None,
+    policy: Policy | None = None,
+    has_root: bool = True,
 ) -> Build:
     """Compile a file.
 
@@ -238,42 +390,128 @@ def build(
         advice: also warn of what is legal but seldom meant.
         on_message: takes each line that `print` and `process` print; standard error by default.
         loader: gives the text of files; the disk by default.
+        policy: how far the file is trusted; in full by default.
+        has_root: without, there may be no tree in the end, which spares taking it out of a jail.
 
     Raises:
         YamaroError: the input has errors; it holds them, and the warnings found before.
         UsageError: the main file cannot be read, or a `name:=value` is malformed.
     """
-    return Program(path, text=text, loader=loader).build(
+    return Program(path, text=text, loader=loader, policy=policy).build(
         command_line=command_line,
         variables=variables,
         strict=strict,
         advice=advice,
         on_message=on_message,
+        has_root=has_root,
+    )
+
+
+def _reach_of(path: str, policy: Policy) -> Reach | None:
+    """Return what a main file may read, or None for anything."""
+    if policy.is_trusted:
+        return None
+    from .runtime.reach import Reach, roots_of
+
+    return Reach(roots_of(os.path.abspath(path), policy.allowed_paths, PackageFinder()))
+
+
+def _failure_of_all(code: str, message: str, source: Source, hint: str | None) -> YamaroError:
+    """Return an error about a conversion as a whole, which is at no place of the file."""
+    return failure(code, message, Span(Source("", name=source.name), 0, 0), hint=hint)
+
+
+def why_no_jail(policy: Policy) -> str | None:
+    """Return why files are not run in a jail under a policy, or None if they are."""
+    if policy.is_trusted:
+        return ""
+    from .jail import check_available
+
+    return check_available()
+
+
+def time_is_over(name: str, policy: Policy) -> YamaroError:
+    """Return the error for a conversion that was ended by force, of a file of that name."""
+    message = f"the time is over: this takes more than {policy.timeout or USUAL_SECONDS:g} s"
+    return _failure_of_all("limit-time", message, Source("", name=name), TIME_HINT)
+
+
+def _jail_limits(policy: Policy) -> JailLimits:
+    """Return what a jail lets a conversion use."""
+    from .jail import JailLimits
+
+    limits = policy.limits
+    seconds = policy.timeout or USUAL_SECONDS
+    return JailLimits(
+        seconds=seconds + GRACE,  # the conversion itself can tell where it spends its time
+        cpu_seconds=int(seconds + GRACE) + 1,
+        memory=limits.memory,
+        answer=4 * limits.output + (64 << 20),
+    )
+
+
+def _failure_of_jail(error: JailError, policy: Policy, source: Source) -> YamaroError:
+    """Return the error for a conversion that was ended in its jail, or has ended there."""
+    if error.limit in ("seconds", "cpu_seconds"):
+        return time_is_over(source.name, policy)
+    hints = {
+        "memory": ("limit-memory", policy.limits.hint("memory")),
+        "answer": ("limit-output", policy.limits.hint("output")),
+    }
+    code, hint = hints.get(error.limit, ("jail-broken", None))
+    message = f"the file was ended in its jail: {error}"
+    return _failure_of_all(code, message, source, hint)
+
+
+def _has_errors(outcome: Outcome) -> bool:
+    return any(diagnostic.severity == ERROR for diagnostic in outcome.diagnostics)
+
+
+def _build_of(outcome: Outcome) -> Build:
+    """Return the build that came out of a jail."""
+
+    def make_root() -> Element:
+        assert outcome.root is not None, "only those who need the tree ask for it"
+        return outcome.root
+
+    return Build(
+        make_root,
+        lambda: outcome.meshes,
+        pieces=outcome.pieces,
+        warnings=outcome.diagnostics,
+        files=outcome.files,
     )
 
 
 def _finish(
-    evaluated: Element, interpreter: Interpreter, reporter: Reporter, *, advice: bool
+    evaluated: Element,
+    interpreter: Interpreter,
+    reporter: Reporter,
+    *,
+    advice: bool,
+    reach: Reach | None,
 ) -> Build:
     """Lower, check and write what was evaluated.
 
     An element that stands in several places cannot tell which calls led to each of them. So if
     there is something to tell about one, all is done again with an element for each place.
     """
-    finder = _MeshFinder(interpreter.files.packages)
+    finder = _MeshFinder(interpreter.files.packages, reach)
+    limits = interpreter.limits
     has_parts, shared = interpreter.has_parts, interpreter.builder.shared
-    found = _complete(evaluated, shared, finder, has_parts=has_parts, advice=advice)
+    found = _complete(evaluated, shared, finder, limits, has_parts=has_parts, advice=advice)
     if any(diagnostic.trace is INHERITED for diagnostic in found.diagnostics):
         if interpreter.has_frames:
             tree = unshared(evaluated)
-            found = _complete(tree, {}, finder, has_parts=has_parts, advice=advice)
+            found = _complete(tree, {}, finder, limits, has_parts=has_parts, advice=advice)
         else:
             for diagnostic in found.diagnostics:
                 diagnostic.trace = None
     for diagnostic in found.diagnostics:
         if diagnostic.severity != ERROR:
             reporter.add(diagnostic)
-    if found.root is None:
+    finished = found.root
+    if finished is None:
         raise YamaroError(d for d in found.diagnostics if d.severity == ERROR)
 
     def make_root() -> Element:
@@ -285,12 +523,11 @@ def _finish(
         return lower(root, reporter=Reporter(), resolve_mesh=finder.resolve, shared={})
 
     return Build(
-        found.root,
         make_root,
+        lambda: finder.referred_to(finished),
         pieces=found.pieces,
         warnings=reporter.diagnostics,
         files=list(interpreter.files.read),
-        finder=finder,
     )
 
 
@@ -308,7 +545,13 @@ class _Completed:
 
 
 def _complete(
-    evaluated: Element, shared: Shared, finder: _MeshFinder, *, has_parts: bool, advice: bool
+    evaluated: Element,
+    shared: Shared,
+    finder: _MeshFinder,
+    limits: Limits,
+    *,
+    has_parts: bool,
+    advice: bool,
 ) -> _Completed:
     reporter = Reporter()
     try:
@@ -331,7 +574,7 @@ def _complete(
             )
             for diagnostic in advisor.diagnostics if advisor else ():
                 reporter.add(diagnostic)
-        return _Completed(root, write_pieces(root, shared), reporter.diagnostics)
+        return _Completed(root, write_pieces(root, shared, limits), reporter.diagnostics)
     except YamaroError as error:
         return _Completed(None, [], [*reporter.diagnostics, *error.diagnostics])
 
@@ -354,12 +597,18 @@ def convert(path: str | os.PathLike[str], /, *assignments: str, **variables: obj
     return _converted(Program(os.fspath(path)), assignments, variables)
 
 
-def load(path: str | os.PathLike[str], *, loader: Loader | None = None) -> Program:
+def load(
+    path: str | os.PathLike[str],
+    *,
+    loader: Loader | None = None,
+    policy: Policy | None = None,
+) -> Program:
     """Return a program that converts a file again and again.
 
     Args:
         path: the main file.
         loader: gives the text of files; the disk by default.
+        policy: how far the file is trusted; in full by default.
 
     Raises:
         YamaroError: the main file has errors, which are found without running it.
@@ -367,7 +616,7 @@ def load(path: str | os.PathLike[str], *, loader: Loader | None = None) -> Progr
     """
     import threading  # noqa: F401 - lets `deep_stack` keep its thread for the next conversion
 
-    program = Program(os.fspath(path), loader=loader)
+    program = Program(os.fspath(path), loader=loader, policy=policy)
     try:
         program.parse()
     except UsageError as error:
@@ -423,7 +672,15 @@ def _read_main(path: str, text: str | None, library: Library) -> Source:
     try:
         return library.source(os.path.abspath(path), path)
     except LoadError as error:
+        if error.hint is not None:
+            raise refusal_of_main(path, error) from None
         raise UsageError(f"cannot read '{path}': {error}") from error
+
+
+def refusal_of_main(name: str, error: LoadError) -> YamaroError:
+    """Return the error for a main file that is there, and is not to be read."""
+    source = Source("", name=name)
+    return _failure_of_all(error.code, f"the file cannot be read: {error}", source, error.hint)
 
 
 def _read_command_line(arguments: Sequence[str]) -> tuple[dict[str, object], dict[str, Span]]:
@@ -475,22 +732,38 @@ def _warn_of_unknown_variables(
 class _MeshFinder:
     """Finds the files that meshes and textures refer to."""
 
-    __slots__ = ("_found", "_packages")
+    __slots__ = ("_found", "_packages", "_reach")
 
-    def __init__(self, packages: PackageFinder) -> None:
+    def __init__(self, packages: PackageFinder, reach: Reach | None) -> None:
         self._packages = packages
+        self._reach = reach
         self._found: dict[tuple[str, str], str | None] = {}
 
     def resolve(self, filename: str, span: Span) -> str | None:
-        """Return the absolute path of a file referred to at a span, or None if it is not there."""
+        """Return the absolute path of a file referred to at a span, or None if it is not there.
+
+        Raises:
+            YamaroError: it lies where it may not be read.
+        """
         directory = _directory(span)
         key = (filename, directory)
         if key not in self._found:
             path = None
             if "\x00" not in filename:
                 path = self._packages.resolve_uri(filename, directory)
-            self._found[key] = path if path is not None and os.path.isfile(path) else None
+            is_file = path is not None and os.path.isfile(path)
+            if is_file and self._reach is not None:
+                self._check_reach(self._reach, str(path), filename, span)
+            self._found[key] = path if is_file else None
         return self._found[key]
+
+    @staticmethod
+    def _check_reach(reach: Reach, path: str, filename: str, span: Span) -> None:
+        try:
+            reach.check(path)
+        except LoadError as error:
+            message = f"the file '{filename}' cannot be read: {error}"
+            raise failure(error.code, message, span, hint=error.hint) from None
 
     def places_searched(self, package: str, span: Span) -> list[str] | None:
         """Return where a package was looked for, or None if it is known."""

@@ -115,6 +115,30 @@ class YamaroWarning(UserWarning):
     """The category under which `yamaro.convert` passes on its warnings."""
 
 
+class InputFault(Exception):
+    """A fault in an input whose place only the caller knows, such as a package that is not found.
+
+    Attributes:
+        position: line, column, end line and end column in the Python text that was being compiled,
+            as `ast` counts them (lines from 1, columns from 0 in UTF-8 bytes), if it is known.
+    """
+
+    def __init__(
+        self,
+        code: str,
+        message: str,
+        hint: str | None = None,
+        *,
+        position: tuple[int, int, int, int] | None = None,
+    ) -> None:
+        """Hold what a diagnostic needs, but for the place."""
+        super().__init__(message)
+        self.code = code
+        self.message = message
+        self.hint = hint
+        self.position = position
+
+
 def failure(
     code: str,
     message: str,

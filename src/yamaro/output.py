@@ -206,6 +206,9 @@ class Streams:
 
     __slots__ = ("_err", "_null", "_out", "kept", "quiet")
 
+    owns_process = False
+    """Whether the process is there for this command alone."""
+
     def __init__(self, *, quiet: bool) -> None:
         """Remember the streams as they are now."""
         self.quiet = quiet
@@ -275,6 +278,8 @@ class ProcessStreams(Streams):
     """
 
     __slots__ = ("_err_fd", "_out_fd")
+
+    owns_process = True
 
     def __init__(self, *, quiet: bool) -> None:
         """Duplicate the descriptors; the duplicates are not inherited by child processes."""

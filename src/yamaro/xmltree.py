@@ -6,7 +6,8 @@ formatting, value formatting and escaping happen here and nowhere else.
 
 from __future__ import annotations
 
-from .diagnostics import INHERITED, Frame, failure
+from .diagnostics import INHERITED, Frame, YamaroError, failure
+from .policy import Limits
 from .source import Span
 
 TYPE_CHECKING = False
@@ -284,20 +285,42 @@ def write(root: Element) -> str:
     return "".join(write_pieces(root, {}))
 
 
-def write_pieces(root: Element, shared: Shared) -> list[str]:
-    """Return the pieces of text that make the document, which spares putting them together."""
+def write_pieces(root: Element, shared: Shared, limits: Limits | None = None) -> list[str]:
+    """Return the pieces of text that make the document, which spares putting them together.
+
+    Raises:
+        YamaroError: XML cannot hold a character, or the document passes one of the limits, which
+            by default are those of trusted files.
+    """
     out = ['<?xml version="1.0"?>\n']
-    _Writer(shared).write(root, "", "\n", out, frozenset(("xml",)))
+    limits = limits or Limits()
+    _Writer(root, shared, limits).write(root, "", "\n", out, frozenset(("xml",)))
+    if sum(map(len, out)) > limits.output:
+        raise _too_long(root, limits)
     return out
+
+
+def _too_long(element: Element, limits: Limits) -> YamaroError:
+    return failure(
+        "limit-output",
+        f"the XML has more than {limits.output:,} characters, which is the limit",
+        element.span,
+        hint=limits.hint("output"),
+        trace=element.trace,
+    )
 
 
 class _Writer:
     """Writes elements, remembering what comes again: values of attributes and shared elements."""
 
-    __slots__ = ("_passages", "_shared")
+    __slots__ = ("_depth", "_limits", "_long", "_passages", "_root", "_shared")
 
-    def __init__(self, shared: Shared) -> None:
+    def __init__(self, root: Element, shared: Shared, limits: Limits) -> None:
+        self._root = root
         self._shared = shared
+        self._limits = limits
+        self._depth = 0
+        self._long = 0  # characters of long values; those of others are counted in the end
         self._passages: dict[int, _Passage] = {}
 
     def write(
@@ -317,6 +340,8 @@ class _Writer:
                     escaped = _attribute_text(value, element, key)
                     if len(value) <= _LONGEST_REMEMBERED:
                         remember(_spelled, value, escaped)
+                    else:
+                        self._count(value)
                 value = escaped
             head += f' {key}="{value}"'
         if ":" in head:
@@ -329,6 +354,7 @@ class _Writer:
             if type(child) is Text:
                 self._write_mixed(element, head, end, out, prefixes)
                 return
+        self._deepen(element)
         out.append(f"{head}>{end}")
         deeper = margin + "  " if end else ""
         if end and id(children) in self._shared:
@@ -336,6 +362,25 @@ class _Writer:
         else:
             self._write_children(children, element, deeper, end, out, prefixes)
         out.append(f"{margin}</{name}>{end}")
+        self._depth -= 1
+
+    def _deepen(self, element: Element) -> None:
+        """Note that what is in an element is written."""
+        self._depth += 1
+        if self._depth >= self._limits.xml_depth:
+            raise failure(
+                "limit-xml-depth",
+                f"elements are nested more than {self._limits.xml_depth} deep, which is the limit",
+                element.span,
+                hint=self._limits.hint("xml_depth"),
+                trace=element.trace,
+            )
+
+    def _count(self, value: str) -> None:
+        """Count a long value, of which there must not be too many."""
+        self._long += len(value)
+        if self._long > self._limits.output:
+            raise _too_long(self._root, self._limits)
 
     def _write_children(
         self,
@@ -380,16 +425,20 @@ class _Writer:
         self, element: Element, head: str, end: str, out: list[str], prefixes: frozenset[str]
     ) -> None:
         """Write an element that holds text; its elements stand inline so that no space is added."""
+        self._deepen(element)
         inner: list[str] = []
         for child in element.children:
             if isinstance(child, Text):
-                inner.append(_element_text(format_value(child.value), child.span, element))
+                text = format_value(child.value)
+                self._count(text)
+                inner.append(_element_text(text, child.span, element))
             elif isinstance(child, Comment):
                 inner.append(f"<!--{_comment_text(child, element)}-->")
             else:
                 self.write(child, "", "", inner, prefixes)
         content = "".join(inner)
         out.append(f"{head}>{content}</{element.name}>{end}" if content else f"{head}/>{end}")
+        self._depth -= 1
 
 
 class _Passage:

@@ -28,6 +28,7 @@ from yamaro.runtime.scope import Home, Namespace, Scope, Shared
 from yamaro.source import Source, Span
 from yamaro.syntax.flexidict import FlexiDict
 from yamaro.syntax.python import PythonCode
+from yamaro.syntax.rules import Rules
 from yamaro.syntax.yaml_nodes import ScalarNode
 
 MEMORY = 3 << 30
@@ -97,9 +98,9 @@ def attack(mode: str, text: str, steps: int | None = None) -> dict[str, Any]:
     }.items():
         scope.declare(name, runtime.admit(value))
     node = ScalarNode(text, "|", source, 0, len(text))
-    python = SafePython(text, node, 0, opening="(" if mode == "eval" else "")
+    python = SafePython(text, node, 0, Rules(), opening="(" if mode == "eval" else "")
     python.runtime = runtime
-    evaluator = WatchedEvaluator({}, lambda name: [])
+    evaluator = WatchedEvaluator({}, lambda name: [], limits)
     before = world()
     watched.clear()
     is_watching = True

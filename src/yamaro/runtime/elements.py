@@ -188,7 +188,7 @@ def evaluate_holes(form: Form, scope: Scope, values: Values) -> tuple[Any, ...]:
             value = evaluate(python, scope)
         kind = type(value)
         if kind not in ALWAYS_WRITABLE and (kind is not int or not -SHORT < value < SHORT):
-            text = evaluator.guard(format_value, value, python.span())
+            text = evaluator.text(format_value, value, python.span())
             if is_piece:
                 value = text
         results.append(value)

@@ -7,9 +7,11 @@ it called.
 
 from __future__ import annotations
 
-from ..diagnostics import Frame, YamaroError, did_you_mean, failure
+from ..diagnostics import Frame, InputFault, YamaroError, did_you_mean, failure
+from ..policy import Limits
 from ..source import Span
 from ..syntax.python import PythonCode, expression_without_dollars
+from .deadline import TimeOver
 from .declared import Declaration, notes_on
 from .scope import MISSING, Namespace, Scope
 
@@ -19,22 +21,16 @@ if TYPE_CHECKING:
     from types import CodeType, TracebackType
     from typing import Any, NoReturn
 
+    from .safe_runtime import SafeRuntime
+
 
 _OWN_FOLDER = __file__[: -len("runtime/expressions.py")]
 
 
+TIME_IS_OVER = "the time is over, and this is where it was spent"
+TIME_HINT = "--timeout SECONDS gives it more time"
+_CONTAINERS = frozenset((list, tuple, dict))
 _YAML_1_1_BOOLEANS = {"yes": "true", "on": "true", "no": "false", "off": "false"}
-
-
-class InputFault(Exception):
-    """A fault a helper function finds, such as a package that `find` cannot find."""
-
-    def __init__(self, code: str, message: str, hint: str | None = None) -> None:
-        """Hold what a diagnostic needs, but for the place, which the caller knows."""
-        super().__init__(message)
-        self.code = code
-        self.message = message
-        self.hint = hint
 
 
 def run_module(code: CodeType, names: dict[str, Any]) -> None:
@@ -45,21 +41,24 @@ def run_module(code: CodeType, names: dict[str, Any]) -> None:
 class Evaluator:
     """Evaluates expressions and runs statements in scopes."""
 
-    __slots__ = ("_where_declared", "codes", "frame")
+    __slots__ = ("_where_declared", "codes", "frame", "limits")
 
     def __init__(
         self,
         codes: dict[str, PythonCode],
         where_declared: Callable[[str], list[Declaration]],
+        limits: Limits,
     ) -> None:
         """Begin.
 
         Args:
             codes: all code that defines functions, by its file name; may grow later.
             where_declared: gives every declaration of a name.
+            limits: how large values may be.
         """
         self.codes = codes
         self.frame: Frame | None = None
+        self.limits = limits
         self._where_declared = where_declared
 
     def evaluate(self, python: PythonCode, scope: Scope) -> Any:
@@ -107,6 +106,60 @@ class Evaluator:
         except BaseException as error:
             raise self._failure(error, span, None, _outside(error.__traceback__)) from None
 
+    def text(self, make: Callable[[Any], str], value: Any, span: Span) -> str:
+        """Return the text that `make` makes of a value.
+
+        Raises:
+            YamaroError: it would be too long, or making it raised an exception.
+        """
+
+        def run(value: Any) -> str:
+            self.measure(value)
+            return make(value)
+
+        text: str = self.guard(run, value, span)
+        if len(text) > self.limits.text:
+            raise self.too_long(text, span)
+        return text
+
+    def too_long(self, text: str, span: Span) -> YamaroError:
+        """Return the error for a text that is longer than the limit."""
+        return failure(
+            "limit-text",
+            f"this text has {len(text):,} characters; the limit is {self.limits.text:,}",
+            span,
+            hint=self.limits.hint("text"),
+            trace=self.frame,
+        )
+
+    def measure(self, value: Any) -> None:
+        """Look at how much there is in a value that is to be written or hashed.
+
+        `[[[0] * 1000] * 1000] * 1000` takes 24 kB of memory, and has a thousand million items.
+
+        Raises:
+            InputFault: it is too much.
+        """
+        if type(value) not in _CONTAINERS:
+            return
+        count, pending = 0, [value]
+        while pending:
+            items = pending.pop()
+            count += len(items)
+            if count > self.limits.sequence:
+                raise InputFault(
+                    "limit-sequence",
+                    f"with the lists in it, this value has more than {self.limits.sequence:,} "
+                    "items, which is the limit",
+                    self.limits.hint("sequence"),
+                )
+            inner = items.values() if isinstance(items, dict) else items
+            pending += [item for item in inner if type(item) in _CONTAINERS]
+
+    def hash(self, value: Any) -> int:
+        """Return the hash of a value."""
+        return hash(value)
+
     def explain(self, error: BaseException, python: PythonCode, scope: Scope) -> NoReturn:
         """Raise the YamaroError that tells where in the YAML an exception came from, and why."""
         if isinstance(error, YamaroError):  # in a file that `load_yaml` reads
@@ -138,7 +191,18 @@ class Evaluator:
                 hint="a function that calls itself needs a condition under which it stops",
                 trace=frame,
             )
+        if isinstance(error, TimeOver):
+            return failure("limit-time", TIME_IS_OVER, span, hint=TIME_HINT, trace=frame)
         notes = [f"raised in {outside}"] if outside else []
+        if isinstance(error, MemoryError):
+            return failure(
+                "limit-memory",
+                "there is not enough memory for this",
+                span,
+                hint=self.limits.hint("memory"),
+                notes=notes,
+                trace=frame,
+            )
         return failure(
             "python-error",
             _describe(error),
@@ -189,6 +253,76 @@ class Evaluator:
                 place.outside = f"{_base_name(code.co_filename)}:{traceback.tb_lineno}"
             traceback = traceback.tb_next
         return place
+
+
+class SafeEvaluator(Evaluator):
+    """Evaluates what `compile_safe` has compiled."""
+
+    __slots__ = ("_bound", "_runtime")
+
+    def __init__(
+        self,
+        codes: dict[str, PythonCode],
+        where_declared: Callable[[str], list[Declaration]],
+        limits: Limits,
+        runtime: SafeRuntime,
+    ) -> None:
+        """Begin; the runtime counts the steps of this one conversion."""
+        super().__init__(codes, where_declared, limits)
+        self._runtime = runtime
+        self._bound: dict[PythonCode, CodeType] = {}
+
+    def _code(self, python: PythonCode) -> CodeType:
+        """Return an expression's code with the guards of this conversion in it."""
+        code = self._bound.get(python)
+        if code is None:
+            code = self._bound[python] = self._runtime.bind(python.code)
+        return code
+
+    def evaluate(self, python: PythonCode, scope: Scope) -> Any:
+        """Return the value of an expression.
+
+        Raises:
+            YamaroError: it raised an exception.
+        """
+        try:
+            self._runtime.charge(1)
+            if python.name is not None:
+                value = scope.find(python.name)
+                if value is not MISSING:
+                    return value
+            return eval(self._code(python), scope, scope)
+        except KeyboardInterrupt:
+            raise
+        except BaseException as error:
+            self.explain(error, python, scope)
+
+    def execute(self, python: PythonCode, scope: Scope) -> None:
+        """Run statements.
+
+        Raises:
+            YamaroError: they raised an exception.
+        """
+        try:
+            self._runtime.charge(1)
+            exec(self._code(python), scope, scope)
+        except KeyboardInterrupt:
+            raise
+        except BaseException as error:
+            self.explain(error, python, scope)
+
+    def measure(self, value: Any) -> None:
+        """Count what it costs to write or hash a value.
+
+        Raises:
+            InputFault: it is too much.
+        """
+        self._runtime.measured(value)
+
+    def hash(self, value: Any) -> int:
+        """Return the hash of a value."""
+        self.measure(value)
+        return hash(value)
 
 
 def evaluate_bare(python: PythonCode, scope: Scope, evaluator: Evaluator, *, hint: str) -> Any:

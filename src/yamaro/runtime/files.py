@@ -12,7 +12,7 @@ from .declared import Declaration
 from .expressions import Evaluator
 from .late import Late
 from .loader import LoadError
-from .modules import LocalModules, import_names
+from .modules import LocalModules, import_names, import_safe_names
 from .packages import PackageFinder
 from .predefined import CONSTANTS, Helpers
 from .scope import Home
@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from typing import Any
 
     from .library import Library
+    from .safe_runtime import SafeRuntime
 
 
 class Files:
@@ -37,9 +38,11 @@ class Files:
     __slots__ = (
         "_documents",
         "_library",
+        "_loads",
         "_modules",
         "_print",
         "_reporter",
+        "_safety",
         "codes",
         "late",
         "packages",
@@ -47,7 +50,13 @@ class Files:
     )
 
     def __init__(
-        self, library: Library, *, reporter: Reporter, print_function: Callable[..., None]
+        self,
+        library: Library,
+        *,
+        reporter: Reporter,
+        print_function: Callable[..., None],
+        safety: SafeRuntime | None,
+        packages: PackageFinder,
     ) -> None:
         """Begin without files.
 
@@ -55,16 +64,20 @@ class Files:
             library: reads and parses files.
             reporter: takes the warnings of parsing.
             print_function: stands in for Python's `print`.
+            safety: runs the expressions if they are to be safe.
+            packages: finds ROS packages.
         """
         self._library = library
         self._reporter = reporter
         self._print = print_function
+        self._safety = safety
+        self._loads = 0
         self._documents: dict[str, Document] = {}
         self._modules: dict[str, LocalModules] = {}
-        self.packages = PackageFinder()
+        self.packages = packages
         self.read: dict[str, None] = {}
         self.codes: dict[str, PythonCode] = {}
-        self.late = Late(reporter, self.codes)
+        self.late = Late(reporter, self.codes, library.rules)
 
     @property
     def documents(self) -> list[Document]:
@@ -108,14 +121,20 @@ class Files:
         """Return what expressions see in a run of a file, but for its imports."""
         source = document.source
         directory = os.path.dirname(source.path) if source.path else os.getcwd()
-        helpers = Helpers(directory, self._library.loader, self.packages, self.note)
-        names = {**CONSTANTS, **helpers.names(), "print": self._print}
+        helpers = Helpers(directory, self._library, self.packages, self.note).names()
+        if self._safety is not None:
+            kept = {name: helpers[name] for name in ("load_yaml", "find", "file_dir", "dirname")}
+            return Home(source, directory, self._safety.names(kept), frame)
+        names = {**CONSTANTS, **helpers, "print": self._print}
         names["__import__"] = self._modules_in(directory).import_hook
         return Home(source, directory, names, frame)
 
     def import_modules(self, document: Document, home: Home, evaluator: Evaluator) -> None:
         """Bind the names of a file's imports; raise YamaroError if one fails."""
         if not document.imports:
+            return
+        if self._safety is not None:
+            self._import_safely(document, home, evaluator, self._safety)
             return
         modules = self._modules_in(home.directory)
 
@@ -126,6 +145,18 @@ class Files:
             home.names.update(evaluator.guard(load, node, node.span))
         for path in modules.files:
             self.note(path)
+
+    def _import_safely(
+        self, document: Document, home: Home, evaluator: Evaluator, safety: SafeRuntime
+    ) -> None:
+        """Bind what stands for the modules a file imports, if it may import them."""
+        modules = self._modules_in(home.directory)
+
+        def load(node: ImportNode) -> dict[str, Any]:
+            return import_safe_names(node, modules, safety)
+
+        for node in document.imports:
+            home.names.update(evaluator.guard(load, node, node.span))
 
     def _modules_in(self, directory: str) -> LocalModules:
         if directory not in self._modules:
@@ -147,6 +178,15 @@ class Files:
         if resolved is None:
             raise self._unknown_package(path, span, home)
         absolute = os.path.normpath(resolved)
+        limits = self._library.rules.limits
+        self._loads += 1
+        if self._loads > limits.files:
+            raise failure(
+                "limit-files",
+                f"more than {limits.files:,} files are included, which is the limit",
+                span,
+                hint=limits.hint("files"),
+            )
         known = self._documents.get(absolute)
         if known is not None:
             return known.source
@@ -157,10 +197,10 @@ class Files:
             neighbours = self._library.loader.neighbours(absolute)
             likely = [name for name in neighbours if name.endswith((".yaml", ".yml"))]
             raise failure(
-                "missing-file",
+                error.code,
                 f"the file '{path}' cannot be included: {error}",
                 span,
-                hint=did_you_mean(os.path.basename(absolute), likely or neighbours),
+                hint=error.hint or did_you_mean(os.path.basename(absolute), likely or neighbours),
                 notes=[f"looked for {absolute}"],
             ) from None
         self.note(absolute)

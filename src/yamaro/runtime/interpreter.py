@@ -6,7 +6,8 @@ later. Every element made carries the span of its key and the calls and includes
 
 from __future__ import annotations
 
-from ..diagnostics import INHERITED, Frame, Reporter, YamaroError, failure
+from ..diagnostics import INHERITED, Frame, InputFault, Reporter, YamaroError, failure
+from ..policy import Policy
 from ..source import Source, Span
 from ..syntax.keys import NAME_RULE, attribute_twice, name_fault
 from ..syntax.names import (
@@ -64,11 +65,12 @@ from .calls import (
     match_arguments,
 )
 from .elements import Builder, evaluate_holes
-from .expressions import Evaluator, add_trace, evaluate_bare
+from .expressions import Evaluator, SafeEvaluator, add_trace, evaluate_bare
 from .files import Files
 from .includes import namespace_of, passed_by, path_of
-from .loops import iterate, unpack
+from .loops import iterate, too_many_turns, unpack
 from .messages import Messages
+from .packages import PackageFinder
 from .scope import MISSING, BlockScope, Namespace, Scope, Shared, function_key
 from .values import Values
 
@@ -79,9 +81,7 @@ if TYPE_CHECKING:
 
     from ..xmltree import Node
     from .library import Library
-
-MAX_DEPTH = 1500
-"""How deep calls and includes may nest."""
+    from .safe_runtime import SafeRuntime
 
 
 class Interpreter:
@@ -93,6 +93,8 @@ class Interpreter:
         library: Library,
         reporter: Reporter,
         on_message: Callable[[str], None],
+        policy: Policy | None = None,
+        packages: PackageFinder | None = None,
         shares: bool = True,
     ) -> None:
         """Begin a conversion.
@@ -101,14 +103,35 @@ class Interpreter:
             library: gives the files.
             reporter: takes the warnings.
             on_message: takes what `print` and `process` print, without a final line break.
+            policy: how far the files are trusted; in full if left out.
+            packages: finds ROS packages.
             shares: let one element stand wherever it would be built again just as it is, its
                 trace INHERITED; without, every element is built for its place, with a trace.
         """
+        policy = policy or Policy()
+        self.limits = policy.limits
         self.reporter = reporter
-        self.messages = Messages(on_message)
+        self.messages = Messages(on_message, policy.limits)
         self.shared = Shared()
-        self.files = Files(library, reporter=reporter, print_function=self.messages.print)
-        self.evaluator = Evaluator(self.files.codes, self.files.where_declared)
+        self.safety: SafeRuntime | None = None
+        if policy.is_safe:
+            from .safe_limits import SafeLimits
+            from .safe_runtime import SafeRuntime
+
+            self.safety = SafeRuntime(SafeLimits.of(policy.limits), say=self.messages.say)
+        self.files = Files(
+            library,
+            reporter=reporter,
+            print_function=self.messages.print,
+            safety=self.safety,
+            packages=packages or PackageFinder(),
+        )
+        codes, where_declared = self.files.codes, self.files.where_declared
+        self.evaluator = (
+            Evaluator(codes, where_declared, policy.limits)
+            if self.safety is None
+            else SafeEvaluator(codes, where_declared, policy.limits, self.safety)
+        )
         self.values = Values(self.evaluator)
         self.shares = shares
         self.builder = Builder()
@@ -117,6 +140,7 @@ class Interpreter:
         self.has_parts = False
         self.has_frames = False
         self.depth = 0
+        self.statements_left = policy.limits.statements
         self.part_depth = 0
         self._frames: dict[tuple[str, int, Frame | None, Frame | None], Frame] = {}
         self._matches: dict[int, Match] = {}  # by the identity of a call's arguments
@@ -138,12 +162,22 @@ class Interpreter:
             document = self.files.parse(source)
             scope = self._begin_file(document, caller=None)
             for name, value in variables.items():
-                scope.declare(name, value)
+                scope.declare(name, self._admitted(name, value, source))
             scope.passed = frozenset(variables)
             return self._run_root(document, scope, stem)
         finally:
             self.messages.close()
             self.files.close()
+
+    def _admitted(self, name: str, value: object, source: Source) -> object:
+        """Return the value of a variable that is passed in, if it may come in."""
+        if self.safety is None:
+            return value
+        try:
+            return self.safety.admit(value)
+        except InputFault as fault:
+            message = f"the value of the variable '{name}': {fault.message}"
+            raise failure(fault.code, message, Span(source, 0, 0), hint=fault.hint) from None
 
     def _run_root(self, document: Document, scope: Scope, stem: str) -> Element:
         self._run_sections(document, scope)
@@ -182,7 +216,11 @@ class Interpreter:
 
     def run_body(self, body: Body, scope: Scope, out: list[Node]) -> None:
         """Run the statements of a body, appending what they make to `out`."""
-        for statement in body.statements:
+        statements = body.statements
+        self.statements_left -= len(statements)
+        if self.statements_left < 0:
+            raise self._too_many_statements(body)
+        for statement in statements:
             _RUN[type(statement)](self, statement, scope, out, body)
 
     def _run_element(
@@ -387,7 +425,10 @@ class Interpreter:
         context = scope.context
         names = node.names
         single = names[0] if len(names) == 1 else None
+        most = self.limits.turns
         for index, item in enumerate(iterate(node, scope, self.values)):
+            if index >= most:
+                raise too_many_turns(node.span, self.limits)
             if single is not None:
                 context.declare(single, item)
             else:
@@ -437,7 +478,7 @@ class Interpreter:
 
     def _run_print(self, node: PrintNode, scope: Scope, out: list[Node], body: Body | None) -> None:
         text = self.values.message(node.value, scope, node.span)
-        self.messages.say(text.removesuffix("\n") + "\n")
+        self.evaluator.guard(self.messages.say, text.removesuffix("\n") + "\n", node.span)
 
     def _run_process(
         self, node: ProcessNode, scope: Scope, out: list[Node], body: Body | None
@@ -506,7 +547,7 @@ class Interpreter:
         return frame
 
     def _enter(self, frame: Frame, span: Span) -> None:
-        if self.depth >= MAX_DEPTH:
+        if self.depth >= self.limits.nesting:
             raise self._too_deep(span)
         self.depth += 1
         self.has_frames = True
@@ -523,6 +564,15 @@ class Interpreter:
             f"calls and includes are nested {self.depth:,} deep here, which is taken as endless",
             span,
             hint="a function or file that uses itself needs a condition under which it stops",
+        )
+
+    def _too_many_statements(self, body: Body) -> YamaroError:
+        return failure(
+            "limit-statements",
+            f"more than {self.limits.statements:,} statements are run, which is the limit",
+            body.statements[0].span,
+            hint=self.limits.hint("statements"),
+            trace=self.frame,
         )
 
     def _receive(self, scope: Scope, key: str, value: Any, span: Span) -> None:

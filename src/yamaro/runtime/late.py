@@ -10,6 +10,7 @@ from ..syntax.context import ParseContext
 from ..syntax.nodes import Argument, DynamicNode, Value
 from ..syntax.parser import register
 from ..syntax.python import PythonCode
+from ..syntax.rules import Rules
 from ..syntax.statements import parse_arguments
 from ..syntax.values import parse_value
 
@@ -24,9 +25,9 @@ class Late:
 
     __slots__ = ("_calls", "_codes", "_values", "context", "names_read")
 
-    def __init__(self, reporter: Reporter, codes: dict[str, PythonCode]) -> None:
+    def __init__(self, reporter: Reporter, codes: dict[str, PythonCode], rules: Rules) -> None:
         """Report warnings to `reporter`; add Python code that defines functions to `codes`."""
-        self.context = ParseContext(reporter)
+        self.context = ParseContext(reporter, rules)
         self.names_read: set[str] = set()
         self._codes = codes
         self._values: dict[Argument, Value] = {}

@@ -6,12 +6,14 @@ from ..diagnostics import Diagnostic, Reporter
 from ..source import Source
 from ..syntax.nodes import Document
 from ..syntax.parser import parse
+from ..syntax.rules import Rules
 from .loader import decode
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from types import CodeType
 
+    from ..policy import Policy
     from .loader import Loader
 
 
@@ -24,14 +26,16 @@ class Library:
 
     Attributes:
         loader: gives the text of files.
+        rules: what holds for the files; by default that of trusted ones.
         modules: the code of Python modules by their paths.
     """
 
-    __slots__ = ("_parsed", "_texts", "loader", "modules")
+    __slots__ = ("_parsed", "_texts", "loader", "modules", "rules")
 
-    def __init__(self, loader: Loader) -> None:
+    def __init__(self, loader: Loader, rules: Rules | None = None) -> None:
         """Begin without files."""
         self.loader = loader
+        self.rules = rules or Rules()
         self.modules: dict[str, CodeType] = {}
         self._texts: dict[str, str] = {}
         self._parsed: dict[tuple[str, str], tuple[Document, list[Diagnostic]]] = {}
@@ -64,7 +68,10 @@ class Library:
         if key not in self._parsed:
             found = Reporter()
             try:
-                self._parsed[key] = (parse(source, reporter=found), found.diagnostics)
+                self._parsed[key] = (
+                    parse(source, reporter=found, rules=self.rules),
+                    found.diagnostics,
+                )
             except BaseException:
                 for warning in found.diagnostics:
                     reporter.add(warning)
@@ -73,3 +80,18 @@ class Library:
         for warning in warnings:
             reporter.add(warning.copy())  # the caller's own: a strict build makes it an error
         return document
+
+
+def rules_of(policy: Policy) -> Rules:
+    """Return what holds for the files that are compiled under a policy."""
+    if not policy.is_safe:
+        return Rules(policy.limits)
+    from .safe_code import compile_safe
+    from .safe_limits import SafeLimits
+
+    limits = SafeLimits.of(policy.limits)
+
+    def compile(text: str, filename: str, mode: str) -> CodeType:
+        return compile_safe(text, filename, mode, limits)
+
+    return Rules(policy.limits, compile)

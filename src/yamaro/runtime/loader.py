@@ -5,12 +5,15 @@ from __future__ import annotations
 import os
 
 from ..diagnostics import failure
+from ..policy import Limits
 from ..source import Source, Span
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Mapping
     from typing import Protocol
+
+    from .reach import Reach
 
     class Loader(Protocol):
         """Gives the bytes of files; paths are absolute."""
@@ -23,16 +26,40 @@ if TYPE_CHECKING:
 
 
 class LoadError(Exception):
-    """A file cannot be read; the text says why, without the path."""
+    """A file cannot be read; the text says why, without the path.
+
+    Attributes:
+        code: that of the diagnostic.
+        hint: what to do about it, if that is known.
+    """
+
+    def __init__(self, reason: str, *, code: str = "missing-file", hint: str | None = None) -> None:
+        """Hold what a diagnostic needs, but for the path and the place."""
+        super().__init__(reason)
+        self.code = code
+        self.hint = hint
 
 
 class FileLoader:
-    """Reads files from the disk."""
+    """Reads files from the disk.
 
-    __slots__ = ()
+    Attributes:
+        limits: how large a file may be.
+        reach: where files may lie; anywhere if it is None.
+    """
+
+    limits = Limits()  # for a subclass that does without our __init__
+    reach: Reach | None = None
+
+    def __init__(self, limits: Limits | None = None, reach: Reach | None = None) -> None:
+        """Read files within the limits, by default those of trusted files, and the reach."""
+        self.limits = limits or Limits()
+        self.reach = reach
 
     def read(self, path: str) -> bytes:
         """Return a file's content; raise LoadError if there is none."""
+        if self.reach is not None:
+            self.reach.check(path)
         try:
             # O_NONBLOCK: a FIFO that nobody writes to must not hang the build.
             descriptor = os.open(path, os.O_RDONLY | getattr(os, "O_NONBLOCK", 0))
@@ -44,19 +71,35 @@ class FileLoader:
                 raise LoadError("it is a folder")
             if mode & 0o170000 != 0o100000:
                 raise LoadError("it is no regular file")
+            if self.reach is not None and not self.reach.is_of(path, descriptor):
+                raise LoadError("it was replaced by another file meanwhile")
             with open(descriptor, "rb", closefd=False) as file:
-                return file.read()
+                data = file.read(self.limits.file + 1)  # it may grow while it is read
         except OSError as error:
             raise LoadError(_reason(error)) from None
         finally:
             os.close(descriptor)
+        check_size(len(data), self.limits)
+        return data
 
     def neighbours(self, path: str) -> list[str]:
         """Return the names of the files in the folder of `path`."""
+        if self.reach is not None and not self.reach.allows(path):
+            return []
         try:
             return os.listdir(os.path.dirname(path))
         except OSError:
             return []
+
+
+def check_size(size: int, limits: Limits) -> None:
+    """Raise LoadError if a file has too many bytes."""
+    if size > limits.file:
+        raise LoadError(
+            f"it has more than {limits.file:,} bytes",
+            code="limit-file",
+            hint=limits.hint("file"),
+        )
 
 
 class MemoryLoader:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from ..diagnostics import failure
+from ..diagnostics import YamaroError, failure
+from ..policy import Limits
 from ..source import Span
 from ..syntax.iterations import check_range_count
 from ..syntax.nodes import ForNode, ListValue
@@ -89,7 +90,21 @@ def _range(node: ForNode, scope: Scope, evaluator: Evaluator) -> range:
             spans[2],
             hint="write range: start, stop, step with a step such as 1 or -1",
         )
-    return range(*values)
+    turns = range(*values)
+    most = evaluator.limits.turns
+    if turns[:most] != turns:  # len() of a long range is an error
+        raise too_many_turns(spans[1] if len(spans) > 1 else spans[0], evaluator.limits)
+    return turns
+
+
+def too_many_turns(span: Span, limits: Limits) -> YamaroError:
+    """Return the error for a `for` that goes on for too long."""
+    return failure(
+        "limit-turns",
+        f"this `for` takes more than {limits.turns:,} turns, which is the limit",
+        span,
+        hint=limits.hint("turns"),
+    )
 
 
 def _range_hint(value: object, node: ForNode) -> str:

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from ..diagnostics import InputFault
+from ..policy import Limits
+
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -11,15 +14,28 @@ if TYPE_CHECKING:
 class Messages:
     """Gathers printed text to whole lines for whoever takes messages."""
 
-    __slots__ = ("_on_message", "_unfinished")
+    __slots__ = ("_left", "_limits", "_on_message", "_unfinished")
 
-    def __init__(self, on_message: Callable[[str], None]) -> None:
+    def __init__(self, on_message: Callable[[str], None], limits: Limits) -> None:
         """Pass each line, or lines printed at once, to `on_message`, without a final break."""
         self._on_message = on_message
+        self._limits = limits
+        self._left = limits.printed
         self._unfinished = ""  # what was printed with another `end` than a line break
 
     def say(self, text: str) -> None:
-        """Take printed text, and pass it on as soon as its line is complete."""
+        """Take printed text, and pass it on as soon as its line is complete.
+
+        Raises:
+            InputFault: it is more than may be printed.
+        """
+        self._left -= len(text)
+        if self._left < 0:
+            raise InputFault(
+                "limit-printed",
+                f"this prints more than {self._limits.printed:,} characters, which is the limit",
+                self._limits.hint("printed"),
+            )
         *lines, self._unfinished = f"{self._unfinished}{text}".rsplit("\n", 1)
         if lines:
             self._on_message(lines[0])

@@ -11,14 +11,17 @@ import builtins
 import os
 import sys
 
+from ..diagnostics import InputFault
 from ..syntax.nodes import ImportNode
-from .expressions import InputFault, run_module
+from .expressions import run_module
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
     from types import CodeType, ModuleType
     from typing import Any
+
+    from .safe_runtime import SafeRuntime
 
 
 class LocalModules:
@@ -146,3 +149,20 @@ def import_names(node: ImportNode, local: LocalModules) -> dict[str, Any]:
             )
         bound[alias] = getattr(module, name)
     return bound
+
+
+def import_safe_names(node: ImportNode, local: LocalModules, safety: SafeRuntime) -> dict[str, Any]:
+    """Return the names that an import binds in safe mode, with what stands for their values.
+
+    Raises:
+        InputFault: the module, or what is asked of it, is not allowed.
+    """
+    first, *inner = node.module.split(".")
+    if local.find(first) is not None:
+        raise safety.refusal_of_module(first, "it is Python code beside this file")
+    whole = module = safety.module(first)
+    for name in inner:
+        module = safety.attribute(module, name)
+    if node.names is None:
+        return {first: whole} if node.alias is None else {node.alias: module}
+    return {alias: safety.attribute(module, name) for name, alias in node.names}

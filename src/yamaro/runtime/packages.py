@@ -62,7 +62,7 @@ class PackageFinder:
         for folder in _ancestors(start):
             if manifest_name(folder) == name:
                 return folder
-        for root, depth in _surroundings(start):
+        for root, depth in surroundings(start):
             if folder := self._packages_below(root, depth).get(name):
                 return folder
         return None
@@ -78,7 +78,7 @@ class PackageFinder:
             if not paths:
                 places.append(f"{variable} (not set)")
         places.append(f"{os.path.abspath(start)} and the folders it lies in")
-        places.extend(f"{root} and the folders below it" for root, _ in _surroundings(start))
+        places.extend(f"{root} and the folders below it" for root, _ in surroundings(start))
         return places
 
     def names(self, start: str) -> list[str]:
@@ -92,9 +92,23 @@ class PackageFinder:
         for path in self._paths("ROS_PACKAGE_PATH"):
             names.update(self._packages_below(path))
         names.update(filter(None, map(manifest_name, _ancestors(start))))
-        for root, depth in _surroundings(start):
+        for root, depth in surroundings(start):
             names.update(self._packages_below(root, depth))
         return sorted(names)
+
+    def search_paths(self) -> list[str]:
+        """Return the folders in which the environment says that packages are."""
+        shares = [os.path.join(prefix, "share") for prefix in self._paths("AMENT_PREFIX_PATH")]
+        models = [path for variable in MODEL_PATHS for path in self._paths(variable)]
+        return [*shares, *self._paths("ROS_PACKAGE_PATH"), *models]
+
+    def around(self, start: str) -> list[str]:
+        """Return the folders of the packages that `start` lies in, and of those beside them."""
+        folders = [folder for folder in _ancestors(start) if manifest_name(folder)]
+        for root, depth in surroundings(start):
+            if depth == 1:
+                folders += self._packages_below(root, depth).values()
+        return folders
 
     def resolve_uri(self, uri: str, base_dir: str) -> str | None:
         """Return the absolute path that a mesh, texture or file name stands for.
@@ -190,7 +204,7 @@ def _ancestors(start: str) -> Iterator[str]:
         folder = outer
 
 
-def _surroundings(start: str) -> list[tuple[str, int]]:
+def surroundings(start: str) -> list[tuple[str, int]]:
     """Return the folders to search for packages near `start`, and how deep to look, nearest first.
 
     These are the folder that holds the package of `start`, for what stands directly in it, the
@@ -235,9 +249,9 @@ def _package_folders(root: str, max_depth: int) -> Iterator[str]:
             yield folder
             continue
         if depth < max_depth:
-            below = [e for e in found.values() if _is_searched(e, links)]
-            below.sort(key=lambda entry: entry.name, reverse=True)
-            stack.extend((entry.path, depth + 1) for entry in below)
+            # In order from the start: of two links to one folder the first is looked at.
+            below = [e for _, e in sorted(found.items()) if _is_searched(e, links)]
+            stack.extend((entry.path, depth + 1) for entry in reversed(below))
 
 
 def _is_searched(entry: os.DirEntry[str], links: set[str]) -> bool:

@@ -6,12 +6,11 @@ import builtins
 import math
 import os
 
-from ..diagnostics import Reporter, did_you_mean
+from ..diagnostics import InputFault, Reporter, did_you_mean
 from ..syntax.context import ParseContext
 from ..syntax.nodes import Constant, DictValue, ListValue
 from ..syntax.values import parse_value
 from ..syntax.yaml_reader import read
-from .expressions import InputFault
 from .loader import LoadError, decode
 
 TYPE_CHECKING = False
@@ -20,7 +19,7 @@ if TYPE_CHECKING:
     from typing import Any
 
     from ..syntax.nodes import Value
-    from .loader import Loader
+    from .library import Library
     from .packages import PackageFinder
 
 MATHEMATICS = (
@@ -39,18 +38,18 @@ _REQUIRED: Any = object()
 class Helpers:
     """The helpers of one file: relative paths start at its folder."""
 
-    __slots__ = ("_directory", "_loader", "_note_file", "_packages")
+    __slots__ = ("_directory", "_library", "_note_file", "_packages")
 
     def __init__(
         self,
         directory: str,
-        loader: Loader,
+        library: Library,
         packages: PackageFinder,
         note_file: Callable[[str], None],
     ) -> None:
         """Serve a file in `directory`; `note_file` is told of every file read."""
         self._directory = directory
-        self._loader = loader
+        self._library = library
         self._packages = packages
         self._note_file = note_file
 
@@ -74,19 +73,24 @@ class Helpers:
         if absolute is None:
             absolute = os.path.normpath(os.path.join(self._directory, text))
         try:
-            data = self._loader.read(absolute)
+            data = self._library.loader.read(absolute)
         except LoadError as error:
             raise InputFault(
-                "missing-file",
+                error.code,
                 f"the file '{text}' cannot be read: {error}",
-                did_you_mean(os.path.basename(absolute), self._loader.neighbours(absolute))
-                or f"looked for {absolute}",
+                error.hint or self._hint_for(absolute),
             ) from None
         self._note_file(absolute)
         source = decode(data, name=text, path=absolute)
         reporter = Reporter()
-        root = read(source, reporter=reporter)
-        return plain_data(parse_value(root, ParseContext(reporter), is_literal=True))
+        rules = self._library.rules
+        root = read(source, reporter=reporter, limits=rules.limits)
+        return plain_data(parse_value(root, ParseContext(reporter, rules), is_literal=True))
+
+    def _hint_for(self, path: str) -> str:
+        """Return what to say of a path that leads to no file."""
+        neighbours = self._library.loader.neighbours(path)
+        return did_you_mean(os.path.basename(path), neighbours) or f"looked for {path}"
 
     def find(self, package: str) -> str:
         """Return the folder of a ROS package."""

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from .expressions import InputFault
+from ..diagnostics import InputFault
+from ..policy import SAFE, Limits
 
 UNSAFE = "unsafe-code"
-RUN_IT = "if you trust this file, leave out --safe; --jail confines all of Python"
+RUN_IT = "--trust runs the file as it is; --jail does so where it can do no harm (on Linux)"
 
 
 class SafetyError(InputFault):
@@ -14,9 +15,8 @@ class SafetyError(InputFault):
     Attributes:
         code: "unsafe-code", or "limit-" and the name of a field of `SafeLimits`.
         construct: what is refused, in words: "the function `open`". Empty for a limit.
-        position: line, column, end line and end column in the compiled text, as `ast` counts them
-            (lines from 1, columns from 0 in UTF-8 bytes). None if it is all of the text, and for
-            an error at run time, whose place the traceback tells.
+        position: where in the compiled text; None if it is all of the text, and for an error at
+            run time, whose place the traceback tells.
     """
 
     def __init__(
@@ -29,9 +29,8 @@ class SafetyError(InputFault):
         position: tuple[int, int, int, int] | None = None,
     ) -> None:
         """Hold what a diagnostic needs, and the place if it is known."""
-        super().__init__(code, message, hint)
+        super().__init__(code, message, hint, position=position)
         self.construct = construct
-        self.position = position
 
 
 def refused(
@@ -46,61 +45,22 @@ def refused(
     return SafetyError(UNSAFE, message, hint, construct=construct, position=position)
 
 
-class SafeLimits:
+class SafeLimits(Limits):
     """How much the code of one conversion may use; each can be set."""
 
-    __slots__ = (
-        "brackets",
-        "calls",
-        "characters",
-        "depth",
-        "integer",
-        "nodes",
-        "sequence",
-        "steps",
-        "text",
-        "width",
-    )
+    __slots__ = ()
 
-    def __init__(
-        self,
-        *,
-        characters: int = 20_000,
-        brackets: int = 50,
-        nodes: int = 20_000,
-        depth: int = 100,
-        integer: int = 4_096,
-        text: int = 1_000_000,
-        sequence: int = 1_000_000,
-        steps: int = 50_000_000,
-        calls: int = 200,
-        width: int = 999,
-    ) -> None:
-        """Set limits.
+    def __init__(self, **others: int) -> None:
+        """Take the usual limits of safe mode, and others by name."""
+        super().__init__(SAFE, **others)
 
-        Args:
-            characters: of one expression or process block.
-            brackets: open at once.
-            nodes: of one syntax tree.
-            depth: of one syntax tree, and of lists in lists.
-            integer: bits of a whole number.
-            text: characters of a text.
-            sequence: items of a list, tuple, set, dict or range.
-            steps: of all code of a conversion; about the number of syntax tree nodes evaluated,
-                and of items that are copied, compared or written.
-            calls: of lambdas, one within the other.
-            width: of a number or text in an f-string, and its digits.
-        """
-        self.characters = characters
-        self.brackets = brackets
-        self.nodes = nodes
-        self.depth = depth
-        self.integer = integer
-        self.text = text
-        self.sequence = sequence
-        self.steps = steps
-        self.calls = calls
-        self.width = width
+    @classmethod
+    def of(cls, limits: Limits) -> SafeLimits:
+        """Return the limits of a policy, which says what it lets."""
+        made = cls()
+        for name in Limits.__slots__:
+            setattr(made, name, getattr(limits, name))
+        return made
 
     def passed(
         self,

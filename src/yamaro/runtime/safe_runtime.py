@@ -9,7 +9,7 @@ from __future__ import annotations
 from .safe_builtins import BARE, permitted, refusal
 from .safe_code import RUNTIME
 from .safe_guards import Guards
-from .safe_limits import SafeLimits
+from .safe_limits import SafeLimits, SafetyError, refused
 from .safe_modules import module
 from .safe_values import SCALARS, Module, function
 
@@ -49,6 +49,7 @@ class SafeRuntime(Guards):
         self._names.update({name: mathematics[name] for name in PREDEFINED})
         self._names.update({"true": True, "false": False, "null": None})
         self._names["env"] = self._names["__env__"] = refusal("env")
+        self._names["cwd"] = refusal("cwd")
 
     def bind(self, code: CodeType) -> CodeType:
         """Return code of `compile_safe` with the guards in it."""
@@ -98,6 +99,10 @@ class SafeRuntime(Guards):
                 self._own = [*getattr(self, "_own", ()), *functions]
                 self.own = frozenset(map(id, self._own))
         return self._modules[name]
+
+    def refusal_of_module(self, name: str, why: str) -> SafetyError:
+        """Return the error for a module that is not allowed."""
+        return refused(f"the module `{name}`", why)
 
 
 def _is_written_in_c(value: Any) -> bool:

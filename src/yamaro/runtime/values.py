@@ -62,7 +62,7 @@ class Values:
             key = self.value(key_value, scope)
             if isinstance(key_value, Template) and (key is None or key == ""):
                 continue
-            self.evaluator.guard(hash, key, span_of(key_value))
+            self.evaluator.guard(self.evaluator.hash, key, span_of(key_value))
             pairs.append((key, self.value(item, scope)))
         return gather_pairs(pairs)
 
@@ -82,7 +82,7 @@ class Values:
             return self.joined(value, scope)
         result = self.evaluator.evaluate(value.only, scope)
         if type(result) not in ALWAYS_WRITABLE and not is_writable(result):
-            self.evaluator.guard(format_value, result, value.only.span())
+            self.evaluator.text(format_value, result, value.only.span())
         return result
 
     def joined(self, template: Template, scope: Scope) -> str:
@@ -105,22 +105,25 @@ class Values:
             elif is_writable(value):
                 pieces.append(format_value(value))
             else:
-                pieces.append(self.evaluator.guard(format_value, value, part.span()))
-        return "".join(pieces)
+                pieces.append(self.evaluator.text(format_value, value, part.span()))
+        text = "".join(pieces)
+        if len(text) > self.evaluator.limits.text:
+            raise self.evaluator.too_long(text, template.span())
+        return text
 
     def message(self, value: str | Template | Value, scope: Scope, span: Span) -> str:
         """Return the text of a `print`."""
         if isinstance(value, str):
             return value
         if not isinstance(value, Template):
-            return str(self.evaluator.guard(print_text, self.value(value, scope), span))
+            return self.evaluator.text(print_text, self.value(value, scope), span)
         pieces = []
         for part in value.parts:
             if isinstance(part, str):
                 pieces.append(part)
             else:
                 result = self.evaluator.evaluate(part, scope)
-                pieces.append(self.evaluator.guard(print_text, result, part.span()))
+                pieces.append(self.evaluator.text(print_text, result, part.span()))
         return "".join(pieces)
 
 

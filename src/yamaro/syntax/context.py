@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from ..diagnostics import Diagnostic, Reporter, YamaroError
+from .rules import Rules
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -29,9 +30,10 @@ class ParseContext:
         "extents",
         "plain_keys",
         "reporter",
+        "rules",
     )
 
-    def __init__(self, reporter: Reporter) -> None:
+    def __init__(self, reporter: Reporter, rules: Rules | None = None) -> None:
         """Start with nothing gathered.
 
         Attributes:
@@ -42,8 +44,10 @@ class ParseContext:
             extents: the place of each function or block with its body; inner ones come first.
             plain_keys: name and attributes of the elements' keys that came before, if nothing in
                 them is evaluated and they came out clean.
+            rules: what holds for the file.
         """
         self.reporter = reporter
+        self.rules = rules or Rules()
         self.errors: list[Diagnostic] = []
         self.codes: list[PythonCode] = []
         self.blocks: tuple[str, ...] = ()

@@ -34,8 +34,17 @@ _KEYWORDS = frozenset(
 
 
 def is_identifier(text: str) -> bool:
-    """Tell whether a text can name a variable: a Python identifier and no keyword."""
-    return text.isidentifier() and text not in _KEYWORDS
+    """Tell whether a text can name a variable: a Python identifier, no keyword, and not __this__.
+
+    Names in double underscores are Python's own: one of them is where code finds its builtins.
+    """
+    return text.isidentifier() and text not in _KEYWORDS and not is_dunder(text)
+
+
+def is_dunder(text: str) -> bool:
+    """Tell whether a name begins and ends with two underscores, as Python spells it."""
+    name = python_name(text)
+    return name[:2] == "__" == name[-2:]
 
 
 def python_name(identifier: str) -> str:
@@ -56,6 +65,8 @@ def bad_variable_name(name: str) -> str:
     """Return what is wrong with the name of a variable."""
     if is_keyword(name):
         return f"'{name}' is a word of Python and cannot name a variable"
+    if is_dunder(name):
+        return f"'{name}' cannot name a variable: names in double underscores are Python's own"
     return f"'{name}' cannot name a variable"
 
 
@@ -66,6 +77,9 @@ def name_hint(name: str) -> str:
         fixed = f"_{fixed}"
     if is_keyword(fixed):
         fixed = f"{fixed}_"
+    elif is_dunder(fixed) and fixed.strip("_"):
+        fixed = fixed.strip("_")
+        return f"write {fixed}"
     if fixed == f"{name}_":
         return f"write {fixed}"
     if is_identifier(fixed) and fixed.strip("_"):

@@ -9,6 +9,7 @@ from .mappings import Pairs, pairs_of
 from .names import SECTIONS, STATEMENTS, is_function_name, is_identifier
 from .nodes import Document, ElementNode, ImportNode, TextContent, VariablesNode
 from .python import PythonCode
+from .rules import Rules
 from .statements import parse_body, parse_pairs, parse_statement
 from .template import parse_template
 from .values import is_empty
@@ -22,16 +23,22 @@ if TYPE_CHECKING:
     from .yaml_nodes import YamlNode
 
 
-def parse(source: Source, *, reporter: Reporter) -> Document:
+def parse(source: Source, *, reporter: Reporter, rules: Rules | None = None) -> Document:
     """Return the syntax tree of a file.
+
+    Args:
+        source: the file.
+        reporter: takes the warnings.
+        rules: what holds for it; by default that of a trusted file.
 
     Raises:
         YamaroError: with every error that can be found without running the file; a file that is
             no YAML gives one.
     """
     warned = len(reporter.diagnostics)
-    root = read(source, reporter=reporter)
-    context = ParseContext(reporter)
+    rules = rules or Rules()
+    root = read(source, reporter=reporter, limits=rules.limits)
+    context = ParseContext(reporter, rules)
     document = Document(source)
     context.attempt(_parse_root, root, document, context)
     found = reporter.diagnostics[warned:]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ..diagnostics import failure
+from ..diagnostics import InputFault, failure
 from .names import is_identifier, python_name
 from .yaml_nodes import PLAIN, quoted
 
@@ -11,6 +11,7 @@ if TYPE_CHECKING:
     from types import CodeType
 
     from ..source import Span
+    from .rules import Rules
     from .yaml_nodes import ScalarNode
 
 _OPENING = {")": "(", "]": "[", "}": "{"}
@@ -26,20 +27,24 @@ class PythonCode:
             it and most are looked up without code, so that it is compiled only if that is needed.
     """
 
-    __slots__ = ("_code", "index", "name", "node", "opening", "text")
+    __slots__ = ("_code", "index", "name", "node", "opening", "rules", "text")
 
-    def __init__(self, text: str, node: ScalarNode, index: int, *, opening: str) -> None:
+    def __init__(
+        self, text: str, node: ScalarNode, index: int, rules: Rules, *, opening: str
+    ) -> None:
         """Hold Python text that begins at `node.text[index]`.
 
         Args:
             text: the Python text, of the length it has in the scalar.
             node: the scalar it stands in.
             index: where in the scalar's text it begins.
+            rules: say how it is compiled.
             opening: what was put before the text to compile it.
         """
         self.text = text
         self.node = node
         self.index = index
+        self.rules = rules
         self.opening = opening
         self.name: str | None = None
         self._code: CodeType | None = None
@@ -54,8 +59,8 @@ class PythonCode:
         return self._code
 
     def compile(self, text: str, mode: str) -> None:
-        """Compile what the text stands for; raise what Python's `compile` raises."""
-        self._code = compile(text, self.filename, mode, dont_inherit=True)
+        """Compile what the text stands for; raise what `Rules.compile` raises."""
+        self._code = self.rules.compile(text, self.filename, mode)
 
     def span(self, start: int = 0, end: int | None = None) -> Span:
         """Return the place of `text[start:end]`; by default of all the text, trimmed."""
@@ -96,7 +101,7 @@ class PythonCode:
 
 
 def compile_expression(
-    text: str, node: ScalarNode, index: int, *, meaning: str | None = None
+    text: str, node: ScalarNode, index: int, rules: Rules, *, meaning: str | None = None
 ) -> PythonCode:
     """Return the expression that stands at `node.text[index:]`, with nothing wrong in it.
 
@@ -104,12 +109,13 @@ def compile_expression(
         text: the expression as written.
         node: the scalar it stands in.
         index: where in the scalar's text it begins.
+        rules: say which Python is allowed.
         meaning: the Python it stands for, where that is not what is written.
 
     Raises:
         YamaroError: it is empty or no Python expression.
     """
-    python = PythonCode(text, node, index, opening="(")
+    python = PythonCode(text, node, index, rules, opening="(")
     if not text.strip():
         raise failure(
             "empty-expression",
@@ -124,20 +130,20 @@ def compile_expression(
     name = text.strip(" ")
     if meaning is not None and meaning != text:
         _compile(python, f"({meaning}\n)", "eval", "this is not a Python expression")
-    elif is_identifier(name) and python_name(name) == name and name != "__debug__":
+    elif is_identifier(name) and python_name(name) == name and name[:2] != "__":
         python.name = name
     else:
         _compile(python, f"({text}\n)", "eval", "this is not a Python expression")
     return python
 
 
-def compile_statements(node: ScalarNode) -> PythonCode:
+def compile_statements(node: ScalarNode, rules: Rules) -> PythonCode:
     """Return the compiled Python statements that are the whole text of a scalar.
 
     Raises:
         YamaroError: the text is no Python.
     """
-    python = PythonCode(node.text, node, 0, opening="")
+    python = PythonCode(node.text, node, 0, rules, opening="")
     _compile(python, node.text, "exec", "this is not Python")
     return python
 
@@ -147,6 +153,9 @@ def _compile(python: PythonCode, text: str, mode: str, message: str) -> None:
         python.compile(text, mode)
     except SyntaxError as error:
         raise _syntax_failure(python, error, message) from None
+    except InputFault as fault:
+        span = _span_of_fault(python, text, fault)
+        raise failure(fault.code, fault.message, span, hint=fault.hint) from None
     except (ValueError, OverflowError, RecursionError, MemoryError) as error:
         raise failure(
             "python-syntax",
@@ -154,6 +163,17 @@ def _compile(python: PythonCode, text: str, mode: str, message: str) -> None:
             python.span(),
             hint="split it into several steps with variables",
         ) from None
+
+
+def _span_of_fault(python: PythonCode, text: str, fault: InputFault) -> Span:
+    """Return the place of a fault in compiled text; all of it if that is not what is written."""
+    added = 2 if python.opening else 0
+    if fault.position is None or len(text) != len(python.opening + python.text) + added:
+        return python.span()
+    line, column, end_line, end_column = fault.position
+    start = python.byte_position(line, column)
+    end = python.byte_position(end_line, end_column)
+    return python.span(start, end) if start < end else python.span()
 
 
 def _syntax_failure(python: PythonCode, error: SyntaxError, message: str) -> Exception:

@@ -165,7 +165,7 @@ def _parse_bare(key: ScalarNode, node: YamlNode, context: ParseContext) -> State
 def _parse_dynamic(
     key: ScalarNode, template: Template, node: YamlNode, context: ParseContext
 ) -> DynamicNode:
-    inner = ParseContext(context.reporter)
+    inner = ParseContext(context.reporter, context.rules)
     inner.blocks, inner.codes = context.blocks, context.codes
     inner.declarations, inner.extents = context.declarations, context.extents
     content = inner.attempt(parse_content, node, inner)
@@ -647,7 +647,7 @@ def _parse_process(key: ScalarNode, node: YamlNode, context: ParseContext) -> Pr
             node.anchor_span(),
             hint="quote the statement, or delete the anchor",
         )
-    code = compile_statements(node)
+    code = compile_statements(node, context.rules)
     context.codes.append(code)
     return ProcessNode(code, key.span())
 

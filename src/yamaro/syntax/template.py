@@ -96,7 +96,7 @@ def parse_expression(node: ScalarNode, start: int, end: int, context: ParseConte
     text = node.text[start:end]
     words = ros_words(text)
     meaning = ros_call(words) if words else None
-    code = compile_expression(text, node, start, meaning=meaning)
+    code = compile_expression(text, node, start, context.rules, meaning=meaning)
     context.codes.append(code)
     return code
 

@@ -218,7 +218,7 @@ def parse_bare_expression(node: ScalarNode, context: ParseContext) -> PythonCode
             node.span(index, index + 2),
             hint="outside the quotes a name stands by itself: name == 'left'",
         )
-    code = compile_expression(text, node, 0, meaning=meaning)
+    code = compile_expression(text, node, 0, context.rules, meaning=meaning)
     context.codes.append(code)
     return code
 

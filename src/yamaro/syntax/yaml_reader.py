@@ -9,6 +9,7 @@ from __future__ import annotations
 import sys
 
 from ..diagnostics import Reporter, did_you_mean, failure
+from ..policy import Limits
 from ..source import Source, Span
 from .libyaml import (
     AliasEvent,
@@ -31,19 +32,21 @@ if TYPE_CHECKING:
 
     from .yaml_nodes import YamlNode
 
-MAX_DEPTH = 200
-MAX_ALIASED_NODES = 1_000_000
 
-
-def read(source: Source, *, reporter: Reporter) -> YamlNode:
+def read(source: Source, *, reporter: Reporter, limits: Limits | None = None) -> YamlNode:
     """Return the root node of a source's one document.
+
+    Args:
+        source: the text.
+        reporter: takes the warnings.
+        limits: how deep it may be, and how far its aliases expand; the usual ones if left out.
 
     Raises:
         YamaroError: the text is no YAML, is empty, holds several documents, custom tags, or
             aliases that refer to themselves or expand without measure.
     """
     refuse_characters(source)
-    root = _Builder(source).build()
+    root = _Builder(source, limits or Limits()).build()
     if root is None or (isinstance(root, ScalarNode) and root.style == PLAIN and not root.text):
         raise failure(
             "empty-file",
@@ -65,7 +68,7 @@ def read_fragment(scalar: ScalarNode, start: int, end: int) -> YamlNode:
     refuse_characters(fragment)
     places = [scalar.offset(index) for index in range(start, end)]
     places.append(places[-1] + 1 if places else scalar.end)
-    root = _Builder(fragment, owner=scalar.source, places=places).build()
+    root = _Builder(fragment, Limits(), owner=scalar.source, places=places).build()
     if root is None:
         at = places[0]
         return ScalarNode("", "", scalar.source, at, at)
@@ -76,10 +79,16 @@ class _Builder:
     """Turns events into nodes, with an explicit stack so that depth costs no recursion."""
 
     def __init__(
-        self, source: Source, *, owner: Source | None = None, places: list[int] | None = None
+        self,
+        source: Source,
+        limits: Limits,
+        *,
+        owner: Source | None = None,
+        places: list[int] | None = None,
     ) -> None:
         """Read `source`; for a fragment, `places` are the offsets of its characters in `owner`."""
         self.text = source.text
+        self.limits = limits
         self.source = owner or source
         self.places = places
         self.anchors: dict[str, YamlNode] = {}
@@ -119,6 +128,7 @@ class _Builder:
         key: Any = None  # its key that waits for a value, if it is a mapping
         source, is_fragment = self.source, self.places is not None
         merging, open_anchors = self.merging, self.open_anchors
+        most_depth = self.limits.yaml_depth
         get_event = parser.get_event
         while True:
             event = get_event()
@@ -132,7 +142,7 @@ class _Builder:
             elif kind is MappingStartEvent or kind is SequenceStartEvent:
                 opened = self._collection(event, kind)
                 stack.append((container, key))
-                if len(stack) > MAX_DEPTH:
+                if len(stack) > most_depth:
                     self._refuse_depth(event)
                 container, key = opened, None
                 continue
@@ -234,12 +244,13 @@ class _Builder:
                 or f"a text that begins with * needs quotes: '*{name}'",
             )
         self.aliased += self._size(node)
-        if self.aliased > MAX_ALIASED_NODES:
+        if self.aliased > self.limits.aliases:
             raise failure(
                 "alias-bomb",
-                f"the aliases of this file expand to more than {MAX_ALIASED_NODES:,} nodes",
+                f"the aliases of this file expand to more than {self.limits.aliases:,} nodes",
                 span,
-                hint="use a function or a `for` instead of aliases of aliases",
+                hint="use a function or a `for` instead of aliases of aliases; "
+                "--limit aliases=… sets another limit",
             )
         return node
 
@@ -301,9 +312,10 @@ class _Builder:
     def _refuse_depth(self, event: Any) -> None:
         raise failure(
             "too-deep",
-            f"lists and mappings are nested more than {MAX_DEPTH} deep",
+            f"lists and mappings are nested more than {self.limits.yaml_depth} deep",
             self.span(event.start_mark.index, event.end_mark.index),
-            hint="split the file with functions or `include`",
+            hint="split the file with functions or `include`; "
+            "--limit yaml-depth=… sets another limit",
         )
 
     def _refuse_second_document(self, event: Any) -> None:

@@ -1,0 +1,84 @@
+"""The process of the command itself: how much memory it may take, and when it is to end.
+
+A conversion ends itself when its time is over. But while Python is in a long call of a function
+written in C, such as `sum(range(10**12))`, nothing else in the process runs. So another process
+looks at the clock as well, and ends the first one.
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+STACK = 512 << 20
+"""Bytes that the deep stack may take."""
+FOR_EACH_CORE = 64 << 20
+"""Bytes more for each processor: what numerical libraries set aside for their threads."""
+GRACE = 1.0
+"""Seconds that a process has to end itself, after its time and again after a signal."""
+
+
+def bound_memory(size: int) -> None:
+    """Let this process have so many bytes of data, where the system can see to that.
+
+    What asks for more gets a MemoryError in place of the machine's last page.
+    """
+    try:
+        import resource
+    except ImportError:  # Windows
+        return
+    most = size + STACK + FOR_EACH_CORE * (os.cpu_count() or 1)
+    try:
+        soft, hard = resource.getrlimit(resource.RLIMIT_DATA)
+        if (soft < 0 or most < soft) and (hard < 0 or most <= hard):
+            resource.setrlimit(resource.RLIMIT_DATA, (most, hard))
+    except (OSError, ValueError):
+        return
+
+
+def end_after(seconds: float, say_why: Callable[[], None]) -> None:
+    """End this process by force a second after so many seconds, where processes can be forked.
+
+    Args:
+        seconds: from now.
+        say_why: is called in the other process, just before.
+    """
+    if not hasattr(os, "fork") or sys.platform == "darwin":
+        return
+    reader, writer = os.pipe()  # the writer is closed when this process ends
+    parent = os.getpid()
+    if os.fork():
+        os.close(reader)
+        return
+    try:
+        os.close(writer)
+        _watch(parent, reader, seconds + GRACE, say_why)
+    finally:
+        os._exit(0)
+
+
+def _watch(
+    parent: int, reader: int, seconds: float, say_why: Callable[[], None]
+) -> None:  # pragma: no cover - what measures coverage does not write it down at such an end
+    import select
+    import signal
+
+    for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+        signal.signal(number, signal.SIG_IGN)  # the parent decides what they mean
+    null = os.open(os.devnull, os.O_RDWR)
+    os.dup2(null, 0)  # whoever waits for the end of the input or output need not wait for us
+    os.dup2(null, 1)
+    if select.select([reader], [], [], seconds)[0]:
+        return
+    for number in (signal.SIGTERM, signal.SIGKILL):
+        if os.getppid() != parent:
+            return
+        if number == signal.SIGTERM:
+            say_why()
+        os.kill(parent, number)
+        if select.select([reader], [], [], GRACE)[0]:
+            return

@@ -1,0 +1,251 @@
+"""How far a file is trusted: modes, limits, time-outs and what may be read, from the API down."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+import time
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+import yamaro
+from yamaro import Policy, YamaroError, compiler, jail
+from yamaro.cli import main
+from yamaro.jail import JailLimits
+from yamaro.policy import Limits, limit_names
+from yamaro.runtime.deadline import Deadline, TimeOver
+
+needs_jail = pytest.mark.skipif(jail.check_available() is not None, reason="no jail here")
+COMMAND = [sys.executable, "-m", "yamaro"]
+
+
+def write(folder: Path, text: str, name: str = "robot.yaml") -> str:
+    path = folder / name
+    path.write_text(text, encoding="utf-8")
+    return str(path)
+
+
+def codes(path: str, policy: Policy) -> list[str]:
+    with pytest.raises(YamaroError) as caught:
+        yamaro.build(path, policy=policy)
+    return [diagnostic.code for diagnostic in caught.value.diagnostics]
+
+
+# --- policies -----------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("arguments", "options", "message"),
+    [
+        (["trust"], {}, "there is no mode 'trust'; the modes are trusted, jail, safe"),
+        (["safe"], {"limits": {"step": 1}}, "there is no limit 'step'"),
+        (["safe"], {"limits": {"steps": 0}}, "the limit 'steps' is a whole number from 1 on"),
+        (["safe"], {"limits": {"steps": True}}, "the limit 'steps' is a whole number from 1 on"),
+        (["safe"], {"limits": {"xml_depth": 2.5}}, "the limit 'xml-depth' is a whole number"),
+        (["trusted"], {"limits": {"steps": 9}}, "the limit 'steps' has a meaning in safe mode"),
+        (["jail"], {"timeout": 0}, "a time-out is a number of seconds above 0"),
+        (["jail"], {"timeout": float("nan")}, "a time-out is a number of seconds above 0"),
+        (["jail"], {"timeout": float("inf")}, "a time-out is a number of seconds above 0"),
+    ],
+)
+def test_a_policy_that_makes_no_sense_is_refused(
+    arguments: list[str], options: dict[str, Any], message: str
+) -> None:
+    with pytest.raises(ValueError, match=message):
+        Policy(*arguments, **options)
+
+
+def test_what_is_not_trusted_has_a_time() -> None:
+    assert Policy().timeout is None
+    assert Policy("safe").timeout == Policy("jail").timeout == 60
+    assert Policy("safe", timeout=5).timeout == Policy(timeout=5).timeout == 5
+
+
+def test_every_limit_is_described_and_named() -> None:
+    documented = Limits.__doc__ or ""
+    for name in Limits.__slots__:
+        assert f"        {name}: " in documented
+        assert name.replace("_", "-") in limit_names()
+        assert getattr(Limits("safe"), name) > 0
+
+
+def test_each_limit_can_be_set() -> None:
+    for name in Limits.__slots__:
+        assert getattr(Limits("safe", **{name: 7}), name) == 7
+
+
+# --- time ---------------------------------------------------------------------------------------
+
+ENDLESS = "process: |\n  while True: 1\nout: null\n"
+LONG_CALL = "out: $(sum(range(10**12)))\n"
+
+
+def spin(seconds: float, catches: int = 0) -> int:
+    """Compute without end under a deadline that is caught so many times; return how often."""
+    times = 0
+    with Deadline(seconds):
+        while True:
+            try:
+                while True:
+                    pass
+            except TimeOver:
+                times += 1
+                if times > catches:
+                    return times
+
+
+def test_a_deadline_ends_what_takes_too_long() -> None:
+    assert spin(0.05) == 1
+
+
+def test_a_deadline_leaves_the_rest_alone() -> None:
+    with Deadline(0.05) as deadline:
+        done = 1
+    until = time.monotonic() + 0.2
+    while time.monotonic() < until:
+        done += 1
+    assert done > 1 and deadline is not None
+    with Deadline(None):
+        assert done > 1
+
+
+def test_a_deadline_comes_again_if_it_is_caught() -> None:
+    assert spin(0.05, catches=1) == 2
+
+
+@pytest.mark.parametrize("mode", ["trusted", pytest.param("jail", marks=needs_jail)])
+def test_an_endless_loop_is_shown_where_it_is(tmp_path: Path, mode: str) -> None:
+    path = write(tmp_path, ENDLESS)
+    with pytest.raises(YamaroError) as caught:
+        yamaro.build(path, policy=Policy(mode, timeout=0.3))
+    (found,) = caught.value.diagnostics
+    assert found.code == "limit-time"
+    assert found.span.location()[0] == 2
+
+
+@needs_jail
+def test_a_long_call_is_ended_with_its_jail(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(compiler, "GRACE", 0.2)
+    began = time.monotonic()
+    assert codes(write(tmp_path, LONG_CALL), Policy("jail", timeout=0.2)) == ["limit-time"]
+    assert time.monotonic() - began < 10
+
+
+@pytest.mark.skipif(not sys.platform.startswith("linux"), reason="only there it is promised")
+def test_a_long_call_is_ended_in_trusted_mode_too(tmp_path: Path) -> None:
+    path = write(tmp_path, LONG_CALL)
+    finished = subprocess.run(
+        [*COMMAND, "--timeout", "0.2", path, "-o", str(tmp_path / "out.urdf")],
+        capture_output=True,
+        text=True,
+        timeout=60,
+        check=False,
+    )
+    assert finished.returncode == -15
+    assert finished.stderr.startswith("error[limit-time]: the time is over: this takes more than")
+    assert finished.stdout == ""
+    assert os.listdir(tmp_path) == ["robot.yaml"]
+
+
+def test_a_time_out_does_not_hold_up_who_reads_the_output(tmp_path: Path) -> None:
+    path = write(tmp_path, "out: 1\n")
+    began = time.monotonic()
+    xml = subprocess.check_output([*COMMAND, "--timeout", "30", path], text=True, timeout=60)
+    assert xml.endswith("<out>1</out>\n")
+    assert time.monotonic() - began < 20
+
+
+# --- memory -------------------------------------------------------------------------------------
+
+
+@pytest.mark.skipif(not sys.platform.startswith("linux"), reason="only there it is promised")
+@pytest.mark.parametrize("mode", ["--trust", pytest.param("--jail", marks=needs_jail)])
+def test_a_text_of_ten_gigabytes_is_an_error_at_its_place(tmp_path: Path, mode: str) -> None:
+    path = write(tmp_path, "out:\n  a: $('a' * 10**10)\n")
+    finished = subprocess.run(
+        [*COMMAND, mode, path], capture_output=True, text=True, timeout=60, check=False
+    )
+    assert finished.returncode == 1
+    lines = finished.stderr.splitlines()
+    assert lines[0] == "error[limit-memory]: there is not enough memory for this"
+    assert lines[1].endswith("robot.yaml:2:8")
+
+
+# --- jails --------------------------------------------------------------------------------------
+
+
+def test_without_a_jail_there_is_an_error_and_nothing_is_run(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr(jail, "check_available", lambda: "the jail needs Linux")
+    path = write(tmp_path, "print: this was run\nout: 1\n")
+    assert codes(path, Policy("jail")) == ["no-jail"]
+    assert main(["--jail", path]) == 1
+    printed = capsys.readouterr()
+    assert printed.out == ""
+    assert printed.err == (
+        f"error[no-jail]: there can be no jail: the jail needs Linux\n --> {path}:1:1\n"
+        "  = hint: --safe works everywhere; nothing of the file was run\n"
+    )
+
+
+def test_without_a_jail_safe_mode_works_all_the_same(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(jail, "check_available", lambda: "the jail needs Linux")
+    path = write(tmp_path, "variables: {a: 2}\nout: $(a + 1)\n")
+    assert "<out>3</out>" in yamaro.build(path, policy=Policy("safe")).xml()
+    assert codes(write(tmp_path, "out: $(open(1))\n"), Policy("safe")) == ["unsafe-code"]
+
+
+@needs_jail
+def test_a_jail_that_cannot_be_set_up_is_no_bar_to_safe_mode(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def fail(*_: object, **__: object) -> bytes:
+        raise jail.JailUnavailable("a container is in the way")
+
+    monkeypatch.setattr(jail, "run_jailed", fail)
+    path = write(tmp_path, "out: $(1 + 1)\n")
+    assert "<out>2</out>" in yamaro.build(path, policy=Policy("safe")).xml()
+    assert codes(path, Policy("jail")) == ["no-jail"]
+
+
+@needs_jail
+@pytest.mark.parametrize(
+    "answer", [b"", b"\0" * 7, jail.pack([b""] * 8), jail.pack([b"x"] * 8), jail.pack([b""] * 3)]
+)
+def test_an_answer_that_is_none_is_an_error(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, answer: bytes
+) -> None:
+    monkeypatch.setattr(jail, "run_jailed", lambda *_, **__: answer)
+    found = codes(write(tmp_path, "out: 1\n"), Policy("jail"))
+    assert found == ["jail-broken"]
+
+
+@needs_jail
+@pytest.mark.parametrize(
+    ("limit", "code"),
+    [
+        ("open_files", "jail-broken"),
+        ("threads", "jail-broken"),
+        ("answer", "limit-output"),
+        ("memory", "limit-memory"),
+    ],
+)
+def test_each_limit_of_a_jail_has_a_code(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, limit: str, code: str
+) -> None:
+    def fail(*_: object, **__: object) -> bytes:
+        error = jail.JailError("it is over")
+        error.limit = limit
+        raise error
+
+    assert hasattr(JailLimits(), limit)
+    monkeypatch.setattr(jail, "run_jailed", fail)
+    assert codes(write(tmp_path, "out: 1\n"), Policy("jail")) == [code]
