@@ -360,9 +360,9 @@ def _near(word: str, candidates: dict[str, str] | dict[str, frozenset[str]]) -> 
 
 
 def _quote(text: str) -> str:
-    from .diagnostics import printable
+    from .diagnostics import shortened
 
-    return f"'{printable(text)}'"
+    return f"'{shortened(text)}'"
 
 
 # --- commands ---------------------------------------------------------------------------------
@@ -584,9 +584,9 @@ def _has_color(arguments: Arguments, *, is_terminal: bool) -> bool:
 
 
 def _report_usage(message: str, streams: Streams | None) -> int:
-    from .diagnostics import printable
+    from .diagnostics import shortened
 
-    (streams or Streams(quiet=False)).say(f"yamaro: error: {printable(message)}\n{USAGE}")
+    (streams or Streams(quiet=False)).say(f"yamaro: error: {shortened(message)}\n{USAGE}")
     return USAGE_ERROR
 
 

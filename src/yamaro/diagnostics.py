@@ -16,6 +16,8 @@ WARNING = "warning"
 
 MAX_TRACE_LINES = 12
 MAX_EXCERPT_COLUMNS = 160
+MAX_REMARK = 600
+"""Characters of a message, hint or note to show."""
 MAX_SUGGESTED_LETTERS = 255
 """The longest word that a suggestion is looked for: file names are no longer."""
 
@@ -248,7 +250,7 @@ def render(diagnostic: Diagnostic, *, color: bool = False) -> str:
     paint = _paint if color else _plain
     style = _STYLES[diagnostic.severity]
     head = f"{diagnostic.severity}[{diagnostic.code}]"
-    lines = [f"{paint(head, style)}{paint(': ' + printable(diagnostic.message), _BOLD)}"]
+    lines = [f"{paint(head, style)}{paint(': ' + shortened(diagnostic.message), _BOLD)}"]
     lines.append(f" {paint('-->', _BLUE)} {printable(diagnostic.span.place())}")
     line_number, excerpt, underline = _excerpt(diagnostic.span)
     gutter = " " * (len(str(line_number)) + 1)
@@ -258,7 +260,7 @@ def render(diagnostic: Diagnostic, *, color: bool = False) -> str:
         lines.append(f"{paint(f'{line_number} |', _BLUE)} {excerpt}")
         lines.append(f"{gutter}{bar} {paint(underline, style)}")
     for label, text in _remarks(diagnostic):
-        lines.append(f"{gutter}{paint('=', _BLUE)} {paint(label, _BOLD)}{printable(text)}")
+        lines.append(f"{gutter}{paint('=', _BLUE)} {paint(label, _BOLD)}{shortened(text)}")
     return "\n".join(lines)
 
 
@@ -345,6 +347,13 @@ def _window(text: str, start: int, end: int) -> tuple[int, int]:
     room = MAX_EXCERPT_COLUMNS - min(end - start, MAX_EXCERPT_COLUMNS // 2)
     left = max(0, start - room // 2)
     return left, min(len(text), left + MAX_EXCERPT_COLUMNS)
+
+
+def shortened(text: str) -> str:
+    """Return text as `printable` does; of one that quotes a long value, its ends."""
+    if len(text) > MAX_REMARK:
+        text = f"{text[: MAX_REMARK // 2]} … {text[-MAX_REMARK // 2 :]}"
+    return printable(text)
 
 
 def printable(text: str) -> str:

@@ -6,7 +6,7 @@ formatting, value formatting and escaping happen here and nowhere else.
 
 from __future__ import annotations
 
-from .diagnostics import INHERITED, Frame, YamaroError, failure
+from .diagnostics import INHERITED, Frame, InputFault, YamaroError, failure
 from .policy import Limits
 from .source import Span
 
@@ -236,7 +236,22 @@ def _format_other(value: Any) -> str:
         items = [plain_value(item) for item in plain]
         if all(is_number(item) for item in items):
             return " ".join(format_value(item) for item in items)
+    _refuse_without_text(plain)
     return str(value)
+
+
+def _refuse_without_text(value: Any) -> None:
+    """Raise InputFault for a function, an iterator and the like: their texts are chance."""
+    kind: Any = type(value)
+    if kind.__str__ is not object.__str__:
+        return
+    if callable(value):
+        raise InputFault("not-a-text", "a function is no text", "to call it, write name(…)")
+    if hasattr(kind, "__next__"):
+        raise InputFault("not-a-text", "an iterator is no text", "write list(…) around it")
+    if kind.__repr__ is object.__repr__:
+        hint = f"give the class {kind.__name__} a __str__, or write what is meant of it"
+        raise InputFault("not-a-text", f"an object of the class {kind.__name__} is no text", hint)
 
 
 def plain_value(value: Any) -> Any:

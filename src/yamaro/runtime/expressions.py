@@ -10,14 +10,14 @@ from __future__ import annotations
 from ..diagnostics import Frame, InputFault, YamaroError, did_you_mean, failure
 from ..policy import Limits
 from ..source import Span
-from ..syntax.python import PythonCode, expression_without_dollars
+from ..syntax.python import TOO_MANY_DIGITS, PythonCode, expression_without_dollars
 from .deadline import TimeOver
 from .declared import Declaration, notes_on
 from .scope import MISSING, Namespace, Scope
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Iterator
     from types import CodeType, TracebackType
     from typing import Any, NoReturn
 
@@ -142,10 +142,18 @@ class Evaluator:
         """
         if type(value) not in _CONTAINERS:
             return
-        count, pending = 0, [value]
-        while pending:
-            items = pending.pop()
-            count += len(items)
+        count = len(value)
+        around = [value]
+        waiting = [_inner(value)]
+        while waiting:
+            item = next(waiting[-1], None)
+            if item is None:
+                waiting.pop()
+                around.pop()
+            elif not any(item is outer for outer in around):  # Python shows a list in itself as […]
+                count += len(item)
+                around.append(item)
+                waiting.append(_inner(item))
             if count > self.limits.sequence:
                 raise InputFault(
                     "limit-sequence",
@@ -153,8 +161,6 @@ class Evaluator:
                     "items, which is the limit",
                     self.limits.hint("sequence"),
                 )
-            inner = items.values() if isinstance(items, dict) else items
-            pending += [item for item in inner if type(item) in _CONTAINERS]
 
     def hash(self, value: Any) -> int:
         """Return the hash of a value."""
@@ -189,6 +195,13 @@ class Evaluator:
                 "this calls itself without end",
                 span,
                 hint="a function that calls itself needs a condition under which it stops",
+                trace=frame,
+            )
+        if isinstance(error, ValueError) and str(error).startswith(TOO_MANY_DIGITS):
+            return failure(
+                "number-too-long",
+                "this integer has too many digits to be written",
+                span,
                 trace=frame,
             )
         if isinstance(error, TimeOver):
@@ -312,17 +325,23 @@ class SafeEvaluator(Evaluator):
             self.explain(error, python, scope)
 
     def measure(self, value: Any) -> None:
-        """Count what it costs to write or hash a value.
+        """Count what it costs to write a value.
 
         Raises:
-            InputFault: it is too much.
+            InputFault: it is too much, or its text is chance.
         """
         self._runtime.measured(value)
+        self._runtime.check_written(value)
 
     def hash(self, value: Any) -> int:
         """Return the hash of a value."""
-        self.measure(value)
-        return hash(value)
+        return hash(self._runtime.measured(value))
+
+
+def _inner(value: Any) -> Iterator[Any]:
+    """Give the lists and dicts in a list or dict."""
+    items = value.values() if isinstance(value, dict) else value
+    return (item for item in items if type(item) in _CONTAINERS)
 
 
 def evaluate_bare(python: PythonCode, scope: Scope, evaluator: Evaluator, *, hint: str) -> Any:

@@ -606,7 +606,11 @@ class Interpreter:
         path = path_of(node, scope, self.values)
         namespace = namespace_of(node, scope, self.values)
         passed = passed_by(node, scope, self.values)
-        source = self.files.load(path, node.path_span, scope.home)
+        try:
+            source = self.files.load(path, node.path_span, scope.home)
+        except YamaroError as error:
+            self._trace_into(error, node)
+            raise
         context = scope.context
         frame = self._step("included", source.name, node.span, None)
         self._enter(frame, node.path_span)
@@ -627,6 +631,12 @@ class Interpreter:
         finally:
             self._leave(frame)
         self._hand_back(inner, scope, namespace, before, node.span)
+
+    def _trace_into(self, error: YamaroError, node: IncludeNode) -> None:
+        """Note the include that led to an error in a file that cannot even be read as text."""
+        name = error.diagnostics[0].span.source.name
+        if name != node.span.source.name:
+            add_trace(error, Frame("included", name, node.span, parent=self.frame))
 
     def _run_included_model(self, document: Document, inner: Scope, out: list[Node]) -> None:
         for model in document.model:

@@ -143,6 +143,15 @@ def decode(data: bytes, *, name: str, path: str) -> Source:
     Raises:
         YamaroError: the text is not UTF-8.
     """
+    for mark, encoding in ((b"\xff\xfe\0\0", "utf-32-le"), (b"\0\0\xfe\xff", "utf-32-be")):
+        if data.startswith(mark):
+            source = Source(data[4:].decode(encoding, "replace"), name=name, path=path)
+            raise failure(
+                "not-utf-8",
+                "the file is written in UTF-32",
+                Span(source, 0, 1),
+                hint="save it as UTF-8",
+            )
     if data.startswith((b"\xff\xfe", b"\xfe\xff")) or b"\x00" in data[:2]:
         encoding = "utf-16-be" if data.startswith((b"\xfe\xff", b"\x00")) else "utf-16-le"
         source = Source(data.decode(encoding, "replace").lstrip("\ufeff"), name=name, path=path)

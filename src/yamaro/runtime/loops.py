@@ -108,6 +108,8 @@ def too_many_turns(span: Span, limits: Limits) -> YamaroError:
 
 
 def _range_hint(value: object, node: ForNode) -> str:
+    if isinstance(value, float) and value - value != 0:
+        return "write a number of turns, such as range: 6"
     if isinstance(value, float):
         return f"write int(…) around it to cut {value} off to a whole number"
     if isinstance(value, str) and value.strip().isdigit():

@@ -11,7 +11,15 @@ from .safe_code import RUNTIME
 from .safe_guards import Guards
 from .safe_limits import SafeLimits, SafetyError, refused
 from .safe_modules import module
-from .safe_values import SCALARS, Module, function
+from .safe_values import (
+    CONTAINERS,
+    LIST_ITERATOR,
+    SCALARS,
+    Function,
+    Module,
+    _leaves,
+    function,
+)
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -99,6 +107,17 @@ class SafeRuntime(Guards):
                 self._own = [*getattr(self, "_own", ()), *functions]
                 self.own = frozenset(map(id, self._own))
         return self._modules[name]
+
+    def check_written(self, value: Any) -> None:
+        """Refuse a value that is to be put out, but is or holds what has no text of its own."""
+        for item in _leaves(value) if type(value) in CONTAINERS else (value,):
+            kind = type(item)
+            if kind is LIST_ITERATOR:
+                raise refused("the text of an iterator", hint="write list(…) around it")
+            if kind is Function or id(item) in self.own:
+                raise refused("the text of a function", hint="call it: name(…)")
+            if kind is Module:
+                raise refused("the text of a module", hint="write a name in it: math.pi")
 
     def refusal_of_module(self, name: str, why: str) -> SafetyError:
         """Return the error for a module that is not allowed."""

@@ -15,6 +15,8 @@ if TYPE_CHECKING:
     from .yaml_nodes import ScalarNode
 
 _OPENING = {")": "(", "]": "[", "}": "{"}
+TOO_MANY_DIGITS = "Exceeds the limit"
+"""How Python begins to say that an integer has thousands of digits."""
 ROS_WORDS = ("find", "find-pkg-share", "arg", "env", "optenv")
 _OPERATOR_WORDS = ("if", "else", "in", "is", "and", "or", "not", "for")
 
@@ -159,10 +161,17 @@ def _compile(python: PythonCode, text: str, mode: str, message: str) -> None:
     except (ValueError, OverflowError, RecursionError, MemoryError) as error:
         raise failure(
             "python-syntax",
-            f"{message}: {error or 'it is nested too deep'}",
+            f"{message}: {_reason(error)}",
             python.span(),
             hint="split it into several steps with variables",
         ) from None
+
+
+def _reason(error: Exception) -> str:
+    """Return why Python does not compile a text that is spelled well."""
+    if isinstance(error, (RecursionError, MemoryError)):
+        return "it is nested too deep"
+    return str(error)
 
 
 def _span_of_fault(python: PythonCode, text: str, fault: InputFault) -> Span:
@@ -189,7 +198,21 @@ def _syntax_failure(python: PythonCode, error: SyntaxError, message: str) -> Exc
     else:
         span = python.span(start, min(end, len(python.text)))
     reason = (error.msg or "invalid syntax").strip()
+    if reason.startswith(TOO_MANY_DIGITS):
+        return failure(
+            "number-too-long",
+            "this integer has more digits than can be read",
+            _span_of_long_number(python),
+            hint="quote it if it is text",
+        )
     return failure("python-syntax", f"{message}: {reason}", span, hint=_syntax_hint(python, reason))
+
+
+def _span_of_long_number(python: PythonCode) -> Span:
+    import re
+
+    found = re.search(r"[0-9][0-9_]{600,}", python.text)  # Python's limit can be set down to 640
+    return python.span(*found.span()) if found else python.span()
 
 
 def _line_span(python: PythonCode, line: int) -> Span:

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import sys
 
-from ..diagnostics import Reporter, did_you_mean, failure
+from ..diagnostics import Reporter, YamaroError, did_you_mean, failure
 from ..policy import Limits
 from ..source import Source, Span
 from .libyaml import (
@@ -23,6 +23,7 @@ from .libyaml import (
     StreamEndEvent,
     YAMLError,
 )
+from .scalars import is_null
 from .yaml_faults import refuse_characters, refuse_yaml
 from .yaml_nodes import PLAIN, MappingNode, ScalarNode, SequenceNode, quoted
 
@@ -47,7 +48,7 @@ def read(source: Source, *, reporter: Reporter, limits: Limits | None = None) ->
     """
     refuse_characters(source)
     root = _Builder(source, limits or Limits()).build()
-    if root is None or (isinstance(root, ScalarNode) and root.style == PLAIN and not root.text):
+    if root is None or _is_nothing(root):
         raise failure(
             "empty-file",
             "the file is empty",
@@ -58,6 +59,10 @@ def read(source: Source, *, reporter: Reporter, limits: Limits | None = None) ->
     return root
 
 
+def _is_nothing(node: YamlNode) -> bool:
+    return isinstance(node, ScalarNode) and node.style == PLAIN and is_null(node.text)
+
+
 def read_fragment(scalar: ScalarNode, start: int, end: int) -> YamlNode:
     """Return the node that `scalar.text[start:end]` is when read as YAML of its own.
 
@@ -65,9 +70,15 @@ def read_fragment(scalar: ScalarNode, start: int, end: int) -> YamlNode:
         YamaroError: the fragment is no YAML.
     """
     fragment = Source(scalar.text[start:end], name=scalar.source.name, path=scalar.source.path)
-    refuse_characters(fragment)
     places = [scalar.offset(index) for index in range(start, end)]
     places.append(places[-1] + 1 if places else scalar.end)
+    try:
+        refuse_characters(fragment)
+    except YamaroError as error:
+        for diagnostic in error.diagnostics:
+            at = places[diagnostic.span.start]
+            diagnostic.span = Span(scalar.source, at, at + 1)
+        raise
     root = _Builder(fragment, Limits(), owner=scalar.source, places=places).build()
     if root is None:
         at = places[0]
@@ -187,7 +198,8 @@ class _Builder:
                 self._refuse_tag(event)
             start = min(self._after_properties(start), end)  # behind an empty scalar is the next
         if self.places is not None:
-            start, end = self.place(start), self.place(end - 1) + 1 if end > start else start
+            end = self.place(end - 1) + 1 if end > start else self.place(start)
+            start = self.place(start)
         node = ScalarNode(event.value, event.style or "", self.source, start, end, anchor)
         if anchor is not None:
             self.anchors[anchor] = node
@@ -218,7 +230,10 @@ class _Builder:
         """Return where a node's own text begins, after its anchor."""
         text = self.text
         while start < len(text) and text[start] in "&!":
-            while start < len(text) and not text[start].isspace():
+            start += 1
+            while start < len(text) and (
+                (text[start].isascii() and text[start].isalnum()) or text[start] in "_-"
+            ):
                 start += 1
             while start < len(text) and text[start].isspace():
                 start += 1
