@@ -1,0 +1,137 @@
+"""Feeds the targets for a while, and shows what came of it and what the corpora reach.
+
+    scripts/fuzz                              each target 15 seconds
+    scripts/fuzz --seconds 600 reader keys    these targets, 10 minutes each
+    scripts/fuzz --seconds 0                  only measures what the corpora reach
+    scripts/fuzz --missing                    shows the lines that they do not reach
+    scripts/fuzz --keep                       lets the corpora have what is found
+    scripts/fuzz --plain                      with random inputs, as where there is no atheris
+
+With faults the exit status is 1, and the folder that is named holds the inputs.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import os
+import platform
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+from typing import Any
+
+from .corpus import ROOT, read_corpus, to_bytes
+
+NAMES = ("reader", "keys", "template", "pipeline")
+PACKAGE = "/yamaro/"
+
+
+def main(arguments: list[str]) -> int:
+    options = read_options(arguments)
+    folder = Path(tempfile.mkdtemp(prefix="yamaro-fuzz-"))
+    is_guided = not options.plain and has_atheris()
+    print(f"fuzzing on Python {platform.python_version()}, {how(is_guided)}", flush=True)
+    faults = []
+    for name in options.targets or NAMES:
+        own = folder / name
+        own.mkdir()
+        if options.seconds:
+            faults += feed(name, own, options, is_guided=is_guided)
+        if options.keep and is_guided:
+            keep(name, own)
+    for name in options.targets or NAMES:
+        faults += show_reached(name, folder / name, is_detailed=options.missing)
+    if faults:
+        (folder / "faults.txt").write_text("\n\n".join(faults), "utf-8", "backslashreplace")
+        print("\n\n".join(faults))
+        print(f"\n{len(faults)} faults, in {folder}/faults.txt")
+    return 1 if faults else 0
+
+
+def read_options(arguments: list[str]) -> argparse.Namespace:
+    parser = argparse.ArgumentParser(
+        "scripts/fuzz", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
+    parser.add_argument("targets", nargs="*", choices=[*NAMES, []], metavar="TARGET")
+    parser.add_argument("--seconds", type=float, default=15, help="for each target")
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--plain", action="store_true")
+    parser.add_argument("--keep", action="store_true")
+    parser.add_argument("--missing", action="store_true")
+    return parser.parse_args(arguments)
+
+
+def has_atheris() -> bool:
+    from importlib.util import find_spec
+
+    return find_spec("atheris") is not None
+
+
+def how(is_guided: bool) -> str:
+    return "guided by coverage (atheris)" if is_guided else "with random inputs, not guided"
+
+
+def run(module: str, *arguments: object, log: Path, **variables: str) -> None:
+    """Run a module of this folder; show what it said if it fails."""
+    command = [sys.executable, "-m", f"tests.fuzz.{module}", *map(str, arguments)]
+    with log.open("w") as file:
+        done = subprocess.run(
+            command, cwd=ROOT, stdout=file, stderr=file, env={**os.environ, **variables}
+        )
+    if done.returncode:
+        sys.exit(f"{log.read_text(errors='replace')[-4000:]}\n{' '.join(command)} failed")
+
+
+def feed(name: str, folder: Path, options: argparse.Namespace, *, is_guided: bool) -> list[str]:
+    """Feed a target, and tell what came of it; return its faults."""
+    module = "guided" if is_guided else "plain"
+    run(module, name, options.seconds, options.seed, folder, log=folder / "log.txt")
+    found = json.loads((folder / "session.json").read_text())
+    inputs = sum(found["counts"].values())
+    most = sorted(found["counts"].items(), key=lambda item: -item[1])
+    shown = ", ".join(f"{word} {count:,}" for word, count in most[:8])
+    print(f"{name:9} {inputs:9,} inputs in {found['seconds']:.0f} s, ", end="")
+    print(f"{len(found['faults'])} faults; {len(most)} outcomes: {shown}", flush=True)
+    return [
+        f"=== {name}: {place}\n{trace}\ninput: {text!r}"
+        for place, (text, trace) in found["faults"].items()
+    ]
+
+
+def keep(name: str, folder: Path) -> None:
+    """Let the corpus of a target have what was found, without what it does not need."""
+    known, merged = folder / "known", folder / "merged"
+    for path in (known, merged, folder / "corpus"):
+        path.mkdir(exist_ok=True)
+    for number, text in enumerate(read_corpus(name)):
+        (known / str(number)).write_bytes(to_bytes(text))
+    folders = (merged, known, folder / "corpus")
+    log = folder / "merge.txt"
+    run("minimise", "-merge=1", *folders, log=log, YAMARO_FUZZ_TARGET=name)
+    run("keep", name, merged, log=log)
+
+
+def show_reached(name: str, folder: Path, *, is_detailed: bool) -> list[str]:
+    """Show what of its modules the corpus of a target reaches; return the faults of the replay."""
+    report = folder / "reached.json"
+    run("replay", name, report, log=folder / "replay.txt")
+    found = json.loads(report.read_text())
+    print(f"\n{name}: the {found['inputs']} inputs of its corpus reach")
+    for path, file in sorted(found["files"].items()):
+        print(line_of(path.rpartition(PACKAGE)[2], file["summary"]))
+        if is_detailed:
+            print(f"      lines {file['missing_lines']}, branches {file['missing_branches']}")
+    print(line_of("in all", found["totals"]), flush=True)
+    return [f"=== {name}, corpus\n{found['faults']}"] if found["faults"] else []
+
+
+def line_of(path: str, summary: dict[str, Any]) -> str:
+    branches = f"{summary['covered_branches']:5,} of {summary['num_branches']:5,} branches"
+    lines = f"{summary['covered_lines']:5,} of {summary['num_statements']:5,} lines"
+    return f"  {path:28} {summary['percent_covered']:5.1f}%  {branches}, {lines}"
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
