@@ -15,6 +15,7 @@ from typing import Any
 import pytest
 
 import yamaro
+from yamaro import jail
 
 THREADS = 8
 ROUNDS = 10
@@ -135,6 +136,21 @@ functions:
     body: {if: {condition: k, body: {Deep: $(k - 1)}}, else: {v: $(n)}}
 out: {Deep: $(250 + n)}
 """
+# What files that are not trusted may do, and what each conversion has limits for.
+SAFE = """
+import: math
+variables: {total/global: 0, table: "$({k: k * n for k in range(n)})"}
+functions:
+  Row:
+    input: [k]
+    body:
+      process: total += math.floor(k * n / 2)
+      print: row $(k) of $(n)
+      row/k=$(k), total=$(total), text=$("x" * (k + n)): $(sorted(table.values())[:k])
+out:
+  for: {iterator: k, range: $(1 + n % 6), body: {Row: {k: $(k)}}}
+  if: {condition: n % 4 == 0, body: {a: '$(len([0] * (n * 100_000)))'}}
+"""
 UNREADABLE = "out:\n  a: $(1 +)\n  b: [1, 2\n"
 MALFORMED = "out:\n  a: $(1 +)\n  b: ${old}\n  for: {iteratr: i, range: 3, body: {c: }}\n"
 
@@ -152,6 +168,7 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     for name, text in (
         ("faulty", FAULTY),
         ("deep", DEEP),
+        ("safe", SAFE),
         ("unreadable", UNREADABLE),
         ("malformed", MALFORMED),
     ):
@@ -166,6 +183,11 @@ class Job:
         self.path = path
         self.way = way
         self.variables = {} if n is None else {"n": n}
+        self.policy = yamaro.Policy("safe" if path.endswith("safe.yaml") else "trusted")
+
+    def program(self) -> yamaro.Program:
+        """Return a program of the file, of which nothing is read yet."""
+        return yamaro.Program(self.path, policy=self.policy)
 
     def outcome(self, program: yamaro.Program) -> tuple[object, ...]:
         """Return all that can be seen of a conversion.
@@ -186,6 +208,7 @@ class Job:
             else:
                 words = [f"{name}:={value}" for name, value in self.variables.items()]
                 convert, given = partial(yamaro.build, self.path), {"command_line": words}
+                given["policy"] = self.policy
             strict = self.way.endswith("strict")
             build = convert(**given, on_message=messages.append, strict=strict)
             told = [str(yamaro.YamaroError([warning])) for warning in build.warnings]
@@ -198,19 +221,20 @@ def jobs(folder: Path) -> list[Job]:
     """Return a thousand jobs, with files, variables and ways mixed."""
     random_choice = random.Random(4).choice
     talking = ["alpha/robot.yaml", "beta/robot.yaml"]
-    silent = [f"{name}.yaml" for name in ("faulty", "deep", "unreadable", "malformed")]
+    silent = [f"{name}.yaml" for name in ("faulty", "deep", "safe") * 4]
+    silent += ["unreadable.yaml", "malformed.yaml"]
     examples = [
         str(path) for path in EXAMPLES.rglob("*.yaml") if path.stem in ("arm", "hexapod", "world")
     ]
     assert len(examples) == 3
     result = []
     for number in range(ROUNDS * JOBS_IN_ROUND):
-        path = random_choice(talking * 6 + silent * 4 + examples)
+        path = random_choice(talking * 6 + silent + examples)
         if path in talking:  # which print, and warn
             way = random_choice(["build", "strict", "program.build", "program.strict"])
         elif path in examples:
             way = random_choice(["build", "program.build", "convert", "program.convert"])
-        elif path == "faulty.yaml":  # which prints
+        elif path in ("faulty.yaml", "safe.yaml"):  # which print
             way = random_choice(["build", "program.build"])
         else:
             way = random_choice(["build", "program.build", "convert", "program.convert"])
@@ -221,7 +245,7 @@ def jobs(folder: Path) -> list[Job]:
 
 def programs(jobs: list[Job]) -> dict[str, yamaro.Program]:
     """Return a program for each file, of which nothing is read yet."""
-    return {job.path: yamaro.Program(job.path) for job in jobs}
+    return {job.path: job.program() for job in jobs}
 
 
 def state() -> tuple[object, ...]:
@@ -259,6 +283,14 @@ def at_once(jobs: list[Job]) -> list[tuple[object, ...]]:
     return outcomes
 
 
+@pytest.fixture(scope="module", autouse=True)
+def _no_jails() -> Iterator[None]:
+    """Convert in the threads themselves what would be converted in processes of their own."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(jail, "check_available", lambda: "it is not wanted")
+        yield
+
+
 @pytest.fixture(scope="module")
 def all_jobs(folder: Path) -> list[Job]:
     return jobs(folder)
@@ -267,7 +299,7 @@ def all_jobs(folder: Path) -> list[Job]:
 @pytest.fixture(scope="module")
 def expected(all_jobs: list[Job]) -> list[tuple[object, ...]]:
     """Return what each job gives from files that are read anew."""
-    return [job.outcome(yamaro.Program(job.path)) for job in all_jobs]
+    return [job.outcome(job.program()) for job in all_jobs]
 
 
 def test_the_jobs_are_of_many_kinds(
@@ -279,6 +311,7 @@ def test_the_jobs_are_of_many_kinds(
     assert sum(bool(outcome[2]) for outcome in expected) > 300  # that print
     assert len({failure.partition(":")[0] for failure in failures}) > 8
     assert 200 < len(failures) < 600
+    assert any("limit-sequence" in failure for failure in failures)  # as untrusted files have them
 
 
 @pytest.fixture
