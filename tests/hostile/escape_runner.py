@@ -19,6 +19,8 @@ import unicodedata  # noqa: F401 - Python itself needs it for names that are not
 from types import SimpleNamespace
 from typing import Any, NoReturn
 
+import numpy as np
+
 from yamaro.diagnostics import YamaroError
 from yamaro.runtime.expressions import Evaluator
 from yamaro.runtime.safe_code import compile_safe
@@ -71,9 +73,10 @@ def watch(event: str, args: tuple[Any, ...]) -> None:
 
 def world() -> str:
     """Return what no attack may change."""
-    kept = [vars(builtins), vars(math), vars(statistics)]
+    kept = [vars(builtins), vars(math), vars(statistics), vars(np), vars(np.linalg)]
+    of_numpy = np.get_printoptions(), np.geterr(), np.geterrcall()
     return repr([sorted((str(k), id(v)) for k, v in one.items()) for one in kept]) + repr(
-        (os.environ, sorted(sys.modules), sys.getrecursionlimit(), os.getcwd())
+        (os.environ, sorted(sys.modules), sys.getrecursionlimit(), os.getcwd(), of_numpy)
     )
 
 
@@ -87,7 +90,8 @@ def attack(mode: str, text: str, steps: int | None = None) -> dict[str, Any]:
     legs = Namespace("Legs", shared)
     legs._add("count", 4)
     names = runtime.names({"find": lambda package: f"/opt/{package}", "file_dir": lambda: "/robot"})
-    names |= {"math": runtime.module("math"), "statistics": runtime.module("statistics")}
+    names |= {name: runtime.module(name) for name in ("math", "numpy", "statistics")}
+    names["np"] = names["numpy"]
     source = Source(text, name="attack")
     scope = Scope(Home(source, "", names, None), shared, closure=None, caller=None)
     for name, value in {
@@ -153,6 +157,7 @@ def main() -> None:
     attack("eval", "f'{statistics.mean([1, 2])} {1:.2f}'.split()")  # all there is to import
     attack("eval", "no_such_name + len(1)")
     attack("eval", "math.foo")
+    attack("eval", "np.array([1.5]) / 0, str(np.zeros((2, 2))), np.median([1, 2]), 1 in np.ones(2)")
     sys.addaudithook(watch)
     for line in sys.stdin:
         asked = SimpleNamespace(**json.loads(line))

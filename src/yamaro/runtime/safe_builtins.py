@@ -15,6 +15,7 @@ from .safe_values import (
     SCALARS,
     SEQUENCES,
     WHOLE,
+    Foreign,
     Function,
     OrderedSet,
     a_type,
@@ -73,11 +74,9 @@ def permitted(guards: Guards, say: Callable[[str], None]) -> dict[str, Any]:
         names[name] = function(call, shown, guards)
     names.update((bare.__name__, bare) for bare in BARE)
     names["print"] = function(_print, "<built-in function print>", guards, say)
-    names["isinstance"] = function(
-        _is_instance,
-        "<built-in function isinstance>",
-        [(names[name], kind) for name, kind in TYPES.items()],
-    )
+    guards.types = [(names[name], kind) for name, kind in TYPES.items()]
+    shown = "<built-in function isinstance>"
+    names["isinstance"] = function(_is_instance, shown, guards.types)
     return names
 
 
@@ -136,6 +135,7 @@ def _bool(_: Guards, value: Any = False, /) -> bool:
 
 
 def _round(guards: Guards, number: Any, ndigits: Any = None) -> Any:
+    ndigits = guards.plain(ndigits)
     if type(number) in WHOLE and type(ndigits) is int and ndigits < -guards.limits.integer:
         raise guards.limits.passed("integer", "so many digits cannot be rounded off")
     guards.charge_bits(number)
@@ -163,7 +163,8 @@ def _whole_text(make: Callable[[Any], str]) -> Callable[[Guards, Any], str]:
 def _sum(guards: Guards, values: Any, /, start: Any = 0) -> Any:
     items = guards.items(values)
     items = list(items) if type(items) not in SEQUENCES else items
-    if type(start) in NUMBERS and all(type(item) in NUMBERS for item in items):
+    known = NUMBERS | guards.foreign.keys()
+    if type(start) in known and all(type(item) in known for item in items):
         return sum(items, start)
     if type(start) is str:
         raise TypeError("sum() can't sum strings [use ''.join(seq) instead]")
@@ -235,7 +236,9 @@ def _sorted(guards: Guards, values: Any, /, *, key: Any = None, reverse: Any = F
 
 def _reversed(guards: Guards, values: Any, /) -> Any:
     kind = type(values)
-    if kind not in (list, tuple, str, range, dict) and kind not in DICT_VIEWS:
+    if kind in guards.foreign:
+        values = list(guards.items(values))
+    elif kind not in (list, tuple, str, range, dict) and kind not in DICT_VIEWS:
         if kind in SCALARS or kind is OrderedSet or kind is LIST_ITERATOR:
             return reversed(values)  # raises Python's own error
         raise refused(f"`reversed` of {a_type(values)}")
@@ -328,6 +331,8 @@ def _print(
 def _is_instance(kinds: list[tuple[Any, type]], value: Any, wanted: Any, /) -> bool:
     asked = wanted if type(wanted) is tuple else (wanted,)
     found = [kind for item in islice(asked, 20) for named, kind in kinds if named is item]
+    if isinstance(value, Foreign):
+        value = value.data
     if found and len(found) == len(asked):  # tuples in tuples could take for ever
         return isinstance(value, tuple(found))
     raise refused("this use of `isinstance`", hint=f"it may ask for {', '.join(TYPES)}")

@@ -70,7 +70,6 @@ REFUSED = {
     "ImportFrom": "an import",
     "Interactive": "an interactive statement",
     "Interpolation": "a template string",
-    "MatMult": "the operator `@`",
     "Match": "a `match` statement",
     "MatchAs": "a `match` statement",
     "MatchClass": "a `match` statement",
@@ -133,6 +132,7 @@ _OPERATORS = {
     "Div": "div",
     "FloorDiv": "floordiv",
     "LShift": "lshift",
+    "MatMult": "matmul",
     "Mod": "mod",
     "Mult": "mul",
     "Pow": "pow",
@@ -346,10 +346,14 @@ def _augmented_assign(self: _Rewriter, node: ast.AugAssign) -> ast.AST:
         read = ast.copy_location(ast.Name(target.id, ast.Load()), target)
         changed = self.guard("change", node, name, read, value)
         return ast.copy_location(ast.Assign([_target(self, target)], changed), node)
-    if type(target) is not ast.Subscript or type(target.slice) is ast.Slice:
+    if type(target) is not ast.Subscript:
         raise self.refused("this kind of assignment", target)
-    owner, key = self.visit(target.value), self.visit(target.slice)
-    changed = self.guard("change_item", node, name, owner, key, value)
+    if _has_slice(target):
+        owner, key = self.visit(target.value), _slices(self, target.slice)
+        changed = self.guard("change_block", target, name, owner, key, value)
+    else:
+        owner, key = self.visit(target.value), self.visit(target.slice)
+        changed = self.guard("change_item", node, name, owner, key, value)
     return ast.copy_location(ast.Expr(changed), node)
 
 
@@ -363,12 +367,13 @@ def _target(self: _Rewriter, node: ast.AST) -> Any:
     if type(node) is ast.Tuple or type(node) is ast.List:
         items = [_target(self, item) for item in node.elts]
         return ast.copy_location(type(node)(items, node.ctx), node)
-    if type(node) is ast.Subscript and type(node.slice) is not ast.Slice:
+    if type(node) is ast.Subscript and _has_slice(node):
+        owner = self.guard("array_to_change", node, self.visit(node.value))
+        return ast.copy_location(ast.Subscript(owner, _slices(self, node.slice), node.ctx), node)
+    if type(node) is ast.Subscript:
         owner = self.guard("owner", node.value, self.visit(node.value))
         key = self.guard("stored_key", node.slice, self.visit(node.slice))
         return ast.copy_location(ast.Subscript(owner, key, node.ctx), node)
-    if type(node) is ast.Subscript:
-        raise self.refused("an assignment to a slice", node)
     if type(node) is ast.Attribute:
         raise self.refused("an assignment to an attribute", node)
     raise self.refused("this kind of assignment", node)
@@ -433,6 +438,9 @@ def _subscript(self: _Rewriter, node: ast.Subscript) -> ast.AST:
             for bound in (piece.lower, piece.upper, piece.step)
         ]
         return self.guard("piece", node, owner, *bounds)
+    if _has_slice(node):
+        array = self.guard("block", node, owner)
+        return ast.copy_location(ast.Subscript(array, _slices(self, node.slice), node.ctx), node)
     index = self.visit(node.slice)
     if not _is_small(node.slice):
         return self.guard("item", node, owner, index)
@@ -441,6 +449,26 @@ def _subscript(self: _Rewriter, node: ast.Subscript) -> ast.AST:
 
 def _slice_within(self: _Rewriter, node: ast.Slice) -> ast.AST:
     raise self.refused("a slice in several dimensions", node)
+
+
+def _has_slice(node: ast.Subscript) -> bool:
+    """Tell whether the index is a slice, or several of which one is."""
+    parts = node.slice.elts if type(node.slice) is ast.Tuple else [node.slice]
+    return any(type(part) is ast.Slice for part in parts)
+
+
+def _slices(self: _Rewriter, node: ast.expr) -> ast.expr:
+    """Return the index of an array, which may have a slice for each dimension.
+
+    Nothing but arrays may be given such an index, lest a dict keep a slice as a key.
+    """
+    if type(node) is ast.Tuple:
+        parts = [_slices(self, part) for part in node.elts]
+        return ast.copy_location(ast.Tuple(parts, node.ctx), node)
+    if type(node) is not ast.Slice:
+        return self.visit(node)  # type: ignore[no-any-return]
+    bounds = self.visit_all([node.lower, node.upper, node.step])
+    return ast.copy_location(ast.Slice(*bounds), node)
 
 
 def _call(self: _Rewriter, node: ast.Call) -> ast.AST:

@@ -33,9 +33,12 @@ from .scope import Namespace
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable, Iterator
+    from collections.abc import Callable, Iterable, Iterator, Sequence
     from typing import Any
 
+    from .safe_numpy import Numpy
+
+_MANY = 60  # more names are not listed in a message
 _GENERATOR = type(_ for _ in ())
 _ERRORS = {
     kind.__name__: kind
@@ -50,12 +53,16 @@ class Guards(Meter):
         calls: how many lambdas are running, one within the other.
         own: the identities of the functions written in C that may be called.
         lazy_functions: the permitted `any`, `all` and `next`.
+        types: the permitted functions that are types in Python, with these types.
+        numpy: what stands for numpy, once it is asked for.
     """
 
     calls = 0
     _owner_size = 0
     own: frozenset[int] = frozenset()
     lazy_functions: tuple[Function, ...] = ()
+    types: Sequence[tuple[Any, Any]] = ()
+    numpy: Numpy | None = None
 
     # --- arithmetic ---
 
@@ -136,6 +143,10 @@ class Guards(Meter):
         self.charge_bits(a)
         return a % b
 
+    def matmul(self, a: Any, b: Any) -> Any:
+        """Return `a @ b`, which only arrays have."""
+        return a @ b
+
     def pow(self, a: Any, b: Any) -> Any:
         """Return `a ** b`."""
         if type(a) in WHOLE and type(b) in WHOLE and b > 0 and not -2 < a < 2:
@@ -214,6 +225,8 @@ class Guards(Meter):
         elif kind is FlexiDict:
             self.charge(len(owner))
             self.measured(index)
+        elif kind in self.foreign and not hasattr(kind, "__getitem__"):
+            raise refused(f"an item of {a_type(owner)}")
         return owner[index]
 
     def piece(self, owner: Any, start: Any, stop: Any, step: Any) -> Any:
@@ -221,6 +234,18 @@ class Guards(Meter):
         piece = owner[slice(start, stop, step)]
         self.check_size(piece)
         return piece
+
+    def block(self, owner: Any) -> Any:
+        """Return an array, slices of which are about to be read or assigned in a tuple."""
+        if type(owner) in self.foreign:
+            return owner
+        raise refused("a slice in several dimensions", f"{a_type(owner)} has but one")
+
+    def array_to_change(self, owner: Any) -> Any:
+        """Return an array, a slice of which is about to be assigned."""
+        if type(owner) in self.foreign:
+            return owner
+        raise refused("an assignment to a slice", f"this is {a_type(owner)}, and not an array")
 
     def display(self, made: Any) -> Any:
         """Return a list, tuple or dict into which others were unpacked."""
@@ -287,9 +312,13 @@ class Guards(Meter):
         return self.attribute(owner, name)
 
     def _no_member(self, module: Module, name: str) -> SafetyError:
-        known = ", ".join(sorted(module.members))
-        near = did_you_mean(name, module.members)
-        return refused(f"`{module.name}.{name}`", hint=near or f"`{module.name}` has {known}")
+        hint = did_you_mean(name, module.members)
+        if hint is None:
+            known = len(module.members)
+            hint = RUN_IT
+            if known <= _MANY:
+                hint = f"`{module.name}` has {', '.join(sorted(module.members))}"
+        return refused(f"`{module.name}.{name}`", hint=hint)
 
     def _no_attribute(self, owner: Any, name: str) -> Any:
         kind = type(owner)
@@ -301,6 +330,12 @@ class Guards(Meter):
             )
         if kind is Function or id(owner) in self.own:
             raise refused("an attribute of a function", hint="write a lambda: lambda x: x.upper()")
+        if kind in self.foreign and hasattr(owner.data, name):
+            known = (*READING.get(kind, ()), *DATA.get(kind, ()))
+            hint = did_you_mean(name, known) or RUN_IT
+            raise refused(f"the attribute `{name}` of {a_type(owner)}", hint=hint)
+        if kind in self.foreign:
+            return getattr(owner.data, name)  # raises Python's own error
         if kind not in SCALARS and (kind not in ITERABLES or kind is LIST_ITERATOR):
             raise refused(f"an attribute of {a_type(owner)}")
         if hasattr(kind, name):
@@ -313,7 +348,8 @@ class Guards(Meter):
         kind = type(value)
         if kind is Function or id(value) in self.own:
             return value
-        if kind in SCALARS or kind in ITERABLES or kind is Module or kind is Namespace:
+        is_value = kind in SCALARS or kind in ITERABLES or kind in self.foreign
+        if is_value or kind is Module or kind is Namespace:
             return value  # the call raises Python's own error
         raise refused(f"calling {a_type(value)}")
 
@@ -426,6 +462,18 @@ class Guards(Meter):
             if digits > self.limits.width:
                 raise self.limits.passed("width", f"the format '{spec[:40]}' makes long texts")
 
+    # --- coming in ---
+
+    def admit_foreign(self, value: Any) -> Any:
+        """Return what stands for an object of numpy's, which the caller may go on changing.
+
+        Raises:
+            SafetyError: it is not plain data.
+        """
+        from .safe_numpy import numpy_of
+
+        return numpy_of(self).admit(value)
+
     # --- statements ---
 
     def owner(self, value: Any) -> Any:
@@ -436,7 +484,9 @@ class Guards(Meter):
             self._owner_size = len(value)
             if len(value) >= self.limits.sequence:
                 self.check_sequence(len(value) + 1)
-        elif kind is not list and kind not in SCALARS and kind not in ITERABLES:
+        elif kind is list or kind in self.foreign:
+            pass  # the item is there already
+        elif kind not in SCALARS and kind not in ITERABLES:
             raise refused(f"an assignment to an item of {a_type(value)}")
         return value
 
@@ -447,7 +497,9 @@ class Guards(Meter):
     def change(self, name: str, value: Any, other: Any) -> Any:
         """Return what a variable is after `value += other`, or another such operator."""
         kind = type(value)
-        if kind is list and name == "iadd":
+        if kind in self.foreign:
+            value = _IN_PLACE[name](value, other)
+        elif kind is list and name == "iadd" and type(other) not in self.foreign:
             items = self.items(other)
             self.check_sequence(len(value) + len(items))
             value += items
@@ -456,7 +508,7 @@ class Guards(Meter):
             value *= other
         elif kind is dict and name == "ibit_or" and type(other) is dict:
             CHANGING[dict]["update"](self, value, other)
-        elif kind is OrderedSet and type(other) is OrderedSet and name in _IN_PLACE:
+        elif kind is OrderedSet and type(other) is OrderedSet and name in _OF_SETS:
             self.keys(set.__iter__(other), len(value))
             self.check_sequence(len(value) + len(other))
             value = _IN_PLACE[name](value, other)
@@ -467,6 +519,12 @@ class Guards(Meter):
     def change_item(self, name: str, owner: Any, key: Any, other: Any) -> None:
         """Do `owner[key] += other`, or another such operator."""
         self.owner(owner)[key] = self.change(name, self.item(owner, key), other)
+
+    def change_block(self, name: str, owner: Any, key: Any, other: Any) -> None:
+        """Do the same with a slice in the key, which only arrays may have."""
+        if type(owner) not in self.foreign:
+            raise refused("this kind of assignment", f"this is {a_type(owner)}, and not an array")
+        owner[key] = self.change(name, owner[key], other)
 
     def error(self, name: str, message: Any) -> Exception:
         """Return the exception that `raise` is to raise."""
@@ -514,8 +572,18 @@ class Guards(Meter):
 
 
 _IN_PLACE: dict[str, Callable[[Any, Any], Any]] = {
+    "iadd": operator.iadd,
     "ibit_and": operator.iand,
     "ibit_or": operator.ior,
     "ibit_xor": operator.ixor,
+    "idiv": operator.itruediv,
+    "ifloordiv": operator.ifloordiv,
+    "ilshift": operator.ilshift,
+    "imatmul": operator.imatmul,
+    "imod": operator.imod,
+    "imul": operator.imul,
+    "ipow": operator.ipow,
+    "irshift": operator.irshift,
     "isub": operator.isub,
 }
+_OF_SETS = frozenset(("ibit_and", "ibit_or", "ibit_xor", "isub"))

@@ -72,8 +72,9 @@ def _padding(name: str) -> Method:
     method = getattr(str, name)
 
     def run(guards: Guards, owner: str, /, *args: Any) -> str:
-        if args and type(args[0]) is int:
-            guards.check_text(max(args[0], len(owner)))
+        width = guards.plain(args[0]) if args else None
+        if type(width) is int:
+            guards.check_text(max(width, len(owner)))
         return str(method(owner, *args))
 
     return run
@@ -87,6 +88,7 @@ def _join(guards: Guards, owner: str, items: Any, /) -> str:
 
 
 def _replace(guards: Guards, owner: str, old: Any, new: Any, /, count: Any = -1) -> str:
+    count = guards.plain(count)
     if type(old) is str and type(new) is str and type(count) in (int, bool):
         guards.charge_sizes(owner, old, new)
         if len(owner) > 64:

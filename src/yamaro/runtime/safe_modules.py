@@ -8,8 +8,8 @@ from __future__ import annotations
 
 import math
 
-from .safe_limits import RUN_IT, refused
-from .safe_values import NUMBERS, WHOLE, Function, Module, a_type, function
+from .safe_limits import RUN_IT, SafetyError, refused
+from .safe_values import NUMBERS, WHOLE, Foreign, Function, Module, a_type, function
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -53,7 +53,30 @@ def statistics(guards: Guards) -> Module:
     return Module("statistics", members)
 
 
-MODULES: dict[str, Callable[[Guards], Module]] = {"math": mathematics, "statistics": statistics}
+def arrays(guards: Guards) -> Module:
+    """Return what stands for `numpy`.
+
+    Raises:
+        SafetyError: it is not installed.
+    """
+    try:
+        from .safe_numpy import numpy_of
+    except ModuleNotFoundError as error:
+        if error.name != "numpy":
+            raise
+        raise SafetyError(
+            "unknown-module",
+            "there is no Python module 'numpy'",
+            "modules are looked for where Python finds them; is it installed?",
+        ) from None
+    return numpy_of(guards).module
+
+
+MODULES: dict[str, Callable[[Guards], Module]] = {
+    "math": mathematics,
+    "numpy": arrays,
+    "statistics": statistics,
+}
 
 
 def module(guards: Guards, name: str) -> Module:
@@ -73,17 +96,26 @@ def _of_numbers(
 ) -> Any:
     """Return a function of the numbers in a collection, and of others."""
     numbers = _numbers(guards, data, 20)
-    rest = [_numbers(guards, value, 20) if _is_many(value) else value for value in args]
-    others = {
-        name: _numbers(guards, value, 20) if _is_many(value) else value
-        for name, value in named.items()
-    }
+    rest = [_statistical(guards, value) for value in args]
+    others = {name: _statistical(guards, value) for name, value in named.items()}
     guards.keys(numbers)
-    return call(numbers, *rest, **others)
+    stand_in = next((item for item in numbers if isinstance(item, Foreign)), None)
+    result = call(_bare(numbers), *rest, **others)
+    return result if stand_in is None else stand_in.of_its_kind(result)
 
 
-def _is_many(value: Any) -> bool:
-    return type(value) not in NUMBERS and value is not None
+def _statistical(guards: Guards, value: Any) -> Any:
+    """Return an argument of a function of numbers: a number, or a collection of them."""
+    if type(value) in NUMBERS or value is None:
+        return value
+    if isinstance(value, Foreign) and not hasattr(type(value), "__iter__"):
+        return value.data
+    return _bare(_numbers(guards, value, 20))
+
+
+def _bare(numbers: list[Any]) -> list[Any]:
+    """Return numbers as the library has them, which looks at their types."""
+    return [item.data if isinstance(item, Foreign) else item for item in numbers]
 
 
 def _numbers(guards: Guards, values: Any, cost: int = 2) -> list[Any]:
@@ -91,9 +123,10 @@ def _numbers(guards: Guards, values: Any, cost: int = 2) -> list[Any]:
     items = list(guards.items(values))
     guards.charge(len(items) * cost)
     for item in items:
-        if type(item) is int and item.bit_length() > 64:
+        kind = type(item)
+        if kind is int and item.bit_length() > 64:
             guards.charge(item.bit_length() * cost >> 2)
-        if type(item) not in NUMBERS:
+        if kind not in NUMBERS and (kind not in guards.foreign or hasattr(kind, "__iter__")):
             raise TypeError(f"a number is needed here, and this is {a_type(item)}")
     return items
 
@@ -106,17 +139,20 @@ def _product(guards: Guards, values: Any, /, *, start: Any = 1) -> Any:
 
 
 def _factorial(guards: Guards, number: Any, /) -> int:
+    number = guards.plain(number)
     _check_count(guards, number)
     return math.factorial(number)
 
 
 def _combinations(guards: Guards, number: Any, chosen: Any, /) -> int:
+    number, chosen = guards.plain(number), guards.plain(chosen)
     is_whole = type(number) in WHOLE and type(chosen) in WHOLE
     _check_choice(guards, number, min(chosen, number - chosen) if is_whole else chosen)
     return math.comb(number, chosen)
 
 
 def _permutations(guards: Guards, number: Any, chosen: Any = None, /) -> int:
+    number, chosen = guards.plain(number), guards.plain(chosen)
     is_all = chosen is None or (type(number) in WHOLE and number == chosen)
     if type(number) in WHOLE and not is_all and type(chosen) in WHOLE and chosen > number:
         return math.perm(number, chosen)  # none
@@ -148,7 +184,8 @@ def _with_whole_numbers(name: str) -> Callable[..., Any]:
     return run
 
 
-def _least_common_multiple(guards: Guards, /, *numbers: Any) -> int:
+def _least_common_multiple(guards: Guards, /, *values: Any) -> int:
+    numbers = list(map(guards.plain, values))
     guards.check_integer(sum(n.bit_length() for n in numbers if type(n) in WHOLE))
     return math.lcm(*numbers)
 

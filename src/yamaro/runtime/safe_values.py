@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from functools import partial
 from itertools import pairwise
+from operator import index
 
 from ..syntax.flexidict import FlexiDict
 from .safe_limits import SafeLimits, SafetyError, refused
@@ -20,9 +21,12 @@ if TYPE_CHECKING:
     from typing import Any
 
 WORDS_OF_TYPES = {
+    "Array": "an array",
     "Module": "a module",
     "Namespace": "a namespace",
+    "Number": "a number of numpy",
     "OrderedSet": "a set",
+    "Whole": "a number of numpy",
     "builtin_function_or_method": "a function",
     "Function": "a function",
     "list_iterator": "an iterator",
@@ -68,6 +72,21 @@ class Module:
         return f"<module '{self.name}'>"
 
 
+class Foreign:
+    """A value of a library that is not Python's own, wrapped: its operators count their steps.
+
+    Attributes:
+        data: the value itself, which no code of a file gets hold of.
+    """
+
+    __slots__ = ()
+    data: Any
+
+    def of_its_kind(self, value: Any) -> Any:
+        """Return what stands for a value of the same library."""
+        raise NotImplementedError
+
+
 class OrderedSet(set):  # type: ignore[type-arg]
     """A set whose order is the same in every run.
 
@@ -97,8 +116,13 @@ class OrderedSet(set):  # type: ignore[type-arg]
 
 def _has_fixed_hash(item: Any) -> bool:
     if type(item) is tuple:
-        return all(type(part) in NUMBERS and part == part for part in item)
-    return type(item) in NUMBERS and item == item  # the hash of nan is chance
+        return all(map(_is_number, item))
+    return _is_number(item)
+
+
+def _is_number(item: Any) -> bool:
+    """Tell whether a value is a number, but for nan, the hash of which is chance."""
+    return (type(item) in NUMBERS or isinstance(item, Foreign)) and bool(item == item)
 
 
 def _order(item: Any) -> tuple[str, Any]:
@@ -139,8 +163,8 @@ class Meter:
     Attributes:
         steps: taken so far.
         limits: how many may be taken, and how large values may be.
-        foreign: further exact types that are let in, such as numpy's, each with a function that
-            tells the size of a value.
+        foreign: further exact types that are let in, such as those that stand for numpy's, each
+            with a function that tells the size of a value.
         many_bits: of a whole number that is worth counting.
     """
 
@@ -186,6 +210,14 @@ class Meter:
         for value in values:
             if type(value) is int and value.bit_length() > self.many_bits:
                 self.charge(value.bit_length() >> 5)
+
+    def plain(self, value: Any) -> Any:
+        """Return a number from another library as Python's own, where Python would take it so.
+
+        Python takes such a number for a size, and its own type is what the guards look at.
+        """
+        is_whole = type(value) in self.foreign and hasattr(type(value), "__index__")
+        return index(value) if is_whole else value
 
     # --- sizes ---
 
@@ -329,14 +361,26 @@ class Meter:
             return value
         if kind is set or kind is frozenset:
             return OrderedSet(value)
+        if kind.__module__ == "numpy" and kind not in self.foreign:
+            return self.admit_foreign(value)
         if kind not in CONTAINERS and kind not in self.foreign:
-            raise refused(f"a value of the type `{kind.__name__}`", "only plain data can be used")
+            raise _not_plain(value)
         self.expanded(value)
         if kind in CONTAINERS:
             for item in _leaves(value):
                 if type(item) not in SCALARS:
+                    if type(item).__module__ == "numpy" and type(item) not in self.foreign:
+                        raise _not_plain(item)  # a list cannot be changed on its way in
                     self.admit(item)
         return value
+
+    def admit_foreign(self, value: Any) -> Any:
+        """Return what stands for an object of numpy's.
+
+        Raises:
+            SafetyError: it is not plain data.
+        """
+        raise _not_plain(value)
 
     def text(self, value: Any) -> str:
         """Return what `str` gives.
@@ -344,7 +388,12 @@ class Meter:
         Raises:
             SafetyError: it would be too long, or differ from run to run.
         """
-        return value if type(value) is str else self.representation(value)
+        kind = type(value)
+        if kind in self.foreign:  # the text of these is not what `repr` gives
+            written = str(value)
+            self.check_text(len(written))
+            return written
+        return value if kind is str else self.representation(value)
 
     def representation(self, value: Any) -> str:
         """Return what `repr` gives; see `text`."""
@@ -367,6 +416,10 @@ class Meter:
         written = repr(value)
         self.check_text(len(written))
         return written
+
+
+def _not_plain(value: Any) -> SafetyError:
+    return refused(f"a value of the type `{type(value).__name__}`", "only plain data can be used")
 
 
 def _is_tame(value: Any) -> bool:
