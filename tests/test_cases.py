@@ -8,6 +8,7 @@ from __future__ import annotations
 import difflib
 import functools
 import platform
+import re
 import shlex
 import sys
 from pathlib import Path
@@ -17,7 +18,7 @@ import pytest
 from lxml import etree
 from packaging.specifiers import SpecifierSet
 
-from yamaro import compiler
+from yamaro import compiler, jail
 from yamaro.cli import main
 from yamaro.runtime.interpreter import Interpreter
 
@@ -149,6 +150,57 @@ def test_case_gives_exactly_what_is_expected(
     ), "sharing elements between places changes something"
     left = {name for name in set(sys.modules) - modules_before if is_from_a_case(name)}
     assert not left, f"modules stay in sys.modules: {sorted(left)}"
+
+
+UNSAFE = re.compile(
+    r"^error\[(unsafe-code|limit-[a-z]+|path-outside)\]|^yamaro: error: '--", re.MULTILINE
+)
+"""What safe mode and the jail may say where trusted mode says something else."""
+
+
+@pytest.mark.parametrize("case", find_cases(), ids=case_id)
+def test_safe_mode_gives_the_same_or_refuses(
+    case: Path, compile_case: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    options = read_options(case)
+    if options.get("command") or "--" in options.get("args", ""):
+        pytest.skip("has a mode of its own")
+    if platform.python_version() not in SpecifierSet(options.get("python", "")):
+        pytest.skip(f"is for Python {options['python']}")
+    trusted = compile_case(case, options)
+    monkeypatch.setattr(jail, "check_available", lambda: "what matters here is the language")
+    options["args"] = f"--safe {options.get('args', '')}"
+    safe = compile_case(case, options)
+    if UNSAFE.search(safe.messages):
+        assert safe.status == 1
+        assert safe.xml == ""
+        return
+    assert (safe.status, safe.xml, safe.messages) == (
+        trusted.status,
+        trusted.xml,
+        trusted.messages,
+    )
+
+
+@pytest.mark.skipif(jail.check_available() is not None, reason="there is no jail here")
+@pytest.mark.parametrize("case", find_cases()[::3], ids=case_id)  # all take half a minute
+def test_what_comes_out_of_a_jail_is_the_same(case: Path, compile_case: Any) -> None:
+    options = read_options(case)
+    if options.get("command") or "--" in options.get("args", "") or "env" in options:
+        pytest.skip("has a mode or an environment of its own")
+    if platform.python_version() not in SpecifierSet(options.get("python", "")):
+        pytest.skip(f"is for Python {options['python']}")
+    expected = (
+        0 if case.with_suffix(".xml").exists() else 1,
+        read_expected(case.with_suffix(".xml")),
+        read_expected(case.with_suffix(".err")),
+    )
+    options["args"] = f"--jail {options.get('args', '')}"
+    jailed = compile_case(case, options)
+    if jailed.messages.startswith("error[path-outside]"):
+        assert jailed.xml == ""
+        return
+    assert (jailed.status, jailed.xml, jailed.messages) == expected
 
 
 def is_from_a_case(module_name: str) -> bool:

@@ -12,7 +12,7 @@ from typing import Any
 import pytest
 
 import yamaro
-from yamaro import Policy, YamaroError, compiler, jail
+from yamaro import Policy, YamaroError, confined, jail
 from yamaro.cli import main
 from yamaro.jail import JailLimits
 from yamaro.policy import Limits, limit_names
@@ -130,7 +130,7 @@ def test_an_endless_loop_is_shown_where_it_is(tmp_path: Path, mode: str) -> None
 def test_a_long_call_is_ended_with_its_jail(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(compiler, "GRACE", 0.2)
+    monkeypatch.setattr(confined, "GRACE", 0.2)
     began = time.monotonic()
     assert codes(write(tmp_path, LONG_CALL), Policy("jail", timeout=0.2)) == ["limit-time"]
     assert time.monotonic() - began < 10

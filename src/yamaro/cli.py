@@ -387,9 +387,9 @@ def _run_on_file(arguments: Arguments, streams: Streams) -> int:
     arguments.resolve_output()
     _refuse_overwriting(arguments, lambda: arguments.words)
     policy = make_policy(arguments)
-    if streams.owns_process:
-        _bound_process(arguments, streams, policy)
     try:
+        if streams.owns_process:
+            _bound_process(arguments, streams, policy)
         build, chunks = _build(arguments, streams, policy)
     except YamaroError as error:
         _show(error.diagnostics, arguments, streams)
@@ -404,15 +404,16 @@ def _run_on_file(arguments: Arguments, streams: Streams) -> int:
 
 def _bound_process(arguments: Arguments, streams: Streams, policy: Policy) -> None:
     """See to it that this process takes no more memory and time than it may."""
-    from . import compiler, process
+    from . import process
+    from .confined import has_jail, time_is_over
 
     process.bound_memory(policy.limits.memory)
-    if policy.timeout is None or compiler.why_no_jail(policy) is None:
+    name = _display_name(arguments)
+    if policy.timeout is None or has_jail(policy, name):
         return
 
     def say_why() -> None:
-        error = compiler.time_is_over(_display_name(arguments), policy)
-        _show(error.diagnostics, arguments, streams)
+        _show(time_is_over(name, policy).diagnostics, arguments, streams)
 
     process.end_after(policy.timeout, say_why)
 

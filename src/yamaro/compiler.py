@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import sys
 
+from .confined import failure_of_all, has_errors, has_jail, run_confined, time_is_over
 from .diagnostics import (
     ERROR,
     INHERITED,
@@ -15,11 +16,10 @@ from .diagnostics import (
     failure,
     suggest,
 )
-from .policy import JAIL, USUAL_SECONDS, Limits, Policy
+from .policy import Limits, Policy
 from .runtime.collector import RareCollection
 from .runtime.deadline import Deadline, TimeOver
 from .runtime.deep_stack import run_on_deep_stack
-from .runtime.expressions import TIME_HINT
 from .runtime.interpreter import Interpreter
 from .runtime.library import Library, rules_of
 from .runtime.loader import FileLoader, LoadError
@@ -37,7 +37,6 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Iterator, Mapping, Sequence
     from typing import TypeVar
 
-    from .jail import JailError, JailLimits
     from .runtime.loader import Loader
     from .runtime.reach import Reach
     from .transfer import Outcome
@@ -49,9 +48,6 @@ if TYPE_CHECKING:
 class UsageError(Exception):
     """The command was used wrongly: the main file is missing, or an argument is malformed."""
 
-
-GRACE = 2.0
-"""Seconds that a conversion in a jail has to tell that its time is over, before it is ended."""
 
 PIECES_IN_CHUNK = 10_000
 """Pieces of text, of some dozens of characters each, that are written at a time."""
@@ -149,13 +145,13 @@ class Program:
         source = self._main_file()
         reporter = Reporter()
 
-        if self._has_jail():
+        if has_jail(self._policy, source.name):
 
             def parse_there(say: Callable[[str], None]) -> None:
-                self._library.parse(source, reporter=Reporter())
+                self._library.parse(source, reporter=reporter)
 
-            outcome = self._run_jailed(parse_there, source, has_root=False)
-            if outcome.diagnostics:
+            outcome = self._run_confined(parse_there, reporter, source, has_root=False)
+            if has_errors(outcome):
                 raise YamaroError(outcome.diagnostics)
             return
         self._run(lambda: self._library.parse(source, reporter=reporter), reporter, source)
@@ -229,13 +225,13 @@ class Program:
             return _finish(evaluated, interpreter, reporter, advice=advice, reach=self._reach)
 
         say = on_message or _print_to_standard_error
-        if self._has_jail():
-            outcome = self._run_jailed(compile_robot, source, has_root=has_root)
+        if has_jail(self._policy, source.name):
+            outcome = self._run_confined(compile_robot, reporter, source, has_root=has_root)
             for line in outcome.messages:
                 say(line)
             for diagnostic in outcome.diagnostics:
                 reporter.add(diagnostic)
-            if _has_errors(outcome):
+            if has_errors(outcome):
                 raise YamaroError(reporter.diagnostics)
             result = take(_build_of(outcome))
         else:
@@ -259,11 +255,11 @@ class Program:
                 with Deadline(self._policy.timeout):
                     return function()
             except TimeOver:
-                raise _failure_of_all("limit-time", "the time is over", source, TIME_HINT) from None
+                raise time_is_over(source.name, self._policy) from None
             except MemoryError:
                 hint = self._policy.limits.hint("memory")
                 message = "there is not enough memory for this file"
-                raise _failure_of_all("limit-memory", message, source, hint) from None
+                raise failure_of_all("limit-memory", message, source.name, hint) from None
 
         try:
             with RareCollection():
@@ -271,99 +267,43 @@ class Program:
         except YamaroError as error:
             raise YamaroError([*reporter.diagnostics, *error.diagnostics]) from None
 
-    # --- jails ---
-
-    def _has_jail(self) -> bool:
-        """Tell whether to run in a jail: it is asked for, or is to be had for a safe file.
-
-        Raises:
-            YamaroError: it is asked for, and not to be had.
-        """
-        reason = why_no_jail(self._policy)
-        if reason and self._policy.mode == JAIL:
-            raise self._no_jail(reason)
-        return reason is None
-
-    def _no_jail(self, reason: str) -> YamaroError:
-        return _failure_of_all(
-            "no-jail",
-            f"there can be no jail: {reason}",
-            self._main_file(),
-            "--safe works everywhere; nothing of the file was run",
-        )
-
-    def _run_jailed(
+    def _run_confined(
         self,
         compile_robot: Callable[[Callable[[str], None]], Build | None],
+        reporter: Reporter,
         source: Source,
         *,
         has_root: bool,
     ) -> Outcome:
-        """Return what comes of a conversion that is run in a jail.
+        """Return what comes of a conversion that is run in a jail."""
+        from .transfer import Outcome
 
-        Raises:
-            YamaroError: nothing came of it.
-        """
-        from .jail import (
-            KEPT_VARIABLES,
-            JailAnswerBroken,
-            JailError,
-            JailUnavailable,
-            run_jailed,
-        )
-        from .runtime.packages import MODEL_PATHS
-        from .transfer import from_bytes
-
-        assert self._reach is not None
-        try:
-            data = run_jailed(
-                lambda: self._outcome(compile_robot, source, has_root=has_root),
-                readable=self._reach.roots,
-                limits=_jail_limits(self._policy),
-                environment=[*KEPT_VARIABLES, *MODEL_PATHS],
-            )
-            outcome = from_bytes(data)
-            if has_root and outcome.root is None and not _has_errors(outcome):
-                raise JailAnswerBroken("the answer holds no tree")
-            return outcome
-        except JailUnavailable as error:
-            if self._policy.mode == JAIL:
-                raise self._no_jail(str(error)) from None
-            return from_bytes(self._outcome(compile_robot, source, has_root=has_root))
-        except JailError as error:
-            raise _failure_of_jail(error, self._policy, source) from None
-
-    def _outcome(
-        self,
-        compile_robot: Callable[[Callable[[str], None]], Build | None],
-        source: Source,
-        *,
-        has_root: bool,
-    ) -> bytes:
-        """Return what comes of a conversion as bytes."""
-        from .transfer import Outcome, to_bytes
-
-        messages: list[str] = []
-
-        def run() -> bytes:
-            build = compile_robot(messages.append)
-            if build is None:
-                return to_bytes(Outcome())
-            return to_bytes(
-                Outcome(
-                    messages=messages,
+        def work(say: Callable[[str], None]) -> Outcome:
+            def run() -> Outcome:
+                build = compile_robot(say)
+                if build is None:
+                    return Outcome(diagnostics=reporter.diagnostics)
+                return Outcome(
                     diagnostics=build.warnings,
                     pieces=build._pieces,
                     files=build.files,
                     meshes=build.meshes,
                     root=build.root if has_root else None,
                 )
-            )
 
-        try:
-            return self._run(run, Reporter(), source)
-        except YamaroError as error:
-            return to_bytes(Outcome(messages=messages, diagnostics=error.diagnostics))
+            try:
+                return self._run(run, reporter, source)
+            except YamaroError as error:
+                return Outcome(diagnostics=error.diagnostics)
+
+        assert self._reach is not None
+        return run_confined(
+            work,
+            policy=self._policy,
+            readable=self._reach.roots,
+            name=source.name,
+            has_root=has_root,
+        )
 
 
 def build(
@@ -414,57 +354,6 @@ def _reach_of(path: str, policy: Policy) -> Reach | None:
     from .runtime.reach import Reach, roots_of
 
     return Reach(roots_of(os.path.abspath(path), policy.allowed_paths, PackageFinder()))
-
-
-def _failure_of_all(code: str, message: str, source: Source, hint: str | None) -> YamaroError:
-    """Return an error about a conversion as a whole, which is at no place of the file."""
-    return failure(code, message, Span(Source("", name=source.name), 0, 0), hint=hint)
-
-
-def why_no_jail(policy: Policy) -> str | None:
-    """Return why files are not run in a jail under a policy, or None if they are."""
-    if policy.is_trusted:
-        return ""
-    from .jail import check_available
-
-    return check_available()
-
-
-def time_is_over(name: str, policy: Policy) -> YamaroError:
-    """Return the error for a conversion that was ended by force, of a file of that name."""
-    message = f"the time is over: this takes more than {policy.timeout or USUAL_SECONDS:g} s"
-    return _failure_of_all("limit-time", message, Source("", name=name), TIME_HINT)
-
-
-def _jail_limits(policy: Policy) -> JailLimits:
-    """Return what a jail lets a conversion use."""
-    from .jail import JailLimits
-
-    limits = policy.limits
-    seconds = policy.timeout or USUAL_SECONDS
-    return JailLimits(
-        seconds=seconds + GRACE,  # the conversion itself can tell where it spends its time
-        cpu_seconds=int(seconds + GRACE) + 1,
-        memory=limits.memory,
-        answer=4 * limits.output + (64 << 20),
-    )
-
-
-def _failure_of_jail(error: JailError, policy: Policy, source: Source) -> YamaroError:
-    """Return the error for a conversion that was ended in its jail, or has ended there."""
-    if error.limit in ("seconds", "cpu_seconds"):
-        return time_is_over(source.name, policy)
-    hints = {
-        "memory": ("limit-memory", policy.limits.hint("memory")),
-        "answer": ("limit-output", policy.limits.hint("output")),
-    }
-    code, hint = hints.get(error.limit, ("jail-broken", None))
-    message = f"the file was ended in its jail: {error}"
-    return _failure_of_all(code, message, source, hint)
-
-
-def _has_errors(outcome: Outcome) -> bool:
-    return any(diagnostic.severity == ERROR for diagnostic in outcome.diagnostics)
 
 
 def _build_of(outcome: Outcome) -> Build:
@@ -679,8 +568,7 @@ def _read_main(path: str, text: str | None, library: Library) -> Source:
 
 def refusal_of_main(name: str, error: LoadError) -> YamaroError:
     """Return the error for a main file that is there, and is not to be read."""
-    source = Source("", name=name)
-    return _failure_of_all(error.code, f"the file cannot be read: {error}", source, error.hint)
+    return failure_of_all(error.code, f"the file cannot be read: {error}", name, error.hint)
 
 
 def _read_command_line(arguments: Sequence[str]) -> tuple[dict[str, object], dict[str, Span]]:

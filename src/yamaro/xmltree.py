@@ -246,12 +246,12 @@ def _refuse_without_text(value: Any) -> None:
     if kind.__str__ is not object.__str__:
         return
     if callable(value):
-        raise InputFault("not-a-text", "a function is no text", "to call it, write name(…)")
+        raise InputFault("no-text", "a function is no text", "to call it, write name(…)")
     if hasattr(kind, "__next__"):
-        raise InputFault("not-a-text", "an iterator is no text", "write list(…) around it")
+        raise InputFault("no-text", "an iterator is no text", "write list(…) around it")
     if kind.__repr__ is object.__repr__:
         hint = f"give the class {kind.__name__} a __str__, or write what is meant of it"
-        raise InputFault("not-a-text", f"an object of the class {kind.__name__} is no text", hint)
+        raise InputFault("no-text", f"an object of the class {kind.__name__} is no text", hint)
 
 
 def plain_value(value: Any) -> Any:

@@ -207,6 +207,15 @@ class Files:
         return source
 
     def _unknown_package(self, path: str, span: Span, home: Home) -> Exception:
+        """Return the error for a URI that leads nowhere."""
+        scheme = path.partition("://")[0]
+        if scheme.lower() not in ("package", "model"):
+            return failure(
+                "missing-file",
+                f"'{scheme}://' cannot be included: nothing is fetched",
+                span,
+                hint="save the file beside this one; files and package:// can be included",
+            )
         package = path.partition("://")[2].partition("/")[0]
         places = self.packages.looked_at(package, home.directory)
         return failure(

@@ -1,0 +1,157 @@
+"""Runs a conversion in a jail, and tells what became of it if nothing came out."""
+
+from __future__ import annotations
+
+import io
+import sys
+
+from .diagnostics import ERROR, YamaroError, failure
+from .policy import JAIL, USUAL_SECONDS, Limits, Policy
+from .runtime.expressions import TIME_HINT
+from .runtime.messages import Messages
+from .runtime.packages import MODEL_PATHS
+from .source import Source, Span
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable, Sequence
+
+    from .jail import JailError, JailLimits
+    from .transfer import Outcome
+
+GRACE = 2.0
+"""Seconds that a conversion in a jail has to tell that its time is over, before it is ended."""
+
+
+def has_jail(policy: Policy, name: str) -> bool:
+    """Tell whether a file is run in a jail: that is asked for, or is to be had for a safe file.
+
+    Raises:
+        YamaroError: it is asked for and not to be had; `name` is that of the file.
+    """
+    if policy.is_trusted:
+        return False
+    from .jail import check_available
+
+    reason = check_available()
+    if reason is not None and policy.mode == JAIL:
+        raise _no_jail(reason, name)
+    return reason is None
+
+
+def run_confined(
+    work: Callable[[Callable[[str], None]], Outcome],
+    *,
+    policy: Policy,
+    readable: Sequence[str],
+    name: str,
+    has_root: bool,
+) -> Outcome:
+    """Return what comes of a conversion in a jail.
+
+    Args:
+        work: does it; it is given a function that takes what is printed.
+        policy: the limits.
+        readable: the folders it may read.
+        name: what its file is called in messages.
+        has_root: whether a tree has to come out.
+
+    Raises:
+        YamaroError: nothing came of it.
+    """
+    from .jail import KEPT_VARIABLES, JailAnswerBroken, JailError, JailUnavailable, run_jailed
+    from .transfer import from_bytes, to_bytes
+
+    def work_in_jail() -> bytes:
+        printed: list[str] = []
+        sys.stdout = sys.stderr = _Printed(Messages(printed.append, policy.limits))
+        outcome = work(printed.append)
+        sys.stdout.close()
+        outcome.messages = printed
+        return to_bytes(outcome)
+
+    try:
+        data = run_jailed(
+            work_in_jail,
+            readable=readable,
+            limits=_jail_limits(policy),
+            environment=[*KEPT_VARIABLES, *MODEL_PATHS],
+        )
+        outcome = from_bytes(data)
+        if has_root and outcome.root is None and not has_errors(outcome):
+            raise JailAnswerBroken("the answer holds no tree")
+        return outcome
+    except JailUnavailable as error:
+        if policy.mode == JAIL:
+            raise _no_jail(str(error), name) from None
+        printed: list[str] = []
+        outcome = work(printed.append)
+        outcome.messages = printed
+        return outcome
+    except JailError as error:
+        raise _failure_of_jail(error, policy, name) from None
+
+
+def has_errors(outcome: Outcome) -> bool:
+    """Tell whether a conversion has failed."""
+    return any(diagnostic.severity == ERROR for diagnostic in outcome.diagnostics)
+
+
+def failure_of_all(code: str, message: str, name: str, hint: str | None) -> YamaroError:
+    """Return an error about a conversion as a whole, which is at no place of the file."""
+    return failure(code, message, Span(Source("", name=name), 0, 0), hint=hint)
+
+
+def time_is_over(name: str, policy: Policy) -> YamaroError:
+    """Return the error for a conversion that was ended by force, of a file of that name."""
+    message = f"the time is over: this takes more than {policy.timeout or USUAL_SECONDS:g} s"
+    return failure_of_all("limit-time", message, name, TIME_HINT)
+
+
+class _Printed(io.TextIOBase):
+    """Stands for the standard streams, which in a jail lead nowhere."""
+
+    def __init__(self, messages: Messages) -> None:
+        self._messages = messages
+
+    def write(self, text: str) -> int:
+        self._messages.say(text)
+        return len(text)
+
+    def writable(self) -> bool:
+        return True
+
+    def close(self) -> None:
+        self._messages.close()
+        super().close()
+
+
+def _no_jail(reason: str, name: str) -> YamaroError:
+    hint = "--safe works everywhere; nothing of the file was run"
+    return failure_of_all("no-jail", f"there can be no jail: {reason}", name, hint)
+
+
+def _jail_limits(policy: Policy) -> JailLimits:
+    """Return what a jail lets a conversion use."""
+    from .jail import JailLimits
+
+    limits: Limits = policy.limits
+    seconds = policy.timeout or USUAL_SECONDS
+    return JailLimits(
+        seconds=seconds + GRACE,  # the conversion itself can tell where it spends its time
+        cpu_seconds=int(seconds + GRACE) + 1,
+        memory=limits.memory,
+        answer=4 * limits.output + (64 << 20),
+    )
+
+
+def _failure_of_jail(error: JailError, policy: Policy, name: str) -> YamaroError:
+    """Return the error for a conversion that was ended in its jail, or has ended there."""
+    if error.limit in ("seconds", "cpu_seconds"):
+        return time_is_over(name, policy)
+    hints = {
+        "memory": ("limit-memory", policy.limits.hint("memory")),
+        "answer": ("limit-output", policy.limits.hint("output")),
+    }
+    code, hint = hints.get(error.limit, ("jail-broken", None))
+    return failure_of_all(code, f"the file was ended in its jail: {error}", name, hint)
