@@ -5,7 +5,6 @@ from __future__ import annotations
 import os
 import sys
 
-from .confined import failure_of_all, has_errors, has_jail, run_confined, time_is_over
 from .diagnostics import (
     ERROR,
     INHERITED,
@@ -145,13 +144,13 @@ class Program:
         source = self._main_file()
         reporter = Reporter()
 
-        if has_jail(self._policy, source.name):
+        if self._has_jail(source):
 
             def parse_there(say: Callable[[str], None]) -> None:
                 self._library.parse(source, reporter=reporter)
 
             outcome = self._run_confined(parse_there, reporter, source, has_root=False)
-            if has_errors(outcome):
+            if outcome.has_errors:
                 raise YamaroError(outcome.diagnostics)
             return
         self._run(lambda: self._library.parse(source, reporter=reporter), reporter, source)
@@ -225,13 +224,13 @@ class Program:
             return _finish(evaluated, interpreter, reporter, advice=advice, reach=self._reach)
 
         say = on_message or _print_to_standard_error
-        if has_jail(self._policy, source.name):
+        if self._has_jail(source):
             outcome = self._run_confined(compile_robot, reporter, source, has_root=has_root)
             for line in outcome.messages:
                 say(line)
             for diagnostic in outcome.diagnostics:
                 reporter.add(diagnostic)
-            if has_errors(outcome):
+            if outcome.has_errors:
                 raise YamaroError(reporter.diagnostics)
             result = take(_build_of(outcome))
         else:
@@ -247,6 +246,14 @@ class Program:
             self._source = _read_main(self._path, self._text, self._library)
         return self._source
 
+    def _has_jail(self, source: Source) -> bool:
+        """Tell whether to run the file in a jail; raise YamaroError if that is asked in vain."""
+        if self._policy.is_trusted:
+            return False
+        from .confined import has_jail
+
+        return has_jail(self._policy, source.name)
+
     def _run(self, function: Callable[[], T], reporter: Reporter, source: Source) -> T:
         """Return what `function` returns; an error it raises holds the warnings as well."""
 
@@ -255,8 +262,12 @@ class Program:
                 with Deadline(self._policy.timeout):
                     return function()
             except TimeOver:
+                from .confined import time_is_over
+
                 raise time_is_over(source.name, self._policy) from None
             except MemoryError:
+                from .confined import failure_of_all
+
                 hint = self._policy.limits.hint("memory")
                 message = "there is not enough memory for this file"
                 raise failure_of_all("limit-memory", message, source.name, hint) from None
@@ -276,6 +287,7 @@ class Program:
         has_root: bool,
     ) -> Outcome:
         """Return what comes of a conversion that is run in a jail."""
+        from .confined import run_confined
         from .transfer import Outcome
 
         def work(say: Callable[[str], None]) -> Outcome:
@@ -568,6 +580,8 @@ def _read_main(path: str, text: str | None, library: Library) -> Source:
 
 def refusal_of_main(name: str, error: LoadError) -> YamaroError:
     """Return the error for a main file that is there, and is not to be read."""
+    from .confined import failure_of_all
+
     return failure_of_all(error.code, f"the file cannot be read: {error}", name, error.hint)
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import io
 import sys
 
-from .diagnostics import ERROR, YamaroError, failure
+from .diagnostics import YamaroError, failure
 from .policy import JAIL, USUAL_SECONDS, Limits, Policy
 from .runtime.expressions import TIME_HINT
 from .runtime.messages import Messages
@@ -78,7 +78,7 @@ def run_confined(
             environment=[*KEPT_VARIABLES, *MODEL_PATHS],
         )
         outcome = from_bytes(data)
-        if has_root and outcome.root is None and not has_errors(outcome):
+        if has_root and outcome.root is None and not outcome.has_errors:
             raise JailAnswerBroken("the answer holds no tree")
         return outcome
     except JailUnavailable as error:
@@ -90,11 +90,6 @@ def run_confined(
         return outcome
     except JailError as error:
         raise _failure_of_jail(error, policy, name) from None
-
-
-def has_errors(outcome: Outcome) -> bool:
-    """Tell whether a conversion has failed."""
-    return any(diagnostic.severity == ERROR for diagnostic in outcome.diagnostics)
 
 
 def failure_of_all(code: str, message: str, name: str, hint: str | None) -> YamaroError:

@@ -53,6 +53,11 @@ class Outcome:
         self.meshes = list(meshes)
         self.root = root
 
+    @property
+    def has_errors(self) -> bool:
+        """Tell whether the conversion has failed."""
+        return any(diagnostic.severity == ERROR for diagnostic in self.diagnostics)
+
 
 def to_bytes(outcome: Outcome) -> bytes:
     """Return an outcome as bytes."""

@@ -328,14 +328,25 @@ def _too_long(element: Element, limits: Limits) -> YamaroError:
 class _Writer:
     """Writes elements, remembering what comes again: values of attributes and shared elements."""
 
-    __slots__ = ("_depth", "_limits", "_long", "_passages", "_root", "_shared")
+    __slots__ = (
+        "_depth",
+        "_limits",
+        "_long",
+        "_most_long",
+        "_most_margin",
+        "_passages",
+        "_root",
+        "_shared",
+    )
 
     def __init__(self, root: Element, shared: Shared, limits: Limits) -> None:
         self._root = root
         self._shared = shared
         self._limits = limits
-        self._depth = 0
+        self._most_margin = 2 * (limits.xml_depth - 1)  # two spaces a level
+        self._depth = 0  # of what stands inline among text
         self._long = 0  # characters of long values; those of others are counted in the end
+        self._most_long = limits.output
         self._passages: dict[int, _Passage] = {}
 
     def write(
@@ -356,7 +367,9 @@ class _Writer:
                     if len(value) <= _LONGEST_REMEMBERED:
                         remember(_spelled, value, escaped)
                     else:
-                        self._count(value)
+                        self._long += len(value)
+                        if self._long > self._most_long:
+                            raise _too_long(self._root, self._limits)
                 value = escaped
             head += f' {key}="{value}"'
         if ":" in head:
@@ -369,7 +382,8 @@ class _Writer:
             if type(child) is Text:
                 self._write_mixed(element, head, end, out, prefixes)
                 return
-        self._deepen(element)
+        if len(margin) >= self._most_margin:
+            raise self._too_deep(element)
         out.append(f"{head}>{end}")
         deeper = margin + "  " if end else ""
         if end and id(children) in self._shared:
@@ -377,25 +391,15 @@ class _Writer:
         else:
             self._write_children(children, element, deeper, end, out, prefixes)
         out.append(f"{margin}</{name}>{end}")
-        self._depth -= 1
 
-    def _deepen(self, element: Element) -> None:
-        """Note that what is in an element is written."""
-        self._depth += 1
-        if self._depth >= self._limits.xml_depth:
-            raise failure(
-                "limit-xml-depth",
-                f"elements are nested more than {self._limits.xml_depth} deep, which is the limit",
-                element.span,
-                hint=self._limits.hint("xml_depth"),
-                trace=element.trace,
-            )
-
-    def _count(self, value: str) -> None:
-        """Count a long value, of which there must not be too many."""
-        self._long += len(value)
-        if self._long > self._limits.output:
-            raise _too_long(self._root, self._limits)
+    def _too_deep(self, element: Element) -> YamaroError:
+        return failure(
+            "limit-xml-depth",
+            f"elements are nested more than {self._limits.xml_depth} deep, which is the limit",
+            element.span,
+            hint=self._limits.hint("xml_depth"),
+            trace=element.trace,
+        )
 
     def _write_children(
         self,
@@ -440,12 +444,16 @@ class _Writer:
         self, element: Element, head: str, end: str, out: list[str], prefixes: frozenset[str]
     ) -> None:
         """Write an element that holds text; its elements stand inline so that no space is added."""
-        self._deepen(element)
+        self._depth += 1
+        if self._depth >= self._limits.xml_depth:
+            raise self._too_deep(element)
         inner: list[str] = []
         for child in element.children:
             if isinstance(child, Text):
                 text = format_value(child.value)
-                self._count(text)
+                self._long += len(text)
+                if self._long > self._most_long:
+                    raise _too_long(self._root, self._limits)
                 inner.append(_element_text(text, child.span, element))
             elif isinstance(child, Comment):
                 inner.append(f"<!--{_comment_text(child, element)}-->")
