@@ -193,16 +193,24 @@ def test_a_keyboard_interrupt_passes_through(folder: Path, text: str) -> None:
         yamaro.convert(write(folder, text), stop=stop)
 
 
-@pytest.mark.parametrize("exception", [SystemExit, GeneratorExit, MemoryError, AssertionError])
+@pytest.mark.parametrize(
+    ("exception", "code"),
+    [
+        (SystemExit, "python-error"),
+        (GeneratorExit, "python-error"),
+        (AssertionError, "python-error"),
+        (MemoryError, "limit-memory"),
+    ],
+)
 def test_other_exceptions_are_errors_of_the_file(
-    folder: Path, exception: type[BaseException]
+    folder: Path, exception: type[BaseException], code: str
 ) -> None:
     def stop() -> None:
         raise exception
 
     with pytest.raises(yamaro.YamaroError) as caught:
         yamaro.convert(write(folder, "launch: {a: $(stop())}\n"), stop=stop)
-    assert [d.code for d in caught.value.diagnostics] == ["python-error"]
+    assert [d.code for d in caught.value.diagnostics] == [code]
 
 
 # --- no state between calls -------------------------------------------------------------------

@@ -14,8 +14,9 @@ from typing import Any
 
 import pytest
 
-from yamaro import cli, compiler
+from yamaro import cli, compiler, jail
 from yamaro.cli import main, parse_arguments
+from yamaro.policy import Limits, limit_names
 from yamaro.tools import completion
 
 ROBOT = """\
@@ -286,6 +287,149 @@ def test_file_with_the_name_of_a_command_is_reached_by_its_path(
         assert outcome(capsys, command, command, "-q")[0] in (0, 1)
 
 
+# --- trust ------------------------------------------------------------------------------------
+
+# A file that leaves a trace if its Python is run.
+RUNS_PYTHON = """\
+robot: arm
+process: |
+  open('ran', 'w').close()
+model:
+  link/name=base:
+"""
+COUNTS = """\
+robot: arm
+variables: {n: 3}
+model:
+  link/name=base:
+  for: {iterator: i, range: n, body: {note: $(i)}}
+"""
+
+
+def codes_of(err: str) -> list[str]:
+    """Return the codes of the errors that were said."""
+    lines = err.splitlines()
+    return [line[6:].partition("]")[0] for line in lines if line.startswith("error[")]
+
+
+@pytest.mark.parametrize("words", [["check"], ["tree"], ["--safe"], ["check", "--safe"]])
+def test_looking_at_a_file_runs_none_of_its_python(
+    capsys: pytest.CaptureFixture[str], words: list[str]
+) -> None:
+    status, out, err = outcome(capsys, *words, write(RUNS_PYTHON))
+    assert (status, out, codes_of(err)) == (1, "", ["unsafe-code"])
+    assert "the function `open` is not allowed in safe mode" in err
+    assert not os.path.exists("ran")
+
+
+@pytest.mark.parametrize("words", [[], ["--trust"], ["check", "--trust"], ["--trust", "tree"]])
+def test_a_trusted_file_may_do_what_python_can(
+    capsys: pytest.CaptureFixture[str], words: list[str]
+) -> None:
+    status, _, err = outcome(capsys, *words, write(RUNS_PYTHON))
+    assert (status, err) == (0, "")
+    assert os.path.exists("ran")
+
+
+@pytest.mark.skipif(jail.check_available() is not None, reason="no jail here")
+@pytest.mark.parametrize("words", [["--jail"], ["check", "--jail"], ["tree", "--jail"]])
+def test_a_jailed_file_runs_and_writes_nothing(
+    capsys: pytest.CaptureFixture[str], words: list[str]
+) -> None:
+    status, out, err = outcome(capsys, *words, write(RUNS_PYTHON))
+    assert (status, out, codes_of(err)) == (1, "", ["python-error"])
+    assert "(PermissionError)" in err
+    assert not os.path.exists("ran")
+
+
+def test_what_is_allowed_gives_the_same_in_every_mode(capsys: pytest.CaptureFixture[str]) -> None:
+    modes = ["--trust", "--safe"] + ["--jail"] * (jail.check_available() is None)
+    write(ROBOT)
+    trusted = outcome(capsys, "robot.yaml", "length:=2")
+    for mode in modes:
+        assert outcome(capsys, mode, "robot.yaml", "length:=2") == trusted
+        assert outcome(capsys, mode, "robot.yaml", "length:=2", "-o", "a.urdf")[0] == 0
+        assert Path("a.urdf").read_text() == trusted[1]
+
+
+def test_paths_can_be_allowed_again_and_again(
+    capsys: pytest.CaptureFixture[str], tmp_path_factory: pytest.TempPathFactory
+) -> None:
+    elsewhere = [tmp_path_factory.mktemp(name) for name in ("one", "two")]
+    files = [str(folder / "part.yaml") for folder in elsewhere]
+    for file in files:
+        write("model:\n  link/name=base:\n", file)
+    write("robot: arm\nmodel:\n" + "".join(f"  include: {file}\n" for file in files))
+    status, _, err = outcome(capsys, "--safe", "robot.yaml", "--allow-path", files[0])
+    assert (status, codes_of(err)) == (1, ["path-outside"])
+    assert " --> robot.yaml:4:12\n" in err
+    allowed = [f"--allow-path={files[0]}", "--allow-path", str(elsewhere[1])]
+    assert "path-outside" not in outcome(capsys, "--safe", "robot.yaml", *allowed)[2]
+
+
+@pytest.mark.parametrize("spelling", ["3", "1_000", "+3"])
+def test_limits_are_whole_numbers_as_python_writes_them(
+    capsys: pytest.CaptureFixture[str], spelling: str
+) -> None:
+    write(COUNTS)
+    assert outcome(capsys, "robot.yaml", f"--limit=turns={spelling}")[0] == 0
+    assert outcome(capsys, "robot.yaml", "--limit", f"turns={spelling}")[0] == 0
+
+
+def test_several_limits_can_be_set_and_the_last_of_a_name_counts(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    write(COUNTS)
+    words = ["--limit", "turns=2", "--limit", "yaml-depth=99", "robot.yaml"]
+    status, _, err = outcome(capsys, *words)
+    assert (status, codes_of(err)) == (1, ["limit-turns"])
+    assert "more than 2 turns" in err
+    assert outcome(capsys, *words, "--limit", "turns=3")[0] == 0
+
+
+@pytest.mark.parametrize("command", ["check", "tree"])
+def test_limits_of_safe_mode_can_be_set_where_it_is_the_usual_one(
+    capsys: pytest.CaptureFixture[str], command: str
+) -> None:
+    write(PLAIN.replace("length)", "length + 1)"))
+    status, _, err = outcome(capsys, command, "robot.yaml", "--limit", "characters=9")
+    assert (status, codes_of(err)) == (1, ["limit-characters"])
+    assert codes_of(outcome(capsys, command, "robot.yaml", "--limit", "characters=10")[2]) == []
+
+
+def test_a_time_out_ends_a_conversion_and_leaves_the_old_file(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    write("old", "arm.urdf")
+    write("robot: arm\nprocess: |\n  while True: pass\nmodel:\n  link/name=base:\n")
+    status, out, err = outcome(capsys, "robot.yaml", "--timeout", "0.2", "-o", "arm.urdf")
+    assert (status, out, codes_of(err)) == (1, "", ["limit-time"])
+    assert " --> robot.yaml:3:" in err
+    assert Path("arm.urdf").read_text() == "old"
+
+
+@pytest.mark.parametrize("command", ["build", "check", "tree"])
+@pytest.mark.parametrize(
+    ("word", "mode"), [(None, None), ("--trust", "trusted"), ("--jail", "jail"), ("--safe", "safe")]
+)
+def test_the_mode_is_the_one_asked_for_or_that_of_the_command(
+    command: str, word: str | None, mode: str | None
+) -> None:
+    words = [word] if word else []
+    arguments = parse_arguments([*([] if command == "build" else [command]), *words, "robot.yaml"])
+    policy = cli.make_policy(arguments)
+    assert policy.mode == (mode or ("trusted" if command == "build" else "safe"))
+    assert policy.timeout == (None if policy.mode == "trusted" else 60)
+
+
+def test_options_make_the_policy() -> None:
+    words = "--safe r.yaml --timeout 1.5 --allow-path a --allow-path=b --limit xml-depth=7"
+    policy = cli.make_policy(parse_arguments(words.split()))
+    assert (policy.mode, policy.timeout, policy.allowed_paths) == ("safe", 1.5, ("a", "b"))
+    assert policy.limits.xml_depth == 7
+    assert policy.limits.turns == Limits("safe").turns
+
+
 # --- arguments --------------------------------------------------------------------------------
 
 
@@ -347,6 +491,39 @@ def test_words_after_two_dashes_are_no_options() -> None:
         ("a.yaml --color on", "'--color' takes auto, always or never, not 'on'"),
         ("check a.yaml -o x", "'--output' has no meaning for 'yamaro check'"),
         ("tree a.yaml --deps", "'--deps' has no meaning for 'yamaro tree'"),
+        ("--safe --jail a.yaml", "'--jail' and '--safe' exclude each other"),
+        ("tree a.yaml --safe --trust", "'--trust' and '--safe' exclude each other"),
+        ("--safe=yes a.yaml", "'--safe' takes no value"),
+        ("a.yaml --timeout", "'--timeout' needs a number of seconds after it"),
+        ("a.yaml --timeout 1 --timeout 2", "'--timeout' is given twice"),
+        ("a.yaml --timeout 0", "'--timeout' takes a number of seconds above 0, not '0'"),
+        ("a.yaml --timeout=1min", "'--timeout' takes a number of seconds above 0, not '1min'"),
+        ("a.yaml --timeout nan", "'--timeout' takes a number of seconds above 0, not 'nan'"),
+        ("a.yaml --timeout inf", "'--timeout' takes a number of seconds above 0, not 'inf'"),
+        ("--safe a.yaml --allow-path", "'--allow-path' needs a file or folder after it"),
+        ("--safe a.yaml --allow-path=", "'--allow-path' needs a file or folder after it"),
+        (
+            "a.yaml --allow-path /opt",
+            "'--allow-path' has a meaning with --jail and --safe only",
+        ),
+        (
+            "check --trust a.yaml --allow-path /opt",
+            "'--allow-path' has a meaning with --jail and --safe only",
+        ),
+        ("a.yaml --limit", "'--limit' needs NAME=NUMBER after it"),
+        (
+            "a.yaml --limit turns",
+            "the limit 'turns' needs a whole number, as in '--limit turns=1000'",
+        ),
+        ("a.yaml --limit turns=", "the limit 'turns' needs a whole number, not ''"),
+        ("a.yaml --limit turns=1e6", "the limit 'turns' needs a whole number, not '1e6'"),
+        ("a.yaml --limit turns=0", "the limit 'turns' is a whole number from 1 on"),
+        ("a.yaml --limit turns=-5", "the limit 'turns' is a whole number from 1 on"),
+        ("a.yaml --limit turn=9", "there is no limit 'turn'; did you mean 'turns'?"),
+        ("a.yaml --limit xml_depth=9", "there is no limit 'xml_depth'; did you mean 'xml-depth'?"),
+        ("a.yaml --limit steps=9", "the limit 'steps' has a meaning in safe mode only"),
+        ("--jail a.yaml --limit steps=9", "the limit 'steps' has a meaning in safe mode only"),
+        ("completion --safe bash", "'--safe' has no meaning for 'yamaro completion'"),
         ("completion", "'yamaro completion' needs a shell: bash, zsh, fish"),
         ("completion tcsh", "'yamaro completion' needs a shell: bash, zsh, fish"),
         ("completion bash zsh", "'yamaro completion' needs a shell: bash, zsh, fish"),
@@ -359,6 +536,16 @@ def test_wrong_usage_is_told_in_one_line(
     status, out, err = outcome(capsys, *words.split())
     assert (status, out) == (2, "")
     assert err == f"yamaro: error: {message}\n{cli.USAGE}\n"
+
+
+def test_an_unknown_limit_that_is_like_none_lists_them_all(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    status, _, err = outcome(capsys, "--limit", "zzz=1", write(PLAIN))
+    assert status == 2
+    said = err.splitlines()[0]
+    assert said.startswith("yamaro: error: there is no limit 'zzz'; the limits are file, files, ")
+    assert set(limit_names()) <= set(said.replace(",", "").split())
 
 
 def test_missing_main_file_is_wrong_usage(capsys: pytest.CaptureFixture[str]) -> None:
@@ -884,6 +1071,19 @@ def on_path() -> dict[str, str]:
         ("yamaro --st", ["yamaro", "--st"], "--strict"),
         ("yamaro check --d", ["yamaro", "check", "--d"], ""),
         ("yamaro --color=al", ["yamaro", "--color", "=", "al"], "always"),
+        ("yamaro tree --sa", ["yamaro", "tree", "--sa"], "--safe"),
+        ("yamaro --limit yaml", ["yamaro", "--limit", "yaml"], "yaml-depth="),
+        ("yamaro --limit=yaml", ["yamaro", "--limit", "=", "yaml"], "yaml-depth="),
+        ("yamaro --limit turns=", ["yamaro", "--limit", "turns", "="], ""),
+        ("yamaro --limit=turns=5", ["yamaro", "--limit", "=", "turns", "=", "5"], ""),
+        ("yamaro --timeout ", ["yamaro", "--timeout", ""], ""),
+        ("yamaro --timeout=1", ["yamaro", "--timeout", "=", "1"], ""),
+        ("yamaro --allow-path a", ["yamaro", "--allow-path", "a"], "a.urdf"),
+        (
+            "yamaro --safe --limit turns=5 --timeout 9 --allow-path bin robot.yaml leg",
+            "yamaro --safe --limit turns = 5 --timeout 9 --allow-path bin robot.yaml leg".split(),
+            "legs:=",
+        ),
         ("yamaro completion z", ["yamaro", "completion", "z"], "zsh"),
     ],
 )
@@ -915,6 +1115,12 @@ def test_bash_completes(line: str, words: list[str], expected: str) -> None:
         ("yamaro robot.yaml ", "legs:= length:="),
         ("yamaro check robot.yaml len", "length:="),
         ("yamaro --st", "--strict"),
+        ("yamaro tree --sa", "--safe"),
+        ("yamaro --limit yaml", "yaml-depth="),
+        ("yamaro --limit=yaml", "--limit=yaml-depth="),
+        ("yamaro --timeout ", ""),
+        ("yamaro --allow-path scr", "script"),
+        ("yamaro --safe --limit turns=5 --timeout 9 --allow-path bin robot.yaml leg", "legs:="),
         ("yamaro completion ", "bash fish zsh"),
     ],
 )

@@ -7,7 +7,11 @@ import sys
 
 # Python puts the working directory first on its path for `-m`, so that a file `math.py` beside a
 # robot would be run in place of Python's own module. The script `yamaro` has no such entry.
-if sys.path and sys.path[0] in ("", os.getcwd()):
+try:
+    unwanted = ("", os.getcwd())
+except OSError:  # the folder is gone
+    unwanted = ("", "")
+if sys.path and sys.path[0] in unwanted:
     del sys.path[0]
 
 from .cli import main

@@ -115,7 +115,8 @@ class Limits:
 
     def hint(self, name: str) -> str:
         """Return how to set another limit."""
-        return f"--limit {shown(name)}=… sets another limit"
+        unit = f", in bytes; it is {self.memory:,}" if name == "memory" else ""
+        return f"--limit {shown(name)}=… sets another limit{unit}"
 
 
 class Policy:

@@ -563,7 +563,8 @@ class Interpreter:
             "too-deep",
             f"calls and includes are nested {self.depth:,} deep here, which is taken as endless",
             span,
-            hint="a function or file that uses itself needs a condition under which it stops",
+            hint="a function or file that uses itself needs a condition under which it stops; "
+            + self.limits.hint("nesting"),
         )
 
     def _too_many_statements(self, body: Body) -> YamaroError:

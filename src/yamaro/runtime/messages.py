@@ -33,7 +33,7 @@ class Messages:
         if self._left < 0:
             raise InputFault(
                 "limit-printed",
-                f"this prints more than {self._limits.printed:,} characters, which is the limit",
+                f"more than {self._limits.printed:,} characters are printed, which is the limit",
                 self._limits.hint("printed"),
             )
         *lines, self._unfinished = f"{self._unfinished}{text}".rsplit("\n", 1)

@@ -51,7 +51,7 @@ _HINTS = {
     "hash": RUN_IT,
     "input": "give the value as an argument: yamaro FILE name:=value",
     "iter": "write list(…)",
-    "open": "load_yaml(path) reads data",
+    "open": f"load_yaml(path) reads YAML files; {RUN_IT}",
     "type": "ask with isinstance(x, str)",
 }
 _REQUIRED: Any = object()

@@ -101,13 +101,13 @@ REFUSED = {
 
 _HINTS = {
     "ClassDef": RUN_IT,
-    "For": "write the statement for: of the language, or a list in brackets: [… for x in …]",
-    "FunctionDef": "write a lambda: f = lambda x: 2 * x",
-    "If": "write the statement if: of the language, or a value: x = 1 if big else 2",
+    "For": f"use `for:` outside of `process`, or a list in it, [… for x in …]; {RUN_IT}",
+    "FunctionDef": f"write a lambda: f = lambda x: 2 * x; {RUN_IT}",
+    "If": f"use `if:` outside of `process`, or a value: x = 1 if big else 2; {RUN_IT}",
     "Import": "modules are listed at the root of the file: import: [math]",
     "ImportFrom": "modules are listed at the root of the file: import: [math]",
     "NamedExpr": "declare the value as a variable first",
-    "While": "write the statement for: of the language",
+    "While": f"use `for:` outside of `process`; {RUN_IT}",
 }
 
 _WEIGHTS = {
@@ -187,10 +187,11 @@ def classify(node_class: type) -> str:
 
 def _check_text(text: str, limits: SafeLimits) -> None:
     """Check what Python's own parser might stumble over."""
-    if len(text) > limits.characters:
+    size = len(text) - (3 if text.endswith("\n)") else 0)  # without what is put around it
+    if size > limits.characters:
         raise limits.passed(
             "characters",
-            f"this Python text has {len(text):,} characters",
+            f"this Python text has {size:,} characters",
             "split it into several variables",
         )
     depth = 0
@@ -200,7 +201,7 @@ def _check_text(text: str, limits: SafeLimits) -> None:
             if depth > limits.brackets + 1:  # the one that is put around each expression
                 raise limits.passed(
                     "brackets",
-                    f"more than {limits.brackets} brackets are open here",
+                    "too many brackets are open here",
                     position=_position_of(text, index),
                 )
         elif char in ")]}" and depth:
@@ -225,9 +226,7 @@ def _check_size(tree: ast.AST, limits: SafeLimits) -> None:
         depth += 1
         place = next(filter(None, map(_position, level)), place)
         if count > limits.nodes:
-            raise limits.passed(
-                "nodes", f"this Python text has more than {limits.nodes:,} parts", hint
-            )
+            raise limits.passed("nodes", "this Python text has too many parts", hint)
         if depth > limits.depth:
             raise limits.passed("depth", "this is nested too deep", hint, place)
         level = [child for node in level for child in ast.iter_child_nodes(node)]

@@ -6,7 +6,7 @@ from ..diagnostics import InputFault
 from ..policy import SAFE, Limits
 
 UNSAFE = "unsafe-code"
-RUN_IT = "--trust runs the file as it is; --jail does so where it can do no harm (on Linux)"
+RUN_IT = "--jail runs the file where it can do no harm (on Linux), --trust with all your rights"
 
 
 class SafetyError(InputFault):

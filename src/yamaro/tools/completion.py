@@ -21,7 +21,10 @@ MAX_DEFAULT = 40
 
 def script(shell: str) -> str:
     """Return the completion script for one of `SHELLS`."""
-    return {"bash": _BASH, "zsh": _ZSH, "fish": _FISH}[shell]
+    from ..policy import limit_names
+
+    text = {"bash": _BASH, "zsh": _ZSH, "fish": _FISH}[shell]
+    return text.replace("@LIMITS@", " ".join(limit_names()))
 
 
 def variable_lines(path: str) -> str:
@@ -83,7 +86,7 @@ _yamaro() {
     for word in "${words[@]:1:last-1}"; do
         if [[ $skip ]]; then skip=; continue; fi
         case $word in
-            -o | --output | --color) skip=1 ;;
+            -o | --output | --color | --timeout | --allow-path | --limit) skip=1 ;;
             -?* | *:=*) ;;
             check | tree | completion)
                 if [[ $command$file ]]; then file=${file:-$word}; else command=$word; fi ;;
@@ -91,17 +94,24 @@ _yamaro() {
         esac
     done
     COMPREPLY=()
-    case ${words[last]} in *:=*) return ;; esac
+    case ${words[last]} in *:=* | --limit=*=*) return ;; esac
+    if [[ ${words[last - 1]} == --limit && ${words[last]} == *=* ]]; then return; fi
     if [[ $previous == = ]]; then previous=${COMP_WORDS[COMP_CWORD - 2]}; fi
     if [[ $current == = ]]; then current=; previous=${COMP_WORDS[COMP_CWORD - 1]}; fi
     case $previous in
         --color) COMPREPLY=($(compgen -W "auto always never" -- "$current")); return ;;
-        -o | --output) _yamaro_files "$current" ""; return ;;
+        -o | --output | --allow-path) _yamaro_files "$current" ""; return ;;
+        --timeout) return ;;
+        --limit)
+            COMPREPLY=($(compgen -W "@LIMITS@" -S = -- "$current"))
+            compopt -o nospace 2>/dev/null
+            return ;;
     esac
     if [[ $command == completion ]]; then
         COMPREPLY=($(compgen -W "bash zsh fish" -- "$current"))
     elif [[ $current == -* ]]; then
         local options="-q --quiet --strict --color"
+        options+=" --trust --jail --safe --timeout --allow-path --limit"
         [[ $command ]] || options+=" -o --output --deps -h --help -V --version"
         COMPREPLY=($(compgen -W "$options" -- "$current"))
     elif [[ $file ]]; then
@@ -141,7 +151,7 @@ _yamaro_words() {
     for word in "${(@)words[2,CURRENT-1]}"; do
         if [[ -n $skip ]]; then skip=; continue; fi
         case $word in
-            -o | --output | --color) skip=1 ;;
+            -o | --output | --color | --timeout | --allow-path | --limit) skip=1 ;;
             -?* | *:=*) ;;
             check | tree | completion)
                 if [[ -n $command$file ]]; then file=${file:-$word}; else command=$word; fi ;;
@@ -173,12 +183,22 @@ _yamaro_words() {
     fi
 }
 
+_yamaro_limits() {
+    [[ $PREFIX == *=* ]] || compadd -S = @LIMITS@
+}
+
 _yamaro() {
     _arguments -s -S \
         '(-o --output)'{-o+,--output=}'[write to FILE]:output file:_files' \
         '(-q --quiet)'{-q,--quiet}'[show errors only]' \
         '--strict[treat warnings as errors]' \
         '--deps[list the files read and the meshes used]' \
+        '(--jail --safe)--trust[let the file do whatever Python can]' \
+        '(--trust --safe)--jail[let it read its own folder, and write nothing]' \
+        '(--trust --jail)--safe[let it do nothing but compute]' \
+        '--timeout=[end it after that time]:seconds: ' \
+        '*--allow-path=[let it read a file or folder]:file or folder:_files' \
+        '*--limit=[set how much it may use]:limit:_yamaro_limits' \
         '--color=[colour messages]:when:(auto always never)' \
         '(- *)'{-h,--help}'[show help]' \
         '(- *)'{-V,--version}'[show the version]' \
@@ -200,7 +220,7 @@ function __yamaro_words
             continue
         end
         switch $word
-            case -o --output --color
+            case -o --output --color --timeout --allow-path --limit
                 set skip 1
             case '-?*' '*:=*'
             case '*'
@@ -252,6 +272,12 @@ complete -c yamaro -s o -l output -r -F -d 'write to FILE'
 complete -c yamaro -s q -l quiet -d 'show errors only'
 complete -c yamaro -l strict -d 'treat warnings as errors'
 complete -c yamaro -l deps -d 'list the files read and the meshes used'
+complete -c yamaro -l trust -d 'let the file do whatever Python can'
+complete -c yamaro -l jail -d 'let it read its own folder, and write nothing'
+complete -c yamaro -l safe -d 'let it do nothing but compute'
+complete -c yamaro -l timeout -x -d 'end it after so many seconds'
+complete -c yamaro -l allow-path -r -F -d 'let it read a file or folder'
+complete -c yamaro -l limit -x -a '(string split " " "@LIMITS@")=' -d 'set how much it may use'
 complete -c yamaro -l color -x -a 'auto always never' -d 'colour messages'
 complete -c yamaro -s h -l help -d 'show help'
 complete -c yamaro -s V -l version -d 'show the version'
