@@ -13,6 +13,9 @@ import pytest
 from lxml import etree
 
 import yamaro
+from yamaro import jail
+
+needs_jail = pytest.mark.skipif(jail.check_available() is not None, reason="no jail here")
 
 PENDULUM = """\
 robot: $(name)
@@ -408,6 +411,57 @@ def test_a_loader_of_ones_own_says_why_it_fails(tmp_path: Path) -> None:
 
     with pytest.raises(yamaro.YamaroError, match="it is secret"):
         yamaro.build(str(tmp_path / "robot.yaml"), loader=Refusing())
+
+
+# --- policies ---------------------------------------------------------------------------------
+
+MODES = ["trusted", "safe", pytest.param("jail", marks=needs_jail)]
+
+
+@pytest.mark.parametrize("mode", MODES)
+def test_a_program_converts_under_its_policy(folder: Path, mode: str) -> None:
+    (folder / "shapes.py").unlink()
+    text = PENDULUM.replace("shapes, ", "").replace("shapes.rod(length)", "[length / 50, length]")
+    program = yamaro.load(write(folder, text), policy=yamaro.Policy(mode))
+    for length in (0.5, 2):
+        expected = yamaro.convert("robot.yaml", length=length)
+        assert program.convert(length=length) == expected
+        assert program.build(variables={"length": length}).xml() == expected
+
+
+@pytest.mark.parametrize("mode", MODES)
+def test_what_goes_in_is_taken_under_every_policy(folder: Path, mode: str) -> None:
+    program = yamaro.load(
+        write(folder, "launch:\n  a: $(n)\n  b: $(x[0])\n  c: $(d['k'])\n"),
+        policy=yamaro.Policy(mode),
+    )
+    xml = program.convert("n:=[1, 2]", x=np.array([0.5]), d={"k": (3, None)})
+    assert xml == yamaro.convert("robot.yaml", "n:=[1, 2]", x=np.array([0.5]), d={"k": (3, None)})
+
+
+def test_functions_that_are_passed_in_are_not_safe(folder: Path) -> None:
+    file = write(folder, "launch: {a: $(f(2))}\n")
+    program = yamaro.load(file, policy=yamaro.Policy("safe"))
+    called: list[int] = []
+    with pytest.raises(yamaro.YamaroError) as caught:
+        program.convert(f=called.append)
+    assert [d.code for d in caught.value.diagnostics] == ["unsafe-code"]
+    assert called == []
+
+
+def test_names_of_limits_may_be_those_of_the_command(folder: Path) -> None:
+    for name in ("xml_depth", "xml-depth"):
+        assert yamaro.Policy(limits={name: 7}).limits.xml_depth == 7
+
+
+@pytest.mark.parametrize("mode", MODES)
+def test_build_hands_over_what_a_file_that_fails_has_printed(folder: Path, mode: str) -> None:
+    file = write(folder, "print: before\nlaunch: {a: $(missing)}\nprint: after\n")
+    messages: list[str] = []
+    with pytest.raises(yamaro.YamaroError) as caught:
+        yamaro.build(file, policy=yamaro.Policy(mode), on_message=messages.append)
+    assert [d.code for d in caught.value.diagnostics] == ["undefined-name"]
+    assert "before" in messages
 
 
 # --- FlexiDict --------------------------------------------------------------------------------

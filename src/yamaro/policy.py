@@ -104,7 +104,8 @@ class Limits:
         """
         for name, values in _LIMITS.items():
             setattr(self, name, values[mode != SAFE])
-        for name, value in others.items():
+        for spelling, value in others.items():
+            name = spelling.replace("-", "_")
             if name not in _LIMITS:
                 raise ValueError(f"there is no limit '{shown(name)}'")
             if not getattr(self, name):
@@ -143,7 +144,7 @@ class Policy:
 
         Args:
             mode: "trusted", "jail" or "safe".
-            limits: those that are to differ from the usual ones.
+            limits: those that are to differ from the usual ones; "xml_depth" or "xml-depth".
             timeout: in seconds; by default none for a trusted file, and 60 for others.
             allowed_paths: what it may read besides the main file's folder and its packages.
 
