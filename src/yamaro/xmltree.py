@@ -384,6 +384,8 @@ class _Writer:
                 return
         if len(margin) >= self._most_margin:
             raise self._too_deep(element)
+        if not end:
+            self._go_deeper(element)
         out.append(f"{head}>{end}")
         deeper = margin + "  " if end else ""
         if end and id(children) in self._shared:
@@ -391,6 +393,14 @@ class _Writer:
         else:
             self._write_children(children, element, deeper, end, out, prefixes)
         out.append(f"{margin}</{name}>{end}")
+        if not end:
+            self._depth -= 1
+
+    def _go_deeper(self, element: Element) -> None:
+        """Note that what stands in an element is written inline, where no margin tells how deep."""
+        self._depth += 1
+        if self._depth >= self._limits.xml_depth:
+            raise self._too_deep(element)
 
     def _too_deep(self, element: Element) -> YamaroError:
         return failure(
@@ -444,9 +454,7 @@ class _Writer:
         self, element: Element, head: str, end: str, out: list[str], prefixes: frozenset[str]
     ) -> None:
         """Write an element that holds text; its elements stand inline so that no space is added."""
-        self._depth += 1
-        if self._depth >= self._limits.xml_depth:
-            raise self._too_deep(element)
+        self._go_deeper(element)
         inner: list[str] = []
         for child in element.children:
             if isinstance(child, Text):
