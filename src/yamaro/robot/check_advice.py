@@ -28,6 +28,8 @@ WIDEST_GYRATION = 10.0
 """Metres; a radius of gyration beyond it belongs to a body of some 20 m."""
 LARGEST_MESH = 10.0
 """Metres; a larger mesh is most often drawn in millimetres."""
+LARGEST_MESH_READ = 100 << 20
+"""Bytes of a mesh that is read only to give advice."""
 GIMBAL_TOLERANCE = 1e-3
 MOST_TURNS = 4 * pi
 
@@ -266,17 +268,18 @@ def _advise_on_mesh(
 
 def stl_extent(path: str, scale: tuple[float, ...]) -> float | None:
     """Return the longest side of a binary STL's bounding box in metres, scaled; None for others."""
+    import os
     from struct import error, iter_unpack, unpack_from
 
     if not path.lower().endswith(".stl"):
         return None
     try:
         with open(path, "rb") as file:
-            content = file.read()
-        (count,) = unpack_from("<I", content, 80)
-        if not count or len(content) != 84 + 50 * count:
-            return None
-        corners = [values[3:12] for values in iter_unpack("<12f2x", content[84:])]
+            (count,) = unpack_from("<I", file.read(84), 80)
+            size = os.fstat(file.fileno()).st_size
+            if not count or size != 84 + 50 * count or size > LARGEST_MESH_READ:
+                return None
+            corners = [values[3:12] for values in iter_unpack("<12f2x", file.read(size - 84))]
     except (OSError, error):
         return None
     extents: list[float] = []

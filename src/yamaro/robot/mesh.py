@@ -5,6 +5,8 @@ STL (binary and ASCII) and OBJ are read here, without any library; other formats
 
 from __future__ import annotations
 
+import os
+
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
@@ -19,6 +21,9 @@ MESH_ENDINGS = (
 """File endings by which a geometry is taken for a mesh, in lower case."""
 
 TRIMESH_ENDINGS = frozenset(("dae", "glb", "gltf", "ply", "off", "3mf"))
+
+LARGEST_FILE = 1 << 30
+"""Bytes of a mesh that is read: as objects of Python it takes many times as much memory."""
 
 STL_HEADER_BYTES = 84
 STL_FACET_BYTES = 50
@@ -183,9 +188,13 @@ def read_mesh(path: str) -> TriangleMesh:
     if ending not in ("stl", "obj") and ending not in TRIMESH_ENDINGS:
         raise MeshFileError(f"no reader for '.{ending}' files")
     try:
+        if os.path.getsize(path) > LARGEST_FILE:
+            raise MeshFileError(f"it is larger than {LARGEST_FILE >> 20} MB")
         mesh = _read(path, ending)
     except OSError as error:
         raise MeshFileError(error.strerror or str(error)) from error
+    except MemoryError as error:
+        raise MeshFileError("there is not enough memory for it") from error
     if not mesh.triangles:
         raise MeshFileError("it has no triangles")
     return mesh if is_closed(mesh) else _snapped(mesh)
