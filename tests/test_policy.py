@@ -204,6 +204,23 @@ def test_without_a_jail_safe_mode_works_all_the_same(
 
 
 @needs_jail
+@pytest.mark.parametrize(
+    "attempt", ["open('new', 'w')", "open('/etc/passwd')", "os.fork()", "subprocess.run('true')"]
+)
+def test_what_a_jail_refuses_is_told_at_its_place(tmp_path: Path, attempt: str) -> None:
+    path = write(tmp_path, f'import: [os, subprocess]\nout:\n  a: "$({attempt})"\n')
+    with pytest.raises(YamaroError) as caught:
+        yamaro.build(path, policy=Policy("jail"))
+    (found,) = caught.value.diagnostics
+    assert found.code == "python-error"
+    assert found.span.location()[0] == 3
+    assert "PermissionError" in found.message
+    assert found.hint is not None
+    assert found.hint.startswith("in a jail a file reads its own folder")
+    assert os.listdir(tmp_path) == ["robot.yaml"]
+
+
+@needs_jail
 def test_a_jail_that_cannot_be_set_up_is_no_bar_to_safe_mode(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -28,6 +28,10 @@ _OWN_FOLDER = __file__[: -len("runtime/expressions.py")]
 
 
 TIME_IS_OVER = "the time is over, and this is where it was spent"
+JAIL_HINT = (
+    "in a jail a file reads its own folder, its packages and what --allow-path adds, "
+    "writes nothing, and reaches no network and no other process"
+)
 TIME_HINT = "--timeout SECONDS gives it more time"
 _CONTAINERS = frozenset((list, tuple, dict))
 _YAML_1_1_BOOLEANS = {"yes": "true", "on": "true", "no": "false", "off": "false"}
@@ -41,7 +45,7 @@ def run_module(code: CodeType, names: dict[str, Any]) -> None:
 class Evaluator:
     """Evaluates expressions and runs statements in scopes."""
 
-    __slots__ = ("_where_declared", "codes", "frame", "limits")
+    __slots__ = ("_where_declared", "codes", "frame", "is_jailed", "limits")
 
     def __init__(
         self,
@@ -58,6 +62,7 @@ class Evaluator:
         """
         self.codes = codes
         self.frame: Frame | None = None
+        self.is_jailed = False  # so that it can be told why something is not permitted
         self.limits = limits
         self._where_declared = where_declared
 
@@ -220,7 +225,9 @@ class Evaluator:
             "python-error",
             _describe(error),
             span,
-            hint=_hint(error),
+            hint=JAIL_HINT
+            if self.is_jailed and isinstance(error, PermissionError)
+            else _hint(error),
             notes=notes,
             trace=frame,
         )

@@ -7,7 +7,7 @@ later. Every element made carries the span of its key and the calls and includes
 from __future__ import annotations
 
 from ..diagnostics import INHERITED, Frame, InputFault, Reporter, YamaroError, failure
-from ..policy import Policy
+from ..policy import JAIL, Policy
 from ..source import Source, Span
 from ..syntax.keys import NAME_RULE, attribute_twice, name_fault
 from ..syntax.names import (
@@ -132,6 +132,7 @@ class Interpreter:
             if self.safety is None
             else SafeEvaluator(codes, where_declared, policy.limits, self.safety)
         )
+        self.evaluator.is_jailed = policy.mode == JAIL
         self.values = Values(self.evaluator)
         self.shares = shares
         self.builder = Builder()
