@@ -422,6 +422,19 @@ def test_the_mode_is_the_one_asked_for_or_that_of_the_command(
     assert policy.timeout == (None if policy.mode == "trusted" else 60)
 
 
+def test_the_page_on_safety_tells_every_limit_as_it_is() -> None:
+    page = (Path(__file__).parents[1] / "docs" / "safety.md").read_text(encoding="utf-8")
+    section = page.partition("\n## Limits\n")[2].partition("\n## ")[0]
+    rows = [line.strip("| ").split(" | ") for line in section.splitlines() if line[:3] == "| `"]
+    told = {row[0].strip("`"): row[1:3] for row in rows[1:]}  # the first is the head
+    assert list(told) == limit_names()
+    for name, numbers in told.items():
+        field = name.replace("-", "_")
+        safe, other = (getattr(Limits(mode), field) for mode in ("safe", "trusted"))
+        same = "same" if other == safe else f"{other:,}"
+        assert numbers == [f"{safe:,}", same if other else "–"]
+
+
 def test_options_make_the_policy() -> None:
     words = "--safe r.yaml --timeout 1.5 --allow-path a --allow-path=b --limit xml-depth=7"
     policy = cli.make_policy(parse_arguments(words.split()))
