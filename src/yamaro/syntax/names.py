@@ -89,10 +89,10 @@ def name_hint(name: str) -> str:
 
 def is_function_name(text: str) -> bool:
     """Tell whether a bare key calls a function: `Name` or `ns.Name`, with a capital N."""
-    namespace, _, name = text.rpartition(".")
+    namespace, dot, name = text.rpartition(".")
     if not name.isidentifier() or not name[0].isupper() or name in _KEYWORDS:
         return False
-    return not namespace or all(part.isidentifier() for part in namespace.split("."))
+    return not dot or all(part.isidentifier() for part in namespace.split("."))
 
 
 # XML 1.0 (fifth edition), productions 4 and 4a, without the ASCII range.

@@ -1,0 +1,178 @@
+"""Details of keys, values and statements: what each spelling means, and what is said of a fault."""
+
+from __future__ import annotations
+
+import pytest
+
+from yamaro import YamaroError, build
+from yamaro.diagnostics import Diagnostic
+from yamaro.runtime.loader import MemoryLoader
+from yamaro.syntax.scalars import is_null, type_plain
+
+
+def out(text: str) -> str:
+    """Return what a body of a root element `out` gives, without line breaks and indentation."""
+    lines = "".join(f"  {line}\n" for line in text.splitlines())
+    xml = build("/t.yaml", loader=MemoryLoader({"/t.yaml": f"out:\n{lines}"})).xml()
+    return "".join(line.strip() for line in xml.splitlines()[1:])
+
+
+def fault(text: str) -> Diagnostic:
+    """Return the first error in a file."""
+    with pytest.raises(YamaroError) as caught:
+        build("/t.yaml", loader=MemoryLoader({"/t.yaml": text}))
+    return caught.value.diagnostics[0]
+
+
+def place(diagnostic: Diagnostic) -> str:
+    """Return the place of a fault as line, column and the text underlined."""
+    line, column = diagnostic.span.location()
+    return f"{line}:{column} {diagnostic.span.written()}"
+
+
+@pytest.mark.parametrize(
+    ("text", "xml"),
+    [
+        # The slash inside the expression is no end of the name.
+        ("$('x/'[:1])/n=1:", '<out><x n="1"/></out>'),
+        ('a/b="x":', '<out><a b="x"/></out>'),
+        ("a/b='x':", '<out><a b="x"/></out>'),
+    ],
+)
+def test_a_key_means(text: str, xml: str) -> None:
+    assert out(text) == xml
+
+
+@pytest.mark.parametrize(
+    ("text", "told"),
+    [
+        ("out:\n  '': 1", "2:3 ''"),
+        ("out:\n  else  if x: 1", "2:3 else  if x"),
+        ("out:\n  .Arm:", "2:3 .Arm"),
+        ("out:\n  a: |-\n    $(\n    1 + nope)", "4:9 nope"),
+        ("process: |\n  if 1:\n  y = 1\n  z = 2\nout:", "3:3 y = 1"),
+        ("out:\n  include: {path: [a]}", "2:13 path"),
+        ("out:\n  include: {path: a, namespace: b, namespace: c}", "2:36 namespace"),
+        ("out:\n  for: {iterator: [a b, c], in: [1]}", "2:20 a b"),
+        ("out:\n  for: {iterator: 'a, b c, d', in: [1]}", "2:23 b c"),
+        ("out:\n  for: {iterator: i, range: }", "2:29 "),
+        ("out:\n  <#text>: a$(chr(1))", "2:12 a$(chr(1))"),
+        ("sdf/version=1:\nrobot: x", "2:1 robot"),
+        ("functions: {A: {input: '=1', body: }}\nout:", "1:25 ="),
+        ("out:\n  A: ',x'", "2:7 ,"),
+    ],
+)
+def test_a_fault_is_underlined(text: str, told: str) -> None:
+    assert place(fault(text)) == told
+
+
+@pytest.mark.parametrize(
+    ("text", "hint"),
+    [
+        ("out:\n  else  if x: 1", "write `elif:`, and `condition:` and `body:` below it"),
+        (
+            "out:\n  xacro:if value: 1",
+            "xacro's tags do not exist here; see docs/coming-from-xacro.md",
+        ),
+        ("out:\n  <a/: 1", "close the bracket: <a>:"),
+        ("out:\n  include: {paths: 1}", "did you mean `path` by 'paths'?"),
+        ("out:\n  include: {length: 1}", "write path: other.yaml"),
+        ("out:\n  for: {iterator: [[i]], in: [1]}", "iterator: i"),
+        ("out:\n  for: {iterator: [], in: [1]}", "iterator: i"),
+        (
+            "out:\n  for: {iterator: 'a,,b', in: [1]}",
+            "write iterator: i, or iterator: name, length",
+        ),
+        (
+            "out:\n  - part:\n    name: a",
+            "put `name` and what follows two columns further to the right",
+        ),
+        ("out:\n  if:\n    condition: 1\n    body: a=b=c", "write a: b=c"),
+        ("out:\n  a: $(1 || 2)", "Python writes `and`, `or` and `not`"),
+        (
+            "out:\n  a: $(find-pkg-share 'x')",
+            "the name of a package has no quotes: $(find-pkg-share name)",
+        ),
+        ("import: from math\nout:", "write from math import pi, sin"),
+        (
+            "import: [from math import pi, sin, cos]\nout:",
+            "the commas of [ ] split a list of names: write 'from math import pi, sin'",
+        ),
+    ],
+)
+def test_a_hint_says(text: str, hint: str) -> None:
+    assert fault(text).hint == hint
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        (
+            "out:\n  include: [a]",
+            "in an include, each item of the list must be an entry such as `name: value`",
+        ),
+        ("out:\n  for: {iterator: [[i]], in: [1]}", "an iterator is a name"),
+        ("out:\n  for: {iterator: [], in: [1]}", "the iterator has no name"),
+        ("out:\n  for: {iterator: i, range: }", "`range` takes one to three numbers"),
+        ("out:\n  .Arm:", "'.Arm' is no XML name: it begins with '.'"),
+        (
+            "sdf/version=1:\nrobot: x",
+            "'robot' stands beside the root element, and a file makes one",
+        ),
+    ],
+)
+def test_a_message_says(text: str, message: str) -> None:
+    assert fault(text).message == message
+
+
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [
+        ("1" * 4300, int("1" * 4300)),
+        ("0xfF", 255),
+        ("0o17", 15),
+        ("0xX", "0xX"),
+        ("0x", "0x"),
+        ("0oX", "0oX"),
+        ("0o8", "0o8"),
+        ("1e+", "1e+"),
+        ("1-", "1-"),
+        ("+", "+"),
+        ("", None),
+    ],
+)
+def test_a_plain_scalar_is(text: str, value: object) -> None:
+    typed = type_plain(text)
+    assert (typed, type(typed)) == (value, type(value))
+    assert is_null(text) is (value is None)
+
+
+def test_an_integer_has_no_more_digits_than_python_reads() -> None:
+    with pytest.raises(OverflowError):
+        type_plain("1" * 4301)
+
+
+def test_annotations_in_a_users_function_are_values() -> None:
+    text = "process: |\n  def f(x: int): return x\nout: $(f.__annotations__['x'] is int)\n"
+    assert "<out>true</out>" in build("/t.yaml", loader=MemoryLoader({"/t.yaml": text})).xml()
+
+
+def test_angle_brackets_make_an_element_where_values_are_computed_too() -> None:
+    text = "robot: r\nmodel:\n  part:\n    name: a\n    link:\n      <mass>: $(1 + 1)\n"
+    xml = build("/t.yaml", loader=MemoryLoader({"/t.yaml": text})).xml()
+    assert [line.strip() for line in xml.splitlines()[2:5]] == [
+        '<link name="a_link">',
+        "<mass>2</mass>",
+        "</link>",
+    ]
+
+
+def test_an_iterator_that_is_not_seen_is_told_to_be_local() -> None:
+    text = (
+        "functions: {Make: {body: {for: {iterator: side, in: [1]}}}}\nout:\n  Make:\n  a: $(side)\n"
+    )
+    (note,) = fault(text).notes
+    assert note == (
+        "'side' at /t.yaml:1:43 is local to its function or block; "
+        "declare it as parent, child or global to see it here"
+    )
