@@ -4,24 +4,29 @@ from __future__ import annotations
 
 import pytest
 
-from yamaro import YamaroError, build
+from yamaro import Build, YamaroError, build
 from yamaro.diagnostics import Diagnostic
 from yamaro.runtime.loader import MemoryLoader
 from yamaro.syntax.scalars import is_null, type_plain
+from yamaro.syntax.yaml_nodes import DOUBLE, PLAIN, SINGLE, _align_flow
+
+
+def build_text(text: str, *arguments: str) -> Build:
+    return build("/t.yaml", command_line=arguments, loader=MemoryLoader({"/t.yaml": text}))
 
 
 def out(text: str) -> str:
     """Return what a body of a root element `out` gives, without line breaks and indentation."""
     lines = "".join(f"  {line}\n" for line in text.splitlines())
-    xml = build("/t.yaml", loader=MemoryLoader({"/t.yaml": f"out:\n{lines}"})).xml()
+    xml = build_text(f"out:\n{lines}").xml()
     return "".join(line.strip() for line in xml.splitlines()[1:])
 
 
 def fault(text: str) -> Diagnostic:
     """Return the first error in a file."""
     with pytest.raises(YamaroError) as caught:
-        build("/t.yaml", loader=MemoryLoader({"/t.yaml": text}))
-    return caught.value.diagnostics[0]
+        build_text(text)
+    return next(one for one in caught.value.diagnostics if one.severity == "error")
 
 
 def place(diagnostic: Diagnostic) -> str:
@@ -59,6 +64,17 @@ def test_a_key_means(text: str, xml: str) -> None:
         ("out:\n  <#text>: a$(chr(1))", "2:12 a$(chr(1))"),
         ("sdf/version=1:\nrobot: x", "2:1 robot"),
         ("functions: {A: {input: '=1', body: }}\nout:", "1:25 ="),
+        ('out:\n  a: "x$(chr(1))"', '2:6 "x$(chr(1))"'),
+        ("out:\n  a/b=x$(chr(1)), c=1:", "2:7 x$(chr(1))"),
+        ("out:\n  if: #ab", "2:3 if"),
+        ("variables: {/local: 1}\nout:", "1:13 /local"),
+        ("variables: {a/y: 1}\nout:", "1:15 y"),
+        ("a:\r\n\tb: 1\r\nc: 2\r\n", "2:1 \t"),
+        ("a: x\u00a0y\nb:\n\u00a0\u00a0c\nd: 1", "3:1 \u00a0"),
+        ("out:\n  a: {b: 1 c: 2, d: $(f(1, 2))}", "2:13 :"),
+        ("out: {a: 1, b: 2, " + "k" * 1025 + ": 2}", "1:19 " + "k" * 1024),
+        ('out:\r\n  a: "b\\\r\n   $(1 + nope)"', "3:10 nope"),
+        ('out:\n  a: "b\\\n   $(1 + nope)"', "3:10 nope"),
         ("out:\n  A: ',x'", "2:7 ,"),
     ],
 )
@@ -107,6 +123,14 @@ def test_a_hint_says(text: str, hint: str) -> None:
 @pytest.mark.parametrize(
     ("text", "message"),
     [
+        ('out: "\\xZ"', r"the escape '\x' has too few hexadecimal digits behind it"),
+        ('out: "\\uZ"', r"the escape '\u' has too few hexadecimal digits behind it"),
+        ('out: "\\UZ"', r"the escape '\U' has too few hexadecimal digits behind it"),
+        ('out: "\\q"', r"'\q' is no escape that YAML knows"),
+        (
+            "functions: {A: [1]}\nout:",
+            "in the function A, each item of the list must be an entry such as `name: value`",
+        ),
         (
             "out:\n  include: [a]",
             "in an include, each item of the list must be an entry such as `name: value`",
@@ -123,6 +147,84 @@ def test_a_hint_says(text: str, hint: str) -> None:
 )
 def test_a_message_says(text: str, message: str) -> None:
     assert fault(text).message == message
+
+
+def warned(text: str) -> list[tuple[str, str | None]]:
+    """Return code and hint of each warning."""
+    return [(one.code, one.hint) for one in build_text(text).warnings]
+
+
+@pytest.mark.parametrize("inside", "condition body iterator range in path name joint link".split())
+def test_a_misspelt_statement_is_known_by_what_is_in_it(inside: str) -> None:
+    hint = "write part: for the statement, or <prat>: for the element"
+    assert warned(f"out:\n  prat: {{{inside}: 1}}") == [("misspelt-statement", hint)]
+
+
+@pytest.mark.parametrize("word", ["inlcude", "varables", "fuctions", "proces"])
+def test_some_statements_are_known_whatever_is_in_them(word: str) -> None:
+    assert [code for code, _ in warned(f"out:\n  {word}: {{x: 1}}")] == ["misspelt-statement"]
+
+
+def test_an_element_like_a_statement_may_hold_anything_else() -> None:
+    assert warned("out:\n  prat: {x: 1}") == []
+
+
+@pytest.mark.parametrize(
+    ("text", "inner"),
+    [
+        ("out:\n  a: '} ${x}'", "x"),
+        ("out:\n  a: '${x} and {y}'", "x"),
+        ("out:\n  a: '${x'", "…"),
+        ("out:\n  $('a'):\n    b: ${x}", "x"),
+    ],
+)
+def test_xacros_braces_are_warned_of(text: str, inner: str) -> None:
+    hint = f"write $({inner}) for an expression, or $${{ for a literal ${{"
+    assert warned(text) == [("xacro-syntax", hint)]
+
+
+@pytest.mark.parametrize(
+    "text",
+    ["functions: #ab\nout:", "variables: #ab\nout:", "out:\n  if: {condition: 1}\n  else: #ab"],
+)
+def test_a_body_that_is_a_comment_to_yaml_is_warned_of(text: str) -> None:
+    assert [code for code, _ in warned(text)] == ["hidden-value"]
+
+
+def test_a_scope_may_stand_apart_from_its_name() -> None:
+    assert "<out>3</out>" in build_text("variables: {maX: 1, aX /local: 2}\nout: $(maX + aX)").xml()
+
+
+@pytest.mark.parametrize(
+    ("raw", "style", "indices"),
+    [
+        ("ab c", PLAIN, [0, 1, 2, 3]),
+        ("a\n b", PLAIN, [0, 1, 3]),  # folded to a space
+        ("a\r\n b", PLAIN, [0, 1, 4]),
+        ("a\n\n b", PLAIN, [0, 2, 4]),
+        ("a\r\n\r\nb", PLAIN, [0, 3, 5]),
+        ("'a''b'", SINGLE, [1, 2, 4]),
+        ('"a\\\n b"', DOUBLE, [1, 5]),  # a break behind a backslash is nothing
+        ('"a\\\r\n b"', DOUBLE, [1, 6]),
+        ('"a\\\rb"', DOUBLE, [1, 4]),
+        ('"a\\\nb"', DOUBLE, [1, 4]),
+        ('"\\x41b\\u00e9\\U0001F600c"', DOUBLE, [1, 5, 6, 12, 22]),
+    ],
+)
+def test_characters_of_a_scalar_know_their_place(raw: str, style: str, indices: list[int]) -> None:
+    assert _align_flow(raw, style) == indices
+
+
+def test_an_escaped_expression_is_text_in_values_too() -> None:
+    text = "variables: {a: $$(x), b: [$$(y)]}\nout: $(a + b[0])"
+    assert "<out>$(x)$(y)</out>" in build_text(text).xml()
+
+
+def test_expressions_on_the_command_line_are_text() -> None:
+    assert (
+        "<out>$(x)$(y)</out>"
+        in build_text("out: $(a[0] + a[1]['k'])", "a:=[$(x), {k: $(y)}]").xml()
+    )
 
 
 @pytest.mark.parametrize(
@@ -154,12 +256,12 @@ def test_an_integer_has_no_more_digits_than_python_reads() -> None:
 
 def test_annotations_in_a_users_function_are_values() -> None:
     text = "process: |\n  def f(x: int): return x\nout: $(f.__annotations__['x'] is int)\n"
-    assert "<out>true</out>" in build("/t.yaml", loader=MemoryLoader({"/t.yaml": text})).xml()
+    assert "<out>true</out>" in build_text(text).xml()
 
 
 def test_angle_brackets_make_an_element_where_values_are_computed_too() -> None:
     text = "robot: r\nmodel:\n  part:\n    name: a\n    link:\n      <mass>: $(1 + 1)\n"
-    xml = build("/t.yaml", loader=MemoryLoader({"/t.yaml": text})).xml()
+    xml = build_text(text).xml()
     assert [line.strip() for line in xml.splitlines()[2:5]] == [
         '<link name="a_link">',
         "<mass>2</mass>",

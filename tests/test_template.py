@@ -128,5 +128,6 @@ def test_expressions_are_opaque_to_the_grammar_of_keys() -> None:
     assert find_outside(text, "/", 0, len(text)) == 9
     assert skip_expression(text, 1) == 9
     assert skip_expression(text, 0) == 0
+    assert skip_expression("a$(b", 1) == 1
     assert find_outside("$(a / b", "/", 0, 7) == 4  # never closed: no expression
     assert find_outside("abc", "/", 0, 3) == -1

@@ -153,3 +153,15 @@ def test_the_work_grows_with_the_number_of_comment_entries_and_no_faster() -> No
         return calls_of(lambda: parse("a:\n" + "  # b\n  #comment: c\n  d: e\n" * count))
 
     assert work(1_000) < 11 * work(100)
+
+
+def test_an_anchor_may_end_the_file() -> None:
+    assert plain(parse("a: &x")) == [("a", "")]
+
+
+@pytest.mark.parametrize("text", ["x #text: y", "- #text: y\n  b: 1", "b: #text: y"])
+def test_only_a_line_that_begins_like_an_entry_is_one(text: str) -> None:
+    reporter = Reporter()
+    read(Source(text, name="t.yaml"), reporter=reporter)
+    expected = ["comment-entry"] if text.startswith("-") else []
+    assert [warning.code for warning in reporter.diagnostics] == expected

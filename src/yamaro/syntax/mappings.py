@@ -114,9 +114,7 @@ def _entries_hint(text: str, known: Sequence[str]) -> str:
     if "condition" in known and find_outside(text, " ", 0, len(text)) >= 0:
         return f"write condition: {text}, and the statements under `body:`"
     names = [f"`{name}`" for name in known if name != "body"]
-    if "body" in known:
-        return f"it takes {', '.join(names)}; statements and elements go under `body:`"
-    return f"it takes {', '.join(names)}"
+    return f"it takes {', '.join(names)}; statements and elements go under `body:`"
 
 
 class Fields:

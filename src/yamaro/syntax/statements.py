@@ -107,7 +107,7 @@ def parse_statement(key: ScalarNode, node: YamlNode, context: ParseContext) -> S
     if word.startswith("<") and word.endswith(">"):
         return _parse_angled(key, node, context)
     if word in ("#text", "#comment"):
-        return _parse_text_or_comment(word, key, node, context)
+        return _parse_text_or_comment(word, node, context)
     slash = find_outside(word, "/", 0, len(word))
     if slash < 0:
         return _parse_bare(key, node, context)
@@ -322,12 +322,12 @@ _NO_CHILDREN: list[Node] = []
 def _parse_angled(key: ScalarNode, node: YamlNode, context: ParseContext) -> Statement:
     inner = key.text[1:-1]
     if inner in ("#text", "#comment"):
-        return _parse_text_or_comment(inner, key, node, context)
+        return _parse_text_or_comment(inner, node, context)
     return _parse_element(key, 1, len(key.text) - 1, node, context, verbatim=True)
 
 
 def _parse_text_or_comment(
-    word: str, key: ScalarNode, node: YamlNode, context: ParseContext
+    word: str, node: YamlNode, context: ParseContext
 ) -> TextNode | CommentNode:
     if not isinstance(node, ScalarNode):
         raise failure(
