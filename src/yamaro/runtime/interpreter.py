@@ -54,6 +54,7 @@ from ..xmltree import (
     format_value,
     is_comment_text,
     unshared,
+    with_trace,
 )
 from .calls import (
     Block,
@@ -648,7 +649,19 @@ class Interpreter:
             self._run_element(document.root, inner, made, None)
             for element in made:
                 if isinstance(element, Element):
-                    out.extend(element.children)
+                    out.extend(map(self._traced, element.children))
+
+    def _traced(self, node: Node) -> Node:
+        """Return what stands in a root element that is left out, with the trace of its own."""
+        if not isinstance(node, Element) or node.trace is not INHERITED:
+            return node
+        if isinstance(node, PartElement):  # each is made for its place
+            node.trace = self.frame
+            return node
+        for child in node.children:
+            if isinstance(child, Element):
+                self.builder.emit(child)
+        return with_trace(node, self.frame)
 
     def _hand_back(
         self,
