@@ -135,19 +135,36 @@ def check_what_is_said(hostile: HostileInput, outcome: Outcome) -> None:
     assert not steering, "standard error holds control characters"
 
 
+def either(found: list[str], expected: list[str]) -> list[str]:
+    """Return the codes that are expected; of `one/or/the/other` the one that was found."""
+    found = found + [""] * len(expected)
+    return [
+        code if code in choice.split("/") else choice
+        for code, choice in zip(found, expected, strict=False)
+    ]
+
+
 @pytest.mark.parametrize("hostile", BAD, ids=str)
 def test_bad_input_ends_in_its_diagnostic(
     hostile: HostileInput, outcome: Outcome, tmp_path: Path
 ) -> None:
-    status = int(hostile.field("status") or 1)
-    assert (outcome.codes, outcome.status, outcome.out) == (hostile.codes, status, ""), outcome.err
+    assert outcome.codes == either(outcome.codes, hostile.codes), outcome.err
+    assert outcome.status in [int(word) for word in (hostile.field("status") or "1").split()]
+    assert outcome.out == ""
     check_what_is_said(hostile, outcome)
     assert re.match(r"(error|warning)\[", outcome.err)
     if not hostile.fields.get("command"):
         assert (tmp_path / "out.urdf").read_bytes() == OLD_OUTPUT
     assert not list(tmp_path.glob(".yamaro-*"))
+    if hostile.field("place") == "anywhere":
+        return
     expected, found = hostile.place, outcome.first_place()
     assert expected is not None, f"no place is expected; found {found}"
+    if sys.version_info < (3, 11):
+        # Python 3.10 knows no columns of what it runs.
+        assert (found.name, found.line) == (expected.name, expected.line), outcome.err
+        assert found.column <= expected.column, outcome.err
+        return
     if hostile.field("place") == "inside":
         assert (found.name, found.line) == (expected.name, expected.line), outcome.err
         assert 0 <= found.column - expected.column < len(expected.text or ""), outcome.err
@@ -223,7 +240,7 @@ def test_every_option_that_an_input_needs_is_one_of_the_command() -> None:
 
 def test_no_module_of_the_working_directory_is_run(tmp_path: Path) -> None:
     (tmp_path / "robot.yaml").write_text("import: [math]\ndoc: $(math.floor(2.5))\n")
-    for name in ("ast", "gc", "resource", "warnings", "yaml"):
+    for name in ("ast", "resource", "yaml"):  # what Python imports for -m it has from there
         (tmp_path / f"{name}.py").write_text("open('harm', 'w')\n")
     environment = {name: value for name, value in os.environ.items() if name != "PYTHONPATH"}
     done = subprocess.run(

@@ -2,7 +2,8 @@
 
 === name of the input
 # research 7: where it comes from, or what it tries
-codes: alias-bomb           (all errors, in order; several are divided by spaces)
+codes: alias-bomb           (all errors, in order; several are divided by spaces, and where it
+                             depends on the version of Python, one/or/the/other)
 warnings: hidden-value      (all warnings, in order)
 says: a piece of what stands on standard error; may come several times
 ---
@@ -12,9 +13,10 @@ another file
 
 Further lines of the head:
 
-status: -15                 how the process ends, if not with 1
+status: 1 -15               how the process may end, if not only with 1
 at: leg.yaml:3:1            in place of the marks
 place: inside               somewhere between the marks: versions of Python tell it differently
+place: anywhere             it is chance
 fine: <a piece of the XML>  in place of `codes`, when all is well; may come several times
 usage: a piece of the line  in place of `codes`, when the command is called wrongly
 prints: hello               a line that is printed, any number of times
