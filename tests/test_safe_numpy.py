@@ -448,7 +448,7 @@ def test_a_name_that_is_not_there_suggests_one_that_is() -> None:
 
 
 def test_the_documentation_lists_every_name() -> None:
-    page = (REPOSITORY / "docs" / "safety-language.md").read_text(encoding="utf-8")
+    page = (REPOSITORY / "docs" / "safety.md").read_text(encoding="utf-8")
     words = set(page.replace("`", " ").split())
     tables = (safe_numpy.FUNCTIONS, safe_numpy.LINEAR_ALGEBRA, safe_numpy.CONSTANTS)
     names = [name for table in tables for name in table] + list(safe_numpy.TYPES)

@@ -6,7 +6,7 @@ list is refused, so a new version of Python brings nothing in. Guards are method
 `SafeRuntime` of the conversion, which `SafeRuntime.bind` puts into the code as a constant: no name
 leads to it.
 
-The rules, for people who write robots, are in docs/safety-language.md.
+The rules, for people who write robots, are in docs/safety.md.
 """
 
 from __future__ import annotations

@@ -3,7 +3,7 @@
 Each function is listed with the arguments that it may be given and a check that counts its cost
 before it runs. What is in no table is refused: numpy reads and writes files, loads libraries, calls
 functions that it is given, and shows memory that nobody has filled. The rules, for people who write
-robots, are in docs/safety-language.md.
+robots, are in docs/safety.md.
 """
 
 from __future__ import annotations
