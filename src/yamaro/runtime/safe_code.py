@@ -164,7 +164,7 @@ def compile_safe(text: str, filename: str, mode: str, limits: SafeLimits | None 
         SyntaxError: it is no Python.
     """
     limits = limits or SafeLimits()
-    _check_text(text, limits)
+    _check_text(text, limits, brackets_added=1 if mode == "eval" else 0)
     tree = compile(text, filename, mode, ast.PyCF_ONLY_AST, dont_inherit=True)
     assert isinstance(tree, (ast.Expression, ast.Module))
     _check_size(tree, limits)
@@ -185,9 +185,9 @@ def classify(node_class: type) -> str:
 # --- how much text ----------------------------------------------------------------------------
 
 
-def _check_text(text: str, limits: SafeLimits) -> None:
-    """Check what Python's own parser might stumble over."""
-    size = len(text) - (3 if text.endswith("\n)") else 0)  # without what is put around it
+def _check_text(text: str, limits: SafeLimits, *, brackets_added: int) -> None:
+    """Check what Python's own parser might stumble over; around an expression we put brackets."""
+    size = len(text) - 3 * brackets_added  # "(" and "\n)"
     if size > limits.characters:
         raise limits.passed(
             "characters",
@@ -198,7 +198,7 @@ def _check_text(text: str, limits: SafeLimits) -> None:
     for index, char in enumerate(text):
         if char in "([{":
             depth += 1
-            if depth > limits.brackets + 1:  # the one that is put around each expression
+            if depth > limits.brackets + brackets_added:
                 raise limits.passed(
                     "brackets",
                     "too many brackets are open here",
