@@ -107,10 +107,11 @@ def keep(name: str, folder: Path) -> None:
         path.mkdir(exist_ok=True)
     for number, text in enumerate(read_corpus(name)):
         (known / str(number)).write_bytes(to_bytes(text))
+    control = folder / "control.txt"
+    options = ("-merge=1", f"-merge_control_file={control}")
     folders = (merged, known, folder / "corpus")
-    log = folder / "merge.txt"
-    run("minimise", "-merge=1", *folders, log=log, YAMARO_FUZZ_TARGET=name)
-    run("keep", name, merged, log=log)
+    run("minimise", *options, *folders, log=folder / "merge.txt", YAMARO_FUZZ_TARGET=name)
+    run("keep", name, control, log=folder / "keep.txt")
 
 
 def show_reached(name: str, folder: Path, *, is_detailed: bool) -> list[str]:

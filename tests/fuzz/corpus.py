@@ -23,7 +23,9 @@ from . import reader
 HERE = Path(__file__).parent
 ROOT = HERE.parents[1]
 FILE_MARK = "#file "
-NAMED_FILE = re.compile(r"[\w./-]+\.yaml")
+NAMED_FILE = re.compile(r"(?<![\w./-])[\w./-]{1,60}\.yaml")
+LARGE = 20_000
+"""Characters of a file that is too large to begin with."""
 
 
 def read_corpus(target: str) -> list[str]:
@@ -55,7 +57,7 @@ def find_files() -> list[Path]:
     """Return the YAML files of the project that stand for themselves."""
     paths = sorted((ROOT / "examples").rglob("*.yaml"))
     paths += sorted((ROOT / "tests" / "cases").rglob("*.yaml"))
-    return [path for path in paths if not path.name.startswith("_")]
+    return [path for path in paths if not path.name.startswith("_") and path.stat().st_size < LARGE]
 
 
 @functools.cache
@@ -66,6 +68,7 @@ def find_blocks() -> list[str]:
     return [block for blocks in found for block in blocks]
 
 
+@functools.cache
 def seeds_of(target: str) -> list[str]:
     """Return what a target begins with: files, or the keys or values in them."""
     if target == "pipeline":

@@ -1,6 +1,9 @@
-"""Makes the inputs in a folder the corpus of a target; of many, those that reach most.
+"""Makes the corpus of a target out of what libFuzzer's `-merge=1` found in folders of inputs.
 
-python -m tests.fuzz.keep TARGET FOLDER
+    python -m tests.fuzz.keep TARGET CONTROL_FILE
+
+The control file of a merge tells, for each input from the smallest on, what it reaches that those
+before it do not: new places (COV), and places reached more often or in other company (FT).
 """
 
 from __future__ import annotations
@@ -8,52 +11,40 @@ from __future__ import annotations
 import sys
 from pathlib import Path
 
-import coverage
-
 from .corpus import to_text, write_corpus
-from .replay import measure
 from .session import Session
-from .targets import TARGETS, Target
+from .targets import TARGETS
 
 MOST = 300
 """Inputs in a corpus that is checked in."""
 MOST_CHARACTERS = 200_000
 
 
-def choose(candidates: list[str], target: Target) -> list[str]:
-    """Return few inputs that reach what all reach, filled up with the shortest of the others."""
-    session, measured = Session(target), measure()
-    reached = {text: what_it_reaches(text, session, measured) for text in candidates}
-    rest = {text: features for text, features in reached.items() if features}
+def choose(control: str) -> list[Path]:
+    """Return the inputs that reach something new, those that reach most new places first."""
+    lines = control.splitlines()
+    paths = [Path(line) for line in lines[2 : 2 + int(lines[0])]]
+    found = {"COV": [0] * len(paths), "FT": [0] * len(paths)}
+    for line in lines[2 + len(paths) :]:
+        kind, number, *features = line.split(" ")
+        if kind in found:
+            found[kind][int(number)] = len(features)
+    worth = sorted(zip(found["COV"], found["FT"], paths, strict=True), reverse=True)
+    return [path for places, features, path in worth if places or features]
+
+
+def main(name: str, control: Path) -> None:
+    session = Session(TARGETS[name])
     chosen: list[str] = []
-    while rest and len(chosen) < MOST:
-        best = max(rest, key=lambda text: (len(rest[text]), -len(text), text))
-        new = rest.pop(best)
-        chosen.append(best)
-        rest = {text: left for text, features in rest.items() if (left := features - new)}
-    size = sum(map(len, chosen))
-    for text in sorted(set(candidates) - set(chosen), key=lambda text: (len(text), text)):
-        size += len(text)
-        if len(chosen) >= MOST or size > MOST_CHARACTERS:
+    size = 0
+    for path in choose(control.read_text()):
+        text = to_text(path.read_bytes())
+        if size + len(text) <= MOST_CHARACTERS and session.feed(text) is not None:
+            chosen.append(text)
+            size += len(text)
+        if len(chosen) == MOST:
             break
-        chosen.append(text)
-    return chosen
-
-
-def what_it_reaches(text: str, session: Session, measured: coverage.Coverage) -> set[object]:
-    """Return the steps from line to line that an input leads through, and what came of it."""
-    measured.erase()
-    measured.start()
-    outcome = session.feed(text)
-    measured.stop()
-    data = measured.get_data()
-    steps = {(path, step) for path in data.measured_files() for step in data.arcs(path) or ()}
-    return {*steps, outcome} if outcome is not None else set()  # no fault is kept
-
-
-def main(name: str, folder: Path) -> None:
-    candidates = [to_text(path.read_bytes()) for path in folder.iterdir()]
-    write_corpus(name, choose(candidates, TARGETS[name]))
+    write_corpus(name, chosen)
 
 
 if __name__ == "__main__":

@@ -6,6 +6,14 @@ import random
 import re
 from collections.abc import Callable, Sequence
 
+PIECES = (
+    "# )\n", "#", " #", "'''", '"""', "')'", '"("', "'it\\'s)'", "r'\\)'", "\\\n", "'''\\n)'''",
+    "f'{x}('", "lambda: 0", "$(", "$$(", "$${", "${", ")", "x if y else z", "find a", "optenv A b",
+    " == ", "[x for x in y]", ": ", " - ", "%", "&a ", "*a", "<<: *a", "\n...\n", "\n---\n",
+    "\\u00e9",
+)  # fmt: skip
+"""Python, YAML and their signs, where they mean something to each other."""
+
 Lines = list[str]
 Mutation = Callable[[str, int, random.Random], str]
 
@@ -49,6 +57,10 @@ def end_of_block(lines: Lines, row: int) -> int:
 
 def insert_sign(text: str, at: int, rng: random.Random) -> str:
     return text[:at] + rng.choice(SIGNS) + text[at:]
+
+
+def insert_piece(text: str, at: int, rng: random.Random) -> str:
+    return text[:at] + rng.choice(PIECES) + text[at:]
 
 
 def delete_some(text: str, at: int, rng: random.Random) -> str:
@@ -156,8 +168,8 @@ def move_block(lines: Lines, row: int, rng: random.Random) -> None:
 
 
 MUTATIONS: list[Mutation] = [
-    insert_sign, delete_some, cut_off, swap_words, misspell_word, replace_word, compute_word,
-    end_lines_otherwise,
+    insert_sign, insert_piece, insert_piece, delete_some, cut_off, swap_words, misspell_word,
+    replace_word, compute_word, end_lines_otherwise,
     *map(on_lines, (
         repeat_line, delete_line, swap_lines, indent_line, give_value, give_key, make_item,
         delete_block, move_block,

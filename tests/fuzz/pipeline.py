@@ -48,9 +48,9 @@ SAFE_LIMITS = {**LIMITS, "steps": 200_000}
 
 HARMFUL = re.compile(
     r"\b(open|while|system|exec|eval|breakpoint|remove|input|iter|kill|unlink|rmtree|mkdir|sleep)\b"
-    r"|\*\*\s*[\w(]|\d{6}|<<|\bnumpy\b|(\bcycle|count|repeat)\(|\bimport\b|__"
+    r"|\*\*\s*[\w(]|\d{6}|<<|\bnumpy\b|(\bcycle|count|repeat)\(|\b(def|import)\b|__"
 )
-"""Python that could do harm, and numbers that make a lawful program run for hours."""
+"""Python that could do harm, and what makes a lawful program run for hours: recursion, numbers."""
 ADDRESS = re.compile(r" at 0x[0-9a-f]+")
 HARMLESS = re.compile(r"\*\*[A-Z]\w*|input:|<<:|load_yaml")
 

@@ -15,7 +15,7 @@ from pathlib import Path
 
 from .targets import Target
 
-SECONDS = 20
+SECONDS = 40
 """How long one input may take, on a busy machine, before it counts as a hang."""
 
 

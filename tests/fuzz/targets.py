@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import random
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 
 import yamaro
@@ -41,11 +41,11 @@ class Target:
     def mutator(self) -> Mutator:
         return Mutator(self.seeds())
 
-    def inputs(self, count: int, seed: int) -> list[str]:
-        """Return random inputs."""
+    def inputs(self, count: int, seed: int) -> Iterator[str]:
+        """Give random inputs."""
         rng = random.Random(seed)
         mutator = self.mutator()
-        return [mutator.make(rng)[: self.longest] for _ in range(count)]
+        return (mutator.make(rng)[: self.longest] for _ in range(count))
 
     def paths(self) -> list[Path]:
         """Return the files of the modules that it is about."""

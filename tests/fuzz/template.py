@@ -1,7 +1,8 @@
 """Target: `$(…)` in text. Python's own tokenizer is the second opinion on where one ends.
 
-A text is split into literal pieces and expressions, which join to the text again; or it is refused.
-Each expression is Python, and every name in it is found at its place in the YAML.
+A text is split into literal pieces and expressions, which join to it; or it is refused. Each
+expression is Python, and every name in it is found at its place in the YAML. So is each name in a
+text that is Python statements.
 """
 
 from __future__ import annotations
@@ -16,6 +17,7 @@ from yamaro.source import Source
 from yamaro.syntax.context import ParseContext
 from yamaro.syntax.python import (
     PythonCode,
+    compile_statements,
     expression_without_dollars,
     find_close,
     ros_words,
@@ -32,8 +34,10 @@ CLOSING = {")": "(", "]": "[", "}": "{"}
 
 
 def check(text: str) -> str:
-    """Read a text as a template and as a condition; return what came of it."""
+    """Read a text as a template, a condition and statements; return what came of the first."""
     require_end(text)
+    require_statements(text)
+    require_cut(text)
     require_without_dollars(text)
     require_condition(text)
     node = node_of(text)
@@ -59,6 +63,20 @@ def check(text: str) -> str:
             require_python(part, text)
     assert context.codes == [part for part in template.parts if isinstance(part, PythonCode)]
     return "template" if template.only is None else "expression"
+
+
+def require_cut(text: str) -> None:
+    """Require that what YAML leaves of a text, when it ends it at a sign, is read or refused."""
+    for sign in (" #", ","):
+        piece, found, _ = text.partition(sign)
+        if found and "\n" not in piece:
+            source = Source(f"- {text}\n", name="t.yaml")
+            node = ScalarNode(piece, PLAIN, source, 2, 2 + len(piece))
+            for parse in (parse_template, parse_condition):
+                try:
+                    parse(node, context=ParseContext(Reporter()))
+                except YamaroError as error:
+                    require_readable(error)
 
 
 def node_of(text: str) -> ScalarNode:
@@ -132,7 +150,9 @@ def close_by_the_tokenizer(text: str) -> int | None:
                 return -1
             if not stack:
                 return starts[token.start[0] - 1] + token.start[1] - 1
-    except (tokenize.TokenError, SyntaxError, ValueError):
+    except tokenize.TokenError as error:
+        return -1 if "multi-line statement" in str(error) else None
+    except (SyntaxError, ValueError):
         return None
     return -1
 
@@ -144,8 +164,22 @@ def require_python(code: PythonCode, text: str) -> None:
     """Require that Python reads an expression, and that its names are found in the text."""
     if ros_words(code.text):
         return
-    tree = ast.parse(f"({code.text}\n)", mode="eval")
     assert code.code.co_name == "<module>"
+    require_names(code, ast.parse(f"({code.text}\n)", mode="eval"), text)
+
+
+def require_statements(text: str) -> None:
+    """Require that a text is statements, whose names are found in it, or refused."""
+    try:
+        code = compile_statements(node_of(text), ParseContext(Reporter()).rules)
+    except YamaroError as error:
+        require_readable(error)
+        return
+    require_names(code, ast.parse(text), text)
+
+
+def require_names(code: PythonCode, tree: ast.AST, text: str) -> None:
+    """Require that the names in Python are found at their places in the text."""
     for node in ast.walk(tree):
         if not isinstance(node, ast.Name):
             continue
