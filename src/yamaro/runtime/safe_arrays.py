@@ -41,6 +41,7 @@ _KINDS = "biufc"
 _LEAST, _MOST = -(1 << 63), (1 << 64) - 1
 _LEAVES = NUMBERS - {int}
 _LISTS = frozenset((list, tuple, range))
+_OTHERS: dict[type, Any] = {str: "", type(None): None}
 _BAD_INDEX = "only integers, slices (`:`), None and integer or boolean arrays are valid indices"
 _OWN_FOLDER = __file__[: -len("runtime/safe_arrays.py")]
 
@@ -97,7 +98,7 @@ class Arithmetic:
         self._modes: dict[str, Any] = {
             kind: "log" for kind, mode in np.geterr().items() if mode == "warn"
         }
-        guards.foreign |= {Array: lambda value: value.data.size, Number: _one, Whole: _one}
+        guards.foreign |= {Array: _size, Number: _one, Whole: _one}
 
     # --- in ---
 
@@ -120,7 +121,7 @@ class Arithmetic:
                 )
             return value
         if kind in _LISTS:
-            return self.array(value)
+            return self.array(value) if value else []  # numpy decides what type nothing has
         raise refused(f"{a_type(value)} in numpy", "it takes numbers, and lists of numbers")
 
     def array(self, values: Any) -> Any:
@@ -146,7 +147,10 @@ class Arithmetic:
         self._take(room, len(value))
         self.guards.charge(_LIST + len(value) * 2)
         return [
-            item if type(item) is float else self._rows(item, depth + 1, room) for item in value
+            item
+            if type(item) is float or (type(item) is int and _LEAST <= item <= _MOST)
+            else self._rows(item, depth + 1, room)
+            for item in value
         ]
 
     def _take(self, room: list[int], size: int) -> None:
@@ -224,6 +228,11 @@ class Arithmetic:
         self.charge(shape)
         self.charge_work(extent(shape) * (a[-1] if a else 1))
 
+    def charge_lists(self, shape: tuple[int, ...]) -> None:
+        """Count an array of a shape as lists in lists, which take more than their numbers."""
+        self.charge(shape, 2)
+        self.guards.charge(extent(shape[:-1]) * _LIST)
+
     # --- work ---
 
     def run(self, call: Callable[..., Any], /, *args: Any, **named: Any) -> Any:
@@ -241,10 +250,14 @@ class Arithmetic:
             return self.guards.mul(other, times)
         if kind not in _OPERANDS:
             if name not in ("eq", "ne"):
+                if type(mine) is Array:  # Python would take one number for a count: 'a' * array
+                    words = f"{name}: '{type(a).__name__}' and '{type(b).__name__}'"
+                    raise TypeError(f"unsupported operand types for {words}")
                 return NotImplemented
             if type(mine) is Array:
                 raise refused(f"comparing an array with {a_type(other)}")
-            return self.wrap(operation(mine.data, "")) if kind is str else NotImplemented
+            # They differ, but it depends on numpy's version whose type the answer has.
+            return self.wrap(operation(mine.data, _OTHERS.get(kind, {})))
         x, y = self.operand(a), self.operand(b)
         self._charge(name, getattr(x, "shape", ()), getattr(y, "shape", ()))
         return self.run(operation, x, y)
@@ -313,6 +326,10 @@ def _too_many_dimensions() -> SafetyError:
     return refused(f"an array of more than {DIMENSIONS} dimensions")
 
 
+def _size(array: Array) -> int:
+    return extent(array.data.shape)
+
+
 def _one(_: Any) -> int:
     return 1
 
@@ -376,7 +393,7 @@ class Value(Foreign):
 
     def tolist(self) -> Any:
         """Return the Python number, or the lists of them, that this stands for."""
-        self.arithmetic.guards.charge(self.data.size * 2)
+        self.arithmetic.charge_lists(self.data.shape)
         return self.data.tolist()
 
     @property

@@ -432,16 +432,19 @@ class Guards(Meter):
             value = self.representation(value) if conversion != "s" else self.text(value)
             if conversion == "a":
                 value = value.encode("ascii", "backslashreplace").decode("ascii")
-        if not spec:
-            return self.text(value)
         kind = type(value)
+        if not spec and kind not in self.foreign:  # for which it is not always what `str` gives
+            return self.text(value)
         if kind in SCALARS or kind in self.foreign:
-            self._check_spec(spec)
+            if spec:
+                self._check_spec(spec)
             if kind is int:
                 self._check_bits(value.bit_length())
             elif kind is str:
                 self.check_text(len(value))
-            return format(value, spec)
+            written = format(value, spec)
+            self.check_text(len(written))
+            return written
         if kind in CONTAINERS or kind in (Function, Module, Namespace, range):
             name = "set" if kind is OrderedSet else kind.__name__
             raise TypeError(f"unsupported format string passed to {name}.__format__")

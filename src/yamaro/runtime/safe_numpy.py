@@ -208,9 +208,15 @@ def _shape(value: Any) -> tuple[int, ...]:
 
 
 def _shape_asked(value: Any) -> tuple[int, ...]:
-    """Return the shape that an argument asks for; numpy tells what is wrong with it."""
-    sizes = value if type(value) in _LISTS else (value,)
-    return tuple(abs(size) for size in sizes if type(size) in (int, bool))
+    """Return the shape that an argument asks for, if there is one.
+
+    Raises:
+        TypeError: it is no whole numbers, some functions of numpy's would take decimals.
+    """
+    sizes = value if type(value) in _LISTS else () if value is None else (value,)
+    if not all(type(size) in (int, bool) for size in sizes):
+        raise TypeError("sizes have to be whole numbers")
+    return tuple(map(abs, sizes))
 
 
 def _each(weight: int = 1) -> Check:
@@ -233,7 +239,25 @@ def _first(given: Given) -> tuple[int, ...]:
 
 def _quantiles(numpy: Numpy, given: Given) -> None:
     _sorting(numpy, given)
-    numpy.charge((extent(_first(given)), extent(_shape(given.get("q")))))
+    rows = 1 if given.get("axis") is None else extent(_first(given))
+    numpy.charge((rows, extent(_shape(given.get("q")))))
+
+
+def _averaging(numpy: Numpy, given: Given) -> None:
+    for shape in map(_shape, given.values()):  # weights of one axis go along that axis
+        numpy.charge(shape, 2)
+
+
+def _crossing(numpy: Numpy, given: Given) -> None:
+    a, b = (_shape(given.get(name)) for name in ("a", "b"))
+    if given.get("axis") is not None and len(a) != len(b):
+        raise refused("an `axis` of arrays of unlike dimensions")
+    numpy.charge(broadcast(a, b), 4)
+
+
+def _triangle(numpy: Numpy, given: Given) -> None:
+    shape = _first(given)
+    numpy.charge(shape * 2 if len(shape) == 1 else shape, 2)
 
 
 def _new(numpy: Numpy, given: Given) -> None:
@@ -243,7 +267,8 @@ def _new(numpy: Numpy, given: Given) -> None:
 def _square(numpy: Numpy, given: Given) -> None:
     rows = given.get("N", given.get("n"))
     columns = given.get("M")
-    numpy.charge(_shape_asked([rows, rows if columns is None else columns]))
+    if rows is not None:  # else numpy tells that it is missing
+        numpy.charge(_shape_asked([rows, rows if columns is None else columns]))
 
 
 def _steps(numpy: Numpy, given: Given) -> None:
@@ -271,10 +296,12 @@ def _grid(numpy: Numpy, given: Given) -> None:
 
 def _joining(numpy: Numpy, given: Given) -> None:
     parts = given.get("arrays", given.get("tup"))
-    if not isinstance(parts, list):  # an array: its rows are joined
-        parts = [parts]
-    numpy.charge((sum(extent(_shape(part)) for part in parts),))
-    numpy.charge((len(parts),), 10)
+    if isinstance(parts, list):
+        numpy.charge((sum(extent(_shape(part)) for part in parts),))
+        numpy.charge((len(parts),), 10)
+    else:  # an array: its rows are joined
+        numpy.charge(_shape(parts))
+        numpy.charge(_shape(parts)[:1], 10)
 
 
 def _appending(numpy: Numpy, given: Given) -> None:
@@ -293,9 +320,9 @@ def _tiling(numpy: Numpy, given: Given) -> None:
 
 
 def _diagonal(numpy: Numpy, given: Given) -> None:
-    shape, offset = _first(given), given.get("k", 0)
-    if len(shape) == 1 and type(offset) in (int, bool):
-        shape = (shape[0] + abs(offset),) * 2
+    shape = _first(given)
+    if len(shape) == 1:
+        shape = (shape[0] + sum(_shape_asked(given.get("k"))),) * 2
     numpy.charge(shape)
 
 
@@ -319,9 +346,11 @@ def _all_pairs(numpy: Numpy, given: Given) -> None:
 
 
 def _polynomial(numpy: Numpy, given: Given) -> None:
-    values = _shape(given.get("x"))
+    factors, values = _first(given), _shape(given.get("x"))
+    if len(factors) > 1:
+        raise refused("a table of factors", hint="give them as one list")
     numpy.charge(values)
-    numpy.charge((extent(_first(given)),), extent(values) + 20)
+    numpy.charge(factors, extent(values) + 20)
 
 
 def _searching(numpy: Numpy, given: Given) -> None:
@@ -342,8 +371,17 @@ def _linear(weight: int) -> Check:
 
 def _norm(numpy: Numpy, given: Given) -> None:
     _each(4)(numpy, given)
-    if given.get("ord") in (2, -2, "nuc"):
-        _linear(10)(numpy, {"x": given.get("x")})
+    if given.get("ord") in (2, -2, "nuc"):  # singular values, along any two axes
+        shape = _first(given)
+        numpy.charge_work(extent(shape) * max(shape or (1,)) * 10)
+
+
+def _solving(numpy: Numpy, given: Given) -> None:
+    _linear(1)(numpy, given)
+    a, b = (_shape(given.get(name)) for name in ("a", "b"))
+    rows = max(extent(a[-2:]), extent(b[-2:]))
+    for stacks in (b[:-2], b[:-1] if len(b) == len(a) - 1 else ()):  # of matrices, or of vectors
+        numpy.charge((*broadcast(a[:-2], stacks), rows))
 
 
 def _power_of_matrix(numpy: Numpy, given: Given) -> None:
@@ -401,13 +439,13 @@ FUNCTIONS: Table = {
     "atleast_1d": ("a", _each()),
     "atleast_2d": ("a", _each()),
     "atleast_3d": ("a", _each()),
-    "average": ("a axis weights", _each(2)),
+    "average": ("a axis weights", _averaging),
     "clip": ("a a_min a_max", _each()),
     "column_stack": ("tup", _joining),
     "concatenate": ("arrays axis | dtype", _joining),
     "copy": ("a", _each()),
     "count_nonzero": ("a axis | keepdims", _each()),
-    "cross": ("a b | axis", _each(4)),
+    "cross": ("a b | axis", _crossing),
     "diag": ("v k", _diagonal),
     "diff": ("a | axis", _each()),
     "dstack": ("tup", _joining),
@@ -450,8 +488,8 @@ FUNCTIONS: Table = {
     "stack": ("arrays axis", _joining),
     "tile": ("A reps", _tiling),
     "transpose": ("a axes", _each()),
-    "tril": ("m k", _each(2)),
-    "triu": ("m k", _each(2)),
+    "tril": ("m k", _triangle),
+    "triu": ("m k", _triangle),
     "unique": ("ar", _sorting),
     "vdot": ("a b", _each()),
     "vstack": ("tup", _joining),
@@ -472,7 +510,7 @@ LINEAR_ALGEBRA: Table = {
     "matrix_rank": ("a", _linear(10)),
     "norm": ("x ord axis keepdims", _norm),
     "pinv": ("a", _linear(20)),
-    "solve": ("a b", _linear(1)),
+    "solve": ("a b", _solving),
 }
 
 _METHODS: Table = {
@@ -486,7 +524,7 @@ _METHODS: Table = {
     "flatten": ("a", _each()),
     "item": ("a index", _each(0)),
     "ptp": ("a axis | keepdims", _each(2)),
-    "tolist": ("a", _each(2)),
+    "tolist": ("a", lambda numpy, given: numpy.charge_lists(_first(given))),
 }
 _METHODS_OF_NUMBERS: Table = {
     name: ("a", _each(0)) for name in "as_integer_ratio bit_count hex is_integer".split()
