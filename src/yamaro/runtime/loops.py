@@ -75,26 +75,41 @@ def _range(node: ForNode, scope: Scope, evaluator: Evaluator) -> range:
             )
             spans.append(item.span() if is_code else item.node.span())  # type: ignore[union-attr]
     check_range_count(len(values), spans[0] if spans else node.span)
+    numbers = []
     for value, span in zip(values, spans, strict=True):
-        if isinstance(value, bool) or not hasattr(type(value), "__index__"):
+        number = _whole_number(value)
+        if number is None:
             raise failure(
                 "bad-range",
                 f"`range` takes whole numbers, and this is {a_kind_of(whole or value)}",
                 span,
                 hint=_range_hint(value, node),
             )
-    if len(values) == 3 and values[2] == 0:
+        numbers.append(number)
+    if len(numbers) == 3 and numbers[2] == 0:
         raise failure(
             "bad-range",
             "the step of a `range` cannot be 0",
             spans[2],
             hint="write range: start, stop, step with a step such as 1 or -1",
         )
-    turns = range(*values)
+    turns = range(*numbers)
     most = evaluator.limits.turns
     if turns[:most] != turns:  # len() of a long range is an error
         raise too_many_turns(spans[1] if len(spans) > 1 else spans[0], evaluator.limits)
     return turns
+
+
+def _whole_number(value: Any) -> int | None:
+    """Return a value as the whole number that it is; None for all else, booleans included."""
+    if type(value) is int:
+        return value
+    if isinstance(value, bool) or not hasattr(type(value), "__index__"):
+        return None
+    try:
+        return int(type(value).__index__(value))
+    except Exception:  # an array of several numbers has no index
+        return None
 
 
 def too_many_turns(span: Span, limits: Limits) -> YamaroError:
