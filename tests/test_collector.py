@@ -75,7 +75,15 @@ def test_the_first_thread_to_end_leaves_the_other_alone(thresholds: tuple[int, i
     assert gc.get_threshold() == thresholds
 
 
+def test_older_objects_are_looked_at_as_before() -> None:
+    gc.set_threshold(123, 4, 5)
+    with RareCollection():
+        assert gc.get_threshold() == (THRESHOLD, 4, 5)
+
+
 def test_own_thresholds_are_given_back_or_let_be() -> None:
+    gc.set_threshold(1, 4, 5)
+    assert (build(), gc.get_threshold()) == ([THRESHOLD], (1, 4, 5))
     gc.set_threshold(123, 4, 5)
     assert (build(), gc.get_threshold()) == ([THRESHOLD], (123, 4, 5))
     gc.set_threshold(THRESHOLD + 1, 4, 5)

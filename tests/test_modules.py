@@ -132,3 +132,30 @@ def test_files_of_modules_are_among_those_read(tmp_path: Path) -> None:
     (tmp_path / "t.yaml").write_text("import: mine\nout:\n")
     files = build(str(tmp_path / "t.yaml")).files
     assert [Path(file).name for file in files] == ["t.yaml", "mine.py"]
+
+
+def test_modules_know_their_files(tmp_path: Path) -> None:
+    text = "import: [helper, pkg]\n" + value("[helper.__file__, pkg.__file__, pkg.__path__[0]]")
+    xml = compile_in(tmp_path, text, helper="", pkg____init__="")
+    files = [tmp_path / "helper.py", tmp_path / "pkg" / "__init__.py", tmp_path / "pkg"]
+    assert result(xml) == str([str(file) for file in files])
+
+
+def test_a_module_may_say_in_which_encoding_it_is_written(tmp_path: Path) -> None:
+    (tmp_path / "old.py").write_bytes("# -*- coding: latin-1 -*-\nname = 'é'\n".encode("latin-1"))
+    assert result(compile_in(tmp_path, "import: old\n" + value("old.name"))) == "é"
+
+
+def test_packages_import_from_those_around_them(tmp_path: Path) -> None:
+    (tmp_path / "pkg" / "inner").mkdir(parents=True)
+    (tmp_path / "pkg" / "inner" / "__init__.py").write_text("from . import part")
+    (tmp_path / "pkg" / "inner" / "part.py").write_text(
+        "from ..other import two\nfrom .. import other"
+    )
+    xml = compile_in(
+        tmp_path,
+        "import: pkg.inner.part\n" + value("[pkg.inner.part.two, pkg.inner.part.other.two]"),
+        pkg____init__="",
+        pkg__other="two = 2",
+    )
+    assert result(xml) == "2 2"

@@ -220,6 +220,12 @@ def test_threads_may_share_a_finder(tmp_path: Path) -> None:
         ("<package>\n <name>\n  arm\n </name>\n</package>", "arm"),
         ("<package><!-- <name>old</name> --><name>arm</name></package>", "arm"),
         ("<package><names>no</names><name >arm</name></package>", "arm"),
+        ("<package><name\tid='x'>arm</name></package>", "arm"),
+        ("<package><name\nid='x'>arm</name></package>", "arm"),
+        ("<package><name\r\nid='x'>arm</name></package>", "arm"),
+        ("<name>arm</name>", "arm"),
+        ("<!-- <name>old</name> --><name>arm</name>", "arm"),
+        ("<!-- a --><name>arm</name><!-- b -->", "arm"),
         ("\ufeff<package><name>arm</name></package>", "arm"),
         ("<package><name></name></package>", None),
         ("<package><name>arm", None),
@@ -241,6 +247,28 @@ def test_odd_names_are_never_looked_up(tmp_path: Path, name: str) -> None:
     assert finder.find(name, "/") is None
     assert finder.looked_at(name, "/") == []
     assert finder.resolve_uri(f"model://{name.partition('/')[0]}#/x", "/") is None
+
+
+@pytest.mark.parametrize("name", ["arm", "arm_2", "arm-description", "2arm"])
+def test_usual_names_are_looked_up(name: str) -> None:
+    assert is_package_name(name)
+
+
+def test_packages_around_a_file_are_its_own_and_those_beside_it(tmp_path: Path) -> None:
+    arm = make_package(tmp_path / "arm")
+    hand = make_package(tmp_path / "hand")
+    make_package(tmp_path / "more" / "deep")
+    assert PackageFinder({}).around(os.path.join(arm, "urdf")) == [arm, arm, hand]
+
+
+def test_only_the_innermost_package_and_workspace_count(tmp_path: Path) -> None:
+    outer = tmp_path / "src" / "outer"
+    make_package(outer)
+    inner = make_package(outer / "src" / "group" / "inner")
+    assert packages.surroundings(os.path.join(inner, "urdf")) == [
+        (str(outer / "src" / "group"), 1),
+        (str(outer / "src"), packages.MAX_DEPTH),
+    ]
 
 
 def test_places_looked_at_are_told(tmp_path: Path) -> None:

@@ -1,0 +1,268 @@
+"""Elements of fixed shape are built once for values that come again, and say where they stand."""
+
+from __future__ import annotations
+
+import pytest
+
+from yamaro.diagnostics import INHERITED, Frame, Reporter
+from yamaro.runtime.elements import MAX_KNOWN, Builder
+from yamaro.source import Source, Span
+from yamaro.syntax.forms import Form, key_of
+from yamaro.syntax.nodes import Body, ElementNode, PartNode
+from yamaro.syntax.parser import parse
+from yamaro.xmltree import Element, Text
+
+
+def root_of(text: str) -> Body:
+    """Return the body of the root element of a file, with these lines in it."""
+    lines = "".join(f"  {line}\n" for line in text.splitlines())
+    document = parse(Source(f"robot:\n{lines}", name="t.yaml"), reporter=Reporter())
+    assert document.root is not None and isinstance(document.root.content, Body)
+    return document.root.content
+
+
+def form_of(text: str) -> Form:
+    (node,) = root_of(text).statements
+    assert isinstance(node, (ElementNode, PartNode)) and node.form is not None
+    return node.form
+
+
+def frame(name: str) -> Frame:
+    return Frame("called", name, Span(Source("", name="t.yaml"), 0, 0), parent=None)
+
+
+# --- values that are the same -----------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("one", "other"),
+    [
+        ((1,), (1.0,)),
+        ((1,), (True,)),
+        ((0,), (False,)),
+        ((0.0,), (-0.0,)),
+        ((0,), (0.0,)),
+        (("",), (None,)),
+        ((1, "a"), (1.0, "a")),
+        ((1, "a"), (True, "a")),
+        ((0.0, "a"), (-0.0, "a")),
+        ((0.0, 0.0), (0.0, -0.0)),
+        ((-0.0, 0.0), (0.0, -0.0)),
+        ((0, 0.0), (0.0, 0)),
+        (("a", "b"), ("b", "a")),
+    ],
+)
+def test_values_that_are_written_in_different_ways_are_told_apart(
+    one: tuple[object, ...], other: tuple[object, ...]
+) -> None:
+    assert key_of(one) is not None
+    assert key_of(one) != key_of(other)
+    assert key_of(one) == key_of(tuple(one))
+
+
+@pytest.mark.parametrize(
+    "values", [("a",), (1,), (0,), (0.0,), (None,), (True,), (1, 2.5), ("a", 0.0), ()]
+)
+def test_equal_values_are_the_same(values: tuple[object, ...]) -> None:
+    assert key_of(values) == key_of((*values,))
+    assert key_of(values) is not None
+
+
+def test_values_that_may_change_are_never_the_same() -> None:
+    class Name(str):
+        pass
+
+    values: list[object] = [[1], (1,), Name("a"), {}]
+    for value in values:
+        assert key_of((value,)) is None
+        assert key_of((value, 1)) is None
+
+
+# --- elements that come again -----------------------------------------------------------------
+
+
+def test_the_same_values_give_the_same_element() -> None:
+    builder = Builder()
+    form = form_of("link/name=$(n): $(t)")
+    first = builder.element(form, ("a", 1), False)
+    assert builder.shared == {}
+    assert builder.element(form, ("a", 1), False) is first
+    assert list(builder.shared) == [id(first)]
+    assert builder.element(form, ("a", 1.0), False) is not first
+    assert builder.element(form, ("b", 1), False) is not first
+    assert list(builder.shared) == [id(first)]
+
+
+def test_each_way_to_an_element_has_its_own() -> None:
+    builder = Builder()
+    form = form_of("link: $(t)")
+    one, other = frame("One"), frame("Other")
+    first = builder.element(form, (1,), False, one)
+    second = builder.element(form, (1,), False, other)
+    plain = builder.element(form, (1,), False)
+    assert [first.trace, second.trace, plain.trace] == [one, other, INHERITED]
+    assert builder.element(form, (1,), False, one) is first
+    assert builder.element(form, (1,), False, other) is second
+    assert builder.element(form, (1,), False) is plain
+
+
+def test_in_a_part_and_outside_are_two_things() -> None:
+    builder = Builder()
+    form = form_of("mass: $(t)")
+    outside = builder.element(form, (None,), False)
+    inside = builder.element(form, (None,), True)
+    assert outside is not inside
+    assert outside.children == []
+    assert [type(child) for child in inside.children] == [Text]  # a key without a value
+
+
+def test_values_that_may_change_give_an_element_each_time() -> None:
+    builder = Builder()
+    form = form_of("a: $(t)")
+    value = [1]
+    assert builder.element(form, (value,), False) is not builder.element(form, (value,), False)
+
+
+def new_elements(builder: Builder, form: Form, first: int, count: int) -> None:
+    for number in range(first, first + count):
+        builder.element(form, (number,), False)
+
+
+def is_kept(builder: Builder, form: Form) -> bool:
+    return builder.element(form, ("x",), False) is builder.element(form, ("x",), False)
+
+
+def test_after_many_new_ones_in_a_row_none_is_kept() -> None:
+    builder = Builder()
+    form = form_of("a: $(t)")
+    new_elements(builder, form, 0, MAX_KNOWN - 1)
+    assert is_kept(builder, form)
+    new_elements(builder, form, 1000, MAX_KNOWN)
+    assert not is_kept(builder, form)
+
+
+def test_one_that_comes_again_begins_the_row_anew() -> None:
+    builder = Builder()
+    form = form_of("a: $(t)")
+    for turn in range(4):
+        assert is_kept(builder, form)
+        new_elements(builder, form, 1000 * turn, MAX_KNOWN - 4)
+    assert is_kept(builder, form)
+
+
+def test_no_more_than_some_are_kept() -> None:
+    builder = Builder()
+    form = form_of("a: $(t)")
+    first = builder.element(form, ("first",), False)
+    for turn in range(4):
+        new_elements(builder, form, 1000 * turn, MAX_KNOWN // 4)
+        assert is_kept(builder, form)
+    assert builder.element(form, ("first",), False) is not first
+
+
+def test_what_is_always_the_same_in_an_element_stands_in_both() -> None:
+    builder = Builder()
+    form = form_of("link/name=$(n):\n  visual: {}\n  mass/value=1:")
+    first = builder.element(form, ("a",), False)
+    assert builder.shared == {}
+    second = builder.element(form, ("b",), False)
+    static = [child for child in first.children if isinstance(child, Element)]
+    assert [child.name for child in static] == ["visual", "mass"]
+    assert second.children == static
+    assert list(builder.shared) == [id(child) for child in static]
+    builder.element(form, ("c",), False)
+    assert len(builder.shared) == 2
+
+
+def test_inner_elements_are_shared_by_their_own_values() -> None:
+    builder = Builder()
+    form = form_of("link/name=$(n):\n  mass/value=$(m):")
+    first = builder.element(form, ("a", 2), False)
+    second = builder.element(form, ("b", 2), False)
+    third = builder.element(form, ("c", 3), False)
+    assert first.children[0] is second.children[0] is not third.children[0]
+    (mass,) = third.children
+    assert isinstance(mass, Element) and mass.attributes == {"value": 3}
+
+
+@pytest.mark.parametrize(
+    ("text", "values", "verbatim"),
+    [("a: $(t)", (1,), False), ("<a>: $(t)", (1,), True), ("<a/b=$(t)>: x", (1,), True)],
+)
+def test_an_element_knows_where_it_was_written(
+    text: str, values: tuple[object, ...], verbatim: bool
+) -> None:
+    body = root_of(text)
+    (node,) = body.statements
+    assert isinstance(node, ElementNode) and node.form is not None
+    element = Builder().element(node.form, values, False)
+    assert element.body is body
+    assert element.verbatim is verbatim
+    assert element.span is node.span
+    assert element.name == "a"
+
+
+def test_attributes_without_a_value_are_left_out() -> None:
+    form = form_of("a/b=$(x), c=$(y), d=1 $(z):")
+    element = Builder().element(form, (None, 2, None), False)
+    assert element.attributes == {"c": 2, "d": "1 None"}
+    assert element.value_spans is form.value_spans
+    assert {name: span.written() for name, span in form.value_spans.items()} == {
+        "b": "$(x)",
+        "c": "$(y)",
+        "d": "1 $(z)",
+    }
+
+
+# --- what the parser has made -----------------------------------------------------------------
+
+
+def made_element() -> Element:
+    (element,) = root_of("a: {b: {}, c: text}").statements
+    assert isinstance(element, Element)
+    return element
+
+
+def test_what_is_put_out_a_second_time_stands_in_several_places() -> None:
+    builder = Builder()
+    element = made_element()
+    builder.emit(element)
+    assert builder.shared == {}
+    builder.emit(element)
+    assert list(builder.shared) == [id(element)]
+    builder.shared[id(element)]["known"] = 1  # type: ignore[index]
+    builder.emit(element)
+    assert list(builder.shared[id(element)]) == ["known"]  # type: ignore[comparison-overlap]
+
+
+def test_the_same_way_gives_the_same_copy() -> None:
+    builder = Builder()
+    element = made_element()
+    one, other = frame("One"), frame("Other")
+    copy = builder.traced(element, one)
+    assert (copy.trace, copy.name, copy.children) == (one, "a", element.children)
+    assert builder.shared == {}
+    assert builder.traced(element, one) is copy
+    assert list(builder.shared) == [id(copy)]
+    second = builder.traced(element, other)
+    assert second is not copy and second.trace is other
+    children = [id(child) for child in element.children]
+    assert list(builder.shared) == [id(copy), *children]  # they stand in both copies
+
+
+def test_a_part_holds_what_its_form_says() -> None:
+    builder = Builder()
+    form = form_of("part:\n  name: $(n)\n  link: {mass: $(m), <a>: {}}")
+    part = builder.part(form, ("arm", None), None)
+    assert (part.name, part.span, part.attributes) == ("part", form.span, {})
+    assert part.body is form.body
+    name, link = part.children
+    assert isinstance(name, Element) and isinstance(link, Element)
+    assert [child.value for child in name.children if isinstance(child, Text)] == ["arm"]
+    assert [child.name for child in link.children if isinstance(child, Element)] == ["mass", "a"]
+    assert part.children is part.children
+    again = builder.part(form, ("arm", None), None)
+    assert again.children[0] is name
+    empty = part.with_children([])
+    assert (empty.children, empty.span, empty.trace) == ([], part.span, part.trace)
+    assert empty.body is form.body
