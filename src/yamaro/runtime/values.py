@@ -160,4 +160,7 @@ def a_kind_of(value: Any) -> str:
         return f"the number {format_value(value)}"
     if isinstance(value, str):
         return f"the text '{value[:40]}'"
-    return f"a {type(value).__name__}"
+    name = type(value).__name__
+    if name in ("ndarray", "Array"):  # numpy's, and what stands for it in safe mode
+        return "an array"
+    return f"{'an' if name[0] in 'AEIOUaeiou' else 'a'} {name}"
