@@ -17,7 +17,7 @@ from .diagnostics import (
 )
 from .policy import Limits, Policy
 from .runtime.collector import RareCollection
-from .runtime.deadline import Deadline, TimeOver
+from .runtime.deadline import TimeOver, run_within
 from .runtime.deep_stack import run_on_deep_stack
 from .runtime.interpreter import Interpreter
 from .runtime.library import Library, rules_of
@@ -259,8 +259,7 @@ class Program:
 
         def run() -> T:
             try:
-                with Deadline(self._policy.timeout):
-                    return function()
+                return run_within(self._policy.timeout, function)
             except TimeOver:
                 from .confined import time_is_over
 

@@ -10,7 +10,10 @@ import _thread
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from typing import Any
+    from collections.abc import Callable
+    from typing import TypeVar
+
+    T = TypeVar("T")
 
 AGAIN_AFTER = 1.0
 """Seconds after which it is raised again, if code of a file has caught it."""
@@ -20,40 +23,60 @@ class TimeOver(BaseException):
     """The time is over. Not an `Exception`, so that `except Exception` does not catch it."""
 
 
-class Deadline:
-    """Raises TimeOver in this thread if its `with` block takes longer than so many seconds."""
+def run_within(seconds: float | None, function: Callable[[], T]) -> T:
+    """Return what `function` returns; raise TimeOver in it if it takes longer than so many seconds.
 
-    __slots__ = ("_ended", "_is_over", "_lock", "_seconds", "_thread")
-
-    def __init__(self, seconds: float | None) -> None:
-        """Allow so many seconds, or any number."""
-        self._seconds = seconds
-        self._thread = 0
-        self._lock = _thread.allocate_lock()  # of the two attributes below
-        self._is_over = False
-        self._ended = _thread.allocate_lock()  # taken as long as the block runs
-
-    def __enter__(self) -> Deadline:
-        if self._seconds is not None:
-            self._thread = _thread.get_ident()
-            self._ended.acquire()
-            _thread.start_new_thread(self._watch, (self._seconds,))
-        return self
-
-    def __exit__(self, *_: object) -> None:
-        if self._seconds is None:
-            return
+    Args:
+        seconds: how long it may take; None for as long as it likes.
+        function: is called in this thread.
+    """
+    if seconds is None:
+        return function()
+    watch = _Watch()
+    try:
+        watch.begin(seconds)
+        return function()
+    finally:
+        # No `with` could do this: the exception may come up at the first step of __exit__.
         while True:
             try:
-                with self._lock:
-                    self._is_over = True
-                    _raise_in(self._thread, None)  # what was raised and has not come up yet
+                watch.end()
                 break
             except TimeOver:  # it came up just here
                 continue
+
+
+class _Watch:
+    """Raises TimeOver in the thread that made it, after a time and then every second."""
+
+    __slots__ = ("_begun", "_ended", "_is_over", "_lock", "_thread")
+
+    def __init__(self) -> None:
+        self._thread = _thread.get_ident()
+        self._lock = _thread.allocate_lock()  # is held while it is raised
+        self._is_over = False
+        self._begun = _thread.allocate_lock()
+        self._ended = _thread.allocate_lock()
+        self._begun.acquire()
+        self._ended.acquire()
+
+    def begin(self, seconds: float) -> None:
+        """Begin to count."""
+        _thread.start_new_thread(self._run, (seconds,))
+        # Up to Python 3.11 a thread that does not run yet goes by the name of the one that made it,
+        # and would take what is raised in that.
+        self._begun.acquire()
+
+    def end(self) -> None:
+        """Raise no more; what was raised before comes up in here at the latest."""
+        with self._lock:
+            self._is_over = True
+        for _step in range(3):  # at each of which Python looks for what was raised
+            pass
         self._ended.release()
 
-    def _watch(self, seconds: float) -> None:
+    def _run(self, seconds: float) -> None:
+        self._begun.release()
         while not self._ended.acquire(timeout=min(seconds, _thread.TIMEOUT_MAX)):
             with self._lock:
                 if self._is_over:
@@ -62,9 +85,12 @@ class Deadline:
             seconds = AGAIN_AFTER
 
 
-def _raise_in(thread: int, kind: type[BaseException] | None) -> None:
-    """Raise an exception in a thread as soon as it runs Python code; None takes it back."""
+def _raise_in(thread: int, kind: type[BaseException]) -> None:
+    """Raise an exception in a thread as soon as it runs Python code.
+
+    It cannot be taken back: Python 3.11 would then look for it for ever, and stand still where a
+    debugger or a coverage tool traces.
+    """
     import ctypes
 
-    what: Any = ctypes.py_object(kind) if kind is not None else None
-    ctypes.pythonapi.PyThreadState_SetAsyncExc(ctypes.c_ulong(thread), what)
+    ctypes.pythonapi.PyThreadState_SetAsyncExc(ctypes.c_ulong(thread), ctypes.py_object(kind))
