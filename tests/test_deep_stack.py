@@ -150,6 +150,17 @@ def test_the_recursion_limit_is_given_back() -> None:
     assert sys.getrecursionlimit() == before
 
 
+def test_whatever_the_limit_was_it_is_given_back() -> None:
+    before = sys.getrecursionlimit()
+    try:
+        for limit in (1234, 2345):
+            sys.setrecursionlimit(limit)
+            assert run_on_deep_stack(sys.getrecursionlimit) > limit
+            assert sys.getrecursionlimit() == limit
+    finally:
+        sys.setrecursionlimit(before)
+
+
 def test_a_higher_recursion_limit_is_kept() -> None:
     before = sys.getrecursionlimit()
     higher = deep_stack.RECURSION_LIMIT + 1
