@@ -267,3 +267,19 @@ def test_each_limit_of_a_jail_has_a_code(
     assert hasattr(JailLimits(), limit)
     monkeypatch.setattr(jail, "run_jailed", fail)
     assert codes(write(tmp_path, "out: 1\n"), Policy("jail")) == [code]
+
+
+def test_convert_does_not_take_a_policy_for_a_variable(tmp_path: Path) -> None:
+    path = write(tmp_path, "out: 1\n")
+    with pytest.raises(TypeError, match="load"):
+        yamaro.convert(path, policy=Policy("safe"))
+    assert "<out>1</out>" in yamaro.load(path, policy=Policy("safe")).convert()
+
+
+def test_standard_input_that_cannot_be_read_is_wrong_usage(tmp_path: Path) -> None:
+    with open(tmp_path / "written", "wb") as file:
+        finished = subprocess.run(
+            [*COMMAND, "-"], stdin=file, capture_output=True, text=True, check=False
+        )
+    assert finished.returncode == 2
+    assert finished.stderr.startswith("yamaro: error: cannot read standard input: Bad file")

@@ -520,7 +520,10 @@ def _read_pipe(path: str, limits: Limits) -> str | None:
         if sys.stdin is None:
             raise WrongUsage("standard input is closed")
         buffer = getattr(sys.stdin, "buffer", None)
-        data = sys.stdin.read(most).encode() if buffer is None else buffer.read(most)
+        try:
+            data = sys.stdin.read(most).encode() if buffer is None else buffer.read(most)
+        except OSError as error:
+            raise WrongUsage(f"cannot read standard input: {error.strerror}") from None
         name, absolute = STANDARD_INPUT_NAME, ""
     else:
         try:

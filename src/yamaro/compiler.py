@@ -494,6 +494,8 @@ def convert(path: str | os.PathLike[str], /, *assignments: str, **variables: obj
         OSError: the main file cannot be read.
         ValueError: an assignment is malformed.
     """
+    if isinstance(variables.get("policy"), Policy):
+        raise TypeError("convert() takes no policy: write load(path, policy=policy).convert(…)")
     return _converted(Program(os.fspath(path)), assignments, variables)
 
 
