@@ -263,6 +263,12 @@ def test_a_part_holds_what_its_form_says() -> None:
     assert part.children is part.children
     again = builder.part(form, ("arm", None), None)
     assert again.children[0] is name
+
+
+def test_a_part_with_other_children_is_reached_the_same_way() -> None:
+    form = form_of("part: {name: $(n)}")
+    way = frame("Make")
+    part = Builder().part(form, ("arm",), way)
     empty = part.with_children([])
-    assert (empty.children, empty.span, empty.trace) == ([], part.span, part.trace)
+    assert (empty.children, empty.span, empty.trace) == ([], form.span, way)
     assert empty.body is form.body

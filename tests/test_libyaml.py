@@ -77,6 +77,12 @@ def test_a_package_that_is_loaded_is_used() -> None:
     assert sys.modules["yaml"] is yaml
 
 
+def test_a_package_without_a_binding_has_none(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(sys.modules, "yaml", ModuleType("yaml"))
+    with pytest.raises(ImportError):
+        libyaml._load_binding()
+
+
 @pytest.fixture
 def stand_in(monkeypatch: pytest.MonkeyPatch) -> Any:
     """Return what the binding finds in place of its package."""

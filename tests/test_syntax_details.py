@@ -4,11 +4,14 @@ from __future__ import annotations
 
 import pytest
 
-from yamaro import Build, YamaroError, build
-from yamaro.diagnostics import Diagnostic
+from yamaro import Build, Policy, YamaroError, build
+from yamaro.diagnostics import Diagnostic, Reporter
 from yamaro.runtime.loader import MemoryLoader
+from yamaro.source import Source
+from yamaro.syntax.context import ParseContext
+from yamaro.syntax.keys import parse_attributes
 from yamaro.syntax.scalars import is_null, type_plain
-from yamaro.syntax.yaml_nodes import DOUBLE, PLAIN, SINGLE, _align_flow
+from yamaro.syntax.yaml_nodes import DOUBLE, PLAIN, SINGLE, ScalarNode, _align_flow
 
 
 def build_text(text: str, *arguments: str) -> Build:
@@ -67,6 +70,12 @@ def test_a_key_means(text: str, xml: str) -> None:
         ('out:\n  a: "x$(chr(1))"', '2:6 "x$(chr(1))"'),
         ("out:\n  a/b=x$(chr(1)), c=1:", "2:7 x$(chr(1))"),
         ("out:\n  if: #ab", "2:3 if"),
+        ("out:\n  for: {iterator: 'a,,b', in: [1]}", "2:19 'a,,b'"),
+        ("out:\n  include: {path: a, namespace: [b]}", "2:33 [b]"),
+        ("import: from math import 1x as y\nout:", "1:9 from math import 1x as y"),
+        ("out:\n  - a: 1\n  - part:\n    name: x", "4:5 name"),
+        ("functions:\n  - Make:\n    body: 1\nout:", "3:5 body"),
+        ("functions:\n  - Make:\n    input: a\nout:", "3:5 input"),
         ("variables: {/local: 1}\nout:", "1:13 /local"),
         ("variables: {a/y: 1}\nout:", "1:15 y"),
         ("a:\r\n\tb: 1\r\nc: 2\r\n", "2:1 \t"),
@@ -91,6 +100,17 @@ def test_a_fault_is_underlined(text: str, told: str) -> None:
             "xacro's tags do not exist here; see docs/coming-from-xacro.md",
         ),
         ("out:\n  <a/: 1", "close the bracket: <a>:"),
+        ("out:\n  <Xa/: 1", "close the bracket: <Xa>:"),
+        (
+            "out: $(from math import pi)",
+            "modules are listed at the root of the file: import: [math]",
+        ),
+        ("out: $(import math)", "modules are listed at the root of the file: import: [math]"),
+        ("out:\n  if: {condition: 1, body: 'a:b:c'}", "put a space behind the colon: a: b:c"),
+        (
+            "out:\n  if: {condition: 1, body: 'a/b c'}",
+            "write `a/b c:` with a colon for an entry without a value",
+        ),
         ("out:\n  include: {paths: 1}", "did you mean `path` by 'paths'?"),
         ("out:\n  include: {length: 1}", "write path: other.yaml"),
         ("out:\n  for: {iterator: [[i]], in: [1]}", "iterator: i"),
@@ -123,6 +143,16 @@ def test_a_hint_says(text: str, hint: str) -> None:
 @pytest.mark.parametrize(
     ("text", "message"),
     [
+        ("out:\n  for: {iterator: 'a,,b', in: [1]}", "an iterator is a name"),
+        (
+            "out:\n  include: {path: a, namespace: b, namespace: c}",
+            "'namespace' is given twice in this `include`",
+        ),
+        ("import: from math import 1x as y\nout:", "'1x as y' is no name to import"),
+        (
+            "xacro:property/name=a:",
+            "'xacro:property' belongs to xacro and is no section of a file",
+        ),
         ('out: "\\xZ"', r"the escape '\x' has too few hexadecimal digits behind it"),
         ('out: "\\uZ"', r"the escape '\u' has too few hexadecimal digits behind it"),
         ('out: "\\UZ"', r"the escape '\U' has too few hexadecimal digits behind it"),
@@ -252,6 +282,28 @@ def test_a_plain_scalar_is(text: str, value: object) -> None:
 def test_an_integer_has_no_more_digits_than_python_reads() -> None:
     with pytest.raises(OverflowError):
         type_plain("1" * 4301)
+
+
+@pytest.mark.parametrize("text", ["1 << 100000000000", "10 ** 100000000000"])
+def test_a_number_of_billions_of_digits_is_not_computed(text: str) -> None:
+    error = fault(f"out: $({text})")
+    assert (error.code, error.span.written()) == ("limit-integer", text)
+
+
+@pytest.mark.parametrize("text", ["().__class__", "open('x')"])
+def test_what_safe_mode_refuses_is_underlined_and_nothing_around_it(text: str) -> None:
+    loader = MemoryLoader({"/t.yaml": f"out: $(1 + {text})"})
+    with pytest.raises(YamaroError) as caught:
+        build("/t.yaml", loader=loader, policy=Policy("safe"))
+    (error,) = caught.value.diagnostics
+    assert place(error) == f"1:12 {text}"
+
+
+def test_attributes_know_where_their_values_stand() -> None:
+    key = ScalarNode("a/b=, c=1, d='x y'", PLAIN, Source("a/b=, c=1, d='x y'", name="t"), 0, 18)
+    attributes = parse_attributes(key, 2, 18, context=ParseContext(Reporter()))
+    told = [(one.name, one.name_span.written(), one.span.written()) for one in attributes]
+    assert told == [("b", "b", "b="), ("c", "c", "1"), ("d", "d", "x y")]
 
 
 def test_annotations_in_a_users_function_are_values() -> None:
