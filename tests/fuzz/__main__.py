@@ -1,9 +1,9 @@
-"""Feeds the targets for a while, and shows what came of it and what the corpora reach.
+"""Feeds the targets for a while, and shows what came of it, and what they begin with reaches.
 
     scripts/fuzz                              each target 15 seconds
     scripts/fuzz --seconds 600 reader keys    these targets, 10 minutes each
-    scripts/fuzz --seconds 0                  only measures what the corpora reach
-    scripts/fuzz --missing                    shows the lines that they do not reach
+    scripts/fuzz --seconds 0                  only measures
+    scripts/fuzz --missing                    shows the lines that are not reached
     scripts/fuzz --keep                       lets the corpora have what is found
     scripts/fuzz --plain                      with random inputs, as where there is no atheris
 
@@ -115,17 +115,17 @@ def keep(name: str, folder: Path) -> None:
 
 
 def show_reached(name: str, folder: Path, *, is_detailed: bool) -> list[str]:
-    """Show what of its modules the corpus of a target reaches; return the faults of the replay."""
+    """Show what of its modules a target reaches to begin with; return the faults of that."""
     report = folder / "reached.json"
     run("replay", name, report, log=folder / "replay.txt")
     found = json.loads(report.read_text())
-    print(f"\n{name}: the {found['inputs']} inputs of its corpus reach")
+    print(f"\n{name}: the {found['inputs']:,} inputs that it begins with reach")
     for path, file in sorted(found["files"].items()):
         print(line_of(path.rpartition(PACKAGE)[2], file["summary"]))
         if is_detailed:
             print(f"      lines {file['missing_lines']}, branches {file['missing_branches']}")
     print(line_of("in all", found["totals"]), flush=True)
-    return [f"=== {name}, corpus\n{found['faults']}"] if found["faults"] else []
+    return [f"=== {name}, to begin with\n{found['faults']}"] if found["faults"] else []
 
 
 def line_of(path: str, summary: dict[str, Any]) -> str:

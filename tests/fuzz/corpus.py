@@ -15,7 +15,7 @@ from typing import Any
 
 from yamaro.diagnostics import Reporter, YamaroError
 from yamaro.source import Source
-from yamaro.syntax.yaml_nodes import MappingNode, ScalarNode
+from yamaro.syntax.yaml_nodes import MappingNode, ScalarNode, quoted
 from yamaro.syntax.yaml_reader import read
 
 from . import reader
@@ -72,7 +72,7 @@ def find_blocks() -> list[str]:
 def seeds_of(target: str) -> list[str]:
     """Return what a target begins with: files, or the keys or values in them."""
     if target == "pipeline":
-        return [*map(with_named_files, find_files()), *find_blocks()]
+        return [*map(with_named_files, find_files()), *find_blocks(), *legal_python(), *MESHES]
     texts = [to_text(path.read_bytes()) for path in find_files()] + find_blocks()
     if target == "reader":
         return texts
@@ -81,6 +81,37 @@ def seeds_of(target: str) -> list[str]:
         text for file in texts for text, key in scalars_in(file) if key == is_key or "$" in text
     }
     return sorted(found)
+
+
+VALUES = "{i: 7, x: 0.25, s: left leg, v: [3, 1.5, 2], d: {a: 1, b: [2, 3]}}"
+"""Variables of the names that the Python in tests/hostile goes by."""
+MESHES = [
+    f"model:\n  part: {{name: a, link: {{geometry: cube.{kind}, density: 9, scale: 2 1 1}}}}"
+    for kind in ("stl", "obj")
+]
+
+
+NUMPY = (
+    "import: [numpy as np, math, statistics]\nvariables: {i: 7, x: 0.25}\nprocess: |\n"
+    "  a = np.array([1, 2, 3]); b = np.array([0.5, 1.25, -2.0]); m = np.array([[1, 2], [3, 4]])\n"
+    "  R = np.array([[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]])\n"
+)
+
+
+def legal_python() -> list[str]:
+    """Return files with the Python that safe mode knows."""
+    plain = f"import: [math, statistics]\nvariables: {VALUES}\n"
+    return [
+        *(f"{plain}print: {quoted(f'$({line})')}\n" for line in hostile("legal-expressions")),
+        *(f"{plain}process: {quoted(line)}\nprint: $(v)\n" for line in hostile("legal-statements")),
+        *(f"{NUMPY}print: {quoted(f'$({line})')}\n" for line in hostile("legal-numpy")),
+        *(f"{NUMPY}process: {quoted(line)}\n" for line in hostile("legal-numpy-statements")),
+    ]
+
+
+def hostile(name: str) -> list[str]:
+    lines = (ROOT / "tests" / "hostile" / f"{name}.txt").read_text("utf-8").splitlines()
+    return [line.removeprefix("! ") for line in lines]
 
 
 def with_named_files(path: Path) -> str:

@@ -21,6 +21,9 @@ with atheris.instrument_imports(include=["yamaro"]):
 
 from .corpus import to_bytes, to_text
 
+SEEDS_IN_SECOND = 30
+"""Seeds to begin a run with, for each second of it: else a short one did nothing but read them."""
+
 
 def main(name: str, seconds: float, seed: int, folder: Path) -> None:
     target = TARGETS[name]
@@ -29,7 +32,10 @@ def main(name: str, seconds: float, seed: int, folder: Path) -> None:
     seeds, corpus = folder / "seeds", folder / "corpus"
     for path in (seeds, corpus):
         path.mkdir(parents=True, exist_ok=True)
-    for number, text in enumerate(target.seeds()):
+    texts = target.seeds()
+    if len(texts) > seconds * SEEDS_IN_SECOND:
+        texts = random.Random(seed).sample(texts, int(seconds * SEEDS_IN_SECOND))
+    for number, text in enumerate(texts):
         (seeds / str(number)).write_bytes(to_bytes(text))
 
     def feed(data: bytes) -> None:

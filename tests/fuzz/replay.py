@@ -1,4 +1,4 @@
-"""Feeds a target its corpus, and measures which branches of its modules that reaches.
+"""Feeds a target what it begins with, and measures which branches of its modules that reaches.
 
     python -m tests.fuzz.replay TARGET REPORT
 
@@ -31,13 +31,12 @@ def measure() -> coverage.Coverage:
 def main(name: str, report: Path) -> None:
     measured = measure()
     measured.start()
-    from .corpus import read_corpus
     from .session import Session
     from .targets import TARGETS
 
     target = TARGETS[name]
     session = Session(target)
-    texts = read_corpus(name)
+    texts = target.seeds()
     for text in texts:
         session.feed(text)
     measured.stop()
