@@ -52,6 +52,7 @@ def main(name: str, seconds: float, seed: int, folder: Path) -> None:
         return to_bytes(mutator.mutate(to_text(data), rng))[:longest]
 
     options = [f"-seed={seed}", f"-max_len={target.longest}", "-timeout=0", "-rss_limit_mb=4096"]
+    options.append(f"-artifact_prefix={folder}/")  # inputs that take long
     atheris.Setup([sys.argv[0], *options, str(corpus), str(seeds)], feed, custom_mutator=change)
     atheris.Fuzz()
 

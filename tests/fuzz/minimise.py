@@ -28,6 +28,7 @@ def main(arguments: list[str]) -> None:
 
     program = f"'{sys.executable}' -m tests.fuzz.minimise"
     options = [f"-max_len={session.target.longest}", "-timeout=0", "-rss_limit_mb=4096"]
+    options.append("-report_slow_units=1000000")
     atheris.Setup([program, *options, *arguments], feed)
     atheris.Fuzz()
 
