@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import os
+import sys
+from collections.abc import Iterator
 
 import pytest
 from hypothesis import HealthCheck, settings
@@ -37,3 +39,12 @@ def _no_outside_influence(monkeypatch: pytest.MonkeyPatch) -> None:
     for name in _OUTSIDE_INFLUENCES:
         if name in os.environ:
             monkeypatch.delenv(name)
+
+
+@pytest.fixture
+def untraced() -> Iterator[None]:
+    """Keep coverage out: an exception in the midst of it could leave its lock taken."""
+    tracer = sys.gettrace()
+    sys.settrace(None)
+    yield
+    sys.settrace(tracer)

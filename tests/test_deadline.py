@@ -12,6 +12,8 @@ import pytest
 
 from yamaro.runtime.deadline import TimeOver, run_within
 
+pytestmark = pytest.mark.usefixtures("untraced")
+
 
 def work_for(seconds: float) -> None:
     end = time.perf_counter() + seconds

@@ -100,6 +100,7 @@ def spin(seconds: float, catches: int = 0) -> int:
     return run_within(seconds, work)
 
 
+@pytest.mark.usefixtures("untraced")
 def test_a_deadline_ends_what_takes_too_long() -> None:
     assert spin(0.05) == 1
 
@@ -113,10 +114,12 @@ def test_a_deadline_leaves_the_rest_alone() -> None:
     assert run_within(None, lambda: 1) == 1
 
 
+@pytest.mark.usefixtures("untraced")
 def test_a_deadline_comes_again_if_it_is_caught() -> None:
     assert spin(0.05, catches=1) == 2
 
 
+@pytest.mark.usefixtures("untraced")
 @pytest.mark.parametrize("mode", ["trusted", pytest.param("jail", marks=needs_jail)])
 def test_an_endless_loop_is_shown_where_it_is(tmp_path: Path, mode: str) -> None:
     path = write(tmp_path, ENDLESS)
