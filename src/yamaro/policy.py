@@ -54,7 +54,7 @@ class Limits:
         aliases: texts, lists and mappings that the aliases of one file repeat.
         nesting: calls and includes in one another.
         turns: of one `for`.
-        statements: run.
+        statements: run, with the turns of each `for`.
         xml_depth: elements in one another.
         output: characters of the document.
         printed: characters that `print` and `process` print.

@@ -221,7 +221,7 @@ class Interpreter:
         statements = body.statements
         self.statements_left -= len(statements)
         if self.statements_left < 0:
-            raise self._too_many_statements(body)
+            raise self._too_many_statements(statements[0].span)
         for statement in statements:
             _RUN[type(statement)](self, statement, scope, out, body)
 
@@ -431,6 +431,9 @@ class Interpreter:
         for index, item in enumerate(iterate(node, scope, self.values)):
             if index >= most:
                 raise too_many_turns(node.span, self.limits)
+            self.statements_left -= 1  # an empty body would count as none
+            if self.statements_left < 0:
+                raise self._too_many_statements(node.span)
             if single is not None:
                 context.declare(single, item)
             else:
@@ -569,11 +572,11 @@ class Interpreter:
             + self.limits.hint("nesting"),
         )
 
-    def _too_many_statements(self, body: Body) -> YamaroError:
+    def _too_many_statements(self, span: Span) -> YamaroError:
         return failure(
             "limit-statements",
             f"more than {self.limits.statements:,} statements are run, which is the limit",
-            body.statements[0].span,
+            span,
             hint=self.limits.hint("statements"),
             trace=self.frame,
         )
