@@ -11,7 +11,7 @@ from yamaro.source import Source
 from yamaro.syntax.context import ParseContext
 from yamaro.syntax.keys import parse_attributes
 from yamaro.syntax.scalars import is_null, type_plain
-from yamaro.syntax.yaml_nodes import DOUBLE, PLAIN, SINGLE, ScalarNode, _align_flow
+from yamaro.syntax.yaml_nodes import DOUBLE, PLAIN, SINGLE, ScalarNode, _align_flow, quoted
 
 
 def build_text(text: str, *arguments: str) -> Build:
@@ -70,6 +70,16 @@ def test_a_key_means(text: str, xml: str) -> None:
         ('out:\n  a: "x$(chr(1))"', '2:6 "x$(chr(1))"'),
         ("out:\n  a/b=x$(chr(1)), c=1:", "2:7 x$(chr(1))"),
         ("out:\n  if: #ab", "2:3 if"),
+        ("if:\n  condition: 1\n  body:\n    a/b=1:", "4:5 a/b=1"),
+        ("functions: {A: {input: 'a, a, b', body: }}\nout:", "1:28 a"),
+        ("out:\n  A: 'b, $(c'", "2:10 $("),
+        ("functions: {A: {input: a, body: }}\nout:\n  A: " + "1" * 4301, "3:6 " + "1" * 4301),
+        ("variables: {a$('-')/global: 1}\nout:", "1:13 a$('-')"),
+        ("variables: {a/: 1}\nout:", "1:13 a/"),
+        ('out:\n  A: "[\\x01]"', "2:8 \\x01"),
+        ("out:\n  A: '{a: 1, a'", "2:7 {"),
+        ("out: !aXb c", "1:6 !aXb"),
+        ("out: 'a\n  b' c", "1:6 '"),
         ("out:\n  for: {iterator: 'a,,b', in: [1]}", "2:19 'a,,b'"),
         ("out:\n  include: {path: a, namespace: [b]}", "2:33 [b]"),
         ("import: from math import 1x as y\nout:", "1:9 from math import 1x as y"),
@@ -100,6 +110,9 @@ def test_a_fault_is_underlined(text: str, told: str) -> None:
             "xacro's tags do not exist here; see docs/coming-from-xacro.md",
         ),
         ("out:\n  <a/: 1", "close the bracket: <a>:"),
+        ("out:\n  - @a: 1", "write - '@a':"),
+        ("out:\n  ? {a: b}\n  : c", "an expression is written $(a: b)"),
+        ("out:\n  ? [a, b]\n  : c", "quote the key if it is meant as text: '[a, b]'"),
         ("out:\n  <Xa/: 1", "close the bracket: <Xa>:"),
         (
             "out: $(from math import pi)",
@@ -148,6 +161,8 @@ def test_a_hint_says(text: str, hint: str) -> None:
             "out:\n  include: {path: a, namespace: b, namespace: c}",
             "'namespace' is given twice in this `include`",
         ),
+        ("variables: {/local: 1}\nout:", "'' cannot name a variable"),
+        ("variables: {a/y: 1}\nout:", "'y' is no scope of a variable"),
         ("import: from math import 1x as y\nout:", "'1x as y' is no name to import"),
         (
             "xacro:property/name=a:",
@@ -271,6 +286,11 @@ def test_expressions_on_the_command_line_are_text() -> None:
         ("1-", "1-"),
         ("+", "+"),
         ("", None),
+        ("~", None),
+        ("null", None),
+        ("Null", None),
+        ("NULL", None),
+        ("nULL", "nULL"),
     ],
 )
 def test_a_plain_scalar_is(text: str, value: object) -> None:
@@ -304,6 +324,42 @@ def test_attributes_know_where_their_values_stand() -> None:
     attributes = parse_attributes(key, 2, 18, context=ParseContext(Reporter()))
     told = [(one.name, one.name_span.written(), one.span.written()) for one in attributes]
     assert told == [("b", "b", "b="), ("c", "c", "1"), ("d", "d", "x y")]
+
+
+@pytest.mark.parametrize(
+    ("arguments", "expected"),
+    [
+        ("'a :=2'", "2 0"),  # a colon before the = is dropped
+        ("'a: =2'", "2 0"),
+        ("'[[1], 2], 3'", "[[1], 2] 3"),
+        ("'[[1, 2], {x: 3}], 4'", "[[1, 2], {'x': 3}] 4"),
+        ("\"a='b, c'\"", "b, c 0"),
+        ("\"1, 'b, c'\"", "1 b, c"),
+        ("\"['b, ]', 1], 2\"", "['b, ]', 1] 2"),
+        ("it's, don't", "it's don't"),
+        ("' 1 ,  2 '", "1 2"),
+        ("b=1, a=2", "2 1"),
+        ("x == y", "x == y 0"),
+    ],
+)
+def test_short_arguments_are_told_apart(arguments: str, expected: str) -> None:
+    text = "functions: {A: {input: 'a, b := 0', body: {x: '$(a) $(b)'}}}\nout:\n  A: "
+    assert f"<x>{expected}</x>" in build_text(text + arguments).xml()
+
+
+@pytest.mark.parametrize(
+    ("value", "expected"),
+    [
+        ("a b", "'a b'"),
+        ("it's", '"it\'s"'),
+        ('a"b', "'a\"b'"),
+        ('it\'s "b"', "'it''s \"b\"'"),
+        ("it's a\\b", "'it''s a\\b'"),
+        ("it's\ta", "'it''s\ta'"),
+    ],
+)
+def test_a_text_is_quoted_in_the_quotes_that_read_best(value: str, expected: str) -> None:
+    assert quoted(value) == expected
 
 
 def test_annotations_in_a_users_function_are_values() -> None:
