@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import _thread
 import contextlib
 import os
 import signal
@@ -11,7 +12,7 @@ import threading
 import time
 import warnings
 import weakref
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
@@ -207,6 +208,96 @@ def test_the_thread_is_used_again_and_holds_on_to_nothing() -> None:
     gone = weakref.ref(result)
     del result
     assert gone() is None
+
+
+def wait_for(is_done: Callable[[], bool]) -> None:
+    deadline = time.monotonic() + 20
+    while not is_done():
+        assert time.monotonic() < deadline, "it did not come about"
+        time.sleep(0.001)
+
+
+@pytest.fixture
+def no_thread(untraced: None, monkeypatch: pytest.MonkeyPatch) -> list[deep_stack._Worker]:
+    """Let no thread wait for work; return the list of those that will."""
+    idle: list[deep_stack._Worker] = []
+    monkeypatch.setattr(deep_stack, "_idle", idle)
+    return idle
+
+
+def test_a_thread_waits_for_more_to_do(no_thread: list[deep_stack._Worker]) -> None:
+    for _ in range(2):
+        run_on_deep_stack(lambda: 1)
+        assert len(no_thread) == 1
+    (worker,) = no_thread
+    run_on_deep_stack(lambda: 1)
+    assert no_thread == [worker]
+    assert not worker.is_stopped
+
+
+@pytest.mark.parametrize("most", [0, 1])
+def test_no_more_threads_wait_than_may(
+    no_thread: list[deep_stack._Worker], monkeypatch: pytest.MonkeyPatch, most: int
+) -> None:
+    monkeypatch.setattr(deep_stack, "MAX_IDLE", most)
+    threads = _thread._count()
+    both = threading.Barrier(2)
+    other = threading.Thread(target=run_on_deep_stack, args=(both.wait,))
+    other.start()
+    run_on_deep_stack(both.wait)
+    other.join()
+    assert len(no_thread) == most
+    wait_for(lambda: _thread._count() == threads + most)  # the others have ended
+
+
+def test_no_thread_waits_where_a_job_may_be_the_first_to_import_threading(
+    no_thread: list[deep_stack._Worker], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.delitem(sys.modules, "threading")
+    assert run_on_deep_stack(lambda: 1) == 1
+    assert no_thread == []
+
+
+def test_a_stack_that_cannot_be_had_is_replaced_by_a_smaller_one(
+    no_thread: list[deep_stack._Worker], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    start, sizes = _thread.start_new_thread, list[int]()
+
+    def start_if_small(function: Callable[..., object], arguments: tuple[object, ...]) -> int:
+        sizes.append(threading.stack_size())
+        if sizes[-1] == deep_stack.STACK_SIZES[0]:
+            raise RuntimeError("can't start new thread")
+        return start(function, arguments)
+
+    monkeypatch.setattr(_thread, "start_new_thread", start_if_small)
+    before = threading.stack_size()
+    assert run_on_deep_stack(threading.get_ident) != threading.get_ident()
+    assert sizes == [before, *deep_stack.STACK_SIZES[:2]]
+    assert threading.stack_size() == before
+
+
+def test_what_runs_in_a_thread_can_be_stopped(no_thread: list[deep_stack._Worker]) -> None:
+    begun, told = threading.Event(), list[str]()
+
+    def work_for_ever() -> None:
+        begun.set()
+        try:
+            while True:
+                time.sleep(0.001)
+        finally:
+            told.append("ended")
+
+    threads = _thread._count()
+    job, worker = deep_stack._Job(work_for_ever), deep_stack._new_worker()
+    assert worker is not None
+    worker.give(job)
+    assert begun.wait(20)
+    worker.stop(job)
+    assert told == ["ended"]
+    assert worker.is_stopped
+    with pytest.raises(KeyboardInterrupt):
+        job.result()
+    wait_for(lambda: _thread._count() == threads)
 
 
 def test_a_process_ends_whose_conversion_was_the_first_to_import_threading(tmp_path: Path) -> None:
