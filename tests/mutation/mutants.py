@@ -72,7 +72,7 @@ class Mutant:
 def _replace_inner(before: CodeType, after: CodeType) -> None:
     """Replace the code of the functions that a function made when its module was imported."""
     old, new = ([c for c in code.co_consts if isinstance(c, CodeType)] for code in (before, after))
-    for old_code, new_code in zip(old, new):  # not strict: there may be a lambda less
+    for old_code, new_code in zip(old, new, strict=False):  # there may be a lambda less
         if old_code.co_name != new_code.co_name or old_code == new_code:
             continue
         gc.unfreeze()  # what is frozen cannot be found
