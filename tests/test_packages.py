@@ -226,6 +226,7 @@ def test_threads_may_share_a_finder(tmp_path: Path) -> None:
         ("<name>arm</name>", "arm"),
         ("<!-- <name>old</name> --><name>arm</name>", "arm"),
         ("<!-- a --><name>arm</name><!-- b -->", "arm"),
+        ("<!-- <!-- --><name>arm</name>", "arm"),
         ("\ufeff<package><name>arm</name></package>", "arm"),
         ("<package><name></name></package>", None),
         ("<package><name>arm", None),
@@ -259,6 +260,28 @@ def test_packages_around_a_file_are_its_own_and_those_beside_it(tmp_path: Path) 
     hand = make_package(tmp_path / "hand")
     make_package(tmp_path / "more" / "deep")
     assert PackageFinder({}).around(os.path.join(arm, "urdf")) == [arm, arm, hand]
+
+
+def test_a_folder_that_cannot_be_read_hides_no_other(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (tmp_path / "a").mkdir()
+    hand = make_package(tmp_path / "b" / "hand")
+    look = os.scandir
+
+    def look_if_permitted(path: str) -> object:
+        if path == str(tmp_path / "a"):
+            raise PermissionError(path)
+        return look(path)
+
+    monkeypatch.setattr(os, "scandir", look_if_permitted)
+    assert PackageFinder({"ROS_PACKAGE_PATH": str(tmp_path)}).find("hand", "/") == hand
+
+
+@pytest.mark.skipif(os.name == "nt", reason="there, c: is a drive")
+def test_a_colon_in_a_path_is_no_drive() -> None:
+    assert PackageFinder({}).resolve_uri("file:///c:/x.stl", "/") == "/c:/x.stl"
+    assert PackageFinder({}).resolve_uri("file:///ab/x.stl", "/") == "/ab/x.stl"
 
 
 def test_only_the_innermost_package_and_workspace_count(tmp_path: Path) -> None:

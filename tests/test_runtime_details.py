@@ -9,7 +9,7 @@ import pytest
 
 from yamaro import Build, Policy, YamaroError, build
 from yamaro.diagnostics import Diagnostic
-from yamaro.runtime.loader import MemoryLoader
+from yamaro.runtime.loader import MemoryLoader, decode
 
 
 def run(text: str, files: dict[str, str] | None = None, policy: Policy | None = None) -> Build:
@@ -279,3 +279,138 @@ def test_data_that_is_no_yaml_is_told_with_its_place() -> None:
 def test_data_may_look_like_xacro_and_be_warned_of_by_nobody() -> None:
     built = run("out: $(load_yaml('data.yaml')[0])", {"data": "- a\n#text: b\n- ${x}\n"})
     assert built.warnings == []
+
+
+# --- limits -----------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("mode", ["trusted", "safe"])
+@pytest.mark.parametrize(
+    ("name", "limit", "fine", "too_much"),
+    [
+        ("turns", 3, "for: {iterator: i, range: 3}", "for: {iterator: i, range: 4}"),
+        ("turns", 3, "for: {iterator: i, range: [6, 0, -2]}", "for: {iterator: i, range: '1, 5'}"),
+        ("turns", 3, "for: {iterator: i, in: [1, 2, 3]}", "for: {iterator: i, in: [1, 2, 3, 4]}"),
+        ("yaml-depth", 3, "a: [1]", "a: [[1]]"),
+        ("yaml-depth", 3, "a: $(load_yaml('ok'))", "a: $(load_yaml('deep'))"),
+        ("text", 5, "a: $('x' * 5)", "a: $('x' * 6)"),
+        ("integer", 80, "a: $(2 ** 79)", "a: $(2 ** 81)"),
+        ("files", 2, "include: b", "include: c"),
+        ("printed", 4, "print: abc", "print: abcd"),
+    ],
+)
+def test_a_limit_lets_so_much_through_and_no_more(
+    mode: str, name: str, limit: int, fine: str, too_much: str
+) -> None:
+    files = {
+        "/ok": "[[[1]]]",
+        "/deep": "[[[[1]]]]",
+        "/a": "a:",
+        "/b": "model: [{include: a}]",
+        "/c": "model: [{include: a}, {include: a}]",
+    }
+    policy = Policy(mode, limits={name: limit})
+    for text in (fine, too_much):
+        files["/t.yaml"] = f"out:\n  {text}\n"
+        if text is fine:
+            build("/t.yaml", loader=MemoryLoader(files), policy=policy)
+            continue
+        with pytest.raises(YamaroError) as caught:
+            build("/t.yaml", loader=MemoryLoader(files), policy=policy)
+        code = "too-deep" if name == "yaml-depth" else f"limit-{name}"
+        assert caught.value.diagnostics[-1].code == code
+
+
+@pytest.mark.parametrize(
+    ("name", "limit", "expression"),
+    [
+        ("nodes", 10, "[1, 2, 3, 4, 5, 6, 7, 8, 9]"),
+        ("brackets", 3, "((((((1))))))"),
+        ("characters", 30, "1 + 1 + 1 + 1 + 1 + 1 + 1 + 1 + 1 + 1 + 1"),
+        ("depth", 5, "1 + 1 + 1 + 1 + 1 + 1 + 1"),
+        ("steps", 10, "[x for x in range(10)]"),
+    ],
+)
+def test_limits_of_safe_code_can_be_set(name: str, limit: int, expression: str) -> None:
+    text = f'out: "$({expression})"'
+    assert run(text, policy=Policy("safe")).xml()
+    error = fault(text, policy=Policy("safe", limits={name: limit}))
+    assert error.code == f"limit-{name}"
+
+
+# --- parts and jails --------------------------------------------------------------------------
+
+
+def test_what_stands_behind_a_part_is_not_in_it() -> None:
+    text = """
+robot: r
+model:
+  - part:
+      name: a
+      if: {condition: true, body: {gazebo: {y: $(None)}}}
+  - gazebo: {x: $(None)}
+"""
+    xml = run(text).xml()
+    assert "<x/>" in xml
+
+
+def test_nothing_is_said_of_a_jail_where_there_is_none() -> None:
+    error = fault("process: raise PermissionError(13, 'not permitted')\nout:")
+    assert (error.code, error.hint) == ("python-error", None)
+
+
+def test_a_call_through_what_is_no_namespace_is_undefined() -> None:
+    error = fault("variables: {x: 1}\nout: {x.y.Build: }")
+    assert (error.code, error.message) == (
+        "undefined-function",
+        "function 'x.y.Build' is not defined",
+    )
+
+
+# --- files ------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("path", "message"),
+    [
+        ("https://a.org/b.yaml", "'https://' cannot be included: nothing is fetched"),
+        ("https://a.org/b://c", "'https://' cannot be included: nothing is fetched"),
+        ("package://none/x/b.yaml", "the package 'none' is not found"),
+    ],
+)
+def test_what_is_named_by_an_address_is_told_by_it(path: str, message: str) -> None:
+    error = fault(f"out:\n  include: {path}")
+    assert error.message == message
+
+
+def test_a_package_that_is_not_found_has_a_way_out() -> None:
+    error = fault("out:\n  include: package://none/b.yaml")
+    assert error.hint == "source its workspace, or set ROS_PACKAGE_PATH"
+
+
+@pytest.mark.parametrize(
+    ("data", "message", "hint"),
+    [
+        ("a: 1".encode("utf-32"), "the file is written in UTF-32", "save it as UTF-8"),
+        (
+            b"\0\0\xfe\xff" + "a".encode("utf-32-be"),
+            "the file is written in UTF-32",
+            "save it as UTF-8",
+        ),
+        (b"\xff\xfe\0\0a", "the file is written in UTF-32", "save it as UTF-8"),  # cut short
+        ("a: 1".encode("utf-16"), "the file is written in UTF-16", "save it as UTF-8"),
+        (
+            b"a: \xe9",
+            "the byte 0xE9 is not UTF-8",
+            "save the file as UTF-8; in Latin-1 this byte is 'é'",
+        ),
+        (b"a: \x9d", "the byte 0x9D is not UTF-8", "save the file as UTF-8"),
+    ],
+)
+def test_what_is_no_utf_8_is_told_by_what_it_is(data: bytes, message: str, hint: str) -> None:
+    with pytest.raises(YamaroError) as caught:
+        decode(data, name="t.yaml", path="/folder/t.yaml")
+    (error,) = caught.value.diagnostics
+    assert (error.code, error.message, error.hint) == ("not-utf-8", message, hint)
+    assert error.span.source.path == "/folder/t.yaml"
+    assert len(error.span.written()) == 1
