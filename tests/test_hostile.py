@@ -33,6 +33,7 @@ HERE = {
 }
 RUN_ALONE = """
 import resource, sys
+sys.settrace(None)  # with a tool that looks on there is no deep stack
 sys.path.pop(0)  # the folder of the robot, where nothing is to be found by chance
 resource.setrlimit(resource.RLIMIT_AS, (int(sys.argv[1]),) * 2)
 from yamaro.cli import main
