@@ -118,14 +118,14 @@ class Program:
 
     def __init__(
         self,
-        path: str,
+        path: str | os.PathLike[str],
         *,
         text: str | None = None,
         loader: Loader | None = None,
         policy: Policy | None = None,
     ) -> None:
         """Name the main file; see `yamaro.build`."""
-        self._path = path
+        self._path = path = os.fspath(path)
         self._text = text
         self._policy = policy or Policy()
         self._reach = _reach_of(path, self._policy)
@@ -318,7 +318,7 @@ class Program:
 
 
 def build(
-    path: str,
+    path: str | os.PathLike[str],
     *,
     command_line: Sequence[str] = (),
     variables: Mapping[str, object] | None = None,
@@ -496,7 +496,7 @@ def convert(path: str | os.PathLike[str], /, *assignments: str, **variables: obj
     """
     if isinstance(variables.get("policy"), Policy):
         raise TypeError("convert() takes no policy: write load(path, policy=policy).convert(…)")
-    return _converted(Program(os.fspath(path)), assignments, variables)
+    return _converted(Program(path), assignments, variables)
 
 
 def load(
@@ -518,7 +518,7 @@ def load(
     """
     import threading  # noqa: F401 - lets `deep_stack` keep its thread for the next conversion
 
-    program = Program(os.fspath(path), loader=loader, policy=policy)
+    program = Program(path, loader=loader, policy=policy)
     try:
         program.parse()
     except UsageError as error:

@@ -180,6 +180,7 @@ def evaluate_holes(form: Form, scope: Scope, values: Values) -> tuple[Any, ...]:
     """
     evaluator = values.evaluator
     evaluate, get = evaluator.evaluate, scope.get
+    longest = evaluator.limits.text
     results = []
     for python, is_piece in form.holes:
         name = python.name
@@ -191,5 +192,7 @@ def evaluate_holes(form: Form, scope: Scope, values: Values) -> tuple[Any, ...]:
             text = evaluator.text(format_value, value, python.span())
             if is_piece:
                 value = text
+        elif kind is str and len(value) > longest:
+            raise evaluator.too_long(value, python.span())
         results.append(value)
     return tuple(results)

@@ -106,18 +106,25 @@ class Guards(Meter):
         if kind is float or other is float:
             return a * b
         if kind in WHOLE and other in WHOLE:
-            self._check_bits(a.bit_length() + b.bit_length())
-        elif other in WHOLE:
+            self._check_bits(a.bit_length() + b.bit_length() - 1)
+            return self._whole(a * b)
+        if other in WHOLE:
             self.check_size(a, b)
         elif kind in WHOLE:
             self.check_size(b, a)
         return a * b
 
     def _check_bits(self, bits: int) -> None:
+        """Check and count a number of so many bits, or of that many at least."""
         if bits > self.many_bits:
-            if bits > self.limits.integer + 1:
-                self.check_integer(bits)
+            self.check_integer(bits)
             self.charge(bits >> 5)
+
+    def _whole(self, number: int) -> int:
+        """Check a number of which only about the size was known before."""
+        if number.bit_length() > self.limits.integer:
+            self.check_integer(number.bit_length())
+        return number
 
     def check_size(self, value: Any, times: int = 1) -> None:
         """Refuse a text or sequence that is too long, or would be if it were repeated."""
@@ -149,8 +156,9 @@ class Guards(Meter):
 
     def pow(self, a: Any, b: Any) -> Any:
         """Return `a ** b`."""
-        if type(a) in WHOLE and type(b) in WHOLE and b > 0 and not -2 < a < 2:
-            self._check_bits((a.bit_length() - (0 if a & (a - 1) else 1)) * b)
+        if type(a) in WHOLE and type(b) in WHOLE and b > 0:
+            self._check_bits((a.bit_length() - 1) * b)
+            return self._whole(a**b)
         return a**b
 
     def lshift(self, a: Any, b: Any) -> Any:

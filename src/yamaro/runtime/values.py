@@ -81,7 +81,10 @@ class Values:
         if value.only is None:
             return self.joined(value, scope)
         result = self.evaluator.evaluate(value.only, scope)
-        if type(result) not in ALWAYS_WRITABLE and not is_writable(result):
+        if type(result) is str:
+            if len(result) > self.evaluator.limits.text:
+                raise self.evaluator.too_long(result, value.only.span())
+        elif type(result) not in ALWAYS_WRITABLE and not is_writable(result):
             self.evaluator.text(format_value, result, value.only.span())
         return result
 

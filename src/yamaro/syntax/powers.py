@@ -2,7 +2,8 @@
 
 `10**10**10` is a slip of the hand, or a bomb. Python works on it for days, and nothing can stop it
 meanwhile. So where a text holds an operator that can do that, a call takes its place that looks at
-how large the result would be. All else is compiled as it is.
+how large the result would be. All else is compiled as it is, `x**2` among it, unless a limit is set
+that is lower than the usual one.
 """
 
 from __future__ import annotations
@@ -19,11 +20,12 @@ if TYPE_CHECKING:
     from typing import Any
 
 _OPERATORS = ("Pow", "LShift")
+_USUAL = Limits()
 
 
 def compile_bounded(text: str, filename: str, mode: str, limits: Limits) -> CodeType:
     """Return what Python's `compile` does, with powers and shifts that keep to the limits."""
-    if not _may_be_large(text):
+    if limits.integer >= _USUAL.integer and not _may_be_large(text):
         return compile(text, filename, mode, dont_inherit=True)
     from _ast import PyCF_ONLY_AST
 
@@ -138,7 +140,10 @@ class _Bounded:
             bits = self._measure(a, b)
             if bits > self._limits.integer:
                 raise _too_large(bits, self._limits)
-        return self._operate(a, b)
+        result = self._operate(a, b)
+        if isinstance(result, int) and result.bit_length() > self._limits.integer:
+            raise _too_large(result.bit_length(), self._limits)
+        return result
 
 
 _FUNCTIONS: dict[str, Callable[[Any, Any], Any]] = {
