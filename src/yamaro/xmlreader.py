@@ -1,0 +1,246 @@
+"""Reads XML into the output tree's elements, each of which remembers where in the file it stands."""
+
+from __future__ import annotations
+
+import re
+
+from .diagnostics import YamaroError, failure
+from .policy import Limits
+from .source import Source, Span
+from .xmltree import Comment, Element, Text
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+    from .xmltree import Node
+
+_DECLARATION = re.compile(r"<\?xml\s[^>]*?\?>")
+_ENCODING = re.compile(rb"""<\?xml\s[^>]*?\bencoding\s*=\s*["']([A-Za-z][A-Za-z0-9._-]*)["']""")
+_BYTE_ORDER_MARKS = (
+    (b"\xef\xbb\xbf", "utf-8"),
+    (b"\xff\xfe\x00\x00", "utf-32-le"),
+    (b"\x00\x00\xfe\xff", "utf-32-be"),
+    (b"\xff\xfe", "utf-16-le"),
+    (b"\xfe\xff", "utf-16-be"),
+)
+_ADVICE = {
+    "mismatched tag": "each <tag> needs its </tag>, and what is opened last is closed first",
+    "not well-formed (invalid token)": "a < or & in a text or value is written &lt; or &amp;",
+    "unbound prefix": 'declare it at the root, as in xmlns:xacro="http://www.ros.org/wiki/xacro"',
+    "no element found": "the file ends before its root element is closed",
+    "duplicate attribute": "an attribute may stand once in a tag",
+    "junk after document element": "a file has one root element, which holds all others",
+}
+
+
+class XmlDocument:
+    """What an XML file holds.
+
+    Attributes:
+        root: its root element.
+        before, after: the comments around it.
+    """
+
+    __slots__ = ("after", "before", "root")
+
+    def __init__(self, root: Element, before: list[Comment], after: list[Comment]) -> None:
+        """Hold the root and what stands around it."""
+        self.root = root
+        self.before = before
+        self.after = after
+
+
+def decode_xml(data: bytes) -> str:
+    """Return the text of an XML file, in the encoding that its first bytes tell.
+
+    Raises:
+        UnicodeDecodeError: it is not in that encoding.
+        LookupError: there is no such encoding.
+    """
+    for mark, encoding in _BYTE_ORDER_MARKS:
+        if data.startswith(mark):
+            return data[len(mark) :].decode(encoding)
+    declared = _ENCODING.match(data.lstrip())
+    return data.decode(declared[1].decode("ascii") if declared else "utf-8")
+
+
+def read_xml(source: Source, limits: Limits | None = None) -> XmlDocument:
+    """Return what a text holds as XML. Space between elements is kept as it is.
+
+    Raises:
+        YamaroError: `xml-syntax` at the place where the text is no XML, `xml-entity` where it
+            declares what other parsers would read from elsewhere, or a limit is passed.
+    """
+    return _Reader(source, limits or Limits()).read()
+
+
+class TagPlaces:
+    """Where the values of a tag's attributes stand, looked up in its text when somebody asks."""
+
+    __slots__ = ("_source", "_start")
+
+    def __init__(self, source: Source, start: int) -> None:
+        """Say where the tag begins."""
+        self._source = source
+        self._start = start
+
+    def get(self, attribute: str, /) -> Span | None:
+        """Return the place of an attribute's value, without its quotes."""
+        text, position = self._source.text, self._start
+        while found := _ATTRIBUTE.search(text, position):
+            if found["end"]:
+                return None
+            if found["name"] == attribute:
+                start, end = found.span("value")
+                if start + 1 == end - 1:  # the place of an empty value is its name
+                    return Span(self._source, *found.span("name"))
+                return Span(self._source, start + 1, end - 1)
+            position = found.end()
+        return None
+
+
+_ATTRIBUTE = re.compile(
+    r"""(?P<end>/?>)|\s(?P<name>[^\s=<>"'/]+)\s*=\s*(?P<value>"[^"]*"|'[^']*')"""
+)
+
+
+class _Reader:
+    """Builds the tree while expat reads."""
+
+    def __init__(self, source: Source, limits: Limits) -> None:
+        self._source = source
+        self._limits = limits
+        self._before: list[Comment] = []
+        self._after: list[Comment] = []
+        self._root: Element | None = None
+        self._open: list[Element] = []
+        self._text: list[str] = []
+        self._text_start = 0
+        self._is_ascii = source.text.isascii()
+        self._bytes = b""
+        self._known = (0, 0)  # an offset in bytes and the same in characters
+
+    def read(self) -> XmlDocument:
+        from pyexpat import ExpatError
+
+        text = self._source.text
+        declaration = _DECLARATION.match(text)
+        if declaration:  # its encoding is no longer that of the text, and its version is nobody's
+            text = " " * declaration.end() + text[declaration.end() :]
+        self._bytes = text.encode("utf-8", "surrogatepass")
+        self._parser = parser = self._new_parser()
+        try:
+            parser.Parse(self._bytes, True)
+        except ExpatError as error:
+            raise self._fault(error) from None
+        assert self._root is not None
+        return XmlDocument(self._root, self._before, self._after)
+
+    def _new_parser(self) -> Any:
+        from pyexpat import ParserCreate
+
+        parser = ParserCreate("utf-8")
+        parser.ordered_attributes = True
+        parser.buffer_text = True
+        parser.StartElementHandler = self._start
+        parser.EndElementHandler = self._end
+        parser.CharacterDataHandler = self._characters
+        parser.CommentHandler = self._comment
+        parser.EntityDeclHandler = self._entity
+        return parser
+
+    # --- what expat tells -------------------------------------------------------------------
+
+    def _start(self, name: str, pairs: list[str]) -> None:
+        self._flush()
+        start = self._here()
+        span = Span(self._source, start + 1, start + 1 + len(name))
+        attributes: dict[str, object] = dict(zip(pairs[::2], pairs[1::2], strict=True))
+        element = Element(name, span, attributes, [], None, TagPlaces(self._source, start))
+        element.verbatim = True
+        if self._open:
+            self._open[-1].children.append(element)
+        else:
+            self._root = element
+        self._open.append(element)
+        if len(self._open) > self._limits.xml_depth:
+            raise failure(
+                "limit-xml-depth",
+                f"elements are nested more than {self._limits.xml_depth} deep, which is the limit",
+                span,
+                hint=self._limits.hint("xml_depth"),
+            )
+
+    def _end(self, name: str) -> None:
+        self._flush()
+        self._open.pop()
+
+    def _characters(self, text: str) -> None:
+        if not self._text:
+            self._text_start = self._here()
+        self._text.append(text)
+
+    def _comment(self, text: str) -> None:
+        self._flush()
+        start = self._here()
+        comment = Comment(text, Span(self._source, start, start + len("<!---->") + len(text)))
+        if self._open:
+            self._open[-1].children.append(comment)
+        else:
+            (self._after if self._root else self._before).append(comment)
+
+    def _entity(self, name: str, _is_parameter: int, value: str | None, *_others: object) -> None:
+        if value is None or "&" in value or "%" in value:
+            raise failure(
+                "xml-entity",
+                f"the entity '{name}' is read from elsewhere, or made of others",
+                Span(self._source, self._here(), self._here() + 1),
+                hint="write what it stands for where it is used",
+            )
+
+    # --- helpers ----------------------------------------------------------------------------
+
+    def _flush(self) -> None:
+        """Put the text that has come so far into the element that is open."""
+        if not self._text:
+            return
+        text = "".join(self._text)
+        self._text.clear()
+        start = self._text_start
+        span = Span(self._source, start, min(start + len(text), len(self._source.text)))
+        self._open[-1].children.append(Text(text, span))
+
+    def _here(self) -> int:
+        """Return where in the text expat is."""
+        return self._offset(self._parser.CurrentByteIndex)
+
+    def _offset(self, index: int) -> int:
+        if self._is_ascii:
+            return index
+        known_index, known = self._known
+        if index < known_index:
+            known_index = known = 0
+        known += len(self._bytes[known_index:index].decode("utf-8", "ignore"))
+        self._known = (index, known)
+        return known
+
+    def _fault(self, error: Any) -> YamaroError:
+        from pyexpat import ErrorString
+
+        message = ErrorString(error.code) or "this is no XML"
+        length = len(self._source.text)
+        offset = max(0, min(self._offset(self._parser.ErrorByteIndex), length))
+        hint = _ADVICE.get(message)
+        notes: tuple[str, ...] = ()
+        if self._open and message in ("mismatched tag", "no element found"):
+            opened = self._open[-1]
+            message = f"{message}: <{opened.name}> is open"
+            notes = (f"<{opened.name}> begins at {opened.span.place()}",)
+        return failure(
+            "xml-syntax",
+            f"this is no well-formed XML: {message}",
+            Span(self._source, offset, min(offset + 1, length)),
+            hint=hint,
+            notes=notes,
+        )
