@@ -448,7 +448,7 @@ _RECORD_EXAMPLES = {
     "dynamics": "dynamics: {damping: 0.1, friction: 0.2}",
     "safety_controller": "safety_controller: {k_velocity: 10}",
     "calibration": "calibration: {rising: 0.0}",
-    "origin": "xyz: 0 0 0 and rpy: 0 0 0 in place of 'origin'",
+    "origin": "xyz: 0 0 0 and rpy: 0 0 0 in place of 'origin', or origin: none",
 }
 
 

@@ -71,11 +71,9 @@ def lower_inertial(
             shape = body.shape("the inertia is computed from it")
             pose = compose_poses(pose, pose_at(shape.center()))
             inertia_element = _computed_inertia(lowering, owner, shape.inertia(mass))
-    children: list[Node] = [
-        fields.plain.get("origin") or origin_element(pose, owner),
-        mass_element,
-        inertia_element,
-    ]
+    origin = fields.plain.get("origin") or origin_element(pose, owner)
+    children: list[Node] = [] if origin is None else [origin]
+    children += (mass_element, inertia_element)
     attributes = owner.attributes if owner.name == "inertial" else {}
     children += fields.rest
     spans = owner.value_spans if attributes else None

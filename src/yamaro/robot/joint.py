@@ -88,19 +88,23 @@ def lower_joint(lowering: Lowering, key: Element, name: str, *, child: str) -> E
     joint_type = common.joint_type if common is not None else _absorbed_type(lowering, key, fields)
     for make in (_parent_element, _child_element, _origin_element):
         try:
-            children.append(make(lowering, key, fields, child))
+            generated = make(lowering, key, fields, child)
         except YamaroError as error:
             lowering.absorb(error)
+            continue
+        if generated is not None:
+            children.append(generated)
     if common is not None:
         children += common.children
         has_mimic = common.has_mimic
     else:
+        start = len(children)
         _add_rest(lowering, fields, children)
         if joint_type is not None and joint_type.name in ASSUMED_RANGES:
             _assume_limits(lowering, key, name, joint_type, fields, children)
         has_mimic = "mimic" in fields.keys
         if common_keys and told == lowering.told and joint_type is not None and not fields.plain:
-            found = CommonJoint(joint_type, children[3:], has_mimic=has_mimic)
+            found = CommonJoint(joint_type, children[start:], has_mimic=has_mimic)
             remember(lowering.joints, common_keys, found)
     joint = _joint_element(key, name, joint_type, children)
     if "parent" not in fields.plain:
@@ -247,7 +251,9 @@ def _child_element(lowering: Lowering, key: Element, fields: Fields, child: str)
     return Element("child", key.span, {"link": child}, [], key.trace)
 
 
-def _origin_element(lowering: Lowering, key: Element, fields: Fields, child: str) -> Element:
+def _origin_element(
+    lowering: Lowering, key: Element, fields: Fields, child: str
+) -> Element | None:
     return fields.plain.get("origin") or lower_origin(lowering, fields, key)
 
 

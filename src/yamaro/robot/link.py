@@ -101,7 +101,8 @@ def _lower_section(lowering: Lowering, key: Element, frame: LinkFrame) -> Elemen
     geometry = fields.plain.get("geometry")
     if geometry is None:
         geometry = _section_shape(lowering, key, fields, frame.geometry)
-    children: list[Node] = [fields.plain.get("origin") or origin_element(pose, key), geometry]
+    origin = fields.plain.get("origin") or origin_element(pose, key)
+    children: list[Node] = [geometry] if origin is None else [origin, geometry]
     for child in fields.rest:
         if type(child) is Element and child.name == "material" and not child.verbatim:
             children.append(lowering.once(child, lower_material))

@@ -37,6 +37,7 @@ def lower_material(lowering: Lowering, key: Element) -> Element:
         record.span("name"),
         owner=key,
     )
+    details[:0] = _taken_details(record)
     return Element(
         "material",
         key.span,
@@ -77,6 +78,17 @@ def _split(lowering: Lowering, key: Element) -> tuple[Record, list[Node]]:
         value_spans=key.value_spans,
     )
     return read_record(lowering, head, "name"), details
+
+
+def _taken_details(record: Record) -> list[Element]:
+    """Take colour and texture out of the values that a mapping gave: `material: $(steel)`."""
+    key = record.key
+    return [
+        Element(name, span, {}, [Text(record.values.pop(name), span)], key.trace)
+        for name in [name for name in record.values if name in ("color", "texture")]
+        if name not in key.attributes
+        for span in [record.span(name)]
+    ]
 
 
 def _lower_detail(lowering: Lowering, detail: Node) -> Node:

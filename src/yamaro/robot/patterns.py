@@ -300,6 +300,7 @@ def _origin(
     told = lowering.told
     try:
         origin = origin_element(read_pose(lowering, fields), joint)
+        assert origin is not None  # a form has no key `origin`
     except YamaroError:
         return None
     if told != lowering.told:

@@ -9,7 +9,7 @@ from math import isfinite
 from operator import add
 
 from ..diagnostics import INHERITED, failure
-from ..xmltree import Element
+from ..xmltree import Element, Text
 from .fields import empty_value, read_record, read_value
 from .numbers import NEGLIGIBLE, Numbers, format_component, read_numbers
 from .places import POSE_KEYS
@@ -67,6 +67,8 @@ class Pose:
 
 
 NO_POSE = Pose(ZERO_ROW, ZERO_ROW, span=None, spans=None)
+NO_ORIGIN = Pose(ZERO_ROW, ZERO_ROW, span=None, spans=None)
+"""The pose of `origin: none`, which is that of the frame around, with no element to say so."""
 
 
 def pose_at(position: Vector) -> Pose:
@@ -82,6 +84,8 @@ def read_pose(lowering: Lowering, fields: Fields) -> Pose:
 
     Raises:
         YamaroError: faulty numbers, or `origin` beside `xyz`, `rpy` or `pivot`.
+
+    `origin: none` gives NO_ORIGIN.
     """
     keys = fields.keys
     origin = keys.get("origin")
@@ -110,6 +114,8 @@ def _read_origin(lowering: Lowering, fields: Fields, origin: Element) -> Pose:
                 notes=(f"'origin' is given at {origin.span.place()}",),
                 trace=origin.trace,
             )
+    if _is_none(origin):
+        return NO_ORIGIN
     record = read_record(lowering, origin, None)
     rows: dict[str, Numbers] = {}
     spans: dict[str, Span] = {}
@@ -125,6 +131,16 @@ def _read_origin(lowering: Lowering, fields: Fields, origin: Element) -> Pose:
         spans[name] = record.span(name)
         rows[name] = _numbers(lowering, value, spans[name], name, origin.trace)
     return _place(rows.get("xyz"), rows.get("rpy"), rows.get("pivot"), origin.span, spans)
+
+
+def _is_none(origin: Element) -> bool:
+    children = origin.children
+    return (
+        len(children) == 1
+        and isinstance(children[0], Text)
+        and children[0].value == "none"
+        and not origin.attributes
+    )
 
 
 def _read_vector(lowering: Lowering, key: Element, spans: dict[str, Span]) -> Numbers:
@@ -177,6 +193,8 @@ def _place(
 
 def compose_poses(outer: Pose, inner: Pose) -> Pose:
     """Return T_outer · T_inner; where one of them is trivial, the other's words are kept."""
+    if inner is NO_ORIGIN:
+        return inner
     if inner.span is None and inner.xyz.is_zero():
         return outer
     if outer.span is None:
@@ -221,8 +239,10 @@ def _sum(first: Numbers, second: tuple[float, ...], second_words: Words | None) 
     return Numbers(tuple(words), tuple(map(add, first.values, second)))
 
 
-def lower_origin(lowering: Lowering, fields: Fields, owner: Element) -> Element:
+def lower_origin(lowering: Lowering, fields: Fields, owner: Element) -> Element | None:
     """Return `<origin>` as the keys of a joint give it: the same one where they all are shared.
+
+    None if it is not to be written.
 
     Raises:
         YamaroError: see `read_pose` and `origin_element`.
@@ -231,6 +251,8 @@ def lower_origin(lowering: Lowering, fields: Fields, owner: Element) -> Element:
     origin = lowering.origins.get(keys)
     if origin is None:
         origin = origin_element(read_pose(lowering, fields), owner)
+        if origin is None:
+            return None
         shared = lowering.shared
         if keys and all(map(shared.__contains__, keys)):
             origin.trace = INHERITED
@@ -239,12 +261,16 @@ def lower_origin(lowering: Lowering, fields: Fields, owner: Element) -> Element:
     return origin
 
 
-def origin_element(pose: Pose, owner: Element) -> Element:
+def origin_element(pose: Pose, owner: Element) -> Element | None:
     """Return `<origin>` with both attributes, placed at the pose's first key or else its owner.
+
+    None if it is not to be written.
 
     Raises:
         YamaroError: the position is too large for a number.
     """
+    if pose is NO_ORIGIN:
+        return None
     if not isfinite(sum(pose.xyz.values)):
         raise failure(
             "bad-number",

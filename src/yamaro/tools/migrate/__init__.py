@@ -1,0 +1,1 @@
+"""Brings URDF over to Yamaro: `yamaro migrate`."""

@@ -1,0 +1,218 @@
+"""Yamaro sources as a tree of keys and values, and how a person would lay them out as YAML."""
+
+from __future__ import annotations
+
+from ...syntax.scalars import type_plain
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Iterator
+
+WIDTH = 100
+"""Characters that a line with a mapping in braces may have."""
+RECORD_WIDTH = 120
+"""And one with attributes only, such as a limit."""
+MOST_IN_BRACES = 6
+LONGEST_KEY = 1000
+"""Characters that a key may have before YAML wants a `?` in front of it."""
+
+_INDICATORS = frozenset("-?:,[]{}#&*!|>'\"%@`")
+_OPENING = frozenset("-?:")
+_NULLS = frozenset(("", "~", "null", "Null", "NULL"))
+_FLOW = frozenset(",[]{}")
+
+
+class Body:
+    """A mapping of the language: entries in order, whose keys may come again."""
+
+    __slots__ = ("entries", "in_braces", "width")
+
+    def __init__(
+        self, entries: Iterable[Entry] = (), *, in_braces: bool = False, width: int = WIDTH
+    ) -> None:
+        """Hold entries; `in_braces` says that they go on one line if it is no wider."""
+        self.entries = list(entries)
+        self.in_braces = in_braces
+        self.width = width
+
+    def add(self, key: str, value: Value = None, *, comment: str = "") -> None:
+        """Append an entry."""
+        self.entries.append(Entry(key, value, comment))
+
+    def __iter__(self) -> Iterator[Entry]:
+        """Run over the entries."""
+        return iter(self.entries)
+
+    def __bool__(self) -> bool:
+        """Tell whether there are any."""
+        return bool(self.entries)
+
+
+Value = Body | str | None
+
+
+class Quoted(str):
+    """A text that would else be a number, true or nothing, and is to be none of these."""
+
+    __slots__ = ()
+
+
+class Entry:
+    """A key with its value; `comment` is what YAML comments above it say, line by line."""
+
+    __slots__ = ("comment", "key", "value")
+
+    def __init__(self, key: str, value: Value = None, comment: str = "") -> None:
+        """Hold them; a text is in the language's own spelling (see `literal`)."""
+        self.key = key
+        self.value = value
+        self.comment = comment
+
+
+def literal(text: str) -> str:
+    """Return a text spelled so that nothing in it is evaluated."""
+    return text.replace("$(", "$$(").replace("${", "$${")
+
+
+def element_key(name: str, attributes: dict[str, str], *, bracketed: bool = False) -> str:
+    """Return the key of an XML element, `name/attribute=value, …`; the values as they are meant."""
+    key = name
+    if attributes:
+        key += "/" + ", ".join(f"{name}={_attribute(value)}" for name, value in attributes.items())
+    return f"<{key}>" if bracketed else key
+
+
+def _attribute(value: str) -> str:
+    if "," not in value and value == value.strip() and not value.startswith(("'", '"')):
+        return literal(value)
+    if "'" not in value:
+        return f"'{literal(value)}'"
+    if '"' not in value:
+        return f'"{literal(value)}"'
+    return f"$({value!r})"
+
+
+# --- writing ----------------------------------------------------------------------------------
+
+
+def write_document(sections: Body, comment: str = "") -> str:
+    """Return the sections of a file as YAML, under a comment of the whole file."""
+    out: list[str] = []
+    _write_comment(comment, "", out)
+    _write_entries(sections, "", out)
+    return "".join(f"{line}\n" for line in out)
+
+
+def _write_comment(comment: str, margin: str, out: list[str]) -> None:
+    if comment:
+        out += [f"{margin}# {line}".rstrip() for line in comment.splitlines()]
+
+
+def _write_entries(body: Body, margin: str, out: list[str]) -> None:
+    """Write entries as a mapping, or as a list if a key comes again."""
+    keys = [entry.key for entry in body]
+    is_list = len(set(keys)) < len(keys)
+    for entry in body:
+        _write_comment(entry.comment, margin, out)
+        if is_list:
+            _write_entry(entry, f"{margin}- ", f"{margin}  ", out)
+        else:
+            _write_entry(entry, margin, margin, out)
+
+
+def _write_entry(entry: Entry, head: str, margin: str, out: list[str]) -> None:
+    """Write an entry that begins with `head` and whose further lines stand at `margin`."""
+    key = _scalar(entry.key, in_flow=False)
+    if len(key) > LONGEST_KEY:
+        out.append(f"{head}? {key}")
+        head, key = margin, ""
+    value = entry.value
+    if value is None:
+        out.append(f"{head}{key}:")
+    elif isinstance(value, str):
+        _write_text(value, f"{head}{key}:", margin, out)
+    elif not value:
+        out.append(f"{head}{key}:")
+    else:
+        braces = _in_braces(value) if value.in_braces else None
+        line = f"{head}{key}: {braces}"
+        if braces is not None and len(line) <= value.width:
+            out.append(line)
+            return
+        out.append(f"{head}{key}:")
+        _write_entries(value, f"{margin}  ", out)
+
+
+def _write_text(text: str, head: str, margin: str, out: list[str]) -> None:
+    lines = text.split("\n")
+    if len(lines) == 1 or not all(line.isprintable() for line in lines):
+        out.append(f"{head} {_scalar(text, in_flow=False)}")
+        return
+    indicator = "2" if lines[0].startswith(" ") else ""
+    out.append(f"{head} |{indicator}-")
+    out += [f"{margin}  {line}".rstrip() for line in lines]
+
+
+def _in_braces(body: Body) -> str | None:
+    """Return a mapping as `{key: value, …}`, or None if it is none for one line."""
+    if len(body.entries) > MOST_IN_BRACES:
+        return None
+    pieces = []
+    keys = set()
+    for entry in body:
+        if entry.comment or entry.key in keys:
+            return None
+        keys.add(entry.key)
+        value: str | None
+        if isinstance(entry.value, Body):
+            value = _in_braces(entry.value) if entry.value.in_braces else None
+        else:
+            value = "" if entry.value is None else _scalar(entry.value, in_flow=True)
+        if value is None or "\n" in value:
+            return None
+        pieces.append(f"{_scalar(entry.key, in_flow=True)}: {value}")
+    return f"{{{', '.join(pieces)}}}"
+
+
+def _scalar(text: str, *, in_flow: bool) -> str:
+    """Return a text as a YAML scalar that is read as this text and none other."""
+    if _is_plain(text, in_flow=in_flow) and not _is_typed(text):
+        return str(text)
+    if text.isprintable():
+        if "'" in text and '"' not in text and "\\" not in text:
+            return f'"{text}"'
+        return "'" + text.replace("'", "''") + "'"
+    return '"' + "".join(map(_escaped, text)) + '"'
+
+
+def _is_plain(text: str, *, in_flow: bool) -> bool:
+    if text in _NULLS or not text.isprintable() or text != text.strip():
+        return False
+    first = text[0]
+    if first in _INDICATORS and (first not in _OPENING or len(text) < 2 or text[1] in " ,[]{}"):
+        return False
+    if ": " in text or " #" in text or text.endswith(":"):
+        return False
+    if text.startswith(("---", "...")):
+        return False
+    if not in_flow:
+        return True
+    return _FLOW.isdisjoint(text) and not (first == "?" or first == ":")
+
+
+def _is_typed(text: str) -> bool:
+    return isinstance(text, Quoted) and not isinstance(type_plain(text), str)
+
+
+_SHORT_ESCAPES = {'"': '\\"', "\\": "\\\\", "\n": "\\n", "\t": "\\t", "\r": "\\r"}
+
+
+def _escaped(char: str) -> str:
+    if char in _SHORT_ESCAPES:
+        return _SHORT_ESCAPES[char]
+    if char.isprintable():
+        return char
+    code = ord(char)
+    if code < 0x100:
+        return f"\\x{code:02x}"
+    return f"\\u{code:04x}" if code < 0x10000 else f"\\U{code:08x}"

@@ -1,0 +1,124 @@
+"""XML elements as entries of a body, each as plain XML."""
+
+from __future__ import annotations
+
+from textwrap import dedent
+
+from ...syntax.names import STATEMENTS
+from ...xmltree import Comment, Element, Text, format_value
+from .compare import values_of
+from .document import Body, Entry, element_key, literal
+from .pairing import has_text
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from ...xmltree import Node
+    from .document import Value
+
+
+MOST_TEXTS = 3
+"""Elements that hold a text each and stand in one line."""
+
+
+class ElementWriter:
+    """Makes entries of elements; `names` has what stands for a mesh file's folder."""
+
+    __slots__ = ("file_name",)
+
+    def __init__(self, file_name: Callable[[str], str]) -> None:
+        """Take what spells the names of mesh files."""
+        self.file_name = file_name
+
+    def entry(self, element: Element, *, bracketed: bool = False) -> Entry:
+        """Return an element as it is, but for the space between numbers."""
+        attributes = {name: _tidy_row(value) for name, value in values_of(element).items()}
+        bracketed = bracketed or needs_brackets(element.name, attributes)
+        return Entry(self.key(element.name, attributes, bracketed=bracketed), self.value(element))
+
+    def key(self, name: str, attributes: dict[str, str], *, bracketed: bool = False) -> str:
+        """Return the key of an element."""
+        if name == "mesh" and "filename" in attributes:
+            file = attributes["filename"]
+            spelled = self.file_name(file)
+            if spelled != literal(file):
+                stand_in = "\0"
+                key = element_key(name, {**attributes, "filename": stand_in}, bracketed=bracketed)
+                return key.replace(stand_in, spelled)
+        return element_key(name, attributes, bracketed=bracketed)
+
+    def value(self, element: Element) -> Value:
+        """Return what stands in an element."""
+        if not has_text(element):
+            return self.body(element.children)
+        if all(isinstance(child, Text) for child in element.children):
+            return literal(tidy_text(element.text()))
+        body = Body()
+        for child in element.children:
+            if isinstance(child, Text):
+                text = tidy_text(format_value(child.value))
+                if text:
+                    body.add("<#text>", literal(text))
+            else:
+                body.entries.append(self.node(child))
+        return body
+
+    def node(self, node: Node) -> Entry:
+        """Return an element, a comment or a text."""
+        return self.entry(node) if isinstance(node, Element) else loose_entry(node)
+
+    def body(self, nodes: list[Node]) -> Body | None:
+        """Return elements and comments as a body, None if there are none."""
+        body = Body([self.node(node) for node in nodes if not isinstance(node, Text)])
+        body.in_braces = _is_short(body)
+        return body or None
+
+
+def _tidy_row(text: str) -> str:
+    """Return numbers with one space between them, and any other text as it is."""
+    words = text.split()
+    return " ".join(words) if len(words) > 1 and all(map(_is_number, words)) else text
+
+
+def _is_number(word: str) -> bool:
+    try:
+        float(word)
+    except ValueError:
+        return False
+    return True
+
+
+def _is_short(body: Body) -> bool:
+    """Tell whether a body is read as easily in one line: some texts, or one thing only."""
+    entries = body.entries
+    if len(entries) == 1:
+        return "," not in entries[0].key
+    return len(entries) <= MOST_TEXTS and all(
+        isinstance(entry.value, str) and "/" not in entry.key for entry in entries
+    )
+
+
+def needs_brackets(name: str, attributes: dict[str, str]) -> bool:
+    """Tell whether a key of a name would mean something else than an element."""
+    return name in STATEMENTS or (name[0].isupper() and not attributes)
+
+
+def loose_entry(node: Comment | Text) -> Entry:
+    """Return a comment, or a text between elements."""
+    if isinstance(node, Comment):
+        return Entry("<#comment>", literal(tidy_text(node.text)) or None)
+    return Entry("<#text>", literal(tidy_text(format_value(node.value))))
+
+
+def tidy_text(text: str) -> str:
+    """Return a text without the space around it and in front of its lines."""
+    if "\n" not in text.strip():
+        return " ".join(text.split()) if "\n" in text else text.strip()
+    first, _, rest = text.expandtabs(4).partition("\n")
+    lines = [first.strip(), *dedent(rest).split("\n")] if first.strip() else rest.split("\n")
+    while not lines[0].strip():
+        del lines[0]
+    while not lines[-1].strip():
+        del lines[-1]
+    return "\n".join(line.rstrip() for line in dedent("\n".join(lines)).split("\n"))

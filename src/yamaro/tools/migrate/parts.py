@@ -1,0 +1,503 @@
+"""A joint and a link of URDF as a `part`, in its short forms wherever they say the same."""
+
+from __future__ import annotations
+
+from ...robot.mesh import MESH_ENDINGS, mesh_ending
+from ...robot.shapes import Box, Cylinder, Sphere
+from ...xmltree import Comment, Element, Text, format_value
+from .compare import same_words, values_of
+from .document import RECORD_WIDTH, Body, Entry, Value, literal
+from .elements import ElementWriter, loose_entry
+from .pairing import has_text, name_of
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterable
+
+    from ...robot.shapes import Shape
+
+RECORDS = ("limit", "dynamics", "mimic", "safety_controller", "calibration")
+MOMENTS = ("ixx", "ixy", "ixz", "iyy", "iyz", "izz")
+SIZES = {"box": ("size",), "cylinder": ("radius", "length"), "sphere": ("radius",)}
+SECTIONS = ("visual", "collision", "inertial")
+PART_KEYS = frozenset(
+    """name joint link type parent child axis limit dynamics mimic safety_controller calibration
+    xyz rpy pivot origin geometry scale mass density visual collision inertial inertia material
+    color texture lower upper effort velocity damping friction multiplier offset""".split()
+)
+"""Names that mean something in a part, or are told of there as misplaced."""
+
+
+class NoPart(Exception):
+    """A joint or link has something that no part gives."""
+
+
+class Geometry:
+    """A shape in its short form.
+
+    Attributes:
+        word: the word of the shape, or the name of a mesh file in the language's spelling.
+        scale: its numbers, as one text; None for a mesh without one.
+    """
+
+    __slots__ = ("kind", "scale", "word")
+
+    def __init__(self, kind: str, word: str, scale: str | None) -> None:
+        """Hold them; `kind` is the name of the URDF element."""
+        self.kind = kind
+        self.word = word
+        self.scale = scale
+
+    def key(self) -> tuple[str, str | None]:
+        """Return a value that is equal for equal geometries."""
+        return self.word, self.scale
+
+    def entries(self) -> list[Entry]:
+        """Return the entries that say it."""
+        entries = [Entry("geometry", self.word)]
+        if self.scale is not None:
+            entries.append(Entry("scale", self.scale))
+        return entries
+
+    def solid(self) -> Shape | None:
+        """Return the body, if it is one whose inertia a formula gives."""
+        try:
+            numbers = [float(word) for word in (self.scale or "").split()]
+        except ValueError:
+            return None
+        if self.kind == "box" and len(numbers) == 3:
+            return Box(*numbers)
+        if self.kind == "cylinder" and len(numbers) == 2:
+            return Cylinder(*numbers)
+        if self.kind == "sphere" and len(numbers) == 1:
+            return Sphere(*numbers)
+        return None
+
+
+class Names:
+    """The names that parts may be called by in place of their links and joints."""
+
+    __slots__ = ("joints", "links", "of_joints", "of_links")
+
+    def __init__(self, robot: Element) -> None:
+        """Take the names of a robot."""
+        self.links = {name_of(e) for e in robot.elements() if e.name == "link"}
+        self.joints = {name_of(e) for e in robot.elements() if e.name == "joint"}
+        self.of_links: dict[str, str] = {}
+        self.of_joints: dict[str, str] = {}
+
+    def add(self, link: Element, joint: Element | None) -> str | None:
+        """Return what a part is called if one name gives both of its own, and remember it."""
+        stem = name_of(link).removesuffix("_link")
+        if not stem or stem + "_link" != name_of(link):
+            return None
+        if joint is not None and name_of(joint) != stem + "_joint":
+            return None
+        if stem not in self.links:
+            self.of_links[name_of(link)] = stem
+        if joint is not None and stem not in self.joints:
+            self.of_joints[name_of(joint)] = stem
+        return stem
+
+    def remove(self, link: Element, joint: Element | None) -> None:
+        """Forget a part that is none."""
+        self.of_links.pop(name_of(link), None)
+        if joint is not None:
+            self.of_joints.pop(name_of(joint), None)
+
+
+class PartWriter:
+    """Writes parts of one robot."""
+
+    def __init__(
+        self,
+        elements: ElementWriter,
+        names: Names,
+        material: Callable[[Element], Value],
+    ) -> None:
+        """Take what writes elements, the names, and what writes a material that has a name."""
+        self._elements = elements
+        self._names = names
+        self._material = material
+
+    def part(self, link: Element, joint: Element | None, *, joint_first: bool) -> Entry:
+        """Return a part, or a link that holds nothing as the element that it is.
+
+        Raises:
+            NoPart: it cannot be written as one.
+        """
+        _plain_words(name_of(link))
+        is_empty = all(isinstance(child, Text) for child in link.children)
+        if joint is None and is_empty:
+            return self._elements.entry(link)
+        body = Body(in_braces=is_empty)
+        own_name = self._names.add(link, joint)
+        link_key = "link"
+        if own_name is not None:
+            body.add("name", literal(own_name))
+        elif joint is None:
+            link_key = self._elements.key("link", {"name": name_of(link)})
+        else:
+            body.add("name", literal(f"{_plain_words(name_of(joint))} {name_of(link)}"))
+        others = {key: value for key, value in values_of(link).items() if key != "name"}
+        if others:
+            if link_key != "link":
+                others = {"name": name_of(link), **others}
+            link_key = self._elements.key("link", others)
+        entries = []
+        if not is_empty or others:
+            entries.append(Entry(link_key, self._link(link)))
+        if joint is not None:
+            entries.insert(0 if joint_first else len(entries), self._joint_entry(joint))
+        body.entries += entries
+        return Entry("part", body)
+
+    # --- joints ---------------------------------------------------------------------------------
+
+    def _joint_entry(self, joint: Element) -> Entry:
+        attributes = values_of(joint)
+        kind = attributes.pop("type", None)
+        attributes.pop("name")
+        if kind is None or has_text(joint):
+            raise NoPart
+        body = Body(in_braces=True)
+        body.add("type", literal(kind))
+        rest = Body()
+        seen: dict[str, Element] = {}
+        for child in joint.children:
+            if isinstance(child, Text):
+                continue
+            if isinstance(child, Comment):
+                rest.entries.append(loose_entry(child))
+            elif child.name in ("parent", "child", "origin"):
+                if child.name in seen:
+                    raise NoPart
+                seen[child.name] = child
+            else:
+                rest.entries.append(self._joint_child(child, kind, seen))
+        self._add_ends(seen, body)
+        self._add_pose(seen.get("origin"), body)
+        body.entries += rest.entries
+        return Entry(self._elements.key("joint", attributes), body)
+
+    def _add_ends(self, seen: dict[str, Element], body: Body) -> None:
+        parent, child = seen.get("parent"), seen.get("child")
+        if parent is None or child is None or list(values_of(child)) != ["link"] or child.children:
+            raise NoPart
+        name = values_of(parent).get("link", "")
+        if list(values_of(parent)) == ["link"] and not parent.children and _is_word(name):
+            if name in self._names.links:
+                body.add("parent", literal(self._names.of_links.get(name, name)))
+                return
+        body.entries.append(self._elements.entry(parent, bracketed=True))
+
+    def _joint_child(self, child: Element, kind: str, seen: dict[str, Element]) -> Entry:
+        attributes = values_of(child)
+        is_first = child.name not in seen
+        seen[child.name] = child
+        if child.children or not attributes or not is_first:
+            return self._element(child)
+        if child.name == "axis" and list(attributes) == ["xyz"]:
+            return Entry("axis", _numbers(attributes["xyz"], 3))
+        if child.name == "mimic" and "joint" in attributes:
+            name = attributes["joint"]
+            attributes["joint"] = self._names.of_joints.get(name, name)
+            if list(attributes) == ["joint"]:
+                return Entry("mimic", literal(attributes["joint"]))
+        if child.name == "limit" and not _is_whole(attributes, kind):
+            return self._element(child)
+        if child.name in RECORDS and not any(name[0].isupper() for name in attributes):
+            entries = [Entry(key, literal(value)) for key, value in attributes.items()]
+            return Entry(child.name, Body(entries, in_braces=True, width=RECORD_WIDTH))
+        return self._element(child)
+
+    # --- links ----------------------------------------------------------------------------------
+
+    def _link(self, link: Element) -> Body | None:
+        if has_text(link):
+            raise NoPart
+        plan = _LinkPlan(link, self._elements.file_name)
+        body = Body()
+        if plan.geometry is not None:
+            body.entries += plan.geometry.entries()
+        if plan.pose is not None:
+            self._add_pose(plan.pose.origin, body)
+        for child in link.children:
+            if isinstance(child, Text):
+                continue
+            if isinstance(child, Comment):
+                body.entries.append(loose_entry(child))
+            elif child is plan.inertial:
+                body.entries.append(self._inertial(child, plan))
+            elif child.name in SECTIONS:
+                body.entries.append(self._section(child, plan))
+            else:
+                body.entries.append(self._element(child))
+        return body or None
+
+    def _section(self, section: Element, plan: _LinkPlan) -> Entry:
+        """Return a visual or collision, or what stands for the second inertial of a link."""
+        if id(section) not in plan.sections:
+            return self._elements.entry(section, bracketed=True)
+        own = plan.sections[id(section)]
+        body = Body(in_braces=True)
+        if own is not None and (plan.geometry is None or own.key() != plan.geometry.key()):
+            body.entries += own.entries()
+        if plan.pose is None:
+            self._add_pose(optional_child(section, "origin"), body)
+        rest: list[Entry] = []
+        for child in section.children:
+            if isinstance(child, Text):
+                continue
+            if isinstance(child, Comment):
+                rest.append(loose_entry(child))
+            elif child.name == "origin":
+                continue
+            elif child.name == "geometry":
+                if own is None:
+                    body.entries.append(self._elements.entry(child, bracketed=True))
+            elif child.name == "material" and is_short_material(child):
+                rest.append(Entry("material", self._material(child)))
+            else:
+                rest.append(self._element(child))
+        body.entries += rest
+        return Entry(self._elements.key(section.name, values_of(section)), body or None)
+
+    def _inertial(self, inertial: Element, plan: _LinkPlan) -> Entry:
+        mass = values_of(child_named(inertial, "mass"))["value"]
+        moments = values_of(child_named(inertial, "inertia"))
+        body = Body([Entry("mass", literal(mass))], in_braces=True)
+        if not plan.has_computed_inertia:
+            body.add("inertia", _numbers(" ".join(moments[name] for name in MOMENTS), 6))
+        if plan.pose is None:
+            pose = Body()
+            self._add_pose(optional_child(inertial, "origin"), pose)
+            body.entries[1:1] = pose.entries
+        for child in inertial.children:
+            if isinstance(child, Comment):
+                body.entries.append(loose_entry(child))
+            elif isinstance(child, Element) and child.name not in ("origin", "mass", "inertia"):
+                body.entries.append(self._element(child))
+        if plan.has_computed_inertia and len(body.entries) == 1:
+            return body.entries[0]
+        return Entry("inertial", body)
+
+    # --- both -----------------------------------------------------------------------------------
+
+    def _element(self, element: Element) -> Entry:
+        return self._elements.entry(element, bracketed=element.name in PART_KEYS)
+
+    def _add_pose(self, origin: Element | None, body: Body) -> None:
+        """Add the entries that give an origin, or say that there is none."""
+        if origin is None:
+            body.add("origin", "none")
+            return
+        attributes = values_of(origin)
+        if sorted(attributes) != ["rpy", "xyz"] or origin.children:
+            body.entries.append(self._elements.entry(origin, bracketed=True))
+            return
+        for name in ("xyz", "rpy"):
+            words = _numbers(attributes[name], 3)
+            if not same_words(words, "0 0 0"):
+                body.add(name, words)
+
+
+class _CommonPose:
+    """The origin that all sections of a link have, or that none of them has."""
+
+    def __init__(self, origin: Element | None) -> None:
+        self.origin = origin
+
+
+class _LinkPlan:
+    """What the sections of a link share, and so stands in the link.
+
+    Attributes:
+        geometry: the geometry of the link, if there is one.
+        pose: what all sections have for an origin.
+        inertial: the inertial that is written in the short form.
+        sections: the visuals and collisions in the short form, by identity, with their geometry;
+            None where that has a form of its own.
+        has_computed_inertia: whether the inertia is that of the geometry.
+    """
+
+    def __init__(self, link: Element, file_name: Callable[[str], str]) -> None:
+        self.sections: dict[int, Geometry | None] = {}
+        self.geometry: Geometry | None = None
+        self.pose: _CommonPose | None = None
+        self.inertial: Element | None = None
+        self.has_computed_inertia = False
+        posed: list[Element] = []
+        for child in link.elements():
+            if child.name in ("visual", "collision") and _has_section_form(child):
+                self.sections[id(child)] = read_geometry(child, file_name)
+                posed.append(child)
+            elif child.name == "inertial" and self.inertial is None and _has_mass_form(child):
+                self.inertial = child
+                posed.append(child)
+        self._choose_geometry()
+        self._choose_pose(posed)
+
+    def _choose_geometry(self) -> None:
+        counts: dict[tuple[str, str | None], int] = {}
+        known: dict[tuple[str, str | None], Geometry] = {}
+        for geometry in self.sections.values():
+            if geometry is not None:
+                known.setdefault(geometry.key(), geometry)
+                counts[geometry.key()] = counts.get(geometry.key(), 0) + 1
+        for key, geometry in known.items():
+            if self.inertial is not None and _is_solid(self.inertial, geometry):
+                self.geometry = geometry
+                self.has_computed_inertia = True
+                return
+            if counts[key] > 1 and (self.geometry is None or counts[key] > counts[self.geometry.key()]):
+                self.geometry = geometry
+
+    def _choose_pose(self, posed: list[Element]) -> None:
+        if len(posed) < 2:
+            return
+        origins = [optional_child(section, "origin") for section in posed]
+        if not any(origins):
+            self.pose = _CommonPose(None)
+        if origins[0] is None or None in origins:
+            return
+        first = values_of(origins[0])
+        if sorted(first) != ["rpy", "xyz"]:
+            return
+        if same_words(first["xyz"], "0 0 0") and same_words(first["rpy"], "0 0 0"):
+            return
+        if any(values_of(origin) != first or origin.children for origin in origins if origin):
+            return
+        self.pose = _CommonPose(origins[0])
+
+
+def read_geometry(section: Element, file_name: Callable[[str], str]) -> Geometry | None:
+    """Return the geometry of a visual or collision, or None if it has no short form."""
+    geometry = child_named(section, "geometry")
+    shapes = geometry.elements()
+    if len(shapes) != 1 or len(geometry.children) != len(shapes) + _spaces(geometry):
+        return None
+    shape = shapes[0]
+    attributes = values_of(shape)
+    if shape.children or geometry.attributes:
+        return None
+    if shape.name == "mesh":
+        file = attributes.get("filename", "")
+        if set(attributes) - {"filename", "scale"} or mesh_ending(file) not in MESH_ENDINGS:
+            return None
+        scale = attributes.get("scale")
+        return Geometry("mesh", file_name(file), None if scale is None else _numbers(scale, 3))
+    names = SIZES.get(shape.name)
+    if names is None or sorted(attributes) != sorted(names):
+        return None
+    words = " ".join(attributes[name] for name in names)
+    return Geometry(shape.name, shape.name, _numbers(words, 3 if names == ("size",) else len(names)))
+
+
+def is_short_material(material: Element) -> bool:
+    """Tell whether a material is a name, at most with a colour and a texture."""
+    attributes = values_of(material)
+    if list(attributes) != ["name"] or not _is_word(attributes["name"]) or has_text(material):
+        return False
+    children = [child for child in material.children if not isinstance(child, Text)]
+    names = [child.name if isinstance(child, Element) else "" for child in children]
+    if sorted(names) not in ([], ["color"], ["texture"], ["color", "texture"]):
+        return False
+    wanted = {"color": "rgba", "texture": "filename"}
+    return all(
+        isinstance(child, Element)
+        and not child.children
+        and list(values_of(child)) == [wanted[child.name]]
+        and (child.name != "color" or len(values_of(child)["rgba"].split()) == 4)
+        for child in children
+    )
+
+
+def child_named(element: Element, name: str) -> Element:
+    """Return the child of a name, which there is."""
+    return next(child for child in element.elements() if child.name == name)
+
+
+def optional_child(element: Element, name: str) -> Element | None:
+    """Return the child of a name, or None."""
+    return next((child for child in element.elements() if child.name == name), None)
+
+
+def _has_section_form(section: Element) -> bool:
+    return not has_text(section) and _once(section, ("geometry",), ("origin",))
+
+
+def _has_mass_form(inertial: Element) -> bool:
+    if inertial.attributes or has_text(inertial):
+        return False
+    if not _once(inertial, ("mass", "inertia"), ("origin",)):
+        return False
+    mass, inertia = child_named(inertial, "mass"), child_named(inertial, "inertia")
+    return (
+        list(values_of(mass)) == ["value"]
+        and sorted(values_of(inertia)) == sorted(MOMENTS)
+        and not mass.children
+        and not inertia.children
+        and are_numbers(values_of(mass)["value"], 1)
+        and all(are_numbers(values_of(inertia)[name], 1) for name in MOMENTS)
+    )
+
+
+def _once(element: Element, names: Iterable[str], optional: Iterable[str]) -> bool:
+    found = [child.name for child in element.elements()]
+    return all(found.count(name) == 1 for name in names) and all(
+        found.count(name) <= 1 for name in optional
+    )
+
+
+def _is_solid(inertial: Element, geometry: Geometry) -> bool:
+    """Tell whether the inertia is the one that the geometry has with this mass."""
+    shape = geometry.solid()
+    if shape is None:
+        return False
+    moments = values_of(child_named(inertial, "inertia"))
+    try:
+        mass = float(values_of(child_named(inertial, "mass"))["value"])
+        computed = shape.inertia(mass)
+    except (ValueError, OverflowError):
+        return False
+    return mass > 0 and all(
+        same_words(moments[name], format_value(value))
+        for name, value in zip(MOMENTS, computed, strict=True)
+    )
+
+
+def _is_whole(limit: dict[str, str], kind: str) -> bool:
+    """Tell whether a limit has all that would else be filled in."""
+    has_range = kind not in ("revolute", "prismatic") or "lower" in limit or "upper" in limit
+    return has_range and "effort" in limit and "velocity" in limit
+
+
+def _numbers(text: str, count: int) -> str:
+    if not are_numbers(text, count):
+        raise NoPart
+    return " ".join(text.split())
+
+
+def are_numbers(text: str, count: int) -> bool:
+    """Tell whether a text is so many numbers."""
+    words = text.split()
+    try:
+        numbers = [float(word) for word in words]
+    except ValueError:
+        return False
+    return len(words) == count and all(number - number == 0 for number in numbers)
+
+
+def _plain_words(name: str) -> str:
+    if not _is_word(name):
+        raise NoPart
+    return name
+
+
+def _is_word(name: str) -> bool:
+    return bool(name) and "," not in name and len(name.split()) == 1 and name == name.strip()
+
+
+def _spaces(element: Element) -> int:
+    return sum(1 for child in element.children if isinstance(child, Text))
