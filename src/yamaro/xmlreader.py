@@ -1,4 +1,4 @@
-"""Reads XML into the output tree's elements, each of which remembers where in the file it stands."""
+"""Reads XML into elements of the output tree, which remember where in the file they stand."""
 
 from __future__ import annotations
 
@@ -13,7 +13,6 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
-    from .xmltree import Node
 
 _DECLARATION = re.compile(r"<\?xml\s[^>]*?\?>")
 _ENCODING = re.compile(rb"""<\?xml\s[^>]*?\bencoding\s*=\s*["']([A-Za-z][A-Za-z0-9._-]*)["']""")

@@ -251,9 +251,7 @@ def _child_element(lowering: Lowering, key: Element, fields: Fields, child: str)
     return Element("child", key.span, {"link": child}, [], key.trace)
 
 
-def _origin_element(
-    lowering: Lowering, key: Element, fields: Fields, child: str
-) -> Element | None:
+def _origin_element(lowering: Lowering, key: Element, fields: Fields, child: str) -> Element | None:
     return fields.plain.get("origin") or lower_origin(lowering, fields, key)
 
 

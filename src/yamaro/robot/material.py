@@ -31,13 +31,14 @@ def lower_material(lowering: Lowering, key: Element) -> Element:
             trace=key.trace,
         )
     is_short = any(isinstance(child, Text) for child in key.children)
-    name = word_of(
-        "material" if is_short else "name",
-        record.values.pop("name"),
-        record.span("name"),
-        owner=key,
-    )
-    details[:0] = _taken_details(record)
+    taken = _taken_details(record)
+    details[:0] = taken
+    value = record.values.pop("name")
+    if taken and value == "":  # exporters leave the name empty, and the colour says it all
+        name = ""
+    else:
+        what = "material" if is_short else "name"
+        name = word_of(what, value, record.span("name"), owner=key)
     return Element(
         "material",
         key.span,

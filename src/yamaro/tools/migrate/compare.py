@@ -20,7 +20,7 @@ class Difference:
     """Something that two robots do not share.
 
     Attributes:
-        path: the elements that lead to it, such as `link 'base' › visual › origin`.
+        path: the elements that lead to it, such as `link 'base', visual, origin`.
         message: what differs.
     """
 
@@ -32,7 +32,7 @@ class Difference:
         self.message = message
 
     def __str__(self) -> str:
-        return f"{' › '.join(self.path)}: {self.message}"
+        return f"{', '.join(self.path)}: {self.message}"
 
 
 def compare(expected: Element, actual: Element) -> list[Difference]:
@@ -72,10 +72,9 @@ def _compare_rows(
 ) -> None:
     for one, other in zip(first, second, strict=False):
         _compare(one, other, path, out)
-    for missing in first[len(second) :]:
-        out.append(Difference((*path, label(missing)), "is missing"))
-    for new in second[len(first) :]:
-        out.append(Difference((*path, label(new)), "should not be there"))
+    missing, new = first[len(second) :], second[len(first) :]
+    out += [Difference((*path, label(element)), "is missing") for element in missing]
+    out += [Difference((*path, label(element)), "should not be there") for element in new]
 
 
 def _compare_attributes(
@@ -87,17 +86,14 @@ def _compare_attributes(
             out.append(Difference(path, f"'{name}' is missing"))
         elif not same_words(value, second[name]):
             out.append(Difference(path, f"'{name}' is {second[name]!r}, not {value!r}"))
-    for name in second:
-        if name not in first:
-            out.append(Difference(path, f"'{name}' should not be there"))
+    new = [name for name in second if name not in first]
+    out += [Difference(path, f"'{name}' should not be there") for name in new]
 
 
 def values_of(element: Element) -> dict[str, str]:
     """Return the attributes as they are written."""
     return {
-        name: format_value(value)
-        for name, value in element.attributes.items()
-        if value is not None
+        name: format_value(value) for name, value in element.attributes.items() if value is not None
     }
 
 

@@ -25,7 +25,7 @@ _FLOW = frozenset(",[]{}")
 class Body:
     """A mapping of the language: entries in order, whose keys may come again."""
 
-    __slots__ = ("entries", "in_braces", "width")
+    __slots__ = ("entries", "in_braces", "remark", "width")
 
     def __init__(
         self, entries: Iterable[Entry] = (), *, in_braces: bool = False, width: int = WIDTH
@@ -34,18 +34,36 @@ class Body:
         self.entries = list(entries)
         self.in_braces = in_braces
         self.width = width
+        self.remark = ""
+        """A comment for the entry that comes next, or below the last one."""
 
-    def add(self, key: str, value: Value = None, *, comment: str = "") -> None:
+    def add(self, key: str, value: Value = None) -> None:
         """Append an entry."""
-        self.entries.append(Entry(key, value, comment))
+        self.append(Entry(key, value))
+
+    def append(self, entry: Entry) -> None:
+        """Append an entry, below what was remarked before it."""
+        entry.comment = joined(self.remark, entry.comment)
+        self.remark = ""
+        self.entries.append(entry)
+
+    def note(self, comment: str) -> None:
+        """Remark something about what comes next."""
+        self.remark = joined(self.remark, comment)
+
+    def extend(self, other: Body) -> None:
+        """Append the entries of another body, and what is remarked at its end."""
+        for entry in other.entries:
+            self.append(entry)
+        self.note(other.remark)
 
     def __iter__(self) -> Iterator[Entry]:
         """Run over the entries."""
         return iter(self.entries)
 
     def __bool__(self) -> bool:
-        """Tell whether there are any."""
-        return bool(self.entries)
+        """Tell whether there is anything in it."""
+        return bool(self.entries or self.remark)
 
 
 Value = Body | str | None
@@ -67,6 +85,11 @@ class Entry:
         self.key = key
         self.value = value
         self.comment = comment
+
+
+def joined(*comments: str) -> str:
+    """Return comments one below the other."""
+    return "\n".join(filter(None, comments))
 
 
 def literal(text: str) -> str:
@@ -118,6 +141,7 @@ def _write_entries(body: Body, margin: str, out: list[str]) -> None:
             _write_entry(entry, f"{margin}- ", f"{margin}  ", out)
         else:
             _write_entry(entry, margin, margin, out)
+    _write_comment(body.remark, margin, out)
 
 
 def _write_entry(entry: Entry, head: str, margin: str, out: list[str]) -> None:
@@ -131,12 +155,12 @@ def _write_entry(entry: Entry, head: str, margin: str, out: list[str]) -> None:
         out.append(f"{head}{key}:")
     elif isinstance(value, str):
         _write_text(value, f"{head}{key}:", margin, out)
-    elif not value:
-        out.append(f"{head}{key}:")
     else:
-        braces = _in_braces(value) if value.in_braces else None
+        remarks: list[str] = []
+        braces = _in_braces(value, remarks) if value.in_braces else None
         line = f"{head}{key}: {braces}"
         if braces is not None and len(line) <= value.width:
+            _write_comment("\n".join(remarks), head.removesuffix("- "), out)
             out.append(line)
             return
         out.append(f"{head}{key}:")
@@ -153,24 +177,29 @@ def _write_text(text: str, head: str, margin: str, out: list[str]) -> None:
     out += [f"{margin}  {line}".rstrip() for line in lines]
 
 
-def _in_braces(body: Body) -> str | None:
-    """Return a mapping as `{key: value, …}`, or None if it is none for one line."""
-    if len(body.entries) > MOST_IN_BRACES:
+def _in_braces(body: Body, remarks: list[str]) -> str | None:
+    """Return a mapping as `{key: value, …}`, or None if it is none for one line.
+
+    What is remarked in it is added to `remarks`.
+    """
+    if len(body.entries) > MOST_IN_BRACES or not body.entries:
         return None
     pieces = []
     keys = set()
     for entry in body:
-        if entry.comment or entry.key in keys:
+        if entry.key in keys:
             return None
+        remarks += filter(None, [entry.comment])
         keys.add(entry.key)
         value: str | None
         if isinstance(entry.value, Body):
-            value = _in_braces(entry.value) if entry.value.in_braces else None
+            value = _in_braces(entry.value, remarks) if entry.value.in_braces else None
         else:
             value = "" if entry.value is None else _scalar(entry.value, in_flow=True)
         if value is None or "\n" in value:
             return None
         pieces.append(f"{_scalar(entry.key, in_flow=True)}: {value}")
+    remarks += filter(None, [body.remark])
     return f"{{{', '.join(pieces)}}}"
 
 

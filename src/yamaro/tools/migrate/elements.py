@@ -54,23 +54,16 @@ class ElementWriter:
             return self.body(element.children)
         if all(isinstance(child, Text) for child in element.children):
             return literal(tidy_text(element.text()))
-        body = Body()
-        for child in element.children:
-            if isinstance(child, Text):
-                text = tidy_text(format_value(child.value))
-                if text:
-                    body.add("<#text>", literal(text))
-            else:
-                body.entries.append(self.node(child))
-        return body
-
-    def node(self, node: Node) -> Entry:
-        """Return an element, a comment or a text."""
-        return self.entry(node) if isinstance(node, Element) else loose_entry(node)
+        return self.body(element.children)
 
     def body(self, nodes: list[Node]) -> Body | None:
-        """Return elements and comments as a body, None if there are none."""
-        body = Body([self.node(node) for node in nodes if not isinstance(node, Text)])
+        """Return elements, texts and comments as a body, None if there are none."""
+        body = Body()
+        for node in nodes:
+            if isinstance(node, Element):
+                body.append(self.entry(node))
+            else:
+                add_loose(node, body)
         body.in_braces = _is_short(body)
         return body or None
 
@@ -104,15 +97,18 @@ def needs_brackets(name: str, attributes: dict[str, str]) -> bool:
     return name in STATEMENTS or (name[0].isupper() and not attributes)
 
 
-def loose_entry(node: Comment | Text) -> Entry:
-    """Return a comment, or a text between elements."""
+def add_loose(node: Comment | Text, body: Body) -> None:
+    """Add a comment, or a text between elements if it is more than white space."""
     if isinstance(node, Comment):
-        return Entry("<#comment>", literal(tidy_text(node.text)) or None)
-    return Entry("<#text>", literal(tidy_text(format_value(node.value))))
+        body.note(tidy_text(node.text))
+    elif text := tidy_text(format_value(node.value)):
+        body.add("<#text>", literal(text))
 
 
 def tidy_text(text: str) -> str:
     """Return a text without the space around it and in front of its lines."""
+    if not text.strip():
+        return ""
     if "\n" not in text.strip():
         return " ".join(text.split()) if "\n" in text else text.strip()
     first, _, rest = text.expandtabs(4).partition("\n")

@@ -21,13 +21,13 @@ class Item:
         above: the comments, and stray text, that stand above.
     """
 
-    __slots__ = ("comments", "element", "is_joint_first", "joint", "position")
+    __slots__ = ("above", "element", "is_joint_first", "joint", "position")
 
-    def __init__(self, element: Element, position: int, comments: list[Loose]) -> None:
+    def __init__(self, element: Element, position: int, above: list[Loose]) -> None:
         """Hold an element and its place among its siblings."""
         self.element = element
         self.position = position
-        self.comments = comments
+        self.above = above
         self.joint: Element | None = None
         self.is_joint_first = True
 
@@ -38,7 +38,7 @@ def pair(robot: Element) -> tuple[list[Item], list[Loose]]:
     URDF gives the order of joints among links no meaning; links keep their order among themselves,
     and so do joints and all the rest. A pair that would change that is left as two elements.
     """
-    items, comments = _items(robot.children)
+    items, loose = _items(robot.children)
     links = [item for item in items if item.element.name == "link"]
     joints = [item for item in items if item.element.name == "joint"]
     pairs = _pairs_in_order(links, joints)
@@ -47,23 +47,23 @@ def pair(robot: Element) -> tuple[list[Item], list[Loose]]:
         link.is_joint_first = joint.position < link.position
         if abs(joint.position - link.position) == 1:
             first, second = (joint, link) if link.is_joint_first else (link, joint)
-            link.comments = first.comments + second.comments
+            link.above = first.above + second.above
         else:
             link.is_joint_first = True
-            link.comments = link.comments + joint.comments
-    return _ordered(items, {id(joint): link for link, joint in pairs}), comments
+            link.above = link.above + joint.above
+    return _ordered(items, {id(joint): link for link, joint in pairs}), loose
 
 
 def _items(nodes: list[Node]) -> tuple[list[Item], list[Loose]]:
     items: list[Item] = []
-    comments: list[Loose] = []
+    above: list[Loose] = []
     for node in nodes:
-        if isinstance(node, Comment) or (isinstance(node, Text) and format_value(node.value).strip()):
-            comments.append(node)
-        elif isinstance(node, Element):
-            items.append(Item(node, len(items), comments))
-            comments = []
-    return items, comments
+        if not isinstance(node, Element):
+            above.append(node)
+        else:
+            items.append(Item(node, len(items), above))
+            above = []
+    return items, above
 
 
 def _pairs_in_order(links: list[Item], joints: list[Item]) -> list[tuple[Item, Item]]:

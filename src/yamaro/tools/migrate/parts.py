@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from ...robot.mesh import MESH_ENDINGS, mesh_ending
 from ...robot.shapes import Box, Cylinder, Sphere
-from ...xmltree import Comment, Element, Text, format_value
+from ...xmltree import Element, Text, format_value
 from .compare import same_words, values_of
 from .document import RECORD_WIDTH, Body, Entry, Value, literal
-from .elements import ElementWriter, loose_entry
+from .elements import ElementWriter, add_loose
 from .pairing import has_text, name_of
 
 TYPE_CHECKING = False
@@ -113,9 +113,9 @@ class PartWriter:
         self,
         elements: ElementWriter,
         names: Names,
-        material: Callable[[Element], Value],
+        material: Callable[[Element], Value | None],
     ) -> None:
-        """Take what writes elements, the names, and what writes a material that has a name."""
+        """Take what writes elements, the names, and what writes a material in short, or None."""
         self._elements = elements
         self._names = names
         self._material = material
@@ -127,7 +127,7 @@ class PartWriter:
             NoPart: it cannot be written as one.
         """
         _plain_words(name_of(link))
-        is_empty = all(isinstance(child, Text) for child in link.children)
+        is_empty = not link.elements()
         if joint is None and is_empty:
             return self._elements.entry(link)
         body = Body(in_braces=is_empty)
@@ -165,19 +165,17 @@ class PartWriter:
         rest = Body()
         seen: dict[str, Element] = {}
         for child in joint.children:
-            if isinstance(child, Text):
-                continue
-            if isinstance(child, Comment):
-                rest.entries.append(loose_entry(child))
+            if not isinstance(child, Element):
+                add_loose(child, rest)
             elif child.name in ("parent", "child", "origin"):
                 if child.name in seen:
                     raise NoPart
                 seen[child.name] = child
             else:
-                rest.entries.append(self._joint_child(child, kind, seen))
+                rest.append(self._joint_child(child, kind, seen))
         self._add_ends(seen, body)
         self._add_pose(seen.get("origin"), body)
-        body.entries += rest.entries
+        body.extend(rest)
         return Entry(self._elements.key("joint", attributes), body)
 
     def _add_ends(self, seen: dict[str, Element], body: Body) -> None:
@@ -223,16 +221,14 @@ class PartWriter:
         if plan.pose is not None:
             self._add_pose(plan.pose.origin, body)
         for child in link.children:
-            if isinstance(child, Text):
-                continue
-            if isinstance(child, Comment):
-                body.entries.append(loose_entry(child))
+            if not isinstance(child, Element):
+                add_loose(child, body)
             elif child is plan.inertial:
-                body.entries.append(self._inertial(child, plan))
+                body.append(self._inertial(child, plan))
             elif child.name in SECTIONS:
-                body.entries.append(self._section(child, plan))
+                body.append(self._section(child, plan))
             else:
-                body.entries.append(self._element(child))
+                body.append(self._element(child))
         return body or None
 
     def _section(self, section: Element, plan: _LinkPlan) -> Entry:
@@ -245,22 +241,19 @@ class PartWriter:
             body.entries += own.entries()
         if plan.pose is None:
             self._add_pose(optional_child(section, "origin"), body)
-        rest: list[Entry] = []
+        rest = Body()
         for child in section.children:
-            if isinstance(child, Text):
-                continue
-            if isinstance(child, Comment):
-                rest.append(loose_entry(child))
+            if not isinstance(child, Element):
+                add_loose(child, rest)
             elif child.name == "origin":
                 continue
             elif child.name == "geometry":
                 if own is None:
                     body.entries.append(self._elements.entry(child, bracketed=True))
-            elif child.name == "material" and is_short_material(child):
-                rest.append(Entry("material", self._material(child)))
             else:
-                rest.append(self._element(child))
-        body.entries += rest
+                material = self._material(child) if child.name == "material" else None
+                rest.append(Entry("material", material) if material else self._element(child))
+        body.extend(rest)
         return Entry(self._elements.key(section.name, values_of(section)), body or None)
 
     def _inertial(self, inertial: Element, plan: _LinkPlan) -> Entry:
@@ -274,11 +267,11 @@ class PartWriter:
             self._add_pose(optional_child(inertial, "origin"), pose)
             body.entries[1:1] = pose.entries
         for child in inertial.children:
-            if isinstance(child, Comment):
-                body.entries.append(loose_entry(child))
-            elif isinstance(child, Element) and child.name not in ("origin", "mass", "inertia"):
-                body.entries.append(self._element(child))
-        if plan.has_computed_inertia and len(body.entries) == 1:
+            if not isinstance(child, Element):
+                add_loose(child, body)
+            elif child.name not in ("origin", "mass", "inertia"):
+                body.append(self._element(child))
+        if plan.has_computed_inertia and len(body.entries) == 1 and not body.remark:
             return body.entries[0]
         return Entry("inertial", body)
 
@@ -350,7 +343,9 @@ class _LinkPlan:
                 self.geometry = geometry
                 self.has_computed_inertia = True
                 return
-            if counts[key] > 1 and (self.geometry is None or counts[key] > counts[self.geometry.key()]):
+            if counts[key] > 1 and (
+                self.geometry is None or counts[key] > counts[self.geometry.key()]
+            ):
                 self.geometry = geometry
 
     def _choose_pose(self, posed: list[Element]) -> None:
@@ -391,13 +386,17 @@ def read_geometry(section: Element, file_name: Callable[[str], str]) -> Geometry
     if names is None or sorted(attributes) != sorted(names):
         return None
     words = " ".join(attributes[name] for name in names)
-    return Geometry(shape.name, shape.name, _numbers(words, 3 if names == ("size",) else len(names)))
+    return Geometry(
+        shape.name, shape.name, _numbers(words, 3 if names == ("size",) else len(names))
+    )
 
 
 def is_short_material(material: Element) -> bool:
     """Tell whether a material is a name, at most with a colour and a texture."""
     attributes = values_of(material)
-    if list(attributes) != ["name"] or not _is_word(attributes["name"]) or has_text(material):
+    if list(attributes) != ["name"] or has_text(material):
+        return False
+    if attributes["name"] and not _is_word(attributes["name"]):
         return False
     children = [child for child in material.children if not isinstance(child, Text)]
     names = [child.name if isinstance(child, Element) else "" for child in children]

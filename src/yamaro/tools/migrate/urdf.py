@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from ...diagnostics import YamaroError
 from ...xmltree import Comment, Element
 from .compare import Difference, compare, values_of
-from .document import Body, Entry, Quoted, Value, element_key, literal, write_document
-from .elements import ElementWriter, loose_entry, tidy_text
+from .document import RECORD_WIDTH, Body, Entry, Quoted, Value, element_key, literal, write_document
+from .elements import ElementWriter, add_loose, tidy_text
 from .pairing import Item, name_of, pair
-from .parts import Names, NoPart, PartWriter, child_named, is_short_material
+from .parts import Names, NoPart, PartWriter, is_short_material
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -89,10 +88,8 @@ def _write(document: XmlDocument, plain: set[int]) -> str:
     else:
         sections.entries.insert(0, Entry("robot", literal(attributes["name"])))
         sections.add("model", model or None)
-    footer = [loose_entry(comment) for comment in document.after]
-    last = sections.entries[-1].value
-    if footer and isinstance(last, Body):
-        last.entries += footer
+    for comment in document.after:
+        sections.note(tidy_text(comment.text))
     return write_document(sections, header)
 
 
@@ -123,15 +120,18 @@ class _Model:
         self._parts = PartWriter(elements, self._names, variables.material)
 
     def body(self) -> Body:
-        items, comments = pair(self._root)
+        items, loose = pair(self._root)
         for item in items:  # parents and mimics may be named before their parts are written
             if item.element.name == "link" and not self._is_plain(item):
                 self._names.add(item.element, item.joint)
         body = Body()
         for item in items:
-            body.entries += map(loose_entry, item.comments)
-            body.entries += self._entries(item)
-        body.entries += map(loose_entry, comments)
+            for node in item.above:
+                add_loose(node, body)
+            for entry in self._entries(item):
+                body.append(entry)
+        for node in loose:
+            add_loose(node, body)
         return body
 
     def _entries(self, item: Item) -> list[Entry]:
@@ -175,11 +175,15 @@ class Variables:
         return literal(file)
 
     def material(self, material: Element) -> Value:
-        """Return what is written behind `material:` for one that has a short form."""
+        """Return what is written behind `material:`, or None for one without a short form."""
+        if not is_short_material(material):
+            return None
         attributes = _material_of(material)
         variable = self._materials.get(tuple(attributes.items()))
         if variable is not None:
             return f"$({variable})"
+        if not attributes["name"]:
+            return None
         if list(attributes) == ["name"]:
             return literal(attributes["name"])
         return Body([Entry(k, literal(v)) for k, v in attributes.items()], in_braces=True)
@@ -216,7 +220,9 @@ class Variables:
             if count >= FEWEST_MATERIALS:
                 entries = [Entry(name, Quoted(literal(value))) for name, value in key]
                 name = dict(key)["name"]
-                self._materials[key] = self._declare(name, Body(entries, in_braces=True))
+                self._materials[key] = self._declare(
+                    name, Body(entries, in_braces=True, width=RECORD_WIDTH)
+                )
 
     def _declare(self, stem: str, value: Value) -> str:
         from ...syntax.names import is_identifier
