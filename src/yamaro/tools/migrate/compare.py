@@ -4,10 +4,6 @@ from __future__ import annotations
 
 from ...xmltree import Element, Text, format_value
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from ...xmltree import Node
-
 UNORDERED = frozenset(("robot", "link", "joint", "visual", "collision", "inertial"))
 """Elements in which URDF reads each name for itself: only what has one name keeps its order."""
 TOLERANCE = 1e-9
@@ -122,5 +118,10 @@ def label(element: Element) -> str:
 
 
 def _text(element: Element) -> str:
-    texts: list[Node] = [child for child in element.children if isinstance(child, Text)]
-    return " ".join(format_value(child.value) for child in texts if isinstance(child, Text))
+    pieces = []
+    for child in element.children:
+        if isinstance(child, Text):
+            pieces.append(format_value(child.value))
+        elif isinstance(child, Element):
+            pieces.append(" ")
+    return "".join(pieces)

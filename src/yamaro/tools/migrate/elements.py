@@ -59,13 +59,30 @@ class ElementWriter:
     def body(self, nodes: list[Node]) -> Body | None:
         """Return elements, texts and comments as a body, None if there are none."""
         body = Body()
-        for node in nodes:
+        for node in _texts_joined(nodes):
             if isinstance(node, Element):
                 body.append(self.entry(node))
             else:
                 add_loose(node, body)
         body.in_braces = _is_short(body)
         return body or None
+
+
+def _texts_joined(nodes: list[Node]) -> list[Node]:
+    """Return the children of an element with one text where only comments parted several."""
+    joined: list[Node] = []
+    texts: list[Text] = []
+    for node in [*nodes, None]:
+        if isinstance(node, Text):
+            texts.append(node)
+            continue
+        if texts and not isinstance(node, Comment):
+            value = "".join(format_value(text.value) for text in texts)
+            joined.append(Text(value, texts[0].span))
+            texts = []
+        if node is not None:
+            joined.append(node)
+    return joined
 
 
 def _tidy_row(text: str) -> str:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from ...diagnostics import YamaroError
 from ...xmltree import Comment, Element
 from .compare import Difference, compare, values_of
 from .document import RECORD_WIDTH, Body, Entry, Quoted, Value, element_key, literal, write_document
@@ -49,7 +50,14 @@ def migrate_urdf(document: XmlDocument, build: Callable[[str], Element]) -> Migr
     plain: set[int] = set()
     while True:
         text = _write(document, plain)
-        built = build(text)
+        try:
+            built = build(text)
+        except YamaroError:
+            everything = {id(e) for e in root.elements() if e.name in ("joint", "link")}
+            if everything <= plain:
+                raise
+            plain |= everything
+            continue
         differences = compare(root, built)
         if not differences or root.name != "robot":
             return Migration(text, root, differences)
