@@ -45,6 +45,7 @@ options, in any place:
   -q, --quiet           show errors only: no warnings, nothing that is printed
       --strict          treat warnings as errors
       --deps            list the files read and the meshes used, one a line, instead of the XML
+      --force           with migrate, replace a file that is there already
       --trust           let the file do whatever Python can; what `yamaro FILE` does by itself
       --jail            let it do so in a process that can read its own folder and packages, write
                         nothing, and reach no network (Linux only)
@@ -60,6 +61,7 @@ options, in any place:
 other commands:
   yamaro check FILE [name:=value ...]   look for errors, warnings and doubtful things; write nothing
   yamaro tree FILE [name:=value ...]    show links, joints and masses as a tree
+  yamaro migrate FILE [-o FILE]         write a URDF, or other XML, as a YAML file of Yamaro
   yamaro completion bash|zsh|fish       print a completion script for the shell
 
 examples:
@@ -78,6 +80,7 @@ OPTIONS = {
     "--quiet": "quiet",
     "--strict": "strict",
     "--deps": "deps",
+    "--force": "force",
     "--trust": "trust",
     "--jail": "jail",
     "--safe": "safe",
@@ -105,6 +108,7 @@ COMMANDS = {
     "build": frozenset(("output", "quiet", "strict", "deps", "color", *POLICY_OPTIONS)),
     "check": frozenset(("quiet", "strict", "color", *POLICY_OPTIONS)),
     "tree": frozenset(("quiet", "strict", "color", *POLICY_OPTIONS)),
+    "migrate": frozenset(("output", "quiet", "color", "limit", "force")),
     "completion": frozenset(),
 }
 
@@ -377,6 +381,8 @@ def _run(arguments: Arguments, streams: Streams) -> int:
         return _deliver([f"yamaro {__version__}\n".encode()], arguments, streams)
     if arguments.command == "completion":
         return _deliver([_completion(arguments.words)], arguments, streams)
+    if arguments.command == "migrate":
+        return _migrate(arguments, streams)
     return _run_on_file(arguments, streams)
 
 
@@ -400,6 +406,48 @@ def _run_on_file(arguments: Arguments, streams: Streams) -> int:
         return INPUT_ERROR
     _refuse_overwriting(arguments, lambda: [*build.files, *build.meshes])
     return _deliver(chunks, arguments, streams)
+
+
+def _migrate(arguments: Arguments, streams: Streams) -> int:
+    """Write XML as a Yamaro source, and say whether it makes the same document."""
+    from .compiler import UsageError
+    from .diagnostics import YamaroError
+    from .tools.migrate import command
+
+    arguments.resolve_output()
+    _refuse_overwriting(arguments, lambda: arguments.words)
+    if "output" in arguments.options and not arguments.has("force"):
+        _refuse_replacing(arguments)
+    path = arguments.words[0]
+    data = None
+    if path == STANDARD_INPUT:
+        if sys.stdin is None:
+            raise WrongUsage("standard input is closed")
+        data = sys.stdin.buffer.read()
+    try:
+        migration = command.migrate_file(path, make_policy(arguments).limits, data)
+    except YamaroError as error:
+        _show(error.diagnostics, arguments, streams)
+        return INPUT_ERROR
+    except UsageError as error:
+        raise WrongUsage(str(error)) from None
+    status = _deliver([migration.text.encode()], arguments, streams)
+    if not streams.quiet or migration.differences:
+        streams.say(f"{_display_name(arguments)}: {command.report(migration)}")
+    return status or (INPUT_ERROR if migration.differences else DONE)
+
+
+def _refuse_replacing(arguments: Arguments) -> None:
+    """Refuse to replace a file: what is migrated is changed by hand afterwards."""
+    output = arguments.options["output"]
+    if output in STANDARD_OUTPUT:
+        return
+    try:
+        is_there = os.stat(arguments.output_path).st_mode & 0o170000 == 0o100000
+    except OSError:
+        return
+    if is_there:
+        raise WrongUsage(f"{_quote(output)} is there already; --force replaces it")
 
 
 def _bound_process(arguments: Arguments, streams: Streams, policy: Policy) -> None:

@@ -230,6 +230,10 @@ class _Reader:
         message = ErrorString(error.code) or "this is no XML"
         length = len(self._source.text)
         offset = max(0, min(self._offset(self._parser.ErrorByteIndex), length))
+        if not self._source.text.lstrip().startswith("<"):
+            first = Span(self._source, 0, min(1, length))
+            hint = 'it begins with a tag, such as <robot name="arm">'
+            return failure("xml-syntax", "this is no XML", first, hint=hint)
         hint = _ADVICE.get(message)
         notes: tuple[str, ...] = ()
         if self._open and message in ("mismatched tag", "no element found"):

@@ -1,0 +1,86 @@
+"""What `yamaro migrate` does with one file."""
+
+from __future__ import annotations
+
+import os
+
+from ...compiler import Program, UsageError, refusal_of_main
+from ...diagnostics import failure
+from ...runtime.loader import FileLoader, LoadError
+from ...source import STANDARD_INPUT, STANDARD_INPUT_NAME, Source, Span
+from ...xmlreader import decode_xml, read_xml
+from .urdf import Migration, migrate_urdf
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from ...policy import Limits
+    from ...xmltree import Element
+
+
+def migrate_file(path: str, limits: Limits, data: bytes | None = None) -> Migration:
+    """Return the Yamaro source of a URDF, or of any other XML.
+
+    Args:
+        path: the file, or `-`.
+        limits: how large it may be.
+        data: its content, read from `path` if it is None.
+
+    Raises:
+        YamaroError: it is no XML.
+        UsageError: it cannot be read.
+    """
+    absolute = "" if path == STANDARD_INPUT else os.path.abspath(path)
+    if data is None:
+        try:
+            data = FileLoader(limits).read(absolute)
+        except LoadError as error:
+            if error.hint is not None:
+                raise refusal_of_main(path, error) from None
+            raise UsageError(f"cannot read '{path}': {error}") from None
+    source = _source(data, path, absolute)
+
+    def build(text: str) -> Element:
+        name = "robot.yaml" if path == STANDARD_INPUT else f"{os.path.splitext(path)[0]}.yaml"
+        built = Program(name, text=text).build(on_message=_drop)
+        assert built.root is not None
+        return built.root
+
+    return migrate_urdf(read_xml(source, limits), build)
+
+
+def report(migration: Migration) -> str:
+    """Return what is said of a migration: how large the robot is, or in what it differs."""
+    if not migration.differences:
+        if migration.root.name != "robot":
+            return "identical"
+        children = migration.root.elements()
+        links = sum(child.name == "link" for child in children)
+        joints = sum(child.name == "joint" for child in children)
+        return f"identical: {_counted(links, 'link')}, {_counted(joints, 'joint')}"
+    lines = [f"different: {difference}" for difference in migration.differences]
+    return "\n".join(lines)
+
+
+def _counted(count: int, what: str) -> str:
+    return f"{count:,} {what}{'' if count == 1 else 's'}"
+
+
+def _source(data: bytes, path: str, absolute: str) -> Source:
+    name = STANDARD_INPUT_NAME if path == STANDARD_INPUT else path
+    try:
+        return Source(decode_xml(data), name=name, path=absolute)
+    except LookupError as error:
+        source = Source(data.decode("latin-1"), name=name, path=absolute)
+        raise failure("xml-encoding", f"{error}", Span(source, 0, 1)) from None
+    except UnicodeDecodeError as error:
+        source = Source(data.decode("latin-1"), name=name, path=absolute)
+        raise failure(
+            "xml-encoding",
+            f"the byte 0x{data[error.start]:02X} is not {error.encoding.upper()}",
+            Span(source, error.start, error.start + 1),
+            hint='say what the file is written in: <?xml version="1.0" encoding="ISO-8859-1"?>',
+        ) from None
+
+
+def _drop(message: str) -> None:
+    """Take a message of a build."""
