@@ -50,18 +50,34 @@ class XmlDocument:
         self.after = after
 
 
-def decode_xml(data: bytes) -> str:
-    """Return the text of an XML file, in the encoding that its first bytes tell.
+def decode_xml(data: bytes, *, name: str, path: str) -> Source:
+    """Return the bytes of an XML file as a source, in the encoding that its first bytes tell.
 
     Raises:
-        UnicodeDecodeError: it is not in that encoding.
-        LookupError: there is no such encoding.
+        YamaroError: `xml-encoding`: it is not in that encoding, or nobody knows it.
     """
-    for mark, encoding in _BYTE_ORDER_MARKS:
-        if data.startswith(mark):
-            return data[len(mark) :].decode(encoding)
+    encoding, start = "utf-8", 0
     declared = _ENCODING.match(data.lstrip())
-    return data.decode(declared[1].decode("ascii") if declared else "utf-8")
+    if declared:
+        encoding = declared[1].decode("ascii")
+    for mark, of_mark in _BYTE_ORDER_MARKS:
+        if data.startswith(mark):
+            encoding, start = of_mark, len(mark)
+            break
+    try:
+        return Source(data[start:].decode(encoding), name=name, path=path)
+    except LookupError:
+        message, at = f"there is no encoding '{encoding}'", 0
+    except UnicodeDecodeError as error:
+        at = start + error.start
+        message = f"the byte 0x{data[at]:02X} is not {encoding.upper()}"
+    source = Source(data.decode("latin-1"), name=name, path=path)
+    raise failure(
+        "xml-encoding",
+        message,
+        Span(source, at, at + 1),
+        hint='say what the file is written in: <?xml version="1.0" encoding="ISO-8859-1"?>',
+    )
 
 
 def read_xml(source: Source, limits: Limits | None = None) -> XmlDocument:
@@ -232,8 +248,8 @@ class _Reader:
         offset = max(0, min(self._offset(self._parser.ErrorByteIndex), length))
         if not self._source.text.lstrip().startswith("<"):
             first = Span(self._source, 0, min(1, length))
-            hint = 'it begins with a tag, such as <robot name="arm">'
-            return failure("xml-syntax", "this is no XML", first, hint=hint)
+            told = 'it begins with a tag, such as <robot name="arm">'
+            return failure("xml-syntax", "this is no XML", first, hint=told)
         hint = _ADVICE.get(message)
         notes: tuple[str, ...] = ()
         if self._open and message in ("mismatched tag", "no element found"):

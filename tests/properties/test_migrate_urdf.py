@@ -23,7 +23,9 @@ odd = st.sampled_from(
 texts = st.one_of(
     odd,
     st.lists(odd, max_size=4).map(" ".join),
-    st.sampled_from(["", " ", "a  b", " a ", "x: y", "x #y", "a\nb", "\n  a\n    b\n  c\n", "a\tb"]),
+    st.sampled_from(
+        ["", " ", "a  b", " a ", "x: y", "x #y", "a\nb", "\n  a\n    b\n  c\n", "a\tb"]
+    ),
 )
 names = st.one_of(st.sampled_from(["base", "base_link", "arm_link", "arm", "a b", "", "x.y"]), odd)
 number = st.one_of(

@@ -74,6 +74,7 @@ from .messages import Messages
 from .packages import PackageFinder
 from .scope import MISSING, BlockScope, Namespace, Scope, Shared, function_key
 from .values import Values
+from .xml_includes import content_of, is_xml_file, prefix_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -612,6 +613,9 @@ class Interpreter:
         path = path_of(node, scope, self.values)
         namespace = namespace_of(node, scope, self.values)
         passed = passed_by(node, scope, self.values)
+        if is_xml_file(path):
+            self._include_xml(node, path, passed, scope, out)
+            return
         try:
             source = self.files.load(path, node.path_span, scope.home)
         except YamaroError as error:
@@ -637,6 +641,25 @@ class Interpreter:
         finally:
             self._leave(frame)
         self._hand_back(inner, scope, namespace, before, node.span)
+
+    def _include_xml(
+        self, node: IncludeNode, path: str, passed: dict[str, Any], scope: Scope, out: list[Node]
+    ) -> None:
+        from ..xmlreader import read_xml
+
+        prefix = prefix_of(node, passed)
+        try:
+            source = self.files.load(path, node.path_span, scope.home, is_xml=True)
+        except YamaroError as error:
+            self._trace_into(error, node)
+            raise
+        frame = self._step("included", source.name, node.span, None)
+        try:
+            document = read_xml(source, self.limits)
+        except YamaroError as error:
+            add_trace(error, frame)
+            raise
+        out += content_of(document.root, prefix, frame)
 
     def _trace_into(self, error: YamaroError, node: IncludeNode) -> None:
         """Note the include that led to an error in a file that cannot even be read as text."""

@@ -40,21 +40,28 @@ class Library:
         self._texts: dict[str, str] = {}
         self._parsed: dict[tuple[str, str], tuple[Document, list[Diagnostic]]] = {}
 
-    def source(self, path: str, name: str) -> Source:
+    def source(self, path: str, name: str, *, is_xml: bool = False) -> Source:
         """Return a file.
 
         Args:
             path: where it is, absolute.
             name: what it is called in messages.
+            is_xml: it says itself what encoding it is in.
 
         Raises:
             LoadError: it cannot be read.
-            YamaroError: it is not text in UTF-8.
+            YamaroError: it is not text in its encoding.
         """
         text = self._texts.get(path)
         if text is not None:
             return Source(text, name=name, path=path)
-        source = decode(self.loader.read(path), name=name, path=path)
+        data = self.loader.read(path)
+        if is_xml:
+            from ..xmlreader import decode_xml
+
+            source = decode_xml(data, name=name, path=path)
+        else:
+            source = decode(data, name=name, path=path)
         self._texts[path] = source.text
         return source
 

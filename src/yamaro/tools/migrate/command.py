@@ -5,9 +5,8 @@ from __future__ import annotations
 import os
 
 from ...compiler import Program, UsageError, refusal_of_main
-from ...diagnostics import failure
 from ...runtime.loader import FileLoader, LoadError
-from ...source import STANDARD_INPUT, STANDARD_INPUT_NAME, Source, Span
+from ...source import STANDARD_INPUT, STANDARD_INPUT_NAME
 from ...xmlreader import decode_xml, read_xml
 from .urdf import Migration, migrate_urdf
 
@@ -37,7 +36,8 @@ def migrate_file(path: str, limits: Limits, data: bytes | None = None) -> Migrat
             if error.hint is not None:
                 raise refusal_of_main(path, error) from None
             raise UsageError(f"cannot read '{path}': {error}") from None
-    source = _source(data, path, absolute)
+    name = STANDARD_INPUT_NAME if path == STANDARD_INPUT else path
+    source = decode_xml(data, name=name, path=absolute)
 
     def build(text: str) -> Element:
         name = "robot.yaml" if path == STANDARD_INPUT else f"{os.path.splitext(path)[0]}.yaml"
@@ -63,23 +63,6 @@ def report(migration: Migration) -> str:
 
 def _counted(count: int, what: str) -> str:
     return f"{count:,} {what}{'' if count == 1 else 's'}"
-
-
-def _source(data: bytes, path: str, absolute: str) -> Source:
-    name = STANDARD_INPUT_NAME if path == STANDARD_INPUT else path
-    try:
-        return Source(decode_xml(data), name=name, path=absolute)
-    except LookupError as error:
-        source = Source(data.decode("latin-1"), name=name, path=absolute)
-        raise failure("xml-encoding", f"{error}", Span(source, 0, 1)) from None
-    except UnicodeDecodeError as error:
-        source = Source(data.decode("latin-1"), name=name, path=absolute)
-        raise failure(
-            "xml-encoding",
-            f"the byte 0x{data[error.start]:02X} is not {error.encoding.upper()}",
-            Span(source, error.start, error.start + 1),
-            hint='say what the file is written in: <?xml version="1.0" encoding="ISO-8859-1"?>',
-        ) from None
 
 
 def _drop(message: str) -> None:
