@@ -80,14 +80,25 @@ def decode_xml(data: bytes, *, name: str, path: str) -> Source:
     )
 
 
-def read_xml(source: Source, limits: Limits | None = None) -> XmlDocument:
+class CData(Text):
+    """Text from `<![CDATA[…]]>`."""
+
+    __slots__ = ()
+
+
+def read_xml(source: Source, limits: Limits | None = None, *, exact: bool = False) -> XmlDocument:
     """Return what a text holds as XML. Space between elements is kept as it is.
+
+    Args:
+        source: the text.
+        limits: how deep it may be, by default as deep as in trusted files.
+        exact: tell CDATA sections from other text, and refuse prefixes that are not declared.
 
     Raises:
         YamaroError: `xml-syntax` at the place where the text is no XML, `xml-entity` where it
             declares what other parsers would read from elsewhere, or a limit is passed.
     """
-    return _Reader(source, limits or Limits()).read()
+    return _Reader(source, limits or Limits(), exact).read()
 
 
 class TagPlaces:
@@ -120,18 +131,24 @@ _ATTRIBUTE = re.compile(
 )
 
 
+_TOKEN = re.compile(r"""<!--.*?-->|<!\[CDATA\[|\]\]>|<(?:[^"'<>]|"[^"]*"|'[^']*')*>""", re.DOTALL)
+
+
 class _Reader:
     """Builds the tree while expat reads."""
 
-    def __init__(self, source: Source, limits: Limits) -> None:
+    def __init__(self, source: Source, limits: Limits, exact: bool) -> None:
         self._source = source
+        self._exact = exact
+        self._is_cdata = False
+        self._prefixes: list[tuple[int, set[str]]] = [(0, {"xml"})]  # from which depth on
         self._limits = limits
         self._before: list[Comment] = []
         self._after: list[Comment] = []
         self._root: Element | None = None
         self._open: list[Element] = []
         self._text: list[str] = []
-        self._text_start = 0
+        self._token = 0  # where the tag, comment or the like begins that came last, in bytes
         self._is_ascii = source.text.isascii()
         self._bytes = b""
         self._known = (0, 0)  # an offset in bytes and the same in characters
@@ -163,12 +180,16 @@ class _Reader:
         parser.CharacterDataHandler = self._characters
         parser.CommentHandler = self._comment
         parser.EntityDeclHandler = self._entity
+        if self._exact:
+            parser.StartCdataSectionHandler = self._start_cdata
+            parser.EndCdataSectionHandler = self._end_cdata
         return parser
 
     # --- what expat tells -------------------------------------------------------------------
 
     def _start(self, name: str, pairs: list[str]) -> None:
         self._flush()
+        self._token = self._parser.CurrentByteIndex
         start = self._here()
         span = Span(self._source, start + 1, start + 1 + len(name))
         attributes: dict[str, object] = dict(zip(pairs[::2], pairs[1::2], strict=True))
@@ -179,6 +200,8 @@ class _Reader:
         else:
             self._root = element
         self._open.append(element)
+        if self._exact:
+            self._check_prefixes(element)
         if len(self._open) > self._limits.xml_depth:
             raise failure(
                 "limit-xml-depth",
@@ -189,15 +212,27 @@ class _Reader:
 
     def _end(self, name: str) -> None:
         self._flush()
+        self._token = self._parser.CurrentByteIndex
         self._open.pop()
+        if len(self._open) < self._prefixes[-1][0]:
+            self._prefixes.pop()
+
+    def _start_cdata(self) -> None:
+        self._flush()
+        self._token = self._parser.CurrentByteIndex
+        self._is_cdata = True
+
+    def _end_cdata(self) -> None:
+        self._flush()
+        self._token = self._parser.CurrentByteIndex
+        self._is_cdata = False
 
     def _characters(self, text: str) -> None:
-        if not self._text:
-            self._text_start = self._here()
         self._text.append(text)
 
     def _comment(self, text: str) -> None:
         self._flush()
+        self._token = self._parser.CurrentByteIndex
         start = self._here()
         comment = Comment(text, Span(self._source, start, start + len("<!---->") + len(text)))
         if self._open:
@@ -222,9 +257,39 @@ class _Reader:
             return
         text = "".join(self._text)
         self._text.clear()
-        start = self._text_start
-        span = Span(self._source, start, min(start + len(text), len(self._source.text)))
-        self._open[-1].children.append(Text(text, span))
+        end = self._here()
+        start = end - len(text)
+        if not self._source.text.startswith(text, max(start, 0)):
+            start = self._text_start()
+        span = Span(self._source, start, max(start, end))
+        made = CData(text, span) if self._is_cdata else Text(text, span)
+        self._open[-1].children.append(made)
+
+    def _text_start(self) -> int:
+        """Return where the tag, comment or the like ends that came last."""
+        token = self._offset(self._token)
+        found = _TOKEN.match(self._source.text, token)
+        return found.end() if found else token
+
+    def _check_prefixes(self, element: Element) -> None:
+        """Refuse prefixes that are not declared here, having noted those that are."""
+        used = [name for name in element.attributes if ":" in name]
+        if used:
+            new = {name[6:] for name in used if name.startswith("xmlns:")}
+            if new:
+                self._prefixes.append((len(self._open), self._prefixes[-1][1] | new))
+        if ":" in element.name:
+            used.append(element.name)
+        for name in used:
+            prefix = name.partition(":")[0]
+            if prefix != "xmlns" and prefix not in self._prefixes[-1][1]:
+                message = "unbound prefix"
+                raise failure(
+                    "xml-syntax",
+                    f"this is no well-formed XML: {message} '{prefix}'",
+                    element.span if name == element.name else element.name_span(name),
+                    hint=_ADVICE[message],
+                )
 
     def _here(self) -> int:
         """Return where in the text expat is."""

@@ -1,0 +1,1 @@
+"""xacro's language: what a `.xacro` file says, and the elements it expands to."""

@@ -1,0 +1,291 @@
+"""Evaluates the templates of xacro files, and says where they fail."""
+
+from __future__ import annotations
+
+import os
+import re
+
+from ..diagnostics import Frame, InputFault, YamaroError, failure, suggest
+from .faults import Fault
+from .literals import guess_value
+from .places import Place
+from .scope import Lazy, Scope
+from .substitutions import substitute
+from .symbols import predefined
+from .templates import Expression, Substitution, Template, parse_template
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any, NoReturn
+
+    from ..diagnostics import Reporter
+    from ..source import Span
+    from .host import Host
+    from .python import Python
+
+MOST_NOTES = 6
+"""How many uses of properties by other properties are told."""
+
+
+class Evaluator:
+    """Evaluates templates in scopes, and answers what expressions ask.
+
+    Attributes:
+        arguments: those of the main file.
+        place: what is being evaluated.
+        files: the paths of the files being read, the innermost last.
+        names: those that are predefined.
+    """
+
+    def __init__(
+        self, host: Host, reporter: Reporter, python: Python, arguments: dict[str, str]
+    ) -> None:
+        """Begin outside of all files."""
+        self.host = host
+        self.reporter = reporter
+        self.arguments = arguments
+        self.files: list[str] = []
+        self.place: Place
+        self.names = predefined(self)
+        self._python = python
+        self._templates: dict[str, Template] = {}
+        self._span: Span | None = None  # of the substitution being replaced
+
+    def value(self, text: str, scope: Scope, place: Place) -> Any:
+        """Return the value of a text: of any type if one `${…}` is all of it, else a text.
+
+        Raises:
+            YamaroError: it cannot be evaluated.
+        """
+        if "$" not in text:
+            return text
+        self.place = place
+        try:
+            template = self._templates.get(text)
+            if template is None:
+                template = self._templates[text] = parse_template(text)
+            return self._join(template, scope)
+        except Fault as fault:
+            raise failure(
+                fault.code,
+                fault.message,
+                place.span(fault.start, fault.end),
+                hint=fault.hint,
+                trace=place.trace,
+            ) from None
+
+    def text(self, text: str, scope: Scope, place: Place) -> str:
+        """Return the value of a text as a text."""
+        if "$" not in text:
+            return text
+        value = self.value(text, scope, place)
+        if type(value) is str:
+            return value
+        try:
+            return str(value)
+        except Exception as error:
+            raise failure(
+                "xacro-python", _described(error), place.span(), trace=place.trace
+            ) from None
+
+    def resolve(self, scope: Scope, name: str, lazy: Lazy) -> Any:
+        """Return the value of a property that is needed for the first time, and keep it."""
+        user = getattr(self, "place", lazy.place)
+        if name in scope.resolving:
+            way = " → ".join([*scope.resolving[scope.resolving.index(name) :], name])
+            raise failure(
+                "xacro-cycle",
+                f"the property '{name}' needs itself: {way}",
+                lazy.place.span(),
+                hint='to give a property a value made of its old one, write lazy_eval="false"',
+                trace=lazy.place.trace,
+            )
+        scope.resolving.append(name)
+        try:
+            value = guess_value(self.value(lazy.text, scope, lazy.place))
+        except YamaroError as error:
+            told = error.diagnostics[0]
+            if len(told.notes) < MOST_NOTES:
+                told.notes += (f"'{name}' is used at {user.span().place()}",)
+            raise
+        finally:
+            scope.resolving.pop()
+            self.place = user
+        scope.put(name, value)
+        return value
+
+    # --- templates --------------------------------------------------------------------------
+
+    def _join(self, template: Template, scope: Scope) -> Any:
+        parts = template.parts
+        if len(parts) == 1:
+            return self._part(parts[0], scope)
+        return "".join([p if type(p) is str else str(self._part(p, scope)) for p in parts])
+
+    def _part(self, part: str | Expression | Substitution, scope: Scope) -> Any:
+        if type(part) is Expression:
+            text = part.text if part.inner is None else str(self._join(part.inner, scope))
+            try:
+                return self._python.evaluate(text, scope)
+            except YamaroError:
+                raise
+            except Exception as error:
+                self._explain(error, text, part, scope)
+        if type(part) is Substitution:
+            text = part.text if part.inner is None else str(self._join(part.inner, scope))
+            return self._substituted(text, part, scope)
+        return part
+
+    def _substituted(self, text: str, part: Substitution, scope: Scope) -> str:
+        self._span = self.place.span(part.start, part.end)
+        try:
+            return substitute(text, self, self.arguments, self._python.evaluate_in)
+        except YamaroError:
+            raise
+        except Exception as error:
+            self._explain(error, text, part, scope)
+        finally:
+            self._span = None
+
+    def _explain(
+        self, error: Exception, text: str, part: Expression | Substitution, scope: Scope
+    ) -> NoReturn:
+        """Raise a Fault for an exception that came of a part."""
+        start, end = part.start, part.end
+        offset = start + 2 if part.inner is None else None  # of the text, if it is as written
+        if isinstance(error, (Fault, InputFault)):
+            if isinstance(error, Fault) and error.end is not None and offset is not None:
+                start, end = offset + error.start, offset + error.end
+            raise Fault(error.code, error.message, error.hint, start=start, end=end) from None
+        hint = None
+        code, message = "xacro-python", _described(error)
+        if isinstance(error, NameError):
+            name = error.name or ""
+            code, message = "xacro-undefined", f"name '{name}' is not defined" if name else message
+            found = re.search(rf"(?<![\w.]){re.escape(name)}\b", text) if name else None
+            if found and offset is not None:
+                start, end = offset + found.start(), offset + found.end()
+            near = suggest(name, scope.names())
+            hint = f"did you mean '{near}'?" if near else None
+        elif isinstance(error, SyntaxError):
+            message = (
+                f"this is no Python expression: {error.msg}" if text.strip() else "it is empty"
+            )
+        elif isinstance(error, KeyError) and type(part) is Substitution:
+            code, message = "xacro-undefined", f"there is no argument {error}"
+        raise Fault(code, message, hint, start=start, end=end) from None
+
+    # --- what substitutions and expressions ask -----------------------------------------------
+
+    def _here(self) -> Span:
+        return self._span or self.place.span()
+
+    def find(self, name: str) -> str:
+        """Return the folder of a package."""
+        return self.host.find_package(name, self._here())
+
+    def env(self, name: str) -> str:
+        """Return a variable of the environment."""
+        value = self.host.environment(name)
+        if value is None:
+            raise Fault(
+                "unset-environment",
+                f"the environment variable '{name}' is not set",
+                f"$(optenv {name} …) takes a default for when it is not set",
+            )
+        return value
+
+    def optenv(self, name: str, default: str = "") -> str:
+        """Return a variable of the environment, or the default."""
+        value = self.host.environment(name)
+        return default if value is None else value
+
+    def arg(self, name: str) -> str:
+        """Return an argument of the main file."""
+        if name not in self.arguments:
+            near = suggest(name, self.arguments)
+            raise Fault(
+                "xacro-undefined",
+                f"the argument '{name}' is not declared before this place",
+                f"did you mean '{near}'?"
+                if near
+                else f'declare it above: <xacro:arg name="{name}" default="…"/>',
+            )
+        return self.arguments[name]
+
+    argument = arg
+
+    def cwd(self) -> str:
+        """Return the current folder."""
+        return self.host.folder()
+
+    def abs_filename(self, filename: str) -> str:
+        """Return a path that is relative to the file being read."""
+        if os.path.isabs(filename):
+            return filename
+        current = self.files[-1]
+        return os.path.join(os.path.dirname(current) if current else ".", filename)
+
+    def load_yaml(self, filename: str) -> Any:
+        """Return what a YAML file holds."""
+        from yaml import YAMLError
+
+        from .yaml_values import parse_yaml
+
+        path = self.abs_filename(filename)
+        source = self.host.read(path, self._here())
+        try:
+            return parse_yaml(source.text, lambda text: self._python.evaluate(text, self.names))
+        except YAMLError as error:
+            problem = getattr(error, "problem", None) or str(error)
+            mark = getattr(error, "problem_mark", None)
+            line = f" in line {mark.line + 1}" if mark is not None else ""
+            raise Fault("xacro-yaml", f"'{source.name}' is no YAML: {problem}{line}") from None
+        except SyntaxError as error:
+            raise Fault(
+                "xacro-yaml", f"a number with a unit in '{source.name}' is no Python: {error.msg}"
+            ) from None
+
+    def tell(self, kind: str, text: str) -> None:
+        """Show a message, a warning or an error."""
+        if kind == "message":
+            self.host.say(text, self._here())
+        else:
+            self.warn("xacro-message", text)
+
+    def tell_location(self) -> None:
+        """Show which macros and files led here."""
+        frame = self.place.trace
+        lines = [f"at {self._here().place()}"]
+        while isinstance(frame, Frame):
+            lines.append(f"in {frame.name}, {frame.kind} at {frame.span.place()}")
+            frame = frame.parent
+        self.host.say("\n".join(lines), self._here())
+
+    def give_up(self, text: str) -> NoReturn:
+        """Raise an error that the file asks for."""
+        raise Fault("xacro-fatal", text)
+
+    def tell_deprecated(self, name: str, replacement: str) -> None:
+        """Warn of a name that is going out of use."""
+        self.warn(
+            "xacro-deprecated",
+            f"{name}() is going out of use",
+            hint=f"write {replacement}()",
+        )
+
+    def warn(self, code: str, message: str, hint: str | None = None) -> None:
+        """Warn at the place being evaluated."""
+        self.reporter.warn(code, message, self._here(), hint=hint, trace=self.place.trace)
+
+
+def _described(error: Exception) -> str:
+    """Return what an exception of Python says, with its kind."""
+    if isinstance(error, RecursionError):
+        return "this goes too deep: it calls itself without end"
+    try:
+        text = " ".join(str(error).split())
+    except Exception:
+        text = ""
+    kind = type(error).__name__
+    return f"{text} ({kind})" if text else kind

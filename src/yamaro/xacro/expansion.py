@@ -1,0 +1,316 @@
+"""Expands a xacro file: walks its elements, and puts out what they stand for.
+
+Elements are never changed. A macro's body, a block or a file is walked as often as it is used, and
+each walk makes new elements. What a block held when it was given to a macro is itself walked again
+where it is put in, as xacro does.
+"""
+
+from __future__ import annotations
+
+from ..diagnostics import Frame, YamaroError, failure
+from ..xmlreader import CData, read_xml
+from ..xmltree import Comment, Element, Text, is_comment_text
+from .calls import call_by_name, call_macro, insert_block
+from .comments import Comments
+from .definitions import declare_argument, define_macro, define_property
+from .evaluator import Evaluator
+from .includes import include
+from .literals import truth
+from .places import Place
+from .python import Python
+from .scope import Macros, Scope
+from .site import Site
+from .statements import PREFIX, Statements
+from .tidying import tidy
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable, Mapping
+
+    from ..diagnostics import Reporter
+    from ..source import Source, Span
+    from ..xmltree import Node
+    from .host import Host
+
+    Handler = Callable[["Expansion", Element, "Site"], None]
+
+
+def expand(
+    source: Source,
+    host: Host,
+    arguments: Mapping[str, str],
+    reporter: Reporter,
+    *,
+    python: Python | None = None,
+) -> Element:
+    """Return the root element of what xacro makes of a file, without xmlns:xacro.
+
+    Call it where the stack is deep (`runtime/deep_stack.py`): macros may recurse.
+
+    Args:
+        source: the file; its path is what relative paths in it are relative to.
+        host: gives other files, packages and the environment.
+        arguments: values for `<xacro:arg>`, by name.
+        reporter: collects warnings.
+        python: evaluates expressions, if not as Python does.
+
+    Raises:
+        YamaroError: the file cannot be expanded; the first fault, with its place.
+    """
+    evaluator = Evaluator(host, reporter, python or Python(host.limits), dict(arguments))
+    return Expansion(host, reporter, evaluator).expand(source)
+
+
+class Expansion:
+    """One expansion of a file.
+
+    Attributes:
+        frame: the innermost call or include.
+    """
+
+    def __init__(self, host: Host, reporter: Reporter, evaluator: Evaluator) -> None:
+        """Begin outside of all files."""
+        self.host = host
+        self.limits = host.limits
+        self.reporter = reporter
+        self.evaluator = evaluator
+        self.statements = Statements(reporter)
+        self.comments = Comments()
+        self.frame: Frame | None = None
+        self.depth = 0
+        self._walked = 0
+
+    def expand(self, source: Source) -> Element:
+        """Return the root element of the file, expanded."""
+        root = read_xml(source, self.limits, exact=True).root
+        self.evaluator.files.append(source.path)
+        namespace = root.attributes.get("xacro:targetNamespace")
+        if namespace:
+            root.attributes["xmlns"] = namespace
+            if root.value_spans is not None:
+                span = root.value_span("xacro:targetNamespace")
+                root.value_spans = {"xmlns": span}
+        try:
+            result = self.element(root, Macros(), self.scope(self.evaluator.names))
+        except RecursionError:
+            raise self.too_deep(self.frame.span if self.frame else root.span) from None
+        tidy(result)
+        return result
+
+    def scope(self, parent: dict[str, object]) -> Scope:
+        """Return a new scope in another."""
+        return Scope(parent, self.evaluator.resolve)
+
+    def place(self, node: Element | Text | Comment, attribute: str = "") -> Place:
+        """Return the place of a value, as it is reached now."""
+        return Place(node, attribute, self.frame)
+
+    # --- the walk ---------------------------------------------------------------------------
+
+    def element(self, node: Element, macros: Macros, scope: Scope) -> Element:
+        """Return an element that stays, with what is in it expanded."""
+        attributes: dict[str, object] = {}
+        for name, value in node.attributes.items():
+            if ":" in name and name.startswith(PREFIX):
+                continue
+            if "$" in value:  # type: ignore[operator]
+                value = self.evaluator.text(value, scope, Place(node, name, self.frame))  # type: ignore[arg-type]
+            attributes[name] = value
+        attributes.pop("xmlns:xacro", None)
+        spans = node.value_spans
+        made = Element(node.name, node.span, attributes, [], self.frame, spans, True)
+        if node.children:
+            self.children(node.children, Site(made.children, made, macros, scope))
+        return made
+
+    def children(self, nodes: list[Node], site: Site) -> None:
+        """Put out what nodes stand for that stand in one element."""
+        out, scope = site.out, site.scope
+        last = len(nodes) - 1
+        in_comments = False
+        self._walked += last + 1
+        if self._walked > self.limits.statements:
+            raise self._too_much(nodes[0].span)
+        for index, node in enumerate(nodes):
+            if isinstance(node, Element):
+                in_comments = False
+                if node.name.startswith(PREFIX):
+                    site.is_last = index == last
+                    self.statements.trace = self.frame
+                    _HANDLERS.get(node.name, call_macro)(self, node, site)
+                else:
+                    out.append(self.element(node, site.macros, scope))
+            elif isinstance(node, Text):
+                value: str = node.value  # type: ignore[assignment]
+                if "$" in value and type(node) is not CData:
+                    value = self.evaluator.text(value, scope, self.place(node))
+                    node = Text(value, node.span)
+                if in_comments and type(node) is not CData and value.strip():
+                    in_comments = False
+                out.append(node)
+            elif "xacro:eval-comments" in node.text:
+                in_comments = "xacro:eval-comments:off" not in node.text
+            else:
+                out.append(self._comment(node, scope) if in_comments else node)
+
+    def leave_mark(self, node: Element, site: Site) -> Callable[[], None]:
+        """Take away the comments that belong to a tag; call what is returned after its content."""
+        mark = self.comments.take_away(site.out, node.span, site.is_last)
+        if mark is None:
+            return _nothing
+        return lambda: site.out.append(mark)
+
+    def _comment(self, node: Comment, scope: Scope) -> Comment:
+        if "$" not in node.text:
+            return node
+        place = self.place(node)
+        text = self.evaluator.text(node.text, scope, place)
+        if not is_comment_text(text):
+            raise failure(
+                "bad-comment",
+                "this makes a comment with '--' in it, or a '-' at its end",
+                place.span(),
+                trace=self.frame,
+            )
+        return Comment(text, node.span)
+
+    # --- how deep, how much -----------------------------------------------------------------
+
+    def enter(self, kind: str, name: str, span: Span, home: Frame | None = None) -> None:
+        """Begin a call or an include."""
+        if self.depth >= self.limits.nesting:
+            raise self.too_deep(span)
+        self.depth += 1
+        self.frame = Frame(kind, name, span, parent=self.frame, home=home)
+
+    def leave(self) -> None:
+        """End the innermost call or include."""
+        assert self.frame is not None
+        self.depth -= 1
+        self.frame = self.frame.parent
+
+    def too_deep(self, span: Span) -> YamaroError:
+        """Return the error for calls and includes without end."""
+        return failure(
+            "too-deep",
+            f"calls and includes are nested {self.depth:,} deep here, which is taken as endless",
+            span,
+            hint="a macro or file that uses itself needs a condition under which it stops; "
+            + self.limits.hint("nesting"),
+            trace=self.frame,
+        )
+
+    def _too_much(self, span: Span) -> YamaroError:
+        return failure(
+            "limit-statements",
+            f"more than {self.limits.statements:,} elements and texts are expanded, "
+            "which is the limit",
+            span,
+            hint=self.limits.hint("statements"),
+            trace=self.frame,
+        )
+
+
+def _nothing() -> None:
+    """Leave no mark."""
+
+
+# --- tags that concern what stands around them --------------------------------------------------
+
+
+def _condition(expansion: Expansion, node: Element, site: Site) -> None:
+    """Put out the content of `<xacro:if>` or `<xacro:unless>`, or nothing."""
+    leave_mark = expansion.leave_mark(node, site)
+    text = expansion.statements.attributes(node, ("value",))["value"]
+    place = expansion.place(node, "value")
+    value = expansion.evaluator.value(text, site.scope, place)
+    try:
+        holds = truth(value)
+    except Exception:
+        shown = f"'{value}'" if value == text else f"'{text}', which is '{value}',"
+        raise failure(
+            "xacro-condition",
+            f"{shown} is neither true nor false",
+            place.span(),
+            hint="a condition is true, false or a number; compare: ${name == 'text'}",
+            trace=expansion.frame,
+        ) from None
+    if holds == (node.name == "xacro:if"):
+        for name, other in node.attributes.items():  # evaluated once more, for what that does
+            if "(" in other or name != "value":  # type: ignore[operator]
+                place = expansion.place(node, name)
+                expansion.evaluator.text(other, site.scope, place)  # type: ignore[arg-type]
+        kept: list[Node] = []
+        inside = Site(kept, Element(node.name, node.span), site.macros, site.scope)
+        expansion.children(node.children, inside)
+        site.out += kept
+    leave_mark()
+
+
+def _element(expansion: Expansion, node: Element, site: Site) -> None:
+    """Put out `<xacro:element>` under the name it is given, which may be that of a tag of xacro."""
+    (given,) = expansion.statements.require(node, "xacro:name")
+    place = expansion.place(node, "xacro:name")
+    name = _checked_name(expansion.evaluator.value(given, site.scope, place), node.name, place)
+    others = {key: value for key, value in node.attributes.items() if key != "xacro:name"}
+    named = Element(name, node.span, others, node.children, node.trace, node.value_spans, True)
+    if not name.startswith(PREFIX):
+        site.out.append(expansion.element(named, site.macros, site.scope))
+        return
+    _HANDLERS.get(name, call_macro)(expansion, named, site)
+
+
+def _attribute(expansion: Expansion, node: Element, site: Site) -> None:
+    """Give the element around an attribute."""
+    name, value = expansion.statements.require(node, "name", "value")
+    place = expansion.place(node, "name")
+    key = _checked_name(expansion.evaluator.value(name, site.scope, place), node.name, place)
+    place = expansion.place(node, "value")
+    holder = site.holder
+    holder.attributes[key] = expansion.evaluator.text(value, site.scope, place)
+    if holder.value_spans is not None:
+        holder.value_spans = _OtherPlace(holder, key, node.value_span("value"))
+
+
+def _checked_name(name: object, tag: str, place: Place) -> str:
+    """Return the name of an element or attribute."""
+    problem = None
+    if name == "":
+        problem = "is empty"
+    elif not isinstance(name, str) or any(char in "<>&\"'/= \t\r\n" for char in name):
+        problem = f"is '{name}', which is no name"
+    if problem:
+        raise failure(
+            "xacro-name", f"the name in <{tag}> {problem}", place.span(), trace=place.trace
+        )
+    return str(name)
+
+
+class _OtherPlace:
+    """The places of an element's values, one of which is written somewhere else."""
+
+    __slots__ = ("_name", "_others", "_span")
+
+    def __init__(self, holder: Element, name: str, span: Span) -> None:
+        self._others = holder.value_spans
+        self._name = name
+        self._span = span
+
+    def get(self, attribute: str, /) -> Span | None:
+        if attribute == self._name:
+            return self._span
+        return self._others.get(attribute) if self._others is not None else None
+
+
+_HANDLERS: dict[str, Handler] = {
+    "xacro:insert_block": insert_block,
+    "xacro:include": include,
+    "xacro:property": define_property,
+    "xacro:macro": define_macro,
+    "xacro:arg": declare_argument,
+    "xacro:element": _element,
+    "xacro:attribute": _attribute,
+    "xacro:if": _condition,
+    "xacro:unless": _condition,
+    "xacro:call": call_by_name,
+}

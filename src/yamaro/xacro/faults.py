@@ -1,0 +1,28 @@
+"""A fault in a text of a xacro file, whose place in the file only the caller knows."""
+
+from __future__ import annotations
+
+
+class Fault(Exception):
+    """What a diagnostic needs, but for the place.
+
+    Attributes:
+        start, end: where in the text the fault lies; `end` is None where it is all of the text.
+    """
+
+    def __init__(
+        self,
+        code: str,
+        message: str,
+        hint: str | None = None,
+        *,
+        start: int = 0,
+        end: int | None = None,
+    ) -> None:
+        """Hold it."""
+        super().__init__(message)
+        self.code = code
+        self.message = message
+        self.hint = hint
+        self.start = start
+        self.end = end

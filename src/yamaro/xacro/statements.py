@@ -1,0 +1,173 @@
+"""xacro's tags: what a property, a macro or an include says, before anything is evaluated.
+
+Values are templates still (see `templates.py`), except where xacro takes them as they stand.
+"""
+
+from __future__ import annotations
+
+from ..diagnostics import failure, suggest
+from .parameters import Parameter, parse_parameters
+from .places import Place
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from ..diagnostics import Frame, Reporter
+    from ..xmltree import Element
+
+PREFIX = "xacro:"
+
+
+class Property:
+    """`<xacro:property>`: a value, a default, a block, or a removal.
+
+    Attributes:
+        element: the tag; the block, if there is neither value nor default.
+        name, value, default: templates, or None.
+        remove, lazy_eval: templates of truth values, or None.
+        scope: "parent", "global" or None.
+    """
+
+    __slots__ = ("default", "element", "lazy_eval", "name", "remove", "scope", "value")
+
+    def __init__(self, element: Element, given: dict[str, str]) -> None:
+        """Hold what the attributes say."""
+        self.element = element
+        self.name = given["name"]
+        self.value = given.get("value")
+        self.default = given.get("default")
+        self.remove = given.get("remove")
+        self.scope = given.get("scope")
+        self.lazy_eval = given.get("lazy_eval")
+
+
+class MacroDefinition:
+    """`<xacro:macro>`.
+
+    Attributes:
+        element: the tag, in which the body stands.
+        name: as it is called, without `xacro:`.
+        parameters: in the order in which they are listed.
+    """
+
+    __slots__ = ("element", "name", "parameters")
+
+    def __init__(self, element: Element, name: str, parameters: list[Parameter]) -> None:
+        """Hold what the attributes say."""
+        self.element = element
+        self.name = name
+        self.parameters = parameters
+
+
+class Include:
+    """`<xacro:include>`.
+
+    Attributes:
+        element: the tag.
+        filename: a template.
+        namespace: a template, or None.
+        optional: "true", say, as it stands, or None.
+    """
+
+    __slots__ = ("element", "filename", "namespace", "optional")
+
+    def __init__(self, element: Element, given: dict[str, str]) -> None:
+        """Hold what the attributes say."""
+        self.element = element
+        self.filename = given["filename"]
+        self.namespace = given.get("ns")
+        self.optional = given.get("optional")
+
+
+class Statements:
+    """Reads xacro's tags, and says what is wrong with their attributes.
+
+    Attributes:
+        trace: the calls and includes that led to the tag being read.
+    """
+
+    __slots__ = ("_reporter", "trace")
+
+    def __init__(self, reporter: Reporter) -> None:
+        """Give warnings to the reporter."""
+        self._reporter = reporter
+        self.trace: Frame | None = None
+
+    def property(self, element: Element) -> Property:
+        """Read `<xacro:property>`."""
+        optional = ("value", "default", "remove", "scope", "lazy_eval")
+        return Property(element, self.attributes(element, ("name",), optional))
+
+    def include(self, element: Element) -> Include:
+        """Read `<xacro:include>`."""
+        given = self.attributes(element, ("filename",), ("ns", "optional"))
+        if element.elements():
+            self._reporter.warn(
+                "xacro-ignored",
+                "what stands in <xacro:include> is ignored",
+                element.elements()[0].span,
+                trace=self.trace,
+            )
+        return Include(element, given)
+
+    def macro(self, element: Element) -> MacroDefinition:
+        """Read `<xacro:macro>`."""
+        given = self.attributes(element, ("name",), ("params",))
+        name = given["name"]
+        problem = None
+        if name == "call":
+            problem = "no macro can have the name 'call': <xacro:call> has a meaning"
+        elif "." in name:
+            problem = f"the name '{name}' has a '.' in it, which follows a namespace"
+        if problem:
+            place = element.value_span("name")
+            raise failure(
+                "xacro-name", problem, place, hint="choose another name", trace=self.trace
+            )
+        if name.startswith(PREFIX):
+            name = name[len(PREFIX) :]
+            self._reporter.warn(
+                "xacro-name",
+                f"the macro '{name}' is defined without 'xacro:' before its name",
+                element.value_span("name"),
+                hint=f'write name="{name}"',
+                trace=self.trace,
+            )
+        return MacroDefinition(element, name, parse_parameters(given.get("params", "")))
+
+    def attributes(
+        self, element: Element, required: tuple[str, ...], optional: tuple[str, ...] = ()
+    ) -> dict[str, str]:
+        """Return the attributes of a tag, having looked whether there are those it needs.
+
+        Raises:
+            YamaroError: one is missing.
+        """
+        given: dict[str, str] = element.attributes  # type: ignore[assignment]
+        self.require(element, *required)
+        for name in given:
+            if name not in required and name not in optional and not name.startswith("xmlns:"):
+                near = suggest(name, (*required, *optional))
+                self._reporter.warn(
+                    "xacro-unknown-attribute",
+                    f"<{element.name}> has no attribute '{name}'",
+                    element.name_span(name),
+                    hint=f"did you mean '{near}'?" if near else None,
+                    trace=self.trace,
+                )
+        return given
+
+    def require(self, element: Element, *names: str) -> list[str]:
+        """Return the values of attributes; raise YamaroError if one is missing."""
+        for name in names:
+            if name not in element.attributes:
+                raise failure(
+                    "xacro-missing-attribute",
+                    f"<{element.name}> needs the attribute '{name}'",
+                    element.span,
+                    trace=self.trace,
+                )
+        return [str(element.attributes[name]) for name in names]
+
+    def place(self, element: Element, attribute: str) -> Place:
+        """Return the place of an attribute's value, as it is reached now."""
+        return Place(element, attribute, self.trace)
