@@ -30,7 +30,7 @@ class FileHost:
     def read(self, path: str, span: Span) -> Source:
         try:
             with open(path, "rb") as file:
-                return Source(decode_xml(file.read()), name=os.path.basename(path), path=path)
+                return decode_xml(file.read(), name=os.path.basename(path), path=path)
         except OSError as error:
             reason = (error.strerror or str(error)).lower()
             raise failure("missing-file", f"'{path}' cannot be read: {reason}", span) from None

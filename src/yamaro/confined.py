@@ -63,6 +63,7 @@ def run_confined(
     from .transfer import from_bytes, to_bytes
 
     def work_in_jail() -> bytes:
+        policy.is_confined = True  # in this process, which is a copy
         printed: list[str] = []
         sys.stdout = sys.stderr = _Printed(Messages(printed.append, policy.limits))
         outcome = work(printed.append)

@@ -128,9 +128,10 @@ class Policy:
         limits: how much it may use.
         timeout: seconds it may take, or None.
         allowed_paths: files and folders it may read besides its own, if it is not trusted.
+        is_confined: whether this process is one that the kernel confines; its jail says so.
     """
 
-    __slots__ = ("allowed_paths", "limits", "mode", "timeout")
+    __slots__ = ("allowed_paths", "is_confined", "limits", "mode", "timeout")
 
     def __init__(
         self,
@@ -159,6 +160,7 @@ class Policy:
         self.limits = Limits(mode, **(limits or {}))
         self.timeout = timeout if timeout is not None or mode == TRUSTED else USUAL_SECONDS
         self.allowed_paths = tuple(allowed_paths)
+        self.is_confined = False
 
     @property
     def is_safe(self) -> bool:

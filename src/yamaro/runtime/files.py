@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 
-from ..diagnostics import Frame, Reporter, did_you_mean, failure
+from ..diagnostics import Frame, Reporter, YamaroError, did_you_mean, failure
 from ..source import Source, Span
 from ..syntax.nodes import Document, ImportNode
 from ..syntax.python import PythonCode
@@ -179,15 +179,7 @@ class Files:
         if resolved is None:
             raise self._unknown_package(path, span, home)
         absolute = os.path.normpath(resolved)
-        limits = self._library.rules.limits
-        self._loads += 1
-        if self._loads > limits.files:
-            raise failure(
-                "limit-files",
-                f"more than {limits.files:,} files are included, which is the limit",
-                span,
-                hint=limits.hint("files"),
-            )
+        self._count(span)
         known = self._documents.get(absolute)
         if known is not None:
             return known.source
@@ -207,7 +199,39 @@ class Files:
         self.note(absolute)
         return source
 
-    def _unknown_package(self, path: str, span: Span, home: Home) -> Exception:
+    def read_xml(self, path: str, name: str, span: Span) -> Source:
+        """Return the source of an XML file that another one includes.
+
+        Args:
+            path: where it is, absolute.
+            name: what it is called in messages.
+            span: where it is included.
+
+        Raises:
+            LoadError: it cannot be read.
+            YamaroError: it is not in the encoding that it says, or one file too many.
+        """
+        self._count(span)
+        source = self._library.source(path, name, is_xml=True)
+        self.note(path)
+        return source
+
+    def neighbours(self, path: str) -> list[str]:
+        """Return the names of the files in the folder of `path`."""
+        return self._library.loader.neighbours(path)
+
+    def _count(self, span: Span) -> None:
+        limits = self._library.rules.limits
+        self._loads += 1
+        if self._loads > limits.files:
+            raise failure(
+                "limit-files",
+                f"more than {limits.files:,} files are included, which is the limit",
+                span,
+                hint=limits.hint("files"),
+            )
+
+    def _unknown_package(self, path: str, span: Span, home: Home) -> YamaroError:
         """Return the error for a URI that leads nowhere."""
         scheme = path.partition("://")[0]
         if scheme.lower() not in ("package", "model"):
@@ -217,8 +241,13 @@ class Files:
                 span,
                 hint="save the file beside this one; files and package:// can be included",
             )
-        package = path.partition("://")[2].partition("/")[0]
-        places = self.packages.looked_at(package, home.directory)
+        return self.unknown_package(
+            path.partition("://")[2].partition("/")[0], span, home.directory
+        )
+
+    def unknown_package(self, package: str, span: Span, start: str) -> YamaroError:
+        """Return the error for a package that is nowhere around the folder `start`."""
+        places = self.packages.looked_at(package, start)
         return failure(
             "unknown-package",
             f"the package '{package}' is not found",

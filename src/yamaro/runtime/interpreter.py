@@ -68,13 +68,12 @@ from .calls import (
 from .elements import Builder, evaluate_holes
 from .expressions import Evaluator, SafeEvaluator, add_trace, evaluate_bare
 from .files import Files
-from .includes import namespace_of, passed_by, path_of
+from .includes import is_xacro_file, is_xml_file, namespace_of, passed_by, path_of
 from .loops import iterate, too_many_turns, unpack
 from .messages import Messages
 from .packages import PackageFinder
 from .scope import MISSING, BlockScope, Namespace, Scope, Shared, function_key
 from .values import Values
-from .xml_includes import content_of, is_xml_file, prefix_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -111,6 +110,7 @@ class Interpreter:
                 trace INHERITED; without, every element is built for its place, with a trace.
         """
         policy = policy or Policy()
+        self.policy = policy
         self.limits = policy.limits
         self.reporter = reporter
         self.messages = Messages(on_message, policy.limits)
@@ -645,21 +645,47 @@ class Interpreter:
     def _include_xml(
         self, node: IncludeNode, path: str, passed: dict[str, Any], scope: Scope, out: list[Node]
     ) -> None:
-        from ..xmlreader import read_xml
+        """Put out what an XML file holds: URDF as it is, or what a xacro file expands to."""
+        from .xml_includes import check_xml_include, xml_content
 
-        prefix = prefix_of(node, passed)
+        is_xacro = is_xacro_file(path)
+        check_xml_include(node, is_xacro=is_xacro)
         try:
             source = self.files.load(path, node.path_span, scope.home, is_xml=True)
         except YamaroError as error:
             self._trace_into(error, node)
             raise
         frame = self._step("included", source.name, node.span, None)
+        self._enter(frame, node.path_span)
         try:
-            document = read_xml(source, self.limits)
+            if is_xacro:
+                out += self._expanded(source, passed, node, frame)
+            else:
+                out += xml_content(source, passed.get("prefix"), frame, self.limits)
         except YamaroError as error:
             add_trace(error, frame)
             raise
-        out += content_of(document.root, prefix, frame)
+        finally:
+            self._leave(frame)
+
+    def _expanded(
+        self, source: Source, passed: dict[str, Any], node: IncludeNode, frame: Frame
+    ) -> list[Node]:
+        from ..xacro.expansion import expand
+        from .xacro_host import XacroHost
+        from .xml_includes import xacro_in_safe_mode
+
+        if self.safety is not None and not self.policy.is_confined:
+            raise xacro_in_safe_mode(node.path_span)
+        host = XacroHost(
+            self.files, self.messages, self.limits, main=source, has_environment=self.safety is None
+        )
+        arguments = {
+            argument.name: self.evaluator.text(format_value, passed[argument.name], argument.span)
+            for argument in node.arguments
+            if argument.name is not None
+        }
+        return expand(source, host, arguments, self.reporter, frame=frame).children
 
     def _trace_into(self, error: YamaroError, node: IncludeNode) -> None:
         """Note the include that led to an error in a file that cannot even be read as text."""

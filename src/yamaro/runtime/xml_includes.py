@@ -5,36 +5,29 @@ from __future__ import annotations
 import re
 
 from ..diagnostics import INHERITED, failure
+from ..xmlreader import read_xml
 from ..xmltree import Element, Text, format_value
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from typing import Any
-
-    from ..diagnostics import Frame
+    from ..diagnostics import Frame, YamaroError
+    from ..policy import Limits
+    from ..source import Source, Span
     from ..syntax.nodes import IncludeNode
     from ..xmltree import Node
-
-ENDINGS = (".urdf", ".xml", ".sdf")
-"""Endings of the names of files that hold XML."""
 
 _REFERS = re.compile("link|joint|frame|body|reference|parent|child|mimic", re.IGNORECASE)
 """Tags and attributes that name links and joints, in extensions of URDF that no schema tells of."""
 
 
-def is_xml_file(path: str) -> bool:
-    """Tell whether a file holds XML that is included as it is."""
-    return path.lower().endswith(ENDINGS)
-
-
-def prefix_of(node: IncludeNode, passed: dict[str, Any]) -> str:
-    """Return the prefix that an include of XML gives to links and joints.
+def check_xml_include(node: IncludeNode, *, is_xacro: bool) -> None:
+    """Check what an include of XML passes; xacro files have arguments of any name.
 
     Raises:
-        YamaroError: it passes something else, or wants a namespace.
+        YamaroError: it passes something else than a prefix, or wants a namespace.
     """
     for argument in node.arguments:
-        if argument.name != "prefix":
+        if argument.name != "prefix" and not is_xacro:
             raise failure(
                 "unknown-argument",
                 f"an XML file takes no variable '{argument.name}'",
@@ -48,19 +41,33 @@ def prefix_of(node: IncludeNode, passed: dict[str, Any]) -> str:
             node.path_span,
             hint="leave 'namespace' out",
         )
-    return format_value(passed.get("prefix"))
 
 
-def content_of(root: Element, prefix: str, frame: Frame | None) -> list[Node]:
-    """Return what stands under the root of an XML document, reached by an include.
+def xacro_in_safe_mode(span: Span) -> YamaroError:
+    """Return the error for xacro where no jail confines its Python."""
+    return failure(
+        "unsafe-code",
+        "xacro's expressions are Python, which safe mode lets run in a jail only",
+        span,
+        hint="there is no jail on this system; use --trust if you know where the file comes from",
+    )
+
+
+def xml_content(source: Source, prefix: object, frame: Frame, limits: Limits) -> list[Node]:
+    """Return what stands under the root of an XML file, reached by an include.
 
     Args:
-        root: its root.
+        source: the file.
         prefix: put in front of the names of links and joints, wherever they are named.
         frame: the include.
+        limits: how deep it may be.
+
+    Raises:
+        YamaroError: it is no XML.
     """
-    if prefix:
-        _rename(root, prefix)
+    root = read_xml(source, limits).root
+    if prefix not in (None, ""):
+        _rename(root, format_value(prefix))
     _tidy(root)
     for child in root.children:
         if isinstance(child, Element):

@@ -42,6 +42,7 @@ def expand(
     reporter: Reporter,
     *,
     python: Python | None = None,
+    frame: Frame | None = None,
 ) -> Element:
     """Return the root element of what xacro makes of a file, without xmlns:xacro.
 
@@ -53,12 +54,13 @@ def expand(
         arguments: values for `<xacro:arg>`, by name.
         reporter: collects warnings.
         python: evaluates expressions, if not as Python does.
+        frame: the include that led to the file, if one did.
 
     Raises:
         YamaroError: the file cannot be expanded; the first fault, with its place.
     """
     evaluator = Evaluator(host, reporter, python or Python(host.limits), dict(arguments))
-    return Expansion(host, reporter, evaluator).expand(source)
+    return Expansion(host, reporter, evaluator, frame).expand(source)
 
 
 class Expansion:
@@ -68,15 +70,17 @@ class Expansion:
         frame: the innermost call or include.
     """
 
-    def __init__(self, host: Host, reporter: Reporter, evaluator: Evaluator) -> None:
-        """Begin outside of all files."""
+    def __init__(
+        self, host: Host, reporter: Reporter, evaluator: Evaluator, frame: Frame | None = None
+    ) -> None:
+        """Begin outside of all files, or in one that `frame` includes."""
         self.host = host
         self.limits = host.limits
         self.reporter = reporter
         self.evaluator = evaluator
         self.statements = Statements(reporter)
         self.comments = Comments()
-        self.frame: Frame | None = None
+        self.frame = frame
         self.depth = 0
         self._walked = 0
 
