@@ -54,6 +54,8 @@ options, in any place:
       --timeout SECONDS end it after that time (with --jail and --safe, 60 if none is given)
       --allow-path PATH with --jail and --safe, let it read a file or folder; may be given again
       --limit NAME=N    set how much it may use, such as turns=5000000; may be given again
+      --package NAME:=FOLDER
+                        say where a ROS package is that is not found; may be given again
       --color WHEN      colour messages: auto (the default), always or never
   -h, --help            show this help
   -V, --version         show the version
@@ -87,6 +89,7 @@ OPTIONS = {
     "--timeout": "timeout",
     "--allow-path": "allow-path",
     "--limit": "limit",
+    "--package": "package",
     "--color": "color",
     "-h": "help",
     "--help": "help",
@@ -99,10 +102,11 @@ TAKES_VALUE = {
     "timeout": "a number of seconds",
     "allow-path": "a file or folder",
     "limit": "NAME=NUMBER",
+    "package": "NAME:=FOLDER",
 }
-TAKES_VALUES = ("allow-path", "limit")
+TAKES_VALUES = ("allow-path", "limit", "package")
 MODE_OPTIONS = ("trust", "jail", "safe")
-POLICY_OPTIONS = (*MODE_OPTIONS, "timeout", "allow-path", "limit")
+POLICY_OPTIONS = (*MODE_OPTIONS, "timeout", "allow-path", "limit", "package")
 COLORS = ("auto", "always", "never")
 COMMANDS = {
     "build": frozenset(("output", "quiet", "strict", "deps", "color", *POLICY_OPTIONS)),
@@ -328,6 +332,21 @@ def _read_limit(text: str) -> tuple[str, int]:
         raise WrongUsage(f"the limit '{name}' needs a whole number, {wrong}") from None
 
 
+def _read_packages(arguments: Arguments) -> dict[str, str]:
+    """Return the folders that `--package` gives, by the names of the packages."""
+    packages = {}
+    for text in arguments.lists.get("package", []):
+        name, separator, folder = text.partition(":=")
+        if not (name and separator and folder):
+            raise WrongUsage(f"'--package' takes NAME:=FOLDER, not {_quote(text)}")
+        if not os.path.isdir(folder):
+            raise WrongUsage(
+                f"the folder {_quote(folder)} of the package {_quote(name)} is not there"
+            )
+        packages[name] = folder
+    return packages
+
+
 def _read_timeout(arguments: Arguments) -> float | None:
     text = arguments.options.get("timeout")
     if text is None:
@@ -500,6 +519,7 @@ def _build(arguments: Arguments, streams: Streams, policy: Policy) -> tuple[Buil
                 path,
                 text=text,
                 policy=policy,
+                packages=_read_packages(arguments),
                 command_line=arguments.assignments,
                 strict=arguments.has("strict"),
                 on_message=_drop if streams.quiet else streams.say,

@@ -114,7 +114,7 @@ class Program:
     conversion. Conversions may run in several threads at once.
     """
 
-    __slots__ = ("_library", "_path", "_policy", "_reach", "_source", "_text")
+    __slots__ = ("_library", "_packages", "_path", "_policy", "_reach", "_source", "_text")
 
     def __init__(
         self,
@@ -123,12 +123,14 @@ class Program:
         text: str | None = None,
         loader: Loader | None = None,
         policy: Policy | None = None,
+        packages: Mapping[str, str] | None = None,
     ) -> None:
         """Name the main file; see `yamaro.build`."""
         self._path = path = os.fspath(path)
         self._text = text
         self._policy = policy or Policy()
-        self._reach = _reach_of(path, self._policy)
+        self._packages = dict(packages or {})
+        self._reach = _reach_of(path, self._policy, self._packages)
         self._library = Library(
             loader or FileLoader(self._policy.limits, self._reach), rules_of(self._policy)
         )
@@ -217,7 +219,7 @@ class Program:
                 reporter=reporter,
                 on_message=say,
                 policy=self._policy,
-                packages=PackageFinder(),
+                packages=PackageFinder(given=self._packages),
             )
             evaluated = interpreter.run_main(source, stem=_stem(self._path), variables=passed)
             _warn_of_unknown_variables(interpreter, places, reporter)
@@ -328,6 +330,7 @@ def build(
     on_message: Callable[[str], None] | None = None,
     loader: Loader | None = None,
     policy: Policy | None = None,
+    packages: Mapping[str, str] | None = None,
     has_root: bool = True,
 ) -> Build:
     """Compile a file.
@@ -342,13 +345,14 @@ def build(
         on_message: takes each line that `print` and `process` print; standard error by default.
         loader: gives the text of files; the disk by default.
         policy: how far the file is trusted; in full by default.
+        packages: folders of ROS packages by name, before those that are found.
         has_root: without, there may be no tree in the end, which spares taking it out of a jail.
 
     Raises:
         YamaroError: the input has errors; it holds them, and the warnings found before.
         UsageError: the main file cannot be read, or a `name:=value` is malformed.
     """
-    return Program(path, text=text, loader=loader, policy=policy).build(
+    return Program(path, text=text, loader=loader, policy=policy, packages=packages).build(
         command_line=command_line,
         variables=variables,
         strict=strict,
@@ -358,13 +362,14 @@ def build(
     )
 
 
-def _reach_of(path: str, policy: Policy) -> Reach | None:
+def _reach_of(path: str, policy: Policy, packages: Mapping[str, str]) -> Reach | None:
     """Return what a main file may read, or None for anything."""
     if policy.is_trusted:
         return None
     from .runtime.reach import Reach, roots_of
 
-    return Reach(roots_of(os.path.abspath(path), policy.allowed_paths, PackageFinder()))
+    allowed = [*policy.allowed_paths, *packages.values()]
+    return Reach(roots_of(os.path.abspath(path), allowed, PackageFinder()))
 
 
 def _build_of(outcome: Outcome) -> Build:
@@ -504,6 +509,7 @@ def load(
     *,
     loader: Loader | None = None,
     policy: Policy | None = None,
+    packages: Mapping[str, str] | None = None,
 ) -> Program:
     """Return a program that converts a file again and again.
 
@@ -511,6 +517,7 @@ def load(
         path: the main file.
         loader: gives the text of files; the disk by default.
         policy: how far the file is trusted; in full by default.
+        packages: folders of ROS packages by name, before those that are found.
 
     Raises:
         YamaroError: the main file has errors, which are found without running it.
@@ -518,7 +525,7 @@ def load(
     """
     import threading  # noqa: F401 - lets `deep_stack` keep its thread for the next conversion
 
-    program = Program(path, loader=loader, policy=policy)
+    program = Program(path, loader=loader, policy=policy, packages=packages)
     try:
         program.parse()
     except UsageError as error:

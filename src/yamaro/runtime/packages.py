@@ -27,10 +27,16 @@ class PackageFinder:
     Threads may share one: at worst two of them read the same folder.
     """
 
-    __slots__ = ("_environ", "_found", "_scans")
+    __slots__ = ("_environ", "_found", "_given", "_scans")
 
-    def __init__(self, environ: Mapping[str, str] | None = None) -> None:
-        """Use the search paths of `environ`, or else of the process."""
+    def __init__(
+        self,
+        environ: Mapping[str, str] | None = None,
+        *,
+        given: Mapping[str, str] | None = None,
+    ) -> None:
+        """Use the search paths of `environ`, or else of the process, after the folders given."""
+        self._given = {name: os.path.abspath(path) for name, path in (given or {}).items()}
         self._environ = os.environ if environ is None else environ
         self._found: dict[tuple[str, str], str | None] = {}
         self._scans: dict[tuple[str, int], dict[str, str]] = {}
@@ -38,14 +44,17 @@ class PackageFinder:
     def find(self, name: str, start: str) -> str | None:
         """Return the absolute folder of package `name`, or None if it is nowhere.
 
-        Looked at, in this order: each prefix of AMENT_PREFIX_PATH (its share folder counts),
-        each folder of ROS_PACKAGE_PATH, and then the surroundings of `start`: the folders it
-        lies in, what stands beside the package it belongs to, its repository and its workspace.
+        Looked at, in this order: the folders given by name, each prefix of AMENT_PREFIX_PATH (its
+        share folder counts), each folder of ROS_PACKAGE_PATH, and then the surroundings of `start`:
+        the folders it lies in, what stands beside the package it belongs to, its repository and
+        its workspace.
 
         Args:
             name: the package's name, as in its package.xml.
             start: the folder of the file that asks.
         """
+        if name in self._given:
+            return self._given[name]
         key = (name, start)
         if key not in self._found:
             self._found[key] = self._find(name, start) if is_package_name(name) else None
@@ -83,7 +92,7 @@ class PackageFinder:
 
     def names(self, start: str) -> list[str]:
         """Return the names of all packages that `find` could find from `start`, sorted."""
-        names: set[str] = set()
+        names: set[str] = set(self._given)
         for prefix in self._paths("AMENT_PREFIX_PATH"):
             try:
                 names.update(os.listdir(os.path.join(prefix, AMENT_INDEX)))
