@@ -354,6 +354,63 @@ def test_short_arguments_are_told_apart(arguments: str, expected: str) -> None:
         ("it's", '"it\'s"'),
         ('a"b', "'a\"b'"),
         ('it\'s "b"', "'it''s \"b\"'"),
+def limited(text: str, limits: dict[str, int]) -> list[tuple[str, str]]:
+    """Return code and place of each error in a file that has to keep to limits."""
+    loader = MemoryLoader({"/t.yaml": text})
+    try:
+        build("/t.yaml", loader=loader, policy=Policy("trusted", limits=limits))
+    except YamaroError as error:
+        return [(one.code, place(one)) for one in error.diagnostics]
+    return []
+
+
+@pytest.mark.parametrize(
+    "statement",
+    [
+        "a/b=1: c",
+        "a: $(1)",
+        "$('a'): 1",
+        "if: {condition: 1}",
+        "for: {iterator: i, range: 1}",
+        "process: x = 1",
+        "variables: {a: 1}",
+        "functions: {A: {}}",
+        "include: a.yaml",
+        "part: {name: a}",
+        "A:",
+    ],
+)
+def test_the_first_statement_of_too_many_is_underlined(statement: str) -> None:
+    found = limited(f"out:\n  {statement}\n  z: 1", {"statements": 1})
+    key = statement.partition(":")[0]
+    assert found == [("limit-statements", f"2:3 {key}")]
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "$(x)-$(x)/b=1: 2",
+        "a/$(x)-$(x)=1: 2",
+        "a/b=$(x)-$(x), c=1: 2",
+        "a/b=1, c=$(x)-$(x):",
+        "a: $(x)-$(x)",
+        "a/b=1: $(x)-$(x)",
+        "a: {b: 1, c: $(x), d: {e: $(x)-$(x)}}",
+        "a: {$('b')/c=$(x)-$(x): 1}",
+        "part: {name: $(x)-$(x)}",
+        "<#text>: $(x)-$(x)",
+        "variables: {y: $(x)-$(x)}",
+        "A: 1, $(x)-$(x)",
+        "include: $(x)-$(x)",
+    ],
+)
+def test_pieces_that_make_too_long_a_text_are_underlined(line: str) -> None:
+    text = f"variables: {{x: 12345}}\nfunctions: {{A: {{input: 'a, b'}}}}\nout:\n  {line}"
+    found = limited(text, {"text": 10})
+    assert found == [("limit-text", f"4:{3 + line.index('$(x)-')} $(x)-$(x)")]
+    assert "limit-text" not in dict(limited(text, {"text": 11}))
+
+
         ("it's a\\b", "'it''s a\\b'"),
         ("it's\ta", "'it''s\ta'"),
     ],
