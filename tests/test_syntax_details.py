@@ -156,6 +156,15 @@ def test_a_hint_says(text: str, hint: str) -> None:
 @pytest.mark.parametrize(
     ("text", "message"),
     [
+        (
+            "functions:\n  - Make:\n    body: 1\nout:",
+            "put `body` and what follows two columns further to the right",
+        ),
+        ("out:\n  ? a: b\n  : c", "quote the key if it is meant as text: 'a: b'"),
+        (
+            "out:\n  ? {a: b,\n    c: d}\n  : c",
+            "quote the key if it is meant as text, and write it on one line",
+        ),
         ("out:\n  for: {iterator: 'a,,b', in: [1]}", "an iterator is a name"),
         (
             "out:\n  include: {path: a, namespace: b, namespace: c}",

@@ -343,8 +343,10 @@ class _Builder:
 
 
 def _hint_for_key(source: Source, node: YamlNode) -> str:
-    written = source.text[node.start : node.end]
-    if written.startswith("{") and isinstance(node, MappingNode):
+    written = source.text[node.start : node.end].rstrip()
+    if len(written.splitlines()) > 1:
+        return "quote the key if it is meant as text, and write it on one line"
+    if isinstance(node, MappingNode) and node.is_flow:
         return f"an expression is written $({written.strip('{} ')})"
     return f"quote the key if it is meant as text: {quoted(written)}"
 
