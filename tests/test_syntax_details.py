@@ -95,6 +95,17 @@ def test_a_key_means(text: str, xml: str) -> None:
         ('out:\r\n  a: "b\\\r\n   $(1 + nope)"', "3:10 nope"),
         ('out:\n  a: "b\\\n   $(1 + nope)"', "3:10 nope"),
         ("out:\n  A: ',x'", "2:7 ,"),
+        ('out:\n  A: "[a, \\x7f]"', "2:11 \\"),
+        ("out:\n  include: {path: a, namespace: null}", "2:33 null"),
+        ('out:\n  if: {condition: "1 + \'abc", body: }', "2:24 '"),
+        ("out:\n  A: " + "1" * 4301 + ", 2", "2:6 " + "1" * 4301),
+        ("out:\n  a: 'it''s $(1 + nope)'", "2:19 nope"),
+        ("out:\n  a: | # eXtra\n    $(nope)", "3:7 nope"),
+        ("out:\n  A: '{[1]: 2}'", "2:8 [1]"),
+        ("out:\n  A: \"'a' b\"", "2:7 'a' b"),
+        ("out: ? a", "1:6 ?"),
+        ("out:\n  if: {condition: $((1) + ), body: }", "2:21 (1) +"),
+        ("out:\n  for: {iterator: i, in: $((1) + 1), body: }", "2:28 (1) + 1"),
     ],
 )
 def test_a_fault_is_underlined(text: str, told: str) -> None:
@@ -147,6 +158,15 @@ def test_a_fault_is_underlined(text: str, told: str) -> None:
             "import: [from math import pi, sin, cos]\nout:",
             "the commas of [ ] split a list of names: write 'from math import pi, sin'",
         ),
+        (
+            "functions:\n  - Make:\n    body: 1\nout:",
+            "put `body` and what follows two columns further to the right",
+        ),
+        ("out:\n  ? a: b\n  : c", "quote the key if it is meant as text: 'a: b'"),
+        (
+            "out:\n  ? {a: b,\n    c: d}\n  : c",
+            "quote the key if it is meant as text, and write it on one line",
+        ),
     ],
 )
 def test_a_hint_says(text: str, hint: str) -> None:
@@ -188,10 +208,44 @@ def test_a_hint_says(text: str, hint: str) -> None:
             "sdf/version=1:\nrobot: x",
             "'robot' stands beside the root element, and a file makes one",
         ),
+        ("variables: {' /local': 1}\nout:", "'' cannot name a variable"),
+        ("out:\n  a$(x): b: c", "a value that contains ': ' must be quoted"),
+        (
+            'out: "a\n  b:\n  c": d',
+            "a key stands here, but the lines above do not allow one at this indentation",
+        ),
     ],
 )
 def test_a_message_says(text: str, message: str) -> None:
     assert fault(text).message == message
+
+
+@pytest.mark.parametrize(
+    ("text", "what"),
+    [
+        ("[HERE]", "a file"),
+        ("variables: [HERE]\nout:", "`variables`"),
+        ("functions: [HERE]\nout:", "`functions`"),
+        ("functions: {Make: [HERE]}\nout:", "the function Make"),
+        ("functions: {Make: {body: [HERE]}}\nout:", "the function Make"),
+        ("functions: {Make: {input: '**Inner', body: {Inner: [HERE]}}}\nout:", "the block Inner"),
+        ("model: [HERE]", "`model`"),
+        ("out: {if: [HERE]}", "`if`"),
+        ("out: {if: {condition: 1, body: [HERE]}}", "the body of `if`"),
+        ("out: [if: {condition: 0}, elif: [HERE]]", "`elif`"),
+        ("out: [if: {condition: 0}, else: [HERE]]", "`else`"),
+        ("out: [if: {condition: 0}, else: {body: [HERE]}]", "`else`"),
+        ("out: {for: [HERE]}", "`for`"),
+        ("out: {for: {iterator: i, range: 1, body: [HERE]}}", "the body of `for`"),
+        ("out: {include: [HERE]}", "an include"),
+        ("out: {part: [HERE]}", "a part"),
+        ("out: {Make: [{a: 1}, HERE]}", "a call of Make"),
+    ],
+)
+def test_an_item_that_is_no_entry_is_told_with_what_it_stands_in(text: str, what: str) -> None:
+    error = fault(text.replace("HERE", "stray"))
+    expected = f"in {what}, each item of the list must be an entry such as `name: value`"
+    assert (error.message, error.span.written()) == (expected, "stray")
 
 
 def warned(text: str) -> list[tuple[str, str | None]]:
@@ -214,6 +268,16 @@ def test_an_element_like_a_statement_may_hold_anything_else() -> None:
     assert warned("out:\n  prat: {x: 1}") == []
 
 
+def test_a_word_of_two_letters_may_be_a_misspelt_statement() -> None:
+    hint = "write for: for the statement, or <fo>: for the element"
+    assert warned("out:\n  fo: {in: 1}") == [("misspelt-statement", hint)]
+
+
+def test_an_import_below_the_root_is_warned_of() -> None:
+    hint = "move it to the root of the file, or write <import>: for the element"
+    assert warned("out:\n  import: math") == [("misspelt-statement", hint)]
+
+
 @pytest.mark.parametrize(
     ("text", "inner"),
     [
@@ -226,6 +290,13 @@ def test_an_element_like_a_statement_may_hold_anything_else() -> None:
 def test_xacros_braces_are_warned_of(text: str, inner: str) -> None:
     hint = f"write $({inner}) for an expression, or $${{ for a literal ${{"
     assert warned(text) == [("xacro-syntax", hint)]
+
+
+@pytest.mark.parametrize("text", ["|\n  #text: a", "? |\n  #comment: a\n: b"])
+def test_a_line_of_the_first_text_is_no_comment(text: str) -> None:
+    with pytest.raises(YamaroError) as caught:
+        build_text(text)
+    assert [one.severity for one in caught.value.diagnostics] == ["error"]
 
 
 @pytest.mark.parametrize(
@@ -319,6 +390,63 @@ def test_what_safe_mode_refuses_is_underlined_and_nothing_around_it(text: str) -
     assert place(error) == f"1:12 {text}"
 
 
+def limited(text: str, limits: dict[str, int]) -> list[tuple[str, str]]:
+    """Return code and place of each error in a file that has to keep to limits."""
+    loader = MemoryLoader({"/t.yaml": text})
+    try:
+        build("/t.yaml", loader=loader, policy=Policy("trusted", limits=limits))
+    except YamaroError as error:
+        return [(one.code, place(one)) for one in error.diagnostics]
+    return []
+
+
+@pytest.mark.parametrize(
+    "statement",
+    [
+        "a/b=1: c",
+        "a: $(1)",
+        "$('a'): 1",
+        "if: {condition: 1}",
+        "for: {iterator: i, range: 1}",
+        "process: x = 1",
+        "variables: {a: 1}",
+        "functions: {A: {}}",
+        "include: a.yaml",
+        "part: {name: a}",
+        "A:",
+    ],
+)
+def test_the_first_statement_of_too_many_is_underlined(statement: str) -> None:
+    found = limited(f"out:\n  {statement}\n  z: 1", {"statements": 1})
+    key = statement.partition(":")[0]
+    assert found == [("limit-statements", f"2:3 {key}")]
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "$(x)-$(x)/b=1: 2",
+        "a/$(x)-$(x)=1: 2",
+        "a/b=$(x)-$(x), c=1: 2",
+        "a/b=1, c=$(x)-$(x):",
+        "a: $(x)-$(x)",
+        "a/b=1: $(x)-$(x)",
+        "a: {b: 1, c: $(1), d: {e: $(x)-$(x)}}",
+        "a: {$('b')/c=$(x)-$(x): 1}",
+        "part: {name: $(x)-$(x)}",
+        "<#text>: $(x)-$(x)",
+        "variables: {y: $(x)-$(x)}",
+        "A: 1, $(x)-$(x)",
+        "include: $(x)-$(x)",
+    ],
+)
+def test_pieces_that_make_too_long_a_text_are_underlined(line: str) -> None:
+    text = f"variables: {{x: 12345}}\nfunctions: {{A: {{input: 'a, b'}}}}\nout:\n  {line}"
+    found = limited(text, {"text": 10})
+    assert found == [("limit-text", f"4:{3 + line.index('$(x)-')} $(x)-$(x)")]
+    assert "limit-text" not in dict(limited(text, {"text": 11}))
+
+
 def test_attributes_know_where_their_values_stand() -> None:
     key = ScalarNode("a/b=, c=1, d='x y'", PLAIN, Source("a/b=, c=1, d='x y'", name="t"), 0, 18)
     attributes = parse_attributes(key, 2, 18, context=ParseContext(Reporter()))
@@ -337,6 +465,8 @@ def test_attributes_know_where_their_values_stand() -> None:
         ("\"1, 'b, c'\"", "1 b, c"),
         ("\"['b, ]', 1], 2\"", "['b, ]', 1] 2"),
         ("it's, don't", "it's don't"),
+        ('"x[0]\'s, 2"', "x[0]'s 2"),
+        ('"MAX\'s, 2"', "MAX's 2"),
         ("' 1 ,  2 '", "1 2"),
         ("b=1, a=2", "2 1"),
         ("x == y", "x == y 0"),

@@ -181,7 +181,8 @@ def evaluate_holes(form: Form, scope: Scope, values: Values) -> tuple[Any, ...]:
     evaluator = values.evaluator
     evaluate, get = evaluator.evaluate, scope.get
     longest = evaluator.limits.text
-    results = []
+    letters = form.letters
+    results: list[Any] = []
     for python, is_piece in form.holes:
         name = python.name
         value = MISSING if name is None else get(name, MISSING)
@@ -192,7 +193,16 @@ def evaluate_holes(form: Form, scope: Scope, values: Values) -> tuple[Any, ...]:
             text = evaluator.text(format_value, value, python.span())
             if is_piece:
                 value = text
-        elif kind is str and len(value) > longest:
-            raise evaluator.too_long(value, python.span())
+                letters += len(text)
+        elif kind is str:
+            letters += len(value)
+            if len(value) > longest:
+                raise evaluator.too_long(value, python.span())
         results.append(value)
-    return tuple(results)
+    given = tuple(results)
+    if letters > longest:
+        for pieces, span in form.joined:
+            joined = filled(pieces, given)
+            if len(joined) > longest:
+                raise evaluator.too_long(joined, span)
+    return given

@@ -27,6 +27,9 @@ if TYPE_CHECKING:
             """Return the keys and elements of a part."""
 
 
+LONGEST_NUMBER = 32
+"""More characters than a float has in XML, or an integer that is not looked at beforehand."""
+
 FormText = str | int | tuple[str | int, ...]
 """A text as it is written, the number of the hole whose value it is, or pieces to be joined."""
 
@@ -45,6 +48,8 @@ class Form:
         body: the body it stands in.
         holes: the expressions in it and in what it holds, in the order in which they are
             evaluated, each with whether it is a piece of a longer text.
+        joined: the texts of several pieces in it and in what it holds, each with its span.
+        letters: no more than so many characters are in those, but for texts in holes.
         attributes: the name and the text of each attribute.
         value_spans: where the attributes' values are written.
         content: what it holds.
@@ -57,6 +62,8 @@ class Form:
         "body",
         "content",
         "holes",
+        "joined",
+        "letters",
         "name",
         "span",
         "static",
@@ -81,20 +88,26 @@ class Form:
         self.verbatim = verbatim
         self.body = body
         self.holes: list[tuple[PythonCode, bool]] = []
+        self.joined: list[tuple[tuple[str | int, ...], Span]] = []
         self.attributes: list[tuple[str, FormText]] = []
         self.value_spans: dict[str, Span] = {}
         self.content: list[Piece] = []
         for attribute in attributes:
             assert isinstance(attribute.name, str)
-            self.attributes.append((attribute.name, self._text(attribute.value)))
-            self.value_spans[attribute.name] = attribute.span
+            place = self.value_spans[attribute.name] = attribute.span
+            self.attributes.append((attribute.name, self._text(attribute.value, place)))
         self._add_content(content)
         self.text: tuple[FormText, Span] | None = None
         if isinstance(content, TextContent) and not attributes:
             self.text = (self.content[0][4], content.span)
+        self.letters = sum(
+            len(piece) if isinstance(piece, str) else LONGEST_NUMBER
+            for pieces, _ in self.joined
+            for piece in pieces
+        )
         self.static = [piece[0] for piece in self.content if isinstance(piece[0], Element)]
 
-    def _text(self, value: str | Template) -> FormText:
+    def _text(self, value: str | Template, span: Span) -> FormText:
         """Return a text with the numbers of its holes, which are added."""
         if isinstance(value, str):
             return value
@@ -105,17 +118,25 @@ class Form:
             else:
                 pieces.append(len(self.holes))
                 self.holes.append((part, value.only is None))
-        return pieces[0] if value.only is not None else tuple(pieces)
+        if value.only is not None:
+            return pieces[0]
+        self.joined.append((tuple(pieces), span))
+        return tuple(pieces)
 
     def _add_content(self, content: Content) -> None:
         if isinstance(content, TextContent):
-            self.content.append((None, None, 0, 0, self._text(content.value), content.span))
+            text = self._text(content.value, content.span)
+            self.content.append((None, None, 0, 0, text, content.span))
         elif isinstance(content, Body):
             for statement in content.statements:
                 if isinstance(statement, ElementNode):
                     assert statement.form is not None
                     first = len(self.holes)
                     self.holes += statement.form.holes
+                    self.joined += (
+                        (tuple(p if isinstance(p, str) else p + first for p in pieces), span)
+                        for pieces, span in statement.form.joined
+                    )
                     self.content.append((None, statement.form, first, len(self.holes), "", None))
                 else:
                     assert isinstance(statement, (Element, Text, Comment))

@@ -64,7 +64,7 @@ def _include_arguments(pairs: Pairs, context: ParseContext) -> list[Argument]:
     for own, value in pairs:
         refuse_twice(seen.get(own.text), own, "include")
         seen[own.text] = (own, value)
-        argument = Argument(_argument_name(own, context), value, own.span())
+        argument = Argument(_argument_name(own, context), None, own.span())
         argument.value = parse_value(value, context)
         arguments.append(argument)
         assert argument.name is not None

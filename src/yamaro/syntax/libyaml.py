@@ -28,8 +28,7 @@ _ERROR_MODULES = (
 
 def _load_binding() -> Any:
     """Import `yaml._yaml` without running the package's own `__init__`."""
-    loaded = sys.modules.get("yaml._yaml")
-    if loaded is not None or "yaml" in sys.modules:
+    if "yaml" in sys.modules:
         from yaml import _yaml
 
         return _yaml

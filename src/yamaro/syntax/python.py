@@ -309,7 +309,7 @@ def _end_of_string(text: str, start: int) -> int:
 
 def unclosed(node: ScalarNode, index: int) -> Exception:
     """Return the error for a `$(` at `node.text[index]` that is never closed."""
-    after = node.source.text[node.end : node.end + 200].split("\n", 1)[0]
+    after = node.source.text[node.end : node.end + 200]
     if _is_cut_by_comment(node):
         hint = f"' #' begins a YAML comment: write {_whole_value(node, index)}"
     elif node.style == PLAIN and after.lstrip(" ").startswith((",", "]", "}")):
@@ -325,7 +325,7 @@ def unclosed(node: ScalarNode, index: int) -> Exception:
 
 
 def _is_cut_by_comment(node: ScalarNode) -> bool:
-    after = node.source.text[node.end : node.end + 200].split("\n", 1)[0]
+    after = node.source.text[node.end : node.end + 200]
     return node.style == PLAIN and after.lstrip(" ").startswith("#")
 
 

@@ -51,7 +51,7 @@ def _type_number(text: str) -> object:
         return int(text)
     if text.startswith(("0x", "0o")):
         return _type_based(text)
-    if _FLOAT_CHARACTERS.issuperset(text) and not text.endswith(("+", "-")):
+    if _FLOAT_CHARACTERS.issuperset(text):
         try:
             return float(text)
         except ValueError:

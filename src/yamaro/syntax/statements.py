@@ -156,9 +156,9 @@ def _parse_bare(key: ScalarNode, node: YamlNode, context: ParseContext) -> State
         if isinstance(template, Template):
             return _parse_dynamic(key, template, node, context)
     element = _parse_element(key, 0, len(word), node, context, verbatim=False)
-    if word not in context.plain_keys and isinstance(element.name, str):
-        context.plain_keys[word] = (element.name, {})
-        _warn_of_misspelt_statement(key, node, context)
+    assert isinstance(element.name, str), "what is evaluated in it makes it one of `$(…)`"
+    context.plain_keys[word] = (element.name, {})
+    _warn_of_misspelt_statement(key, node, context)
     return element
 
 

@@ -119,7 +119,7 @@ def parse_inline(
         end -= 1
     if start < end and text[start] in "[{'\"":
         return parse_value(read_fragment(node, start, end), context, is_literal=is_literal)
-    first = node.offset(start) if start < len(text) else node.end
+    first = node.offset(start)
     last = node.offset(end - 1) + 1 if end > start else first
     style = PLAIN if start < end else DOUBLE  # nothing is the empty text, as in `name:=`
     part = ScalarNode(text[start:end], style, node.source, first, last)

@@ -33,7 +33,7 @@ def split_scope(key: ScalarNode, what: str) -> tuple[int, str]:
         raise failure(
             "unknown-scope",
             f"'{scope}' is no scope of a {what}",
-            key.span(slash + 1, max(len(text), slash + 2)) if scope else key.span(),
+            key.span(slash + 1) if scope else key.span(),
             hint=did_you_mean(scope, SCOPES) or f"the scopes are {', '.join(SCOPES)}",
         )
     return slash, scope

@@ -66,12 +66,14 @@ def _is_nothing(node: YamlNode) -> bool:
 def read_fragment(scalar: ScalarNode, start: int, end: int) -> YamlNode:
     """Return the node that `scalar.text[start:end]` is when read as YAML of its own.
 
+    It begins with a quote or a bracket.
+
     Raises:
         YamaroError: the fragment is no YAML.
     """
     fragment = Source(scalar.text[start:end], name=scalar.source.name, path=scalar.source.path)
     places = [scalar.offset(index) for index in range(start, end)]
-    places.append(places[-1] + 1 if places else scalar.end)
+    places.append(places[-1] + 1)
     try:
         refuse_characters(fragment)
     except YamaroError as error:
@@ -80,9 +82,7 @@ def read_fragment(scalar: ScalarNode, start: int, end: int) -> YamlNode:
             diagnostic.span = Span(scalar.source, at, at + 1)
         raise
     root = _Builder(fragment, Limits(), owner=scalar.source, places=places).build()
-    if root is None:
-        at = places[0]
-        return ScalarNode("", "", scalar.source, at, at)
+    assert root is not None, "it begins with a quote or a bracket"
     return root
 
 
@@ -216,7 +216,6 @@ class _Builder:
             start = self.place(start)
         node = make(self.source, start, start, bool(event.flow_style))
         if event.anchor is not None:
-            self.anchors.pop(event.anchor, None)
             self.open_anchors[event.anchor] = node
         return node
 
@@ -343,8 +342,10 @@ class _Builder:
 
 
 def _hint_for_key(source: Source, node: YamlNode) -> str:
-    written = source.text[node.start : node.end]
-    if written.startswith("{") and isinstance(node, MappingNode):
+    written = source.text[node.start : node.end].rstrip()
+    if len(written.splitlines()) > 1:
+        return "quote the key if it is meant as text, and write it on one line"
+    if isinstance(node, MappingNode) and node.is_flow:
         return f"an expression is written $({written.strip('{} ')})"
     return f"quote the key if it is meant as text: {quoted(written)}"
 
