@@ -267,8 +267,28 @@ def test_a_file_of_data_may_be_named_by_its_package_or_scheme() -> None:
     assert out("out: {a: \"$(load_yaml('data.yaml')[1]['a'])\"}", data) == "<a>b</a>"
     assert out("out: {a: \"$(load_yaml('file:///data.yaml')[3])\"}", data) == "<a>16</a>"
     assert out("out: {a: \"$(load_yaml('/data.yaml')[2])\"}", data) == "<a>$(x)</a>"
-    error = fault("out: {a: \"$(load_yaml('package://none/data.yaml'))\"}", data)
-    assert error.message.startswith("the file 'package://none/data.yaml' cannot be read")
+
+
+@pytest.mark.parametrize("uri", ["package://none/a.yaml", "Model://none"])
+def test_data_of_a_package_that_is_nowhere_is_told_by_the_package(uri: str) -> None:
+    error = fault(f"out: {{a: \"$(load_yaml('{uri}'))\"}}")
+    assert (error.code, error.message) == ("unknown-package", "the package 'none' is not found")
+    assert error.hint is not None and error.hint.startswith("looked in ")
+
+
+def test_data_is_not_fetched() -> None:
+    error = fault("out: {a: \"$(load_yaml('https://a/b.yaml?c=http://d'))\"}")
+    assert (error.code, error.message, error.hint) == (
+        "missing-file",
+        "'https://' cannot be read: nothing is fetched",
+        "save the file beside this one; files and package:// can be read",
+    )
+
+
+def test_data_holds_to_the_limits_of_the_file() -> None:
+    text, data = "out: {a: \"$(load_yaml('data.yaml'))\"}", {"data": "[[[1]]]"}
+    assert "[[[1]]]" in run(text, data, Policy(limits={"yaml-depth": 3})).xml()
+    assert fault(text, data, Policy(limits={"yaml-depth": 2})).code == "too-deep"
 
 
 def test_data_that_is_no_yaml_is_told_with_its_place() -> None:
