@@ -9,6 +9,7 @@ import pytest
 
 from yamaro import Build, Policy, YamaroError, build
 from yamaro.diagnostics import Diagnostic
+from yamaro.runtime import late
 from yamaro.runtime.loader import MemoryLoader
 
 
@@ -204,6 +205,28 @@ def test_arguments_under_a_computed_key_are_warned_of_once() -> None:
     assert "<a>${x}</a>" in built.xml()
 
 
+@pytest.mark.parametrize(
+    ("parser", "call"),
+    [
+        ("parse_value", "Make: {Size: {a: $(i)}}"),
+        ("parse_arguments", "$('Make'): {Size: {a: $(i)}}"),
+    ],
+)
+def test_what_is_parsed_late_is_parsed_once(
+    monkeypatch: pytest.MonkeyPatch, parser: str, call: str
+) -> None:
+    parse, times = getattr(late, parser), list[int]()
+
+    def parse_and_count(*arguments: object) -> object:
+        times.append(1)
+        return parse(*arguments)
+
+    monkeypatch.setattr(late, parser, parse_and_count)
+    text = f"{LATE}  for: {{iterator: i, range: 3, body: {{{call}}}}}"
+    assert out(text) == "<a>0</a><a>1</a><a>2</a>"
+    assert len(times) == 1
+
+
 def test_a_text_in_place_of_a_block_is_warned_of_too() -> None:
     text = LATE.replace("Size['a']", "Size") + "  $('Make'): {Size: '${x}'}"
     assert [one.code for one in run(text).warnings] == ["xacro-syntax"]
@@ -297,5 +320,5 @@ def test_data_that_is_no_yaml_is_told_with_its_place() -> None:
 
 
 def test_data_may_look_like_xacro_and_be_warned_of_by_nobody() -> None:
-    built = run("out: $(load_yaml('data.yaml')[0])", {"data": "- a\n#text: b\n- ${x}\n"})
+    built = run("out: $(load_yaml('data.yaml')[0])", {"data": "- a\n#text: b\n- ${x}\n- {a:1}"})
     assert built.warnings == []

@@ -43,6 +43,10 @@ def test_a_name_that_inner_python_misses_is_shown_where_that_is_run() -> None:
     assert (error.code, place(error)) == ("undefined-name", "1:27 eval('nope')")
 
 
+def test_a_key_that_the_names_in_sight_lack_is_named() -> None:
+    assert fault("out: $(globals()['nope'])").message == "there is no key 'nope' (KeyError)"
+
+
 def test_an_attribute_that_is_private_is_not_suggested() -> None:
     text = "process: |\n  class Box: {0} = 1\nout: $(Box.size)"
     assert fault(text.replace("{0}", "size_")).hint == "did you mean 'size_'?"
@@ -74,6 +78,29 @@ def test_a_function_in_what_is_no_namespace_is_not_defined(name: str) -> None:
         "undefined-function",
         f"function '{name}' is not defined",
     )
+
+
+@pytest.mark.parametrize(
+    ("inside", "note"),
+    [
+        (
+            "functions: {Make: {body: }}\n  Make:",
+            "the function 'Make' at /t.yaml:5:19 is local to its function or block",
+        ),
+        (
+            "Make:\n      functions: {Make: {body: }}",
+            "the function 'Make' is declared later, at /t.yaml:6:19",
+        ),
+    ],
+    ids=["right behind a block", "at the start of a block"],
+)
+def test_a_block_begins_and_ends_exactly_for_what_is_declared_in_it(inside: str, note: str) -> None:
+    error = fault(
+        "functions: {Do: {input: '**Inside', body: {Inside: }}}\n"
+        f"out:\n  Do:\n    Inside:\n      {inside}\n"
+    )
+    assert error.code == "undefined-function"
+    assert [told.partition(";")[0] for told in error.notes] == [note]
 
 
 def test_a_bound_of_a_range_that_is_no_number_is_underlined() -> None:
