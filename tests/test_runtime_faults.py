@@ -9,6 +9,7 @@ import pytest
 import yamaro
 from tests.test_runtime_details import fault, place, run
 from yamaro import Policy, YamaroError
+from yamaro.runtime.loader import MemoryLoader
 
 # --- the user's Python ------------------------------------------------------------------------
 
@@ -16,6 +17,16 @@ from yamaro import Policy, YamaroError
 def test_a_recursion_that_python_ends_is_told() -> None:
     error = fault("process: |\n  def f(): raise RecursionError\nout: $(f())")
     assert (error.code, error.message) == ("too-deep", "this calls itself without end")
+
+
+def test_of_a_recursion_only_the_first_call_is_told() -> None:
+    error = fault("process: |\n  def f(): raise RecursionError\n  def g(): return f()\nout: $(g())")
+    assert error.trace is not None
+    assert (error.trace.name, error.trace.parent) == ("g", None)
+
+
+def test_of_several_lines_the_one_that_does_not_hold_is_underlined() -> None:
+    assert place(fault("process: |\n  assert 1 > 2\n  x = 1\nout:")) == "2:3 assert 1 > 2"
 
 
 def test_in_an_expression_of_several_lines_the_one_that_calls_without_end_is_underlined() -> None:
@@ -66,6 +77,23 @@ def test_the_items_of_inner_lists_count_too() -> None:
         "limit-sequence",
         "with the lists in it, this value has more than 5 items, which is the limit",
     )
+
+
+def test_a_text_behind_a_computed_name_may_be_as_long_as_the_limit_says() -> None:
+    text = "out: {$('a'): $('x' * 6)}"
+    assert "<a>xxxxxx</a>" in run(text, policy=Policy(limits={"text": 6})).xml()
+    assert fault(text, policy=Policy(limits={"text": 5})).code == "limit-text"
+
+
+@pytest.mark.parametrize("path", ["/t.yaml", "-"])
+def test_a_value_that_safe_mode_does_not_take_is_told_at_the_start_of_the_file(path: str) -> None:
+    loader = MemoryLoader({"/t.yaml": "out: $(x)"})
+    text = "out: $(x)" if path == "-" else None
+    with pytest.raises(YamaroError) as caught:
+        yamaro.build(path, text=text, loader=loader, variables={"x": len}, policy=Policy("safe"))
+    (error,) = caught.value.diagnostics
+    assert (error.code, place(error)) == ("unsafe-code", "1:1 ")
+    assert error.message.startswith("the value of the variable 'x': ")
 
 
 # --- calls, ranges, content -------------------------------------------------------------------
@@ -135,6 +163,14 @@ def test_expressions_in_a_list_of_a_part_are_evaluated_where_it_stands() -> None
 def test_of_an_address_with_another_one_in_it_the_first_scheme_is_told() -> None:
     error = fault("out: {include: 'https://a/b.yaml?c=http://d'}")
     assert error.message == "'https://' cannot be included: nothing is fetched"
+
+
+@pytest.mark.parametrize("ending", ["yaml", "yml"])
+def test_a_misspelt_file_is_taken_for_one_with_an_ending_of_yaml(ending: str) -> None:
+    loader = MemoryLoader({"/t.yaml": "out: {include: prt.y}", f"/part.{ending}": "", "/prt.z": ""})
+    with pytest.raises(YamaroError) as caught:
+        yamaro.build("/t.yaml", loader=loader)
+    assert caught.value.diagnostics[0].hint == f"did you mean 'part.{ending}'?"
 
 
 def test_a_package_that_is_nowhere_is_told_by_its_name_alone() -> None:
