@@ -200,9 +200,9 @@ def test_a_text_in_no_file_stands_in_the_folder_of_the_process(
 ) -> None:
     monkeypatch.chdir(tmp_path)
     (tmp_path / "data.yaml").write_text("7")
-    text = "out: {a: $(file_dir()), b: \"$(load_yaml('data.yaml'))\"}"
+    text = "out: {a: $(file_dir()), b: \"$(load_yaml('data.yaml'))\", c: $(cwd)}"
     xml = yamaro.build("-", text=text).xml()
-    assert f"<a>{tmp_path}</a>" in xml and "<b>7</b>" in xml
+    assert f"<a>{tmp_path}</a>" in xml and "<b>7</b>" in xml and f"<c>{tmp_path}</c>" in xml
 
 
 def test_safe_mode_tells_which_module_beside_the_file_it_does_not_run(tmp_path: Path) -> None:
