@@ -1,4 +1,4 @@
-"""A deadline that was not reached, or just so, leaves no trace; see also tests/test_policy.py."""
+"""A deadline ends what takes too long, and leaves no trace where it was not reached, or just so."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ from collections.abc import Iterator
 
 import pytest
 
+from yamaro.runtime import deadline
 from yamaro.runtime.deadline import TimeOver, run_within
 
 pytestmark = pytest.mark.usefixtures("untraced")
@@ -21,14 +22,82 @@ def work_for(seconds: float) -> None:
         pass
 
 
+def wait_for_threads_to_end(count: int) -> None:
+    """Wait until there are but so many threads."""
+    end = time.perf_counter() + 10
+    while _thread._count() > count and time.perf_counter() < end:
+        time.sleep(0.001)
+    assert _thread._count() == count
+
+
+def spin(seconds: float, catches: int = 0) -> int:
+    """Compute without end under a deadline that is caught so many times; return how often."""
+
+    def work() -> int:
+        times = 0
+        while True:
+            try:
+                while True:
+                    pass
+            except TimeOver:
+                times += 1
+                if times > catches:
+                    return times
+
+    return run_within(seconds, work)
+
+
+def test_what_takes_too_long_is_ended() -> None:
+    began = time.perf_counter()
+    with pytest.raises(TimeOver):
+        run_within(0.05, lambda: work_for(60))
+    assert 0.05 <= time.perf_counter() - began < 30
+
+
+def test_what_catches_the_end_of_its_time_is_ended_again(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(deadline, "AGAIN_AFTER", 0.02)
+    threads = _thread._count()
+    began = time.perf_counter()
+    assert spin(0.1, catches=2) == 3
+    assert time.perf_counter() - began >= 0.14
+    wait_for_threads_to_end(threads)
+
+
 def test_work_that_is_done_in_time_is_left_alone() -> None:
     before = _thread._count()
     for seconds in (None, 60.0, 1e12):
         assert run_within(seconds, lambda: 7) == 7
-    deadline_for_threads = time.perf_counter() + 10
-    while _thread._count() > before and time.perf_counter() < deadline_for_threads:
-        time.sleep(0.001)
-    assert _thread._count() == before
+    wait_for_threads_to_end(before)
+
+
+def test_nothing_is_heard_of_a_deadline_after_the_work() -> None:
+    assert run_within(0.02, lambda: 7) == 7
+    work_for(0.1)
+
+
+def test_a_time_that_is_over_when_the_work_was_just_done_stops_nothing() -> None:
+    watch = deadline._Watch()
+    watch.end()
+    watch._ended.acquire()  # as if it had not come to that yet
+    watch._run(0.001)
+    work_for(0.01)
+
+
+def test_a_deadline_that_comes_up_while_it_is_ended_is_ended_all_the_same(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    end, ends = deadline._Watch.end, list[int]()
+
+    def end_at_the_second_try(self: deadline._Watch) -> None:
+        ends.append(1)
+        if len(ends) == 1:
+            raise TimeOver
+        end(self)
+
+    monkeypatch.setattr(deadline._Watch, "end", end_at_the_second_try)
+    threads = _thread._count()
+    assert run_within(60, lambda: 7) == 7
+    wait_for_threads_to_end(threads)
 
 
 @pytest.fixture
@@ -57,6 +126,7 @@ def test_what_ends_just_in_time_hears_nothing_of_it_later() -> None:
 
 TRACED = """
 import sys
+from yamaro.runtime import deadline
 from yamaro.runtime.deadline import TimeOver, run_within
 def work_for_ever():
     while True: pass

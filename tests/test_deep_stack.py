@@ -300,6 +300,26 @@ def test_what_runs_in_a_thread_can_be_stopped(no_thread: list[deep_stack._Worker
     wait_for(lambda: _thread._count() == threads)
 
 
+def test_a_thread_that_ended_after_its_job_is_not_used_again(
+    no_thread: list[deep_stack._Worker],
+) -> None:
+    class Interrupted(deep_stack._Job):
+        def end(self) -> None:
+            super().end()
+            raise KeyboardInterrupt
+
+    threads = _thread._count()
+    job, worker = Interrupted(lambda: 7), deep_stack._new_worker()
+    assert worker is not None
+    worker.give(job)
+    job.wait()
+    assert job.result() == 7
+    wait_for(lambda: _thread._count() == threads)
+    assert no_thread == [worker]
+    assert deep_stack._idle_worker() is None
+    assert run_on_deep_stack(threading.get_ident) != threading.get_ident()
+
+
 def test_a_process_ends_whose_conversion_was_the_first_to_import_threading(tmp_path: Path) -> None:
     path = write(tmp_path, "import: threading\nout: $(threading.active_count())\n")
     code = (

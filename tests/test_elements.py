@@ -217,6 +217,13 @@ def test_attributes_without_a_value_are_left_out() -> None:
 # --- what the parser has made -----------------------------------------------------------------
 
 
+def test_an_element_that_stands_in_several_places_lives_on() -> None:
+    builder = Builder()
+    for _turn in range(100):
+        builder.share(made_element())  # were it gone, the next one could take its identity
+    assert len(builder.shared) == 100
+
+
 def made_element() -> Element:
     (element,) = root_of("a: {b: {}, c: text}").statements
     assert isinstance(element, Element)
@@ -263,6 +270,17 @@ def test_a_part_holds_what_its_form_says() -> None:
     assert part.children is part.children
     again = builder.part(form, ("arm", None), None)
     assert again.children[0] is name
+
+
+def test_what_is_always_the_same_in_parts_is_shared_by_those_of_one_form() -> None:
+    builder = Builder()
+    arm = form_of("part:\n  name: $(n)\n  <a>: {}")
+    leg = form_of("part:\n  name: $(n)\n  <b>: {}")
+    for form in (arm, leg):
+        _name, static = builder.part(form, ("one",), None).children
+        assert id(static) not in builder.shared
+        assert builder.part(form, ("two",), None).children[1] is static
+        assert id(static) in builder.shared
 
 
 def test_a_part_with_other_children_is_reached_the_same_way() -> None:

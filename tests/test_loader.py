@@ -16,6 +16,7 @@ from yamaro.diagnostics import YamaroError
 from yamaro.policy import Limits
 from yamaro.runtime import loader
 from yamaro.runtime.loader import FileLoader, LoadError, MemoryLoader, decode
+from yamaro.runtime.reach import Reach
 
 posix = pytest.mark.skipif(sys.platform == "win32", reason="has no such files")
 
@@ -145,6 +146,29 @@ def test_a_file_that_is_deleted_or_replaced_while_it_is_read_is_read_whole(
     assert reason(path) == "there is no such file"
 
 
+@posix
+def test_a_file_that_is_replaced_by_a_link_to_elsewhere_is_not_read(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    inside, outside = tmp_path / "in", tmp_path / "out"
+    inside.mkdir()
+    outside.write_text("secret")
+    path = inside / "a"
+    path.write_text("public")
+    reach = Reach([str(inside)])
+    assert FileLoader(reach=reach).read(str(path)) == b"public"
+    check = reach.check
+
+    def check_and_replace(asked: str) -> None:
+        check(asked)
+        path.unlink()
+        path.symlink_to(outside)
+
+    monkeypatch.setattr(Reach, "check", lambda _reach, asked: check_and_replace(asked))
+    with pytest.raises(LoadError, match=r"^it was replaced by another file meanwhile$"):
+        FileLoader(reach=reach).read(str(path))
+
+
 def test_a_file_may_have_as_many_bytes_as_the_limit_says(tmp_path: Path) -> None:
     path = tmp_path / "a"
     path.write_bytes(b"x" * 100)
@@ -249,16 +273,30 @@ def test_a_byte_order_mark_is_dropped() -> None:
     assert decode(b"\xef\xbb\xbfa: 1", name="t", path="/t").text == "a: 1"
 
 
-@pytest.mark.parametrize("encoding", ["utf-16", "utf-16-le", "utf-16-be"])
-def test_utf_16_is_recognised(encoding: str) -> None:
+@pytest.mark.parametrize(
+    ("data", "name", "text"),
+    [
+        ("model:\n".encode("utf-16"), "UTF-16", "model:\n"),
+        ("model:\n".encode("utf-16-le"), "UTF-16", "model:\n"),
+        ("model:\n".encode("utf-16-be"), "UTF-16", "model:\n"),
+        ("\ufeffmodel:\n".encode("utf-32-le"), "UTF-32", "model:\n"),
+        ("\ufeffmodel:\n".encode("utf-32-be"), "UTF-32", "model:\n"),
+        ("ab".encode("utf-16") + b"c", "UTF-16", "ab\ufffd"),  # is cut off
+        ("\ufeffa".encode("utf-32-le") + b"b", "UTF-32", "a\ufffd"),
+    ],
+)
+def test_other_encodings_are_recognised(data: bytes, name: str, text: str) -> None:
     with pytest.raises(YamaroError) as caught:
-        decode("model:\n".encode(encoding), name="t", path="/t")
+        decode(data, name="t", path="/t")
     (diagnostic,) = caught.value.diagnostics
-    assert (diagnostic.code, diagnostic.message) == (
+    assert (diagnostic.code, diagnostic.message, diagnostic.hint) == (
         "not-utf-8",
-        "the file is written in UTF-16",
+        f"the file is written in {name}",
+        "save it as UTF-8",
     )
-    assert diagnostic.span.source.text == "model:\n"
+    source = diagnostic.span.source
+    assert (source.text, source.name, source.path) == (text, "t", "/t")
+    assert diagnostic.span.written() == text[0]
 
 
 @pytest.mark.parametrize(
@@ -276,3 +314,5 @@ def test_a_byte_that_is_no_utf_8_is_shown_where_it_stands(
         decode(data, name="t", path="/t")
     (diagnostic,) = caught.value.diagnostics
     assert (diagnostic.span.place(), diagnostic.hint) == (place, hint)
+    assert diagnostic.span.written() == "\ufffd"  # what stands for it in the text
+    assert diagnostic.span.source.path == "/t"

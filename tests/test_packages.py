@@ -137,6 +137,14 @@ def test_ignored_folders_are_skipped(tmp_path: Path, marker: str) -> None:
     assert PackageFinder({"ROS_PACKAGE_PATH": str(tmp_path)}).names("/") == []
 
 
+def test_an_ignored_folder_hides_no_other(tmp_path: Path) -> None:
+    for name in ("a", "c"):
+        make_package(tmp_path / name / "ignored")
+        (tmp_path / name / "COLCON_IGNORE").write_text("")
+    hand = make_package(tmp_path / "b" / "hand")
+    assert PackageFinder({"ROS_PACKAGE_PATH": str(tmp_path)}).find("hand", "/") == hand
+
+
 def test_of_two_packages_with_one_name_the_first_by_path_is_taken(tmp_path: Path) -> None:
     for folder in ("b", "a", "c"):
         make_package(tmp_path / folder, name="arm")
@@ -196,6 +204,15 @@ def test_answers_are_remembered_for_the_life_of_the_finder(tmp_path: Path) -> No
     assert PackageFinder({"ROS_PACKAGE_PATH": str(tmp_path)}).find("arm", "/") == folder
 
 
+def test_a_folder_is_searched_once(tmp_path: Path) -> None:
+    arm = make_package(tmp_path / "arm")
+    finder = PackageFinder({"ROS_PACKAGE_PATH": str(tmp_path)})
+    assert finder.find("arm", "/") == arm
+    hand = make_package(tmp_path / "hand")
+    assert finder.find("hand", "/") is None
+    assert PackageFinder({"ROS_PACKAGE_PATH": str(tmp_path)}).find("hand", "/") == hand
+
+
 def test_threads_may_share_a_finder(tmp_path: Path) -> None:
     for number in range(50):
         make_package(tmp_path / f"p{number}")
@@ -224,6 +241,7 @@ def test_threads_may_share_a_finder(tmp_path: Path) -> None:
         ("<package><name\nid='x'>arm</name></package>", "arm"),
         ("<package><name\r\nid='x'>arm</name></package>", "arm"),
         ("<name>arm</name>", "arm"),
+        ("<names/><name>arm</name>", "arm"),
         ("<!-- <name>old</name> --><name>arm</name>", "arm"),
         ("<!-- a --><name>arm</name><!-- b -->", "arm"),
         ("<!-- <!-- --><name>arm</name>", "arm"),
@@ -280,8 +298,8 @@ def test_a_folder_that_cannot_be_read_hides_no_other(
 
 @pytest.mark.skipif(os.name == "nt", reason="there, c: is a drive")
 def test_a_colon_in_a_path_is_no_drive() -> None:
-    assert PackageFinder({}).resolve_uri("file:///c:/x.stl", "/") == "/c:/x.stl"
-    assert PackageFinder({}).resolve_uri("file:///ab/x.stl", "/") == "/ab/x.stl"
+    assert PackageFinder({}).resolve_uri("file:///c:/x.stl", "/base") == "/c:/x.stl"
+    assert PackageFinder({}).resolve_uri("file:///ab/x.stl", "/base") == "/ab/x.stl"
 
 
 def test_only_the_innermost_package_and_workspace_count(tmp_path: Path) -> None:

@@ -16,7 +16,6 @@ from yamaro import Policy, YamaroError, confined, jail
 from yamaro.cli import main
 from yamaro.jail import JailLimits
 from yamaro.policy import Limits, limit_names
-from yamaro.runtime.deadline import TimeOver, run_within
 
 needs_jail = pytest.mark.skipif(jail.check_available() is not None, reason="no jail here")
 COMMAND = [sys.executable, "-m", "yamaro"]
@@ -81,42 +80,6 @@ def test_each_limit_can_be_set() -> None:
 
 ENDLESS = "process: |\n  while True: 1\nout: null\n"
 LONG_CALL = "out: $(sum(range(10**12)))\n"
-
-
-def spin(seconds: float, catches: int = 0) -> int:
-    """Compute without end under a deadline that is caught so many times; return how often."""
-
-    def work() -> int:
-        times = 0
-        while True:
-            try:
-                while True:
-                    pass
-            except TimeOver:
-                times += 1
-                if times > catches:
-                    return times
-
-    return run_within(seconds, work)
-
-
-@pytest.mark.usefixtures("untraced")
-def test_a_deadline_ends_what_takes_too_long() -> None:
-    assert spin(0.05) == 1
-
-
-def test_a_deadline_leaves_the_rest_alone() -> None:
-    done = run_within(0.05, lambda: 1)
-    until = time.monotonic() + 0.2
-    while time.monotonic() < until:
-        done += 1
-    assert done > 1
-    assert run_within(None, lambda: 1) == 1
-
-
-@pytest.mark.usefixtures("untraced")
-def test_a_deadline_comes_again_if_it_is_caught() -> None:
-    assert spin(0.05, catches=1) == 2
 
 
 @pytest.mark.usefixtures("untraced")

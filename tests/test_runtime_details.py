@@ -9,6 +9,7 @@ import pytest
 
 from yamaro import Build, Policy, YamaroError, build
 from yamaro.diagnostics import Diagnostic
+from yamaro.runtime import late
 from yamaro.runtime.loader import MemoryLoader
 
 
@@ -204,6 +205,28 @@ def test_arguments_under_a_computed_key_are_warned_of_once() -> None:
     assert "<a>${x}</a>" in built.xml()
 
 
+@pytest.mark.parametrize(
+    ("parser", "call"),
+    [
+        ("parse_value", "Make: {Size: {a: $(i)}}"),
+        ("parse_arguments", "$('Make'): {Size: {a: $(i)}}"),
+    ],
+)
+def test_what_is_parsed_late_is_parsed_once(
+    monkeypatch: pytest.MonkeyPatch, parser: str, call: str
+) -> None:
+    parse, times = getattr(late, parser), list[int]()
+
+    def parse_and_count(*arguments: object) -> object:
+        times.append(1)
+        return parse(*arguments)
+
+    monkeypatch.setattr(late, parser, parse_and_count)
+    text = f"{LATE}  for: {{iterator: i, range: 3, body: {{{call}}}}}"
+    assert out(text) == "<a>0</a><a>1</a><a>2</a>"
+    assert len(times) == 1
+
+
 def test_a_text_in_place_of_a_block_is_warned_of_too() -> None:
     text = LATE.replace("Size['a']", "Size") + "  $('Make'): {Size: '${x}'}"
     assert [one.code for one in run(text).warnings] == ["xacro-syntax"]
@@ -267,8 +290,28 @@ def test_a_file_of_data_may_be_named_by_its_package_or_scheme() -> None:
     assert out("out: {a: \"$(load_yaml('data.yaml')[1]['a'])\"}", data) == "<a>b</a>"
     assert out("out: {a: \"$(load_yaml('file:///data.yaml')[3])\"}", data) == "<a>16</a>"
     assert out("out: {a: \"$(load_yaml('/data.yaml')[2])\"}", data) == "<a>$(x)</a>"
-    error = fault("out: {a: \"$(load_yaml('package://none/data.yaml'))\"}", data)
-    assert error.message.startswith("the file 'package://none/data.yaml' cannot be read")
+
+
+@pytest.mark.parametrize("uri", ["package://none/a.yaml", "Model://none"])
+def test_data_of_a_package_that_is_nowhere_is_told_by_the_package(uri: str) -> None:
+    error = fault(f"out: {{a: \"$(load_yaml('{uri}'))\"}}")
+    assert (error.code, error.message) == ("unknown-package", "the package 'none' is not found")
+    assert error.hint is not None and error.hint.startswith("looked in ")
+
+
+def test_data_is_not_fetched() -> None:
+    error = fault("out: {a: \"$(load_yaml('https://a/b.yaml?c=http://d'))\"}")
+    assert (error.code, error.message, error.hint) == (
+        "missing-file",
+        "'https://' cannot be read: nothing is fetched",
+        "save the file beside this one; files and package:// can be read",
+    )
+
+
+def test_data_holds_to_the_limits_of_the_file() -> None:
+    text, data = "out: {a: \"$(load_yaml('data.yaml'))\"}", {"data": "[[[1]]]"}
+    assert "[[[1]]]" in run(text, data, Policy(limits={"yaml-depth": 3})).xml()
+    assert fault(text, data, Policy(limits={"yaml-depth": 2})).code == "too-deep"
 
 
 def test_data_that_is_no_yaml_is_told_with_its_place() -> None:
@@ -277,5 +320,5 @@ def test_data_that_is_no_yaml_is_told_with_its_place() -> None:
 
 
 def test_data_may_look_like_xacro_and_be_warned_of_by_nobody() -> None:
-    built = run("out: $(load_yaml('data.yaml')[0])", {"data": "- a\n#text: b\n- ${x}\n"})
+    built = run("out: $(load_yaml('data.yaml')[0])", {"data": "- a\n#text: b\n- ${x}\n- {a:1}"})
     assert built.warnings == []

@@ -56,6 +56,22 @@ def test_a_declaration_in_another_scope_replaces_the_first() -> None:
     assert main.kinds == {}
 
 
+def test_only_what_is_given_from_outside_is_passed_in() -> None:
+    shared = Shared()
+    main = file_scope(shared)
+    assert not main.is_passed_in("length")
+    main.declare("length", 1, "bridge")
+    main.declare("width", 2, "child")
+    included = file_scope(shared, main)
+    assert [included.is_passed_in(name) for name in ("length", "width", "height")] == [
+        True,
+        True,
+        False,
+    ]
+    included.passed = frozenset(["height"])
+    assert included.is_passed_in("height")
+
+
 def test_an_unknown_scope_is_a_fault_of_ours() -> None:
     with pytest.raises(AssertionError):
         file_scope(Shared()).declare("x", 1, "everywhere")

@@ -19,7 +19,7 @@ A robot of 150,000 lines makes 3 million, in 400 MB.
 _lock = _thread.allocate_lock()  # the thresholds are set for the whole process
 if hasattr(os, "register_at_fork"):  # a thread that holds it is not in the forked process
     os.register_at_fork(after_in_child=_lock._at_fork_reinit)  # type: ignore[attr-defined]
-_found: list[tuple[int, int, int]] = []  # the thresholds before, once for each that runs
+_found: list[tuple[int, int, int]] = []  # the thresholds before each that runs
 
 
 class RareCollection:
@@ -32,14 +32,13 @@ class RareCollection:
 
     def __enter__(self) -> None:
         with _lock:
-            thresholds = gc.get_threshold()
-            _found.append(_found[0] if _found else thresholds)
-            if 0 < thresholds[0] < THRESHOLD:
-                gc.set_threshold(THRESHOLD, *thresholds[1:])
+            _found.append(gc.get_threshold())
+            if 0 < _found[-1][0] < THRESHOLD:
+                gc.set_threshold(THRESHOLD)
 
     def __exit__(self, *raised: object) -> None:
         """Give back the thresholds that were found, once nothing runs that needs ours."""
         with _lock:
-            before = _found.pop()
+            before = _found.pop()  # at last, what the first one found
             if not _found and gc.get_threshold()[0] == THRESHOLD:
                 gc.set_threshold(*before)

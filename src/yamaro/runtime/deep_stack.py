@@ -24,7 +24,7 @@ WAKING_INTERVAL = 0.2
 """Seconds after which a wait looks for Ctrl-C, which may have reached another thread."""
 
 _lock = _thread.allocate_lock()  # stack size and recursion limit are set for the whole process
-_limits: list[int] = []  # the recursion limit that was found, once for each function running
+_limits: list[int] = []  # the recursion limit before each function that runs
 _idle: list[_Worker] = []  # threads that wait for more to do; to start one takes half a millisecond
 MAX_IDLE = 4
 
@@ -195,15 +195,15 @@ def _run_here(function: Callable[[], T]) -> T:
 
 def _raise_recursion_limit() -> None:
     with _lock:
-        _limits.append(_limits[0] if _limits else sys.getrecursionlimit())
-        if sys.getrecursionlimit() < RECURSION_LIMIT:
+        _limits.append(sys.getrecursionlimit())
+        if _limits[-1] < RECURSION_LIMIT:
             sys.setrecursionlimit(RECURSION_LIMIT)
 
 
 def _restore_recursion_limit() -> None:
     """Give back the limit that was found, once nothing runs that needs ours."""
     with _lock:
-        before = _limits.pop()
+        before = _limits.pop()  # at last, what the first one found
         if _limits or sys.getrecursionlimit() != RECURSION_LIMIT:
             return
         try:

@@ -71,7 +71,7 @@ class Helpers:
         text = os.fspath(path)
         absolute = self._packages.resolve_uri(text, self._directory)
         if absolute is None:
-            absolute = os.path.normpath(os.path.join(self._directory, text))
+            raise self._nowhere(text)
         try:
             data = self._library.loader.read(absolute)
         except LoadError as error:
@@ -87,6 +87,17 @@ class Helpers:
         root = read(source, reporter=reporter, limits=rules.limits)
         return plain_data(parse_value(root, ParseContext(reporter, rules), is_literal=True))
 
+    def _nowhere(self, uri: str) -> InputFault:
+        """Return the fault of a URI that leads nowhere."""
+        scheme, _, rest = uri.partition("://")
+        if scheme.lower() in ("package", "model"):
+            return self._unknown_package(rest.partition("/")[0])
+        return InputFault(
+            "missing-file",
+            f"'{scheme}://' cannot be read: nothing is fetched",
+            "save the file beside this one; files and package:// can be read",
+        )
+
     def _hint_for(self, path: str) -> str:
         """Return what to say of a path that leads to no file."""
         neighbours = self._library.loader.neighbours(path)
@@ -96,15 +107,19 @@ class Helpers:
         """Return the folder of a ROS package."""
         found = self._packages.find(package, self._directory)
         if found is None:
-            places = self._packages.looked_at(package, self._directory)
-            raise InputFault(
-                "unknown-package",
-                f"the package '{package}' is not found",
-                f"looked in {', '.join(places)}; source its workspace, or set ROS_PACKAGE_PATH"
-                if places
-                else "source its workspace, or set ROS_PACKAGE_PATH",
-            )
+            raise self._unknown_package(package)
         return found
+
+    def _unknown_package(self, package: str) -> InputFault:
+        """Return the fault of a package that is nowhere."""
+        places = self._packages.looked_at(package, self._directory)
+        return InputFault(
+            "unknown-package",
+            f"the package '{package}' is not found",
+            f"looked in {', '.join(places)}; source its workspace, or set ROS_PACKAGE_PATH"
+            if places
+            else "source its workspace, or set ROS_PACKAGE_PATH",
+        )
 
     def env(self, name: str, default: Any = _REQUIRED) -> Any:
         """Return an environment variable, or the default if there is one."""
