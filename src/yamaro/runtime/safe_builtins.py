@@ -155,7 +155,9 @@ def _whole_text(make: Callable[[Any], str]) -> Callable[[Guards, Any], str]:
     def run(guards: Guards, number: Any, /) -> str:
         if type(number) in WHOLE:
             guards.check_integer(number.bit_length())
-        return make(number)
+        written = make(number)
+        guards.check_text(len(written))
+        return written
 
     return run
 

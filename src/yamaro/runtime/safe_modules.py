@@ -186,7 +186,9 @@ def _with_whole_numbers(name: str) -> Callable[..., Any]:
 
 def _least_common_multiple(guards: Guards, /, *values: Any) -> int:
     numbers = list(map(guards.plain, values))
-    guards.check_integer(sum(n.bit_length() for n in numbers if type(n) in WHOLE))
+    bits = sum(n.bit_length() for n in numbers if type(n) in WHOLE)
+    guards.check_integer(bits)
+    guards.charge(bits >> 2)
     return math.lcm(*numbers)
 
 
