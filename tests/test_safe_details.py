@@ -162,7 +162,7 @@ def test_values_and_errors_are_those_of_python(line: str) -> None:
     [
         ("! items.append()", "append() missing 1 required positional argument: 'item'"),
         ("text.join()", "join() missing 1 required positional argument: 'items'"),
-        ("! items.sort(reversed=1)", "sort() got an unexpected keyword argument 'reversed'"),
+        ("! items.sort(by=1)", "sort() got an unexpected keyword argument 'by'"),
         ("text.strip(chars='a')", "strip() got an unexpected keyword argument 'chars'"),
         ("max(items, start=1)", "max() got an unexpected keyword argument 'start'"),
         ("min(items, start=1)", "min() got an unexpected keyword argument 'start'"),
@@ -218,6 +218,7 @@ def test_a_limit_holds_wherever_a_value_is_made(line: str) -> None:
     assert error.code == f"limit-{name}"
     assert error.message.startswith(tuple(LIMITED[name].format(size=size).split(" | ")))
     assert error.message.endswith(f"; the limit in safe mode is {size - 1:,}")
+    assert error.construct == ""
     assert str(error.hint).endswith(f"--limit {name}=… sets another limit")
 
 
@@ -321,6 +322,19 @@ def test_plain_data_is_written(value: Any) -> None:
     SafeRuntime().check_written(value)
 
 
+def test_what_was_let_in_may_come_in_again() -> None:
+    runtime = SafeRuntime()
+    runtime.module("numpy")
+    kept = [range(3), runtime.admit(np.ones(2))]
+    assert runtime.admit(kept) is kept
+    assert runtime.admit(kept[1]) is kept[1]
+
+
+def test_the_order_of_a_set_is_that_of_its_texts() -> None:
+    line = "list({'b', 'a', 2, 1.5, None, ('x', 1), ('w', 2)})"
+    assert Run(line).value == [1.5, 2, "a", "b", None, ("w", 2), ("x", 1)]
+
+
 @pytest.mark.parametrize("value", [b"x", [b"x"], {"a": [object]}, (1, iter("")), [np.ones(2)]])
 def test_a_refusal_of_a_value_from_outside_names_its_type(value: Any) -> None:
     inner = value
@@ -344,9 +358,9 @@ def test_helpers_are_given_plain_values_and_called_by_name() -> None:
     def evaluate(text: str) -> Any:
         return eval(runtime.bind(compile_safe(text, "<test>", "eval")), scope)
 
-    before = runtime.steps
+    assert runtime.steps == 0
     assert evaluate("load(1, 'a', x=None)") is None
-    assert runtime.steps - before == 1000
+    assert runtime.steps == 1000
     assert asked == [((1, "a"), {"x": None})]
     assert evaluate("home") == "/opt"
     assert evaluate("str(load)") == "<function load>"
@@ -361,6 +375,12 @@ def test_a_module_that_is_not_allowed_is_refused_with_those_that_are() -> None:
         SafeRuntime().module("os")
     assert caught.value.construct == "the module `os`"
     assert caught.value.hint == f"safe mode has math, numpy, statistics; {RUN_IT}"
+
+
+def test_a_module_is_refused_for_a_reason() -> None:
+    error = SafeRuntime().refusal_of_module("legs", "it stands beside the file")
+    words = "the module `legs` is not allowed in safe mode: it stands beside the file"
+    assert error.message == words
 
 
 def test_a_module_is_made_once() -> None:
