@@ -5,6 +5,7 @@ The tables are in tests/safe_details. A line that begins with `!` holds statemen
 
 from __future__ import annotations
 
+import ast
 import math
 import statistics
 import sys
@@ -15,7 +16,7 @@ from typing import Any
 
 import pytest
 
-from yamaro.runtime.safe_code import compile_safe
+from yamaro.runtime.safe_code import _Rewriter, compile_safe
 from yamaro.runtime.safe_limits import RUN_IT, SafeLimits, SafetyError
 from yamaro.runtime.safe_runtime import SafeRuntime
 from yamaro.runtime.safe_values import OrderedSet
@@ -142,6 +143,48 @@ def test_a_refusal_says_what_is_not_allowed_and_what_to_write(
     assert caught.value.construct == construct
     assert caught.value.message == f"{construct} is not allowed in safe mode{colon}{why}"
     assert caught.value.hint == hint
+
+
+@pytest.mark.parametrize(
+    ("line", "at"),
+    [
+        ("(1, [k async for k in items])", "[k async for k in items]"),
+        ("(2, lambda **__x: 1)", "__x"),
+        ("print(1, __x=1)", "__x=1"),
+        ("[k for items[0] in items]", "items[0]"),
+        ("1 + items.__len__()", "items.__len__"),
+        ("f'a{items._x}b'", "f'a{items._x}b'"),
+        ("'é' + __y", "__y"),
+        ("1 if b'x' else ...", "b'x'"),
+        ("{**items._x}", "items._x"),
+        ("1 + (x := 5)", "x := 5"),
+        ("! a = 1; items[0].x += 1", "items[0].x"),
+        ("! a, items.x = 3", "items.x"),
+        ("! a = 1; raise KeyError('a')", "KeyError('a')"),
+        ("! a = b = __c = 1", "__c"),
+        ("! __x += 1", "__x"),
+        ("! a = 1; import os", "import os"),
+    ],
+)
+def test_a_refusal_points_at_the_smallest_piece_that_is_wrong(line: str, at: str) -> None:
+    mode = "exec" if line.startswith("! ") else "eval"
+    text = line.removeprefix("! ")
+    with pytest.raises(SafetyError) as caught:
+        compile_safe(text, "<test>", mode)
+    assert caught.value.position is not None
+    first, start, last, end = caught.value.position
+    assert first == last == 1
+    assert text.encode()[start:end].decode() == at
+
+
+def test_an_operator_of_a_later_python_is_refused() -> None:
+    class LogicalXor(ast.operator):
+        pass
+
+    one, name = ast.Constant(1), ast.Name("a", ast.Store())
+    for node in (ast.BinOp(one, LogicalXor(), one), ast.AugAssign(name, LogicalXor(), one)):
+        with pytest.raises(SafetyError, match="`LogicalXor` is not allowed"):
+            _Rewriter(SafeLimits(), is_statements=True).visit(node)
 
 
 @pytest.mark.parametrize("line", lines_of("errors.txt"))
