@@ -9,8 +9,8 @@ import __future__
 
 import difflib
 import gc
+import importlib
 import random
-import sys
 from collections import Counter
 from collections.abc import Mapping
 from pathlib import Path
@@ -55,7 +55,7 @@ class Mutant:
         Raises:
             ValueError: it cannot take the place of the function's code.
         """
-        module = sys.modules["yamaro." + self.module.replace("/", ".")]
+        module = importlib.import_module("yamaro." + self.module.replace("/", "."))
         code = compile(self._text, str(module.__file__), "exec", flags=FLAGS, dont_inherit=True)
         function = _living(vars(module), self.function)
         before, after = function.__code__, _code_of(code, self.function)

@@ -22,6 +22,7 @@ REASONS = {
     "words": "a word of a message, or of what developers see",
     "elsewhere": "needs another system, another Python or a broken installation",
     "slow": "a test that is left out here kills it",
+    "import": "is run by the import, before the change is made; made in the file, it is killed",
     "hole": "a test is missing",
     "unread": "nobody has read it",
 }

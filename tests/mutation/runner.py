@@ -25,6 +25,7 @@ from typing import Any
 
 import pytest
 from _pytest.runner import runtestprotocol
+from _pytest.warnings import catch_warnings_for_item
 
 from tests.mutation.mutants import Mutant, make_mutants, modules_of, path_of
 
@@ -206,7 +207,8 @@ class MutationRun:
     def _passes(self, name: str, following: str | None) -> bool:
         item = self._items[name]
         next_item = self._items[following] if following else None
-        reports = runtestprotocol(item, log=False, nextitem=next_item)
+        with catch_warnings_for_item(item.config, item.ihook, "runtest", item):
+            reports = runtestprotocol(item, log=False, nextitem=next_item)
         return all(report.outcome != "failed" for report in reports)
 
     # --- with one -------------------------------------------------------------------------------

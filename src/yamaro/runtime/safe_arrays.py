@@ -226,7 +226,7 @@ class Arithmetic:
         else:
             shape = (*broadcast(a[:-2], b[:-2]), *a[-2:-1], *last)
         self.charge(shape)
-        self.charge_work(extent(shape) * (a[-1] if a else 1))
+        self.charge_work(extent(shape) * (a[-1] if a and b else 1))
 
     def charge_lists(self, shape: tuple[int, ...]) -> None:
         """Count an array of a shape as lists in lists, which take more than their numbers."""

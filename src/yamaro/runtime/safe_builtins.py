@@ -153,9 +153,9 @@ def _pow(guards: Guards, base: Any, exp: Any, mod: Any = None) -> Any:
 
 def _whole_text(make: Callable[[Any], str]) -> Callable[[Guards, Any], str]:
     def run(guards: Guards, number: Any, /) -> str:
-        if type(number) in WHOLE:
-            guards.check_integer(number.bit_length())
-        return make(number)
+        written = make(number)
+        guards.check_text(len(written))
+        return written
 
     return run
 
@@ -174,7 +174,7 @@ def _sum(guards: Guards, values: Any, /, start: Any = 0) -> Any:
     return total
 
 
-def _extreme(choose: Callable[..., Any], name: str) -> Callable[..., Any]:
+def _extreme(choose: Callable[..., Any]) -> Callable[..., Any]:
     def run(
         guards: Guards, first: Any, /, *rest: Any, key: Any = None, default: Any = _REQUIRED
     ) -> Any:
@@ -195,7 +195,6 @@ def _extreme(choose: Callable[..., Any], name: str) -> Callable[..., Any]:
         call = guards.called(key)
         return choose(items, key=lambda item: guards.measured(call(item)), **named)
 
-    run.__name__ = run.__qualname__ = name
     return run
 
 
@@ -359,8 +358,8 @@ _CALLS: dict[str, Callable[..., Any]] = {
     "int": _int,
     "list": _list,
     "map": _map,
-    "max": _extreme(max, "max"),
-    "min": _extreme(min, "min"),
+    "max": _extreme(max),
+    "min": _extreme(min),
     "next": _next,
     "oct": _whole_text(oct),
     "pow": _pow,

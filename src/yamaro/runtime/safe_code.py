@@ -335,8 +335,8 @@ def _assign(self: _Rewriter, node: ast.Assign) -> ast.AST:
 
 def _augmented_assign(self: _Rewriter, node: ast.AugAssign) -> ast.AST:
     operator = type(node.op).__name__
-    if operator in REFUSED:
-        raise self.refused(REFUSED[operator], node)
+    if operator not in _OPERATORS:
+        raise self.refused(f"`{operator}`", node)
     name = self.constant(f"i{_OPERATORS[operator]}", node)
     value = self.visit(node.value)
     target = node.target
@@ -497,8 +497,8 @@ def _starred(self: _Rewriter, node: ast.Starred) -> ast.AST:
 
 def _binary(self: _Rewriter, node: ast.BinOp) -> ast.AST:
     operator = type(node.op).__name__
-    if operator in REFUSED:
-        raise self.refused(REFUSED[operator], node)
+    if operator not in _OPERATORS:
+        raise self.refused(f"`{operator}`", node)
     left, right = self.visit(node.left), self.visit(node.right)
     if operator == "Div" or _is_harmless(operator, node.left, node.right):
         return ast.copy_location(ast.BinOp(left, node.op, right), node)

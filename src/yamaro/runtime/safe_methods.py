@@ -179,7 +179,8 @@ def _combining(name: str) -> Method:
         sets = [guards.items(other) for other in others]
         for values in sets:
             guards.keys(values, len(owner))
-        guards.check_table(len(owner) + sum(map(len, sets)) if name == "union" else len(owner))
+        added = sum(map(len, sets)) if name in ("symmetric_difference", "union") else 0
+        guards.check_table(len(owner) + added)
         result = method(owner, *sets)
         return OrderedSet(result) if type(result) is set else result
 
@@ -292,6 +293,10 @@ CHANGING: dict[type, dict[str, Method]] = {
     },
 }
 """Methods that change their object, for `process` blocks."""
+
+for _methods in (*READING.values(), *CHANGING.values()):
+    for _name, _method in _methods.items():
+        _method.__name__ = _method.__qualname__ = _name  # as messages about arguments show it
 
 DATA: dict[type, frozenset[str]] = {
     int: frozenset(("denominator", "imag", "numerator", "real")),

@@ -153,10 +153,9 @@ def _combinations(guards: Guards, number: Any, chosen: Any, /) -> int:
 
 def _permutations(guards: Guards, number: Any, chosen: Any = None, /) -> int:
     number, chosen = guards.plain(number), guards.plain(chosen)
-    is_all = chosen is None or (type(number) in WHOLE and number == chosen)
-    if type(number) in WHOLE and not is_all and type(chosen) in WHOLE and chosen > number:
+    if type(number) in WHOLE and type(chosen) in WHOLE and chosen > number:
         return math.perm(number, chosen)  # none
-    _check_choice(guards, number, number if is_all else chosen)
+    _check_choice(guards, number, number if chosen is None else chosen)
     return math.perm(number, chosen)
 
 
@@ -186,7 +185,9 @@ def _with_whole_numbers(name: str) -> Callable[..., Any]:
 
 def _least_common_multiple(guards: Guards, /, *values: Any) -> int:
     numbers = list(map(guards.plain, values))
-    guards.check_integer(sum(n.bit_length() for n in numbers if type(n) in WHOLE))
+    bits = sum(n.bit_length() for n in numbers if type(n) in WHOLE)
+    guards.check_integer(bits)
+    guards.charge(bits >> 2)
     return math.lcm(*numbers)
 
 

@@ -118,7 +118,7 @@ class Numpy(Arithmetic):
         if in_order[-1] == "xi":
             args = (args,)
         elif len(args) > len(free):
-            raise refused(f"so many arguments of `{name}`", "those behind are not checked")
+            raise refused(f"calling `{name}` with so many arguments", "the rest is not checked")
         for parameter, value in zip(free, args, strict=False):
             given[parameter] = self._argument(parameter, value)
         count = len(given)

@@ -265,15 +265,13 @@ class Meter:
             )
 
     def expanded(self, value: Any) -> int:
-        """Return the items in a value, those in lists within lists included, each time they occur.
+        """Return the items in a collection, with those in lists within lists each time they occur.
 
         `[[[0] * 1000] * 1000] * 1000` takes 24 kB and has a thousand million items.
 
         Raises:
             SafetyError: there are too many, or they are nested too deep.
         """
-        if type(value) not in CONTAINERS:
-            return self._size_of_leaf(value)
         count = 0
         most, deepest = self.limits.sequence, self.limits.depth
         stack: list[Iterator[Any]] = [_parts(value)]
@@ -365,8 +363,8 @@ class Meter:
             return self.admit_foreign(value)
         if kind not in CONTAINERS and kind not in self.foreign:
             raise _not_plain(value)
-        self.expanded(value)
         if kind in CONTAINERS:
+            self.expanded(value)
             for item in _leaves(value):
                 if type(item) not in SCALARS:
                     if type(item).__module__ == "numpy" and type(item) not in self.foreign:
