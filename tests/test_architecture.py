@@ -8,7 +8,7 @@ from pathlib import Path
 REPOSITORY = Path(__file__).parents[1]
 PACKAGE = REPOSITORY / "src" / "yamaro"
 
-PHASE = re.compile(r"\*\*`(\w+/)`\*\*")
+PHASE = re.compile(r"\*\*`([\w/]+/)`\*\*")
 MODULE = re.compile(r"`(\w+\.py)`")
 
 

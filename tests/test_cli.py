@@ -1069,7 +1069,7 @@ def on_path() -> dict[str, str]:
 @pytest.mark.parametrize(
     ("line", "words", "expected"),
     [
-        ("yamaro ", ["yamaro", ""], "bin check completion robot.yaml tree two.yml"),
+        ("yamaro ", ["yamaro", ""], "bin check completion migrate robot.yaml tree two.yml"),
         ("yamaro ro", ["yamaro", "ro"], "robot.yaml"),
         ("yamaro check ro", ["yamaro", "check", "ro"], "robot.yaml"),
         ("yamaro robot.yaml ", ["yamaro", "robot.yaml", ""], "legs:= length:="),

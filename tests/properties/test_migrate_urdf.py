@@ -89,7 +89,7 @@ material = st.builds(
 )
 visual = some(origin, geometry, material, comment).map(lambda content: tag("visual", {}, content))
 collision = some(origin, geometry, vendor).map(lambda content: tag("collision", {}, content))
-moments = {name: number for name in ("ixx", "ixy", "ixz", "iyy", "iyz", "izz")}
+moments = dict.fromkeys(("ixx", "ixy", "ixz", "iyy", "iyz", "izz"), number)
 inertial = some(origin, simple("mass", value=number), simple("inertia", **moments)).map(
     lambda content: tag("inertial", {}, content)
 )

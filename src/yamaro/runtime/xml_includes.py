@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 
-from ..diagnostics import INHERITED, failure
+from ..diagnostics import INHERITED, did_you_mean, failure
 from ..xmlreader import read_xml
 from ..xmltree import Element, Text, format_value
 
@@ -32,7 +32,8 @@ def check_xml_include(node: IncludeNode, *, is_xacro: bool) -> None:
                 "unknown-argument",
                 f"an XML file takes no variable '{argument.name}'",
                 argument.span,
-                hint="prefix: left_ renames its links and joints; nothing else can be set in it",
+                hint=did_you_mean(argument.name or "", ["prefix"])
+                or "prefix: left_ renames its links and joints; nothing else can be set in it",
             )
     if node.namespace is not None:
         raise failure(

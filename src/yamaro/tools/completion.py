@@ -86,9 +86,9 @@ _yamaro() {
     for word in "${words[@]:1:last-1}"; do
         if [[ $skip ]]; then skip=; continue; fi
         case $word in
-            -o | --output | --color | --timeout | --allow-path | --limit) skip=1 ;;
+            -o | --output | --color | --timeout | --allow-path | --limit | --package) skip=1 ;;
             -?* | *:=*) ;;
-            check | tree | completion)
+            check | tree | migrate | completion)
                 if [[ $command$file ]]; then file=${file:-$word}; else command=$word; fi ;;
             *) file=${file:-$word} ;;
         esac
@@ -101,6 +101,7 @@ _yamaro() {
     case $previous in
         --color) COMPREPLY=($(compgen -W "auto always never" -- "$current")); return ;;
         -o | --output | --allow-path) _yamaro_files "$current" ""; return ;;
+        --package) return ;;
         --timeout) return ;;
         --limit)
             COMPREPLY=($(compgen -W "@LIMITS@" -S = -- "$current"))
@@ -111,7 +112,8 @@ _yamaro() {
         COMPREPLY=($(compgen -W "bash zsh fish" -- "$current"))
     elif [[ $current == -* ]]; then
         local options="-q --quiet --strict --color"
-        options+=" --trust --jail --safe --timeout --allow-path --limit"
+        options+=" --trust --jail --safe --timeout --allow-path --limit --package"
+        [[ $command == migrate ]] && options="-q --quiet --color --limit -o --output --force"
         [[ $command ]] || options+=" -o --output --deps -h --help -V --version"
         COMPREPLY=($(compgen -W "$options" -- "$current"))
     elif [[ $file ]]; then
@@ -120,8 +122,12 @@ _yamaro() {
         COMPREPLY=($(compgen -W "$names" -- "$current"))
         compopt -o nospace 2>/dev/null
     else
-        [[ $command ]] || COMPREPLY=($(compgen -W "check tree completion" -- "$current"))
-        _yamaro_files "$current" yaml yml
+        [[ $command ]] || COMPREPLY=($(compgen -W "check tree migrate completion" -- "$current"))
+        if [[ $command == migrate ]]; then
+            _yamaro_files "$current" urdf xml
+        else
+            _yamaro_files "$current" yaml yml
+        fi
     fi
 }
 
@@ -151,9 +157,9 @@ _yamaro_words() {
     for word in "${(@)words[2,CURRENT-1]}"; do
         if [[ -n $skip ]]; then skip=; continue; fi
         case $word in
-            -o | --output | --color | --timeout | --allow-path | --limit) skip=1 ;;
+            -o | --output | --color | --timeout | --allow-path | --limit | --package) skip=1 ;;
             -?* | *:=*) ;;
-            check | tree | completion)
+            check | tree | migrate | completion)
                 if [[ -n $command$file ]]; then file=${file:-$word}; else command=$word; fi ;;
             *) file=${file:-$word} ;;
         esac
@@ -175,11 +181,16 @@ _yamaro_words() {
             local -a commands=(
                 'check:look for errors, warnings and doubtful things'
                 'tree:show links, joints and masses as a tree'
+                'migrate:write a URDF as a YAML file'
                 'completion:print a completion script'
             )
             _describe -t commands command commands
         fi
-        _files -g '*.(yaml|yml)(-.)'
+        if [[ $command == migrate ]]; then
+            _files -g '*.(urdf|xml)(-.)'
+        else
+            _files -g '*.(yaml|yml)(-.)'
+        fi
     fi
 }
 
@@ -199,6 +210,8 @@ _yamaro() {
         '--timeout=[end it after that time]:seconds: ' \
         '*--allow-path=[let it read a file or folder]:file or folder:_files' \
         '*--limit=[set how much it may use]:limit:_yamaro_limits' \
+        '*--package=[say where a ROS package is]:name\:=folder: ' \
+        '--force[with migrate, replace a file]' \
         '--color=[colour messages]:when:(auto always never)' \
         '(- *)'{-h,--help}'[show help]' \
         '(- *)'{-V,--version}'[show the version]' \
@@ -220,7 +233,7 @@ function __yamaro_words
             continue
         end
         switch $word
-            case -o --output --color --timeout --allow-path --limit
+            case -o --output --color --timeout --allow-path --limit --package
                 set skip 1
             case '-?*' '*:=*'
             case '*'
@@ -231,12 +244,12 @@ end
 
 function __yamaro_command
     set -l words (__yamaro_words)
-    contains -- "$words[1]" check tree completion; and echo $words[1]
+    contains -- "$words[1]" check tree migrate completion; and echo $words[1]
 end
 
 function __yamaro_file
     set -l words (__yamaro_words)
-    contains -- "$words[1]" check tree completion; and set -e words[1]
+    contains -- "$words[1]" check tree migrate completion; and set -e words[1]
     test -n "$words[1]"; and echo -- $words[1]
 end
 
@@ -264,6 +277,7 @@ end
 complete -c yamaro -f
 complete -c yamaro -n '__yamaro_wants command' -a check -d 'look for errors and warnings'
 complete -c yamaro -n '__yamaro_wants command' -a tree -d 'show links, joints and masses'
+complete -c yamaro -n '__yamaro_wants command' -a migrate -d 'write a URDF as a YAML file'
 complete -c yamaro -n '__yamaro_wants command' -a completion -d 'print a completion script'
 complete -c yamaro -n '__yamaro_wants shell' -a 'bash zsh fish'
 complete -c yamaro -n '__yamaro_wants file' -k -a '(__fish_complete_suffix .yaml)'
@@ -278,6 +292,8 @@ complete -c yamaro -l safe -d 'let it do nothing but compute'
 complete -c yamaro -l timeout -x -d 'end it after so many seconds'
 complete -c yamaro -l allow-path -r -F -d 'let it read a file or folder'
 complete -c yamaro -l limit -x -a '(string split " " "@LIMITS@")=' -d 'set how much it may use'
+complete -c yamaro -l package -x -d 'say where a ROS package is: NAME:=FOLDER'
+complete -c yamaro -l force -d 'with migrate, replace a file'
 complete -c yamaro -l color -x -a 'auto always never' -d 'colour messages'
 complete -c yamaro -s h -l help -d 'show help'
 complete -c yamaro -s V -l version -d 'show the version'
