@@ -245,9 +245,15 @@ class _Reader:
             raise failure(
                 "xml-entity",
                 f"the entity '{name}' is read from elsewhere, or made of others",
-                Span(self._source, self._here(), self._here() + 1),
+                self._entity_span(name),
                 hint="write what it stands for where it is used",
             )
+
+    def _entity_span(self, name: str) -> Span:
+        """Return where the name of an entity stands that is being declared."""
+        text, end = self._source.text, self._here()
+        start = text.find(name, max(text.rfind("<!ENTITY", 0, end), 0))
+        return Span(self._source, start, start + len(name))
 
     # --- helpers ----------------------------------------------------------------------------
 

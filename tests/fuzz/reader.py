@@ -152,7 +152,12 @@ def read_one(text: str) -> ScalarNode:
 
 
 def require_fragment(node: ScalarNode) -> None:
-    """Require that a scalar's text, read as YAML of its own, has its places inside the scalar."""
+    """Require that a scalar's text, read as YAML of its own, has its places inside the scalar.
+
+    What is read so begins with a quote or a bracket.
+    """
+    if not node.text.startswith(("'", '"', "[", "{")):
+        return
     try:
         root = read_fragment(node, 0, len(node.text))
     except YamaroError as error:
