@@ -53,7 +53,7 @@ class Python:
                 end=at + 2,
             )
         code = compile_bounded(text, "<expression>", "eval", self._limits)
-        return eval(code, {"__builtins__": {}}, names)
+        return eval(code, {"__builtins__": {}}, names)  # type: ignore[arg-type]
 
     def _compile(self, text: str) -> str | CodeType:
         """Return code, or the name that is all of the expression."""
