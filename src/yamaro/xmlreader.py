@@ -157,7 +157,6 @@ class _Reader:
         from pyexpat import ParserCreate
 
         parser = ParserCreate("utf-8")
-        parser.ordered_attributes = True
         parser.buffer_text = True
         parser.StartElementHandler = self._start
         parser.EndElementHandler = self._end
@@ -171,14 +170,15 @@ class _Reader:
 
     # --- what expat tells -------------------------------------------------------------------
 
-    def _start(self, name: str, pairs: list[str]) -> None:
-        self._flush()
-        self._token = self._parser.CurrentByteIndex
-        start = self._here()
+    def _start(self, name: str, attributes: dict[str, Any]) -> None:
+        if self._text:
+            self._flush()
+        self._token = start = self._parser.CurrentByteIndex
+        if not self._is_ascii:
+            start = self._offset(start)
         span = Span(self._source, start + 1, start + 1 + len(name))
-        attributes: dict[str, object] = dict(zip(pairs[::2], pairs[1::2], strict=True))
-        element = Element(name, span, attributes, [], None, TagPlaces(self._source, start))
-        element.verbatim = True
+        places = TagPlaces(self._source, start)
+        element = Element(name, span, attributes, [], None, places, True)
         if self._open:
             self._open[-1].children.append(element)
         else:
@@ -195,7 +195,8 @@ class _Reader:
             )
 
     def _end(self, name: str) -> None:
-        self._flush()
+        if self._text:
+            self._flush()
         self._token = self._parser.CurrentByteIndex
         self._open.pop()
         if len(self._open) < self._prefixes[-1][0]:
@@ -239,7 +240,7 @@ class _Reader:
         """Put the text that has come so far into the element that is open."""
         if not self._text:
             return
-        text = "".join(self._text)
+        text = self._text[0] if len(self._text) == 1 else "".join(self._text)
         self._text.clear()
         end = self._here()
         start = end - len(text)
@@ -257,7 +258,7 @@ class _Reader:
 
     def _check_prefixes(self, element: Element) -> None:
         """Refuse prefixes that are not declared here, having noted those that are."""
-        used = [name for name in element.attributes if ":" in name]
+        used = [name for name in element.attributes if ":" in name] if element.attributes else []
         if used:
             new = {name[6:] for name in used if name.startswith("xmlns:")}
             if new:

@@ -66,6 +66,7 @@ class Expansion:
 
     Attributes:
         frame: the innermost call or include.
+        documents: the root elements of the files that were read, by path.
     """
 
     def __init__(self, host: Host, reporter: Reporter, evaluator: Evaluator) -> None:
@@ -77,6 +78,7 @@ class Expansion:
         self.statements = Statements(reporter)
         self.comments = Comments()
         self.frame: Frame | None = None
+        self.documents: dict[str, Element] = {}
         self.depth = 0
         self._walked = 0
 

@@ -104,10 +104,14 @@ def _read(
 ) -> tuple[Element, list[Node]]:
     """Return the root of a file, without children, and what its content expands to."""
     place = node.value_span("filename")
-    source = expansion.host.read(path, place)
+    known = expansion.documents.get(path)
+    source = expansion.host.read(path, place) if known is None else None
     expansion.enter("included", os.path.basename(path), place)
     expansion.evaluator.files.append(path)
-    file = read_xml(source, expansion.limits, exact=True).root
+    if source is not None:
+        known = expansion.documents[path] = read_xml(source, expansion.limits, exact=True).root
+    assert known is not None
+    file = known
     attributes: dict[str, object] = {}
     for name, value in file.attributes.items():
         if not name.startswith(PREFIX):

@@ -85,7 +85,12 @@ class Scope(dict[str, "Any"]):
 
     def has(self, name: str) -> bool:
         """Tell whether the name stands for something here."""
-        return any(name in own or name in own.lazy for own in self.chain()) or name in self.root()
+        scope: Any = self
+        while isinstance(scope, Scope):
+            if dict.__contains__(scope, name) or name in scope.lazy:
+                return True
+            scope = scope.parent
+        return name in scope
 
     def put(self, name: str, value: Any) -> None:
         """Give a name a value."""
