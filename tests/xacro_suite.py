@@ -91,9 +91,8 @@ def is_available() -> bool:
         return False
     if not _root().exists():
         with tarfile.open(archive) as file:
-            file.extractall(
-                FOLDER, **({"filter": "data"} if hasattr(tarfile, "data_filter") else {})
-            )
+            safely: Any = {"filter": "data"} if hasattr(tarfile, "data_filter") else {}
+            file.extractall(FOLDER, **safely)
     return True
 
 

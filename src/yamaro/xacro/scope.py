@@ -138,9 +138,9 @@ class Scope(dict[str, "Any"]):
             scope = scope.parent
         return scope
 
-    def names(self) -> list[str]:
-        """Return all names that stand for something, for suggestions."""
-        known = {name for own in self.chain() for name in (*own, *own.lazy)} | set(self.root())
+    def own_names(self) -> list[str]:
+        """Return the names that the file defines, for suggestions."""
+        known = {name for own in self.chain() for name in (*own, *own.lazy)}
         return [name for name in known if not name.startswith("__")]
 
 
@@ -173,7 +173,7 @@ def attribute(names: dict[str, Any], name: str) -> Any:
 
 
 class Macro:
-    """A macro.
+    """A macro. When its name is defined anew in the same scope, it becomes the new one.
 
     Attributes:
         element: its definition.
