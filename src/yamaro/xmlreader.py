@@ -101,27 +101,22 @@ def read_xml(source: Source, limits: Limits | None = None, *, exact: bool = Fals
     return _Reader(source, limits or Limits(), exact).read()
 
 
-class TagPlaces:
-    """Where the values of a tag's attributes stand, looked up in its text when somebody asks."""
+class TagSpan(Span):
+    """The place of a tag's name, which finds those of its attributes' values when asked."""
 
-    __slots__ = ("_source", "_start")
-
-    def __init__(self, source: Source, start: int) -> None:
-        """Say where the tag begins."""
-        self._source = source
-        self._start = start
+    __slots__ = ()
 
     def get(self, attribute: str, /) -> Span | None:
         """Return the place of an attribute's value, without its quotes."""
-        text, position = self._source.text, self._start
+        text, position = self.source.text, self.start
         while found := _ATTRIBUTE.search(text, position):
             if found["end"]:
                 return None
             if found["name"] == attribute:
                 start, end = found.span("value")
                 if start + 1 == end - 1:  # the place of an empty value is its name
-                    return Span(self._source, *found.span("name"))
-                return Span(self._source, start + 1, end - 1)
+                    return Span(self.source, *found.span("name"))
+                return Span(self.source, start + 1, end - 1)
             position = found.end()
         return None
 
@@ -148,6 +143,7 @@ class _Reader:
         self._root: Element | None = None
         self._open: list[Element] = []
         self._text: list[str] = []
+        self._spaces: dict[str, Text] = {}  # each stands for all that are equal
         self._token = 0  # where the tag, comment or the like begins that came last, in bytes
         self._is_ascii = source.text.isascii()
         self._bytes = b""
@@ -173,7 +169,6 @@ class _Reader:
         from pyexpat import ParserCreate
 
         parser = ParserCreate("utf-8")
-        parser.ordered_attributes = True
         parser.buffer_text = True
         parser.StartElementHandler = self._start
         parser.EndElementHandler = self._end
@@ -187,20 +182,20 @@ class _Reader:
 
     # --- what expat tells -------------------------------------------------------------------
 
-    def _start(self, name: str, pairs: list[str]) -> None:
-        self._flush()
-        self._token = self._parser.CurrentByteIndex
-        start = self._here()
-        span = Span(self._source, start + 1, start + 1 + len(name))
-        attributes: dict[str, object] = dict(zip(pairs[::2], pairs[1::2], strict=True))
-        element = Element(name, span, attributes, [], None, TagPlaces(self._source, start))
-        element.verbatim = True
+    def _start(self, name: str, attributes: dict[str, Any]) -> None:
+        if self._text:
+            self._flush()
+        self._token = start = self._parser.CurrentByteIndex
+        if not self._is_ascii:
+            start = self._offset(start)
+        span = TagSpan(self._source, start + 1, start + 1 + len(name))
+        element = Element(name, span, attributes, [], None, span, True)
         if self._open:
             self._open[-1].children.append(element)
         else:
             self._root = element
         self._open.append(element)
-        if self._exact:
+        if self._exact and (":" in name or ":" in "".join(attributes)):
             self._check_prefixes(element)
         if len(self._open) > self._limits.xml_depth:
             raise failure(
@@ -211,7 +206,8 @@ class _Reader:
             )
 
     def _end(self, name: str) -> None:
-        self._flush()
+        if self._text:
+            self._flush()
         self._token = self._parser.CurrentByteIndex
         self._open.pop()
         if len(self._open) < self._prefixes[-1][0]:
@@ -261,8 +257,12 @@ class _Reader:
         """Put the text that has come so far into the element that is open."""
         if not self._text:
             return
-        text = "".join(self._text)
+        text = self._text[0] if len(self._text) == 1 else "".join(self._text)
         self._text.clear()
+        space = self._spaces.get(text)
+        if space is not None and not self._is_cdata:
+            self._open[-1].children.append(space)
+            return
         end = self._here()
         start = end - len(text)
         if not self._source.text.startswith(text, max(start, 0)):
@@ -270,6 +270,8 @@ class _Reader:
         span = Span(self._source, start, max(start, end))
         made = CData(text, span) if self._is_cdata else Text(text, span)
         self._open[-1].children.append(made)
+        if self._exact and not self._is_cdata and text.isspace():
+            self._spaces[text] = made
 
     def _text_start(self) -> int:
         """Return where the tag, comment or the like ends that came last."""

@@ -71,11 +71,11 @@ def _call(expansion: Expansion, node: Element, name: str, site: Site) -> None:
     macro, outer_macros, outer_scope = found
     scope = expansion.scope(outer_scope)
     missing = list(macro.parameters)
+    body = macro.element
     _take_values(expansion, node, macro, missing, scope, site)
     _take_blocks(expansion, node, macro, missing, scope, site)
-    _take_defaults(expansion, node, macro, missing, scope, site)
     expansion.enter("called", PREFIX + name, node.span, macro.home)
-    body = macro.element
+    _take_defaults(expansion, node, macro, missing, scope, site)
     produced: list[Node] = []
     attributes: dict[str, object] = {}
     for key, value in body.attributes.items():  # xacro evaluates those of the definition, too
@@ -199,16 +199,22 @@ def _take_defaults(
     site: Site,
 ) -> None:
     """Give the parameters that are left their defaults."""
+    around = expansion.frame.parent if expansion.frame else None
+    defaults = {
+        own.name: own for own in macro.parameters if own.default is not None or own.is_forwarded
+    }
     for parameter in list(missing):
-        name, default = parameter.name, parameter.default
-        if default is None and not parameter.is_forwarded:
+        name = parameter.name
+        known = defaults.get(name)
+        if known is None or known.is_block:
             continue
+        default = known.default
         place = expansion.place(macro.element, "params")
-        place.shift = parameter.start
-        if parameter.is_forwarded and site.scope.has(name):
+        place.shift = known.start
+        if known.is_forwarded and site.scope.has(name):
             value = site.scope[name]
         elif default is not None:
-            place.shift = parameter.end - len(default)
+            place.shift = known.end - len(default)
             value = expansion.evaluator.value(default, site.scope, place)
         else:
             raise failure(
@@ -217,7 +223,7 @@ def _take_defaults(
                 node.span,
                 hint=f'the caller has to have it, or to give it: {name}="…"',
                 notes=_defined(macro),
-                trace=expansion.frame,
+                trace=around,
             )
         missing.remove(parameter)
         assign(expansion, scope, name, value, place)
@@ -228,7 +234,7 @@ def _take_defaults(
             f"the macro '{_name(macro)}' is called without {names}",
             node.span,
             notes=_defined(macro),
-            trace=expansion.frame,
+            trace=around,
         )
 
 

@@ -31,7 +31,11 @@ def define_macro(expansion: Expansion, node: Element, site: Site) -> None:
     """Define a macro."""
     leave_mark = expansion.leave_mark(node, site)
     macro = expansion.statements.macro(node)
-    site.macros[macro.name] = Macro(node, macro.parameters, expansion.frame)
+    known = site.macros.get(macro.name)
+    if isinstance(known, Macro):
+        known.element, known.parameters, known.home = node, macro.parameters, expansion.frame
+    else:
+        site.macros[macro.name] = Macro(node, macro.parameters, expansion.frame)
     leave_mark()
 
 

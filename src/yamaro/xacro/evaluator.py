@@ -6,7 +6,8 @@ import os
 import re
 
 from ..diagnostics import Frame, InputFault, YamaroError, failure, suggest
-from .faults import Fault
+from ..source import Span
+from .faults import Fault, add_trace
 from .literals import guess_value
 from .places import Place
 from .scope import Lazy, Scope
@@ -19,7 +20,6 @@ if TYPE_CHECKING:
     from typing import Any, NoReturn
 
     from ..diagnostics import Reporter
-    from ..source import Span
     from .host import Host
     from .python import Python
 
@@ -65,6 +65,9 @@ class Evaluator:
             if template is None:
                 template = self._templates[text] = parse_template(text)
             return self._join(template, scope)
+        except YamaroError as error:
+            add_trace(error, place.trace)
+            raise
         except Fault as fault:
             raise failure(
                 fault.code,
@@ -165,12 +168,16 @@ class Evaluator:
             found = re.search(rf"(?<![\w.]){re.escape(name)}\b", text) if name else None
             if found and offset is not None:
                 start, end = offset + found.start(), offset + found.end()
-            near = suggest(name, scope.names())
-            hint = f"did you mean '{near}'?" if near else None
+            hint = _similar(name, scope)
         elif isinstance(error, SyntaxError):
-            message = (
-                f"this is no Python expression: {error.msg}" if text.strip() else "it is empty"
-            )
+            message = "there is no expression between the braces"
+            if text.strip():
+                message = f"this is no Python expression: {error.msg}"
+                column = _column(error, text)
+                if column is not None and offset is not None:
+                    start, end = offset + column, offset + column + 1
+        elif isinstance(error, RecursionError):
+            code, message = "too-deep", "this calls itself without end"
         elif isinstance(error, KeyError) and type(part) is Substitution:
             code, message = "xacro-undefined", f"there is no argument {error}"
         raise Fault(code, message, hint, start=start, end=end) from None
@@ -209,7 +216,7 @@ class Evaluator:
                 f"the argument '{name}' is not declared before this place",
                 f"did you mean '{near}'?"
                 if near
-                else f'declare it above: <xacro:arg name="{name}" default="…"/>',
+                else f'give it, or declare it above: <xacro:arg name="{name}" default="…"/>',
             )
         return self.arguments[name]
 
@@ -237,10 +244,14 @@ class Evaluator:
         try:
             return parse_yaml(source.text, lambda text: self._python.evaluate(text, self.names))
         except YAMLError as error:
-            problem = getattr(error, "problem", None) or str(error)
             mark = getattr(error, "problem_mark", None)
-            line = f" in line {mark.line + 1}" if mark is not None else ""
-            raise Fault("xacro-yaml", f"'{source.name}' is no YAML: {problem}{line}") from None
+            start = min(mark.index if mark is not None else 0, len(source.text))
+            raise failure(
+                "xacro-yaml",
+                f"this is no YAML: {getattr(error, 'problem', None) or error}",
+                Span(source, start, min(start + 1, len(source.text))),
+                trace=Frame("read", source.name, self._here(), parent=self.place.trace),
+            ) from None
         except SyntaxError as error:
             raise Fault(
                 "xacro-yaml", f"a number with a unit in '{source.name}' is no Python: {error.msg}"
@@ -279,10 +290,24 @@ class Evaluator:
         self.reporter.warn(code, message, self._here(), hint=hint, trace=self.place.trace)
 
 
+def _similar(name: str, scope: Scope) -> str | None:
+    """Return a hint at a name that may be meant; for short ones, only what the file defines."""
+    near = suggest(name, scope.own_names())
+    if near is None and len(name) > 3:
+        near = suggest(name, scope.root())
+    return f"did you mean '{near}'?" if near else None
+
+
+def _column(error: SyntaxError, text: str) -> int | None:
+    """Return where in a text of one line Python stopped reading it."""
+    stripped = text.strip()
+    if error.lineno != 1 or not error.offset or error.offset > len(stripped):
+        return None
+    return text.index(stripped) + error.offset - 1
+
+
 def _described(error: Exception) -> str:
     """Return what an exception of Python says, with its kind."""
-    if isinstance(error, RecursionError):
-        return "this goes too deep: it calls itself without end"
     try:
         text = " ".join(str(error).split())
     except Exception:

@@ -68,6 +68,7 @@ class Expansion:
 
     Attributes:
         frame: the innermost call or include.
+        documents: the root elements of the files that were read, by path.
     """
 
     def __init__(
@@ -81,6 +82,7 @@ class Expansion:
         self.statements = Statements(reporter)
         self.comments = Comments()
         self.frame = frame
+        self.documents: dict[str, Element] = {}
         self.depth = 0
         self._walked = 0
 
@@ -271,6 +273,14 @@ def _attribute(expansion: Expansion, node: Element, site: Site) -> None:
     key = _checked_name(expansion.evaluator.value(name, site.scope, place), node.name, place)
     place = expansion.place(node, "value")
     holder = site.holder
+    if holder.name.startswith(PREFIX):
+        expansion.reporter.warn(
+            "xacro-lost",
+            f"the attribute '{key}' goes nowhere, for <{holder.name}> stands around it",
+            node.span,
+            hint=f"put <{holder.name}> around all of the element, or a condition into the value",
+            trace=expansion.frame,
+        )
     holder.attributes[key] = expansion.evaluator.text(value, site.scope, place)
     if holder.value_spans is not None:
         holder.value_spans = _OtherPlace(holder, key, node.value_span("value"))

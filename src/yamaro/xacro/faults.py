@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from ..diagnostics import Frame, YamaroError
+
 
 class Fault(Exception):
     """What a diagnostic needs, but for the place.
@@ -26,3 +30,10 @@ class Fault(Exception):
         self.hint = hint
         self.start = start
         self.end = end
+
+
+def add_trace(error: YamaroError, trace: Frame | None) -> None:
+    """Say how the place of an error was reached, if that is not said yet."""
+    for diagnostic in error.diagnostics:
+        if diagnostic.trace is None:
+            diagnostic.trace = trace

@@ -7,6 +7,7 @@ import os
 from ..diagnostics import YamaroError, failure
 from ..xmlreader import read_xml
 from ..xmltree import Element
+from .faults import add_trace
 from .literals import truth
 from .namespaces import lift_prefixes
 from .scope import Macros, Namespace, Scope
@@ -15,6 +16,7 @@ from .statements import PREFIX
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from ..source import Source, Span
     from ..xmltree import Node
     from .expansion import Expansion
     from .statements import Include
@@ -99,15 +101,35 @@ def _paths(expansion: Expansion, given: Include, site: Site) -> list[str]:
     return paths
 
 
+def _source(expansion: Expansion, path: str, place: Span) -> Source:
+    try:
+        return expansion.host.read(path, place)
+    except YamaroError as error:
+        add_trace(error, expansion.frame)
+        raise
+
+
+def _parsed(expansion: Expansion, path: str, source: Source) -> Element:
+    try:
+        root = read_xml(source, expansion.limits, exact=True).root
+    except YamaroError as error:
+        add_trace(error, expansion.frame)
+        raise
+    expansion.documents[path] = root
+    return root
+
+
 def _read(
     expansion: Expansion, path: str, node: Element, macros: Macros, scope: Scope
 ) -> tuple[Element, list[Node]]:
     """Return the root of a file, without children, and what its content expands to."""
     place = node.value_span("filename")
-    source = expansion.host.read(path, place)
+    known = expansion.documents.get(path)
+    source = _source(expansion, path, place) if known is None else None
     expansion.enter("included", os.path.basename(path), place)
     expansion.evaluator.files.append(path)
-    file = read_xml(source, expansion.limits, exact=True).root
+    file = known if source is None else _parsed(expansion, path, source)
+    assert file is not None
     attributes: dict[str, object] = {}
     for name, value in file.attributes.items():
         if not name.startswith(PREFIX):

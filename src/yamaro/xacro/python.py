@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from keyword import iskeyword
+
 from ..syntax.powers import compile_bounded
 from .faults import Fault
 
@@ -13,6 +15,9 @@ if TYPE_CHECKING:
 
     from ..policy import Limits
     from .substitutions import EvalNames
+
+
+_TRUTHS = ("True", "False")  # words of Python and predefined names alike
 
 
 class Python:
@@ -58,6 +63,8 @@ class Python:
     def _compile(self, text: str) -> str | CodeType:
         """Return code, or the name that is all of the expression."""
         stripped = text.strip()
+        if is_plain_name(stripped):
+            return stripped
         code = compile_bounded(stripped, "<expression>", "eval", self._limits)
         for name in _names_in(code):
             if name.startswith("__"):
@@ -68,8 +75,14 @@ class Python:
                     start=start,
                     end=start + len(name),
                 )
-        is_name = stripped.isascii() and stripped.isidentifier() and code.co_names == (stripped,)
-        return stripped if is_name else code
+        return code
+
+
+def is_plain_name(text: str) -> bool:
+    """Tell whether an expression is a name, and no word of Python."""
+    if not text.isidentifier() or not text.isascii() or text.startswith("__"):
+        return False
+    return text in _TRUTHS or not iskeyword(text)
 
 
 def _names_in(code: CodeType) -> Iterator[str]:

@@ -85,7 +85,12 @@ class Scope(dict[str, "Any"]):
 
     def has(self, name: str) -> bool:
         """Tell whether the name stands for something here."""
-        return any(name in own or name in own.lazy for own in self.chain()) or name in self.root()
+        scope: Any = self
+        while isinstance(scope, Scope):
+            if dict.__contains__(scope, name) or name in scope.lazy:
+                return True
+            scope = scope.parent
+        return name in scope
 
     def put(self, name: str, value: Any) -> None:
         """Give a name a value."""
@@ -133,9 +138,9 @@ class Scope(dict[str, "Any"]):
             scope = scope.parent
         return scope
 
-    def names(self) -> list[str]:
-        """Return all names that stand for something, for suggestions."""
-        known = {name for own in self.chain() for name in (*own, *own.lazy)} | set(self.root())
+    def own_names(self) -> list[str]:
+        """Return the names that the file defines, for suggestions."""
+        known = {name for own in self.chain() for name in (*own, *own.lazy)}
         return [name for name in known if not name.startswith("__")]
 
 
@@ -168,7 +173,7 @@ def attribute(names: dict[str, Any], name: str) -> Any:
 
 
 class Macro:
-    """A macro.
+    """A macro. When its name is defined anew in the same scope, it becomes the new one.
 
     Attributes:
         element: its definition.

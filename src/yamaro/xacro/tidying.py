@@ -18,29 +18,38 @@ if TYPE_CHECKING:
 def tidy(root: Element) -> None:
     """Mend the children of an element, and of all in it."""
     pending = [root]
-    while pending:
-        element = pending.pop()
+    for element in pending:
         children = element.children
+        if not children or (len(children) == 1 and type(children[0]) is Text):
+            continue
+        kept = element.children = []
+        last: Node | None = None
         for child in children:
-            if isinstance(child, Text):
-                element.children = _tidied(children)
-                break
-        pending += [child for child in element.children if isinstance(child, Element)]
+            if type(child) is Element:
+                kept.append(child)
+                pending.append(child)
+            elif not isinstance(child, Text):
+                kept.append(child)
+            elif _is_space(child):
+                continue
+            else:
+                _keep_text(child, kept, isinstance(last, CData))
+            last = child
+        if not kept:
+            there = [child for child in children if not is_gone(child)]
+            element.children = there if len(there) == 1 and type(there[0]) is Text else []
 
 
-def _tidied(children: list[Node]) -> list[Node]:
-    there = [child for child in children if not is_gone(child)]
-    if len(there) == 1 and type(there[0]) is Text:
-        return there
-    kept: list[Node] = []
-    for child in there:
-        if isinstance(child, Text):
-            value = str(child.value)
-            if not isinstance(child, CData) and (not value or value.isspace()):
-                continue
-            if kept and isinstance(kept[-1], Text):
-                kept[-1] = Text(f"{kept[-1].value}\n{value}", kept[-1].span)
-                continue
-            child = Text(value, child.span)
-        kept.append(child)
-    return kept
+def _is_space(text: Text) -> bool:
+    value = str(text.value)
+    return not isinstance(text, CData) and (not value or value.isspace())
+
+
+def _keep_text(text: Text, kept: list[Node], is_after_cdata: bool) -> None:
+    """Put a text behind what is kept."""
+    value = str(text.value)
+    if kept and isinstance(kept[-1], Text):
+        space = "" if isinstance(text, CData) and is_after_cdata else "\n"
+        kept[-1] = Text(f"{kept[-1].value}{space}{value}", kept[-1].span)
+    else:
+        kept.append(text if type(text) is Text else Text(value, text.span))
