@@ -114,7 +114,6 @@ def test_a_comment_stands_where_it_is_written() -> None:
     [
         ("<a><b></a>", "robot.urdf:1:9", "mismatched tag: <b> is open"),
         ("<a>", "robot.urdf:1:4", "no element found: <a> is open"),
-        ("", "robot.urdf:1:1", "no element found"),
         ("<a>\n1 < 2</a>", "robot.urdf:2:4", "not well-formed (invalid token)"),
         ('<a b="1" b="2"/>', "robot.urdf:1:10", "duplicate attribute"),
         ("<a/><b/>", "robot.urdf:1:5", "junk after document element"),
@@ -174,14 +173,32 @@ def test_depth_has_a_limit() -> None:
 def test_a_file_is_decoded_as_it_says(encoding: str) -> None:
     name = encoding.removesuffix("-sig")
     text = f'<?xml version="1.0" encoding="{name}"?><a>{"" if encoding == "ascii" else "é"}</a>'
-    assert decode_xml(text.encode(encoding)) == text
+    source = decode_xml(text.encode(encoding), name="a", path="/a")
+    assert (source.text, source.name, source.path) == (text, "a", "/a")
 
 
-def test_bytes_of_no_encoding_are_an_error() -> None:
-    with pytest.raises(UnicodeDecodeError):
-        decode_xml(b"<a>\xff</a>")
-    with pytest.raises(LookupError):
-        decode_xml(b'<?xml version="1.0" encoding="none-such"?><a/>')
+@pytest.mark.parametrize(
+    ("data", "place", "message"),
+    [
+        (b"<a>\n\xff</a>", "a:2:1", "the byte 0xFF is not UTF-8"),
+        (
+            b'<?xml version="1.0" encoding="none-such"?><a/>',
+            "a:1:1",
+            "there is no encoding 'none-such'",
+        ),
+    ],
+)
+def test_bytes_of_no_encoding_are_an_error(data: bytes, place: str, message: str) -> None:
+    with pytest.raises(YamaroError) as caught:
+        decode_xml(data, name="a", path="/a")
+    (diagnostic,) = caught.value.diagnostics
+    assert diagnostic.code == "xml-encoding"
+    assert (diagnostic.span.place(), diagnostic.message) == (place, message)
+
+
+@pytest.mark.parametrize("text", ["", "links: []"])
+def test_what_is_no_xml_at_all_is_told_as_such(text: str) -> None:
+    assert fault(text) == ("xml-syntax", "robot.urdf:1:1", "this is no XML")
 
 
 # --- the same as another reader -----------------------------------------------------------------
