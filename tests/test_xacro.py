@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Mapping
+from typing import Any
 
 import pytest
 
@@ -13,6 +14,7 @@ from yamaro.policy import Limits
 from yamaro.runtime.deep_stack import run_on_deep_stack
 from yamaro.source import Source
 from yamaro.xacro.expansion import expand
+from yamaro.xacro.python import Python
 from yamaro.xmltree import Element, write
 
 
@@ -625,3 +627,34 @@ def test_messages_reach_the_person() -> None:
     done = Expanded("<l v=\"${xacro.message('two', 2)}${xacro.warning('odd')}\"/>")
     assert done.host.said[0] == "two 2"
     assert [d.code for d in done.reporter.diagnostics] == ["xacro-message"]
+
+
+def test_expansions_in_threads_do_not_meet() -> None:
+    from concurrent.futures import ThreadPoolExecutor
+
+    def count(number: int) -> str:
+        body = (
+            '<xacro:macro name="m" params="n"><l v="${n} $(arg x)"/><xacro:if value="${n > 1}">'
+            '<xacro:m n="${n - 1}"/></xacro:if></xacro:macro>'
+        )
+        return expanded(f'{body}<xacro:m n="{number}"/>', arguments={"x": str(number)})
+
+    with ThreadPoolExecutor(4) as pool:
+        texts = list(pool.map(count, range(10, 40)))
+    assert texts == [
+        "\n".join(f'<l v="{n} {number}"/>' for n in range(number, 0, -1))
+        for number in range(10, 40)
+    ]
+
+
+def test_python_can_be_evaluated_by_another() -> None:
+    class Careful(Python):
+        def evaluate(self, text: str, names: dict[str, Any]) -> Any:
+            asked.append(text)
+            return super().evaluate(text, names)
+
+    asked: list[str] = []
+    source = Source(f'{HEAD}<a b="${{1 + 1}}"/></robot>', name="robot.xacro")
+    root = expand(source, MemoryHost({}), {}, Reporter(), python=Careful(Limits()))
+    assert root.elements()[0].attributes == {"b": "2"}
+    assert asked == ["1 + 1"]
