@@ -23,7 +23,22 @@ TESTED_ELSEWHERE = {
     "missing-extra": "test_part.py",
     "no-jail": "test_policy.py",
     "unknown-package": "test_check.py",
+    "xml-encoding": "test_xmlreader.py",
+    "xml-entity": "test_xmlreader.py",
+    "xml-syntax": "test_xmlreader.py",
 }
+# Those of xacro files, which no case of tests/cases is.
+TESTED_ELSEWHERE |= dict.fromkeys(
+    """
+    xacro-expression xacro-python xacro-undefined xacro-unsafe xacro-cycle
+    xacro-substitution xacro-condition xacro-name xacro-property xacro-scope
+    xacro-missing-attribute xacro-unknown-attribute xacro-unknown-macro
+    xacro-unknown-parameter xacro-missing-parameter xacro-missing-block xacro-unused-block
+    xacro-unknown-block xacro-yaml xacro-fatal xacro-message xacro-deprecated
+    xacro-redefined xacro-no-files xacro-ignored xacro-lost xacro-prefix
+    """.split(),
+    "test_xacro.py",
+)
 
 # Callables whose first argument is a code.
 RAISERS = {"Diagnostic", "InputFault", "_bad_call", "failure", "warn"}
