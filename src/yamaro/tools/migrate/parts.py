@@ -114,11 +114,14 @@ class PartWriter:
         elements: ElementWriter,
         names: Names,
         material: Callable[[Element], Value | None],
+        *,
+        resolves: bool = False,
     ) -> None:
         """Take what writes elements, the names, and what writes a material in short, or None."""
         self._elements = elements
         self._names = names
         self._material = material
+        self._resolves = resolves
 
     def part(self, link: Element, joint: Element | None, *, joint_first: bool) -> Entry:
         """Return a part, or a link that holds nothing as the element that it is.
@@ -184,7 +187,7 @@ class PartWriter:
             raise NoPart
         name = values_of(parent).get("link", "")
         if list(values_of(parent)) == ["link"] and not parent.children and _is_word(name):
-            if name in self._names.links:
+            if name in self._names.links or (self._resolves and name != "root_link"):
                 body.add("parent", self._names.of_links.get(name, name))
                 return
         body.entries.append(self._elements.entry(parent, bracketed=True))
