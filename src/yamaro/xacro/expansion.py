@@ -70,6 +70,7 @@ class Expansion:
     Attributes:
         frame: the innermost call or include.
         documents: the root elements of the files that were read, by path.
+        included: the paths that each include meant, by the place of its `filename`.
         lost: attributes and prefixes that were meant for a condition, and so for nothing.
     """
 
@@ -85,6 +86,7 @@ class Expansion:
         self.comments = Comments()
         self.frame = frame
         self.documents: dict[str, Element] = {}
+        self.included: dict[tuple[str, int], list[str]] = {}
         self.lost: dict[str, object] = {}
         self.depth = 0
         self._walked = 0

@@ -9,7 +9,7 @@ from __future__ import annotations
 import os
 import re
 
-from ...diagnostics import Frame, Reporter
+from ...diagnostics import Reporter, YamaroError
 from ...xacro.evaluator import Evaluator
 from ...xacro.expansion import Expansion
 from ...xacro.parameters import Parameter, parse_parameters
@@ -77,26 +77,50 @@ class Program:
         """
         self.main = source.path
         self.given = dict(arguments)
-        watch = _Watch(host)
         python = _WatchedPython(host.limits)
         reporter = Reporter()
-        evaluator = Evaluator(watch, reporter, python, dict(arguments))
-        expansion = Expansion(watch, reporter, evaluator)
+        evaluator = Evaluator(host, reporter, python, dict(arguments))
+        expansion = Expansion(host, reporter, evaluator)
         self.result = expansion.expand(source)
         self.values_of_arguments = evaluator.arguments
         self.roots: dict[str, Element] = {source.path: _read(source, host)}
-        for path in watch.order:
-            if path in expansion.documents:
-                self.roots.setdefault(path, expansion.documents[path])
-        self.included = watch.included
+        self.roots.update(expansion.documents)
+        self.included = expansion.included
+        self._read_the_rest(host)
         self.truths = python.truths
         self.macros: dict[str, Macro] = {}
+        self.definitions: dict[tuple[str, int], Macro] = {}
         self.arguments: dict[str, str] = {}
         self.properties: dict[str, set[str]] = {}
         self.blocks: set[str] = set()
         self._names: dict[str, set[str]] = {}
         for path, root in self.roots.items():
             self._gather(path, root)
+        self.inherited = self._names_of_callers()
+
+    def _read_the_rest(self, host: Host) -> None:
+        """Read the files of includes that these arguments do not reach, if their names are plain."""
+        pending = list(self.roots.items())
+        while pending:
+            path, root = pending.pop()
+            for element in walk(root):
+                if element.name != "xacro:include" or "filename" not in element.attributes:
+                    continue
+                span = element.value_span("filename")
+                key = (span.source.path, span.start)
+                if key in self.included:
+                    continue
+                found = _plain_path(format_value(element.attributes["filename"]), path, host, span)
+                if found is None:
+                    continue
+                self.included[key] = [found]
+                if found not in self.roots:
+                    try:
+                        self.roots[found] = _read(host.read(found, span), host)
+                    except YamaroError:
+                        del self.included[key]
+                        continue
+                    pending.append((found, self.roots[found]))
 
     def _gather(self, path: str, root: Element) -> None:
         names = self._names[path] = set()
@@ -107,16 +131,34 @@ class Program:
                     names.update(_NAME.findall(text))
             if element.name.startswith("xacro:"):
                 names.add(element.name)
+            if element.name == "xacro:insert_block":
+                names.add(given.get("name", ""))
             if element.name == "xacro:macro" and "name" in given:
                 name = given["name"].removeprefix("xacro:")
-                if name not in self.macros:
-                    self.macros[name] = Macro(element, path, self._function_name(name))
+                known = self.macros.get(name)
+                function = known.function if known else self._function_name(name)
+                macro = Macro(element, path, function)
+                self.macros.setdefault(name, macro)
+                self.definitions[path, element.span.start] = macro
             elif element.name == "xacro:arg" and "name" in given:
                 self.arguments.setdefault(given["name"], given.get("default", ""))
             elif element.name == "xacro:property" and "name" in given:
                 self.properties.setdefault(given["name"], set()).add(path)
                 if "value" not in given and "default" not in given and "remove" not in given:
                     self.blocks.add(given["name"])
+
+    def _names_of_callers(self) -> set[str]:
+        """Return the names that macros read of those who call them."""
+        at_top: set[str] = set(self.arguments)
+        for root in self.roots.values():
+            at_top |= _defined_in(root)
+        free: set[str] = set()
+        own: set[str] = set()
+        for macro in self.definitions.values():
+            local = _defined_in(macro.element, nested=True) | set(macro.values())
+            own |= local
+            free |= _used_in(macro.element) - local
+        return (free - at_top) & own
 
     def _function_name(self, name: str) -> str:
         stem = camel(name)
@@ -147,6 +189,41 @@ def walk(root: Element) -> Iterator[Element]:
         pending += reversed(element.elements())
 
 
+def _plain_path(filename: str, includer: str, host: Host, span: Span) -> str | None:
+    """Return the path that an include means whatever the names in it mean, or None."""
+    packages = re.findall(r"\$\(find ([\w-]+)\)", filename)
+    try:
+        for name in packages:
+            filename = filename.replace(f"$(find {name})", host.find_package(name, span))
+    except YamaroError:
+        return None
+    path = os.path.normpath(os.path.join(os.path.dirname(includer), filename))
+    return path if "$" not in path and os.path.isfile(path) else None
+
+
+def _defined_in(root: Element, *, nested: bool = False) -> set[str]:
+    """Return the properties defined in an element, those of macros in it only if `nested`."""
+    names = set()
+    pending = [root]
+    while pending:
+        element = pending.pop()
+        if element.name == "xacro:property":
+            names.add(format_value(element.attributes.get("name")))
+        if element.name != "xacro:macro" or element is root or nested:
+            pending += element.elements()
+    return names
+
+
+def _used_in(root: Element) -> set[str]:
+    """Return the names in the expressions of an element."""
+    names: set[str] = set()
+    for element in walk(root):
+        for text in (*map(format_value, element.attributes.values()), _own_text(element)):
+            for expression in re.findall(r"\$\{([^}]*)\}", text):
+                names.update(_NAME.findall(expression))
+    return names
+
+
 def _own_text(element: Element) -> str:
     return "".join(format_value(c.value) for c in element.children if isinstance(c, Text))
 
@@ -155,39 +232,6 @@ def _read(source: Source, host: Host) -> Element:
     from ...xmlreader import read_xml
 
     return read_xml(source, host.limits, exact=True).root
-
-
-class _Watch:
-    """A host that notes which files are read for which includes."""
-
-    def __init__(self, host: Host) -> None:
-        self._host = host
-        self.limits = host.limits
-        self.order: dict[str, None] = {}
-        self.included: dict[tuple[str, int], list[str]] = {}
-
-    def read(self, path: str, span: Span) -> Source:
-        source = self._host.read(path, span)
-        self.order[path] = None
-        paths = self.included.setdefault((span.source.path, span.start), [])
-        if path not in paths:
-            paths.append(path)
-        return source
-
-    def glob(self, pattern: str) -> list[str]:
-        return self._host.glob(pattern)
-
-    def find_package(self, name: str, span: Span) -> str:
-        return self._host.find_package(name, span)
-
-    def environment(self, name: str) -> str | None:
-        return self._host.environment(name)
-
-    def folder(self) -> str:
-        return self._host.folder()
-
-    def say(self, text: str, span: Span) -> None:
-        """Leave out what the robot says while it is looked at."""
 
 
 class _WatchedPython(Python):
@@ -209,6 +253,3 @@ class _WatchedPython(Python):
 def common_folder(paths: list[str]) -> str:
     """Return the deepest folder that holds all of the files."""
     return os.path.commonpath([os.path.dirname(path) for path in paths])
-
-
-__all__ = ["Frame", "Macro", "Program", "camel", "common_folder", "walk"]

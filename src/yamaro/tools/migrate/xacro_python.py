@@ -78,6 +78,8 @@ class Translator:
 
     def value(self, text: str) -> str:
         """Return the value of a variable or argument, which is a number if its text is one."""
+        if len(text) > 1 and text[0] == text[-1] == "'" and "$" in text:
+            return self.text(text[1:-1])
         template = _parsed(text)
         if len(template.parts) == 1 and isinstance(template.parts[0], Expression):
             return f"$({self.expression(template.parts[0].text)})"
@@ -97,7 +99,8 @@ class Translator:
         (part,) = template.parts
         assert not isinstance(part, str)
         if isinstance(part, Substitution):
-            return self._command(part.text)
+            python = self._command(part.text)
+            return f"{python}.lower() in ('true', '1')" if python.startswith("env(") else python
         return self.expression(part.text)
 
     # --- Python ---------------------------------------------------------------------------------
@@ -221,6 +224,8 @@ class Translator:
     def _command(self, content: str) -> str:
         """Return what stands in a `$(…)` as Python, or in the words that ROS has for it."""
         command, *words = content.split()
+        if "$" in content and command in ("find", "env") and len(words) == 1:
+            return f"{command}({self._joined(words[0])})"
         if command == "arg" and len(words) == 1:
             self.used.add(words[0])
             return self._rename(words[0])
@@ -235,6 +240,18 @@ class Translator:
         if command == "eval":
             return self._evaluated(content.partition("eval")[2])
         raise CannotMigrate(f"there is no counterpart of $({content})")
+
+    def _joined(self, text: str) -> str:
+        """Return a text with expressions in it as one expression."""
+        pieces = []
+        for part in _parsed(text).parts:
+            if isinstance(part, str):
+                pieces.append(repr(part))
+            elif isinstance(part, Substitution):
+                pieces.append(f"str({self._command(part.text)})")
+            else:
+                pieces.append(self.expression(part.text))
+        return " + ".join(pieces)
 
     def _evaluated(self, text: str) -> str:
         """Return what follows `$(eval`, where arguments are names, or called as arg('name')."""

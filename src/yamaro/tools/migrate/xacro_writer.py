@@ -253,6 +253,8 @@ class FileWriter(ElementWriter):
         scope = SCOPES.get(given.get("scope", ""), "")
         if self._is_top and not scope and self._program.is_used_elsewhere(name, self._path):
             scope = "/global"
+        elif not self._is_top and not scope and name in self._program.inherited:
+            scope = "/child"
         if not is_identifier(name):
             raise CannotMigrate(f"the name of the property '{name}' is computed, or no name")
         value = self.translator.value(text)
@@ -280,9 +282,7 @@ class FileWriter(ElementWriter):
 
     def _macro(self, node: Element, body: Body) -> None:
         name = format_value(node.attributes.get("name")).removeprefix("xacro:")
-        macro = self._program.macros[name]
-        if macro.element is not node and macro.element.span.key() != node.span.key():
-            raise CannotMigrate(f"the macro '{name}' is defined twice")
+        macro = self._program.definitions[self._path, node.span.start]
         function = Body()
         before = self._blocks, self._parameters, self._is_top
         self._is_top = False
@@ -292,6 +292,10 @@ class FileWriter(ElementWriter):
         if inputs:
             function.add("input", ", ".join(inputs))
         content = self.statements(node.children)
+        shared = [own for own in macro.values() if own in self._program.inherited]
+        if shared:
+            entries = [Entry(f"{own}/child", f"$({own})") for own in shared]
+            content.entries.insert(0, Entry("variables", Body(entries)))
         self._blocks, self._parameters, self._is_top = before
         function.add("body", content or None)
         is_shared = self._program.is_used_elsewhere(f"xacro:{name}", self._path)
@@ -411,6 +415,7 @@ class FileWriter(ElementWriter):
     def _include(self, node: Element, body: Body) -> None:
         span = node.value_span("filename")
         paths = self._program.included.get((span.source.path, span.start), [])
+        paths = [path for path in paths if path in self._program.roots]
         if not paths:
             name = format_value(node.attributes.get("filename"))
             raise CannotMigrate(f"the file '{name}' is not included for these arguments")
