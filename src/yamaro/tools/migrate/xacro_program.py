@@ -12,6 +12,7 @@ import re
 from ...diagnostics import Reporter, YamaroError
 from ...xacro.evaluator import Evaluator
 from ...xacro.expansion import Expansion
+from ...xacro.literals import guess_value
 from ...xacro.parameters import Parameter, parse_parameters
 from ...xacro.python import Python
 from ...xmltree import Element, Text, format_value
@@ -64,6 +65,7 @@ class Program:
         roots: the root elements of the files, by path.
         included: the paths that an include means, by the place of its `filename`.
         truths: expressions that were True or False.
+        numbers: expressions that gave a text which xacro takes for a number: `float` or `int`.
         macros: by name.
         arguments: the defaults of the arguments, by name.
         result: what the robot expands to.
@@ -88,6 +90,7 @@ class Program:
         self.included = expansion.included
         self._read_the_rest(host)
         self.truths = python.truths
+        self.numbers = {text: kind for text, kind in python.numbers.items() if kind != "text"}
         self.macros: dict[str, Macro] = {}
         self.definitions: dict[tuple[str, int], Macro] = {}
         self.arguments: dict[str, str] = {}
@@ -96,6 +99,9 @@ class Program:
         self._names: dict[str, set[str]] = {}
         for path, root in self.roots.items():
             self._gather(path, root)
+        self.at_top: set[str] = set()
+        self.known: set[str] = set()
+        self.read: set[str] = set()
         self.inherited = self._names_of_callers()
 
     def _read_the_rest(self, host: Host) -> None:
@@ -151,13 +157,16 @@ class Program:
         """Return the names that macros read of those who call them."""
         at_top: set[str] = set(self.arguments)
         for root in self.roots.values():
-            at_top |= _defined_in(root)
+            at_top |= defined_in(root)
         free: set[str] = set()
         own: set[str] = set()
         for macro in self.definitions.values():
-            local = _defined_in(macro.element, nested=True) | set(macro.values())
+            local = defined_in(macro.element, nested=True) | set(macro.values())
             own |= local
             free |= _used_in(macro.element) - local
+        self.at_top = at_top
+        self.known = at_top | own
+        self.read = set().union(*map(_used_in, self.roots.values()))
         return (free - at_top) & own
 
     def _function_name(self, name: str) -> str:
@@ -167,6 +176,13 @@ class Program:
         while unique in taken:
             unique, number = f"{stem}{number}", number + 1
         return unique
+
+    def is_defined_again(self, macro: Macro) -> bool:
+        """Tell whether a macro of a file is defined once more further down in it."""
+        return any(
+            other.name == macro.name and path == macro.file and start > macro.element.span.start
+            for (path, start), other in self.definitions.items()
+        )
 
     def is_used_elsewhere(self, name: str, path: str) -> bool:
         """Tell whether a name stands in an expression, or a tag, of another file."""
@@ -201,7 +217,7 @@ def _plain_path(filename: str, includer: str, host: Host, span: Span) -> str | N
     return path if "$" not in path and os.path.isfile(path) else None
 
 
-def _defined_in(root: Element, *, nested: bool = False) -> set[str]:
+def defined_in(root: Element, *, nested: bool = False) -> set[str]:
     """Return the properties defined in an element, those of macros in it only if `nested`."""
     names = set()
     pending = [root]
@@ -219,8 +235,16 @@ def _used_in(root: Element) -> set[str]:
     names: set[str] = set()
     for element in walk(root):
         for text in (*map(format_value, element.attributes.values()), _own_text(element)):
-            for expression in re.findall(r"\$\{([^}]*)\}", text):
-                names.update(_NAME.findall(expression))
+            names |= names_in(text)
+    return names
+
+
+def names_in(text: str) -> set[str]:
+    """Return the names in the expressions of a text, but for those in quotes or behind a dot."""
+    names: set[str] = set()
+    for expression in re.findall(r"\$\{([^}]*)\}", text):
+        plain = re.sub(r"'[^']*'|\"[^\"]*\"", "", expression)
+        names.update(re.findall(r"(?<![\w.])[A-Za-z_]\w*", plain))
     return names
 
 
@@ -237,17 +261,26 @@ def _read(source: Source, host: Host) -> Element:
 class _WatchedPython(Python):
     """Python that notes which expressions are truth values."""
 
-    __slots__ = ("truths",)
+    __slots__ = ("numbers", "truths")
 
     def __init__(self, limits: Any) -> None:
         super().__init__(limits)
         self.truths: set[str] = set()
+        self.numbers: dict[str, str] = {}
 
     def evaluate(self, text: str, names: dict[str, Any]) -> Any:
         value = super().evaluate(text, names)
         if isinstance(value, bool):
             self.truths.add(text.strip())
+        elif isinstance(value, str):
+            self._note_kind(text.strip(), guess_value(value))
         return value
+
+    def _note_kind(self, text: str, meant: object) -> None:
+        kind = {float: "float", int: "int"}.get(type(meant), "text")
+        known = self.numbers.setdefault(text, kind)
+        if kind != known:
+            self.numbers[text] = "text" if "text" in (kind, known) else "float"
 
 
 def common_folder(paths: list[str]) -> str:

@@ -13,7 +13,7 @@ from .document import Quoted, literal
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     import ast
-    from collections.abc import Callable
+    from collections.abc import Callable, Mapping
     from typing import TypeGuard
 
 METHODS = frozenset(
@@ -43,6 +43,7 @@ class Translator:
         is_namespace: Callable[[str], bool],
         shown_truths: frozenset[str] | set[str],
         truth_arguments: set[str],
+        numbers: Mapping[str, str],
     ) -> None:
         """Take what is known of the program.
 
@@ -51,11 +52,13 @@ class Translator:
             is_namespace: tells names of namespaces.
             shown_truths: the expressions that were True or False when they were put in a text.
             truth_arguments: the arguments that are true or false.
+            numbers: the expressions that give a text which is taken for a number, with its kind.
         """
         self._rename = rename
         self._is_namespace = is_namespace
         self._shown_truths = shown_truths
         self._truth_arguments = truth_arguments
+        self._numbers = numbers
         self.imports: set[str] = set()
         self.used: set[str] = set()
 
@@ -82,7 +85,10 @@ class Translator:
             return self.text(text[1:-1])
         template = _parsed(text)
         if len(template.parts) == 1 and isinstance(template.parts[0], Expression):
-            return f"$({self.expression(template.parts[0].text)})"
+            own = template.parts[0].text
+            kind = self._numbers.get(own.strip())
+            python = self.expression(own)
+            return f"$({kind}({python}))" if kind else f"$({python})"
         plain = template.plain()
         if plain is not None:
             return typed(plain)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 
+from ...runtime.predefined import CONSTANTS
 from ...syntax.names import is_identifier
 from ...xacro.parameters import Parameter
 from ...xmltree import Comment, Element, Text, format_value
@@ -11,7 +12,7 @@ from .document import Body, Entry, Value, joined, literal, without_expressions
 from .elements import ElementWriter, needs_brackets, spelled, tidy_text
 from .pairing import child_of, has_text, name_of
 from .parts import Names, NoPart, PartWriter, is_short_material
-from .xacro_program import Macro, Program, camel
+from .xacro_program import Macro, Program, camel, defined_in, names_in
 from .xacro_python import CannotMigrate, Translator
 
 TYPE_CHECKING = False
@@ -21,6 +22,7 @@ if TYPE_CHECKING:
     from ...source import Span
     from ...xmltree import Node
 
+PREDEFINED = frozenset(CONSTANTS) | {"load_yaml", "find", "math", "xacro", "python", "arg"}
 SCOPES = {"global": "/global", "parent": "/parent"}
 
 
@@ -54,13 +56,16 @@ class FileWriter(ElementWriter):
         self._is_top = True
         self._blocks: dict[str, str] = {}
         self._parameters: set[str] = set()
+        self._locals: set[str] = set()
         self.lost: list[tuple[Span, str]] = []
         truths = {
             name
             for name, value in program.values_of_arguments.items()
             if value.lower() in ("true", "false")
         }
-        self.translator = Translator(self._variable, lambda name: False, program.truths, truths)
+        self.translator = Translator(
+            self._variable, lambda name: False, program.truths, truths, program.numbers
+        )
 
     def _variable(self, name: str) -> str:
         return name if is_identifier(name) else name.replace("-", "_")
@@ -253,8 +258,8 @@ class FileWriter(ElementWriter):
         scope = SCOPES.get(given.get("scope", ""), "")
         if self._is_top and not scope and self._program.is_used_elsewhere(name, self._path):
             scope = "/global"
-        elif not self._is_top and not scope and name in self._program.inherited:
-            scope = "/child"
+        elif not self._is_top and name in self._program.inherited:
+            scope = {"": "/child", "/parent": "/bridge"}.get(scope, scope)
         if not is_identifier(name):
             raise CannotMigrate(f"the name of the property '{name}' is computed, or no name")
         value = self.translator.value(text)
@@ -275,6 +280,10 @@ class FileWriter(ElementWriter):
         assert isinstance(last.value, Body)
         last.value.add(key, value)
 
+    def _may_be_evaluated(self, text: str) -> bool:
+        """Tell whether all names of a value are known; xacro looks at no value before it is read."""
+        return names_in(text) <= self._program.known | PREDEFINED
+
     def _define_block(self, node: Element, name: str) -> None:
         function = Body([Entry("body", self.body(node.children))])
         scope = "/global" if self._program.is_used_elsewhere(name, self._path) else ""
@@ -283,8 +292,12 @@ class FileWriter(ElementWriter):
     def _macro(self, node: Element, body: Body) -> None:
         name = format_value(node.attributes.get("name")).removeprefix("xacro:")
         macro = self._program.definitions[self._path, node.span.start]
+        if self._is_top and self._program.is_defined_again(macro):
+            body.note(f"the first definition of {name} is left out: there is another one below")
+            return
         function = Body()
-        before = self._blocks, self._parameters, self._is_top
+        before = self._blocks, self._parameters, self._is_top, self._locals
+        self._locals = defined_in(node, nested=True)
         self._is_top = False
         self._blocks = {own.lstrip("*"): own for own in macro.blocks()}
         self._parameters = set(macro.values())
@@ -296,7 +309,7 @@ class FileWriter(ElementWriter):
         if shared:
             entries = [Entry(f"{own}/child", f"$({own})") for own in shared]
             content.entries.insert(0, Entry("variables", Body(entries)))
-        self._blocks, self._parameters, self._is_top = before
+        self._blocks, self._parameters, self._is_top, self._locals = before
         function.add("body", content or None)
         is_shared = self._program.is_used_elsewhere(f"xacro:{name}", self._path)
         key = macro.function + ("/global" if is_shared else "")
@@ -315,9 +328,8 @@ class FileWriter(ElementWriter):
         for own in macro.parameters:
             if own.is_block:
                 blocks.append("**" + self._block_name(own.name.lstrip("*")))
-            elif own.is_forwarded:
-                default = f"$({own.name})" if own.default is None else self._default(own)
-                optional.append(f"{own.name}={default}")
+            elif own.is_forwarded and own.default is None:
+                required.append(own.name)
             elif own.default is not None:
                 optional.append(f"{own.name}={self._default(own)}")
             elif macro.element.attributes["params"] and _has_empty_default(macro, own):
@@ -361,6 +373,10 @@ class FileWriter(ElementWriter):
         arguments = Body(in_braces=True)
         for key, value in node.attributes.items():
             arguments.add(key, self._argument_value(format_value(value)))
+        visible = self._parameters | self._locals | self._program.at_top
+        for own in macro.parameters:
+            if own.is_forwarded and own.name not in node.attributes and own.name in visible:
+                arguments.add(own.name, f"$({own.name})")
         blocks = macro.blocks()
         if blocks:
             arguments.in_braces = False
