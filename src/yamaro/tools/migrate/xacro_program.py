@@ -94,6 +94,7 @@ class Program:
         self.macros: dict[str, Macro] = {}
         self.definitions: dict[tuple[str, int], Macro] = {}
         self.arguments: dict[str, str] = {}
+        self.ambiguous: set[str] = set()
         self.properties: dict[str, set[str]] = {}
         self.blocks: set[str] = set()
         self._names: dict[str, set[str]] = {}
@@ -105,7 +106,7 @@ class Program:
         self.inherited = self._names_of_callers()
 
     def _read_the_rest(self, host: Host) -> None:
-        """Read the files of includes that these arguments do not reach, if their names are plain."""
+        """Read the files that these arguments do not reach, where their names are plain."""
         pending = list(self.roots.items())
         while pending:
             path, root = pending.pop()
@@ -147,7 +148,7 @@ class Program:
                 self.macros.setdefault(name, macro)
                 self.definitions[path, element.span.start] = macro
             elif element.name == "xacro:arg" and "name" in given:
-                self.arguments.setdefault(given["name"], given.get("default", ""))
+                self._add_argument(given["name"], given.get("default", ""))
             elif element.name == "xacro:property" and "name" in given:
                 self.properties.setdefault(given["name"], set()).add(path)
                 if "value" not in given and "default" not in given and "remove" not in given:
@@ -163,11 +164,19 @@ class Program:
         for macro in self.definitions.values():
             local = defined_in(macro.element, nested=True) | set(macro.values())
             own |= local
-            free |= _used_in(macro.element) - local
+            free |= used_in(macro.element) - local
+            free |= {p.name for p in macro.parameters if p.is_forwarded and p.default is None}
         self.at_top = at_top
         self.known = at_top | own
-        self.read = set().union(*map(_used_in, self.roots.values()))
+        self.read = set().union(*map(used_in, self.roots.values()))
         return (free - at_top) & own
+
+    def _add_argument(self, name: str, default: str) -> None:
+        """Note an argument; where it has several defaults, the one that counts for this robot."""
+        if self.arguments.setdefault(name, default) == default or name in self.given:
+            return
+        self.ambiguous.add(name)
+        self.arguments[name] = self.values_of_arguments.get(name, default)
 
     def _function_name(self, name: str) -> str:
         stem = camel(name)
@@ -230,7 +239,7 @@ def defined_in(root: Element, *, nested: bool = False) -> set[str]:
     return names
 
 
-def _used_in(root: Element) -> set[str]:
+def used_in(root: Element) -> set[str]:
     """Return the names in the expressions of an element."""
     names: set[str] = set()
     for element in walk(root):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from itertools import pairwise
 
 from ...runtime.predefined import CONSTANTS
 from ...syntax.names import is_identifier
@@ -12,7 +13,7 @@ from .document import Body, Entry, Value, joined, literal, without_expressions
 from .elements import ElementWriter, needs_brackets, spelled, tidy_text
 from .pairing import child_of, has_text, name_of
 from .parts import Names, NoPart, PartWriter, is_short_material
-from .xacro_program import Macro, Program, camel, defined_in, names_in
+from .xacro_program import Macro, Program, camel, defined_in, names_in, used_in
 from .xacro_python import CannotMigrate, Translator
 
 TYPE_CHECKING = False
@@ -42,6 +43,7 @@ class FileWriter(ElementWriter):
         "_parameters",
         "_path",
         "_program",
+        "_read",
         "lost",
         "translator",
     )
@@ -57,6 +59,7 @@ class FileWriter(ElementWriter):
         self._blocks: dict[str, str] = {}
         self._parameters: set[str] = set()
         self._locals: set[str] = set()
+        self._read: set[str] = set()
         self.lost: list[tuple[Span, str]] = []
         truths = {
             name
@@ -112,6 +115,9 @@ class FileWriter(ElementWriter):
         """Return the arguments of all files, which the main file declares."""
         body = Body()
         for name, default in self._program.arguments.items():
+            if name in self._program.ambiguous:
+                span = self._program.roots[self._path].span
+                self._lose(span, f"the argument '{name}' has several defaults; one is taken")
             try:
                 value = self.translator.value(default)
             except CannotMigrate as error:
@@ -281,7 +287,7 @@ class FileWriter(ElementWriter):
         last.value.add(key, value)
 
     def _may_be_evaluated(self, text: str) -> bool:
-        """Tell whether all names of a value are known; xacro looks at no value before it is read."""
+        """Tell whether all names of a value are known: xacro evaluates only what is read."""
         return names_in(text) <= self._program.known | PREDEFINED
 
     def _define_block(self, node: Element, name: str) -> None:
@@ -298,6 +304,7 @@ class FileWriter(ElementWriter):
         function = Body()
         before = self._blocks, self._parameters, self._is_top, self._locals
         self._locals = defined_in(node, nested=True)
+        self._read = used_in(node)
         self._is_top = False
         self._blocks = {own.lstrip("*"): own for own in macro.blocks()}
         self._parameters = set(macro.values())
@@ -375,7 +382,9 @@ class FileWriter(ElementWriter):
             arguments.add(key, self._argument_value(format_value(value)))
         visible = self._parameters | self._locals | self._program.at_top
         for own in macro.parameters:
-            if own.is_forwarded and own.name not in node.attributes and own.name in visible:
+            if not own.is_forwarded or own.name in node.attributes:
+                continue
+            if own.name in visible or (own.default is None and own.name in self._program.inherited):
                 arguments.add(own.name, f"$({own.name})")
         blocks = macro.blocks()
         if blocks:
@@ -500,7 +509,7 @@ def _links_of_joints(nodes: list[Node]) -> dict[int, Element]:
     elements = [node for node in nodes if isinstance(node, Element)]
     found: dict[int, Element] = {}
     taken: set[int] = set()
-    for first, second in zip(elements, elements[1:], strict=False):
+    for first, second in pairwise(elements):
         joint, link = (first, second) if first.name == "joint" else (second, first)
         if joint.name != "joint" or link.name != "link" or id(link) in taken or id(joint) in found:
             continue
