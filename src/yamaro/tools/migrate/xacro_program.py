@@ -164,12 +164,26 @@ class Program:
         for macro in self.definitions.values():
             local = defined_in(macro.element, nested=True) | set(macro.values())
             own |= local
+            local |= self._handed_to(macro.element)
             free |= used_in(macro.element) - local
             free |= {p.name for p in macro.parameters if p.is_forwarded and p.default is None}
         self.at_top = at_top
         self.known = at_top | own
         self.read = set().union(*map(used_in, self.roots.values()))
         return (free - at_top) & own
+
+    def _handed_to(self, element: Element) -> set[str]:
+        """Return the properties that the macros called in an element hand to it."""
+        handed: set[str] = set()
+        for called in walk(element):
+            macro = self.macros.get(called.name.removeprefix("xacro:"))
+            if macro is not None and called.name.startswith("xacro:"):
+                handed |= {
+                    format_value(own.attributes.get("name"))
+                    for own in walk(macro.element)
+                    if own.name == "xacro:property" and own.attributes.get("scope") == "parent"
+                }
+        return handed
 
     def _add_argument(self, name: str, default: str) -> None:
         """Note an argument; where it has several defaults, the one that counts for this robot."""

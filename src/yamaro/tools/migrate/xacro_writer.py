@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 from itertools import pairwise
 
 from ...runtime.predefined import CONSTANTS
@@ -23,6 +24,7 @@ if TYPE_CHECKING:
     from ...source import Span
     from ...xmltree import Node
 
+_MESSAGE = re.compile(r"\$\{xacro\.(?:message|warning|error)\(([^,}]*)\)\}")
 PREDEFINED = frozenset(CONSTANTS) | {"load_yaml", "find", "math", "xacro", "python", "arg"}
 SCOPES = {"global": "/global", "parent": "/parent"}
 
@@ -156,7 +158,10 @@ class FileWriter(ElementWriter):
                 body.note(tidy_text(node.text))
             elif isinstance(node, Text):
                 text = tidy_text(format_value(node.value))
-                if text:
+                message = _MESSAGE.fullmatch(text)
+                if message:
+                    body.add("print", self._text(f"${{{message[1]}}}", node.span))
+                elif text:
                     body.add("<#text>", self._text(text, node.span))
             elif isinstance(node, Element):
                 try:
@@ -200,7 +205,11 @@ class FileWriter(ElementWriter):
         }
 
     def _content(self, element: Element, children: list[Node]) -> Value:
-        if has_text(element) and all(isinstance(child, (Text, Comment)) for child in children):
+        if (
+            has_text(element)
+            and not _MESSAGE.fullmatch(element.text().strip())
+            and all(isinstance(child, (Text, Comment)) for child in children)
+        ):
             return self._text(tidy_text(element.text()), element.span)
         return self.body(children)
 
@@ -257,10 +266,13 @@ class FileWriter(ElementWriter):
         text = given.get("value", given.get("default", ""))
         if text.strip() == f"$(arg {name})":
             return
-        if "default" in given and (
-            name in self._parameters or len(self._program.properties[name]) > 1
-        ):
-            raise CannotMigrate(f"the property '{name}' may have a value already")
+        if "default" in given:
+            if name in self._parameters:
+                return
+            if (not self._is_top and name in self._program.at_top) or (
+                self._is_top and len(self._program.properties[name]) > 1
+            ):
+                raise CannotMigrate(f"the property '{name}' may have a value already")
         scope = SCOPES.get(given.get("scope", ""), "")
         if self._is_top and not scope and self._program.is_used_elsewhere(name, self._path):
             scope = "/global"
