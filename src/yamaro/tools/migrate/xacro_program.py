@@ -101,7 +101,6 @@ class Program:
         for path, root in self.roots.items():
             self._gather(path, root)
         self.at_top: set[str] = set()
-        self.known: set[str] = set()
         self.read: set[str] = set()
         self.inherited = self._names_of_callers()
 
@@ -168,9 +167,26 @@ class Program:
             free |= used_in(macro.element) - local
             free |= {p.name for p in macro.parameters if p.is_forwarded and p.default is None}
         self.at_top = at_top
-        self.known = at_top | own
         self.read = set().union(*map(used_in, self.roots.values()))
         return (free - at_top) & own
+
+    def visible_in(self, macro: Macro) -> set[str]:
+        """Return the names that a macro may see: its own, and those of all who may call it."""
+        visible = set(self.at_top)
+        seen: set[str] = set()
+        pending = [macro.name]
+        while pending:
+            name = pending.pop()
+            if name in seen:
+                continue
+            seen.add(name)
+            for own in self.definitions.values():
+                if own.name == name:
+                    visible |= set(own.values()) | defined_in(own.element, nested=True)
+                    visible |= self._handed_to(own.element)
+                elif any(called.name == f"xacro:{name}" for called in walk(own.element)):
+                    pending.append(own.name)
+        return visible
 
     def _handed_to(self, element: Element) -> set[str]:
         """Return the properties that the macros called in an element hand to it."""

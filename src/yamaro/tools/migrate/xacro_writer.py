@@ -46,6 +46,7 @@ class FileWriter(ElementWriter):
         "_path",
         "_program",
         "_read",
+        "_visible",
         "lost",
         "translator",
     )
@@ -62,6 +63,7 @@ class FileWriter(ElementWriter):
         self._parameters: set[str] = set()
         self._locals: set[str] = set()
         self._read: set[str] = set()
+        self._visible = program.at_top
         self.lost: list[tuple[Span, str]] = []
         truths = {
             name
@@ -300,7 +302,7 @@ class FileWriter(ElementWriter):
 
     def _may_be_evaluated(self, text: str) -> bool:
         """Tell whether all names of a value are known: xacro evaluates only what is read."""
-        return names_in(text) <= self._program.known | PREDEFINED
+        return names_in(text) <= self._visible | PREDEFINED
 
     def _define_block(self, node: Element, name: str) -> None:
         function = Body([Entry("body", self.body(node.children))])
@@ -314,9 +316,10 @@ class FileWriter(ElementWriter):
             body.note(f"the first definition of {name} is left out: there is another one below")
             return
         function = Body()
-        before = self._blocks, self._parameters, self._is_top, self._locals
+        before = self._blocks, self._parameters, self._is_top, self._locals, self._visible
         self._locals = defined_in(node, nested=True)
         self._read = used_in(node)
+        self._visible = self._program.visible_in(macro)
         self._is_top = False
         self._blocks = {own.lstrip("*"): own for own in macro.blocks()}
         self._parameters = set(macro.values())
@@ -328,7 +331,7 @@ class FileWriter(ElementWriter):
         if shared:
             entries = [Entry(f"{own}/child", f"$({own})") for own in shared]
             content.entries.insert(0, Entry("variables", Body(entries)))
-        self._blocks, self._parameters, self._is_top, self._locals = before
+        self._blocks, self._parameters, self._is_top, self._locals, self._visible = before
         function.add("body", content or None)
         is_shared = self._program.is_used_elsewhere(f"xacro:{name}", self._path)
         key = macro.function + ("/global" if is_shared else "")
