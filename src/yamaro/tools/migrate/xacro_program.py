@@ -155,7 +155,7 @@ class Program:
 
     def _names_of_callers(self) -> set[str]:
         """Return the names that macros read of those who call them."""
-        at_top: set[str] = set(self.arguments)
+        at_top: set[str] = set()
         for root in self.roots.values():
             at_top |= defined_in(root)
         free: set[str] = set()
