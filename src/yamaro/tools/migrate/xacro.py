@@ -27,6 +27,7 @@ class XacroMigration:
         main: the path of the main file.
         root: what xacro makes of the robot.
         differences: in what the robot that the sources make differs from it.
+        origins: the paths of the files by those of the xacro files they were made of.
         lost: what could not be carried over, with its place.
         faults: the errors of the sources, if they cannot be built.
     """
@@ -36,6 +37,7 @@ class XacroMigration:
         self.files = files
         self.main = main
         self.root = root
+        self.origins: dict[str, str] = {}
         self.differences: list[Difference] = []
         self.lost: list[tuple[Span, str]] = []
         self.faults: list[Diagnostic] = []
@@ -53,6 +55,7 @@ def migrate_xacro(source: Source, host: Host, arguments: Mapping[str, str]) -> X
     for path in program.roots:
         outputs[path] = _output(os.path.relpath(path, folder), set(outputs.values()))
     migration = XacroMigration({}, outputs[source.path], program.result)
+    migration.origins = outputs
     for path, output in outputs.items():
         writer = FileWriter(program, path, outputs.__getitem__)
         sections = writer.sections(is_main=path == source.path)
