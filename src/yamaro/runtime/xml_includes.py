@@ -65,7 +65,7 @@ def check_xml_include(node: IncludeNode, *, is_xacro: bool) -> None:
                 hint=did_you_mean(argument.name or "", ["prefix"])
                 or "prefix: left_ renames its links and joints; nothing else can be set in it",
             )
-    if node.namespace is not None:
+    if node.namespace is not None and not is_xacro:
         raise failure(
             "bad-namespace",
             "an XML file has no functions or variables to put into a namespace",
