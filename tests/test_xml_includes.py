@@ -171,6 +171,14 @@ def test_a_urdf_that_holds_xacro_is_expanded() -> None:
     assert "<a>2</a>" in run({"arm.urdf": robot("<a>${1 + 1}</a>")}).xml()
 
 
+@pytest.mark.parametrize("name", ["arm.urdf", "arm.xacro"])
+def test_an_included_file_may_be_as_deep_as_the_limit_says(name: str) -> None:
+    files = {name: "<robot><a><b/></a></robot>"}
+    assert "<b/>" in run(files, name, Policy("trusted", limits={"xml-depth": 3})).xml()
+    error = fault(files, name, Policy("trusted", limits={"xml-depth": 2}))
+    assert (error.code, os.path.basename(error.span.source.path)) == ("limit-xml-depth", name)
+
+
 # --- what an include may pass -------------------------------------------------------------------
 
 
@@ -296,7 +304,8 @@ def test_a_file_that_is_missing_may_be_optional() -> None:
 def test_what_limits_say_of_a_file_of_xacros_is_told() -> None:
     files = {"arm.xacro": including("hand.xacro"), "hand.xacro": robot("")}
     policy = Policy("trusted", limits={"files": 1})
-    assert fault(files, "arm.xacro", policy).code == "limit-files"
+    error = fault(files, "arm.xacro", policy)
+    assert (error.code, error.span.written()) == ("limit-files", "hand.xacro")
     policy = Policy("trusted", limits={"files": 2})
     assert "<out/>" in run(files, "arm.xacro", policy).xml()
 
@@ -331,13 +340,15 @@ def test_packages_are_found_from_the_file_that_names_them(
         (tmp_path / name / "package.xml").write_text(manifest)
     (tmp_path / "arms" / "arm.xacro").write_text(robot("<a>$(find hands)</a>"))
     main = tmp_path / "t.yaml"
-    main.write_text("out: {include: arms/arm.xacro}\n")
+    main.write_text("out: {include: main.xacro}\n")
+    (tmp_path / "main.xacro").write_text(including("arms/arm.xacro"))
     assert f"<a>{tmp_path / 'hands'}</a>" in build(str(main)).xml()
     (tmp_path / "arms" / "arm.xacro").write_text(robot("<a>$(find heads)</a>"))
     with pytest.raises(YamaroError) as caught:
         build(str(main))
     (error,) = caught.value.diagnostics
     assert (error.code, error.message) == ("unknown-package", "the package 'heads' is not found")
+    assert error.span.place().endswith("arm.xacro:1:55")
     assert any(str(tmp_path / "arms") in note for note in error.notes)
 
 

@@ -30,8 +30,8 @@ def read_included(source: Source, limits: Limits) -> tuple[Element, bool]:
         YamaroError: it is no XML.
     """
     root = read_xml(source, limits).root
-    name = source.path.lower().replace("\\", "/").rpartition("/")[2]
-    return root, name.endswith(".xacro") or is_xacro(root)
+    is_called_xacro = source.path.lower().endswith(".xacro")
+    return root, is_called_xacro or is_xacro(root)
 
 
 def is_xacro(root: Element) -> bool:
