@@ -25,8 +25,8 @@ TESTED_ELSEWHERE = {
     "unknown-package": "test_check.py",
 }
 
-# Callables whose first argument is a code.
-RAISERS = {"Diagnostic", "InputFault", "_bad_call", "failure", "warn"}
+# Callables one of whose first two arguments is a code.
+RAISERS = {"Diagnostic", "Fault", "InputFault", "_bad_call", "_fault", "failure", "warn"}
 
 
 def codes_listed() -> list[str]:
@@ -40,15 +40,15 @@ def codes_of_cases() -> set[str]:
 
 def codes_in_source() -> set[str]:
     return {
-        call.args[0].value
+        code.value
         for file in (REPOSITORY / "src").rglob("*.py")
         for call in ast.walk(ast.parse(file.read_text(encoding="utf-8")))
         if isinstance(call, ast.Call)
         and getattr(call.func, "attr", getattr(call.func, "id", "")) in RAISERS
-        and call.args
-        and isinstance(call.args[0], ast.Constant)
-        and isinstance(call.args[0].value, str)
-        and re.fullmatch(CODE, call.args[0].value)
+        for code in call.args[:2]
+        if isinstance(code, ast.Constant)
+        and isinstance(code.value, str)
+        and re.fullmatch(CODE, code.value)
     }
 
 
