@@ -57,8 +57,7 @@ def report(migration: Migration) -> str:
         links = sum(child.name == "link" for child in children)
         joints = sum(child.name == "joint" for child in children)
         return f"identical: {_counted(links, 'link')}, {_counted(joints, 'joint')}"
-    lines = [f"different: {difference}" for difference in migration.differences]
-    return "\n".join(lines)
+    return "\n".join([f"different: {difference}" for difference in migration.differences])
 
 
 def _counted(count: int, what: str) -> str:
