@@ -400,21 +400,19 @@ CASES = {
           <mimic joint="left_joint"/>
         </joint>
         <link name="right_link"/>
-        <joint name="top_joint" type="continuous">
+        <joint name="u_joint" type="continuous">
           <parent link="right_link"/>
-          <child link="top_link"/>
-          <origin xyz="0 0 1" rpy="0 0 0"/>
-          <mimic joint="left_joint" multiplier="-1"/>
+          <child link="u_link"/>
+          <origin xyz="0 0 0" rpy="0 0 0"/>
+          <mimic joint="left_joint" offset="2"/>
         </joint>
-        <link name="top_link"/>
+        <link name="u_link"/>
         """,
         """\
         - link/name=base_link:
         - part: {name: left, joint: {type: continuous, parent: base_link, xyz: 0 1 0}}
         - part: {name: right, joint: {type: continuous, parent: left, xyz: 0 -1 0, mimic: left}}
-        - part:
-            name: top
-            joint: {type: continuous, parent: right, xyz: 0 0 1, mimic: {joint: left, multiplier: -1}}
+        - part: {name: u, joint: {type: continuous, parent: right, mimic: {joint: left, offset: 2}}}
         """,
     ),
     "a link of the part's name is meant where it is named": (

@@ -143,7 +143,7 @@ def name_of(element: Element) -> str:
 
 
 def is_bare(item: Item) -> bool:
-    """Tell whether an item is a link by itself with no elements in it, which is written as it is."""
+    """Tell whether an item is a link by itself with nothing in it, which is no part."""
     return item.joint is None and not item.element.elements()
 
 
