@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 
 from ...compiler import Program, UsageError, refusal_of_main
-from ...runtime.loader import FileLoader, LoadError
+from ...runtime.loader import FileLoader, LoadError, check_size
 from ...source import STANDARD_INPUT, STANDARD_INPUT_NAME
 from ...xmlreader import decode_xml, read_xml
 from .urdf import Migration, migrate_urdf
@@ -29,13 +29,14 @@ def migrate_file(path: str, limits: Limits, data: bytes | None = None) -> Migrat
         UsageError: it cannot be read.
     """
     absolute = "" if path == STANDARD_INPUT else os.path.abspath(path)
-    if data is None:
-        try:
+    try:
+        if data is None:
             data = FileLoader(limits).read(absolute)
-        except LoadError as error:
-            if error.hint is not None:
-                raise refusal_of_main(path, error) from None
-            raise UsageError(f"cannot read '{path}': {error}") from None
+        check_size(len(data), limits)
+    except LoadError as error:
+        if error.hint is not None:
+            raise refusal_of_main(path, error) from None
+        raise UsageError(f"cannot read '{path}': {error}") from None
     name = STANDARD_INPUT_NAME if path == STANDARD_INPUT else path
     source = decode_xml(data, name=name, path=absolute)
 
