@@ -79,7 +79,9 @@ def is_available() -> bool:
     archive = FOLDER / f"xacro-{VERSION}.tar.gz"
     if not archive.exists():
         FOLDER.mkdir(parents=True, exist_ok=True)
-        command = ["download", "--quiet", "--no-binary", ":all:", "--no-deps", "--dest"]
+        command = (
+            "download --quiet --retries 0 --timeout 15 --no-binary :all: --no-deps --dest".split()
+        )
         fetched = subprocess.run(
             [sys.executable, "-m", "pip", *command, str(FOLDER), f"xacro=={VERSION}"],
             capture_output=True,

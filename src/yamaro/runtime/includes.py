@@ -14,20 +14,6 @@ if TYPE_CHECKING:
     from typing import Any
 
 
-XML_ENDINGS = (".urdf", ".xacro", ".xml", ".sdf")
-"""Endings of the names of files that hold XML, which is included as it is."""
-
-
-def is_xml_file(path: str) -> bool:
-    """Tell whether a file holds XML."""
-    return path.lower().endswith(XML_ENDINGS)
-
-
-def is_xacro_file(path: str) -> bool:
-    """Tell whether a file is expanded as xacro does it before it is included."""
-    return path.lower().endswith(".xacro")
-
-
 def path_of(node: IncludeNode, scope: Scope, values: Values) -> str:
     """Return the path of the file to include, as written.
 

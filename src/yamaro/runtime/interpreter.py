@@ -9,6 +9,7 @@ from __future__ import annotations
 from ..diagnostics import INHERITED, Frame, InputFault, Reporter, YamaroError, failure
 from ..policy import JAIL, Policy
 from ..source import Source, Span
+from ..syntax.includes import is_xml_file
 from ..syntax.keys import NAME_RULE, attribute_twice, name_fault
 from ..syntax.names import (
     STATEMENTS,
@@ -68,7 +69,7 @@ from .calls import (
 from .elements import Builder, evaluate_holes
 from .expressions import Evaluator, SafeEvaluator, add_trace, evaluate_bare
 from .files import Files
-from .includes import is_xacro_file, is_xml_file, namespace_of, passed_by, path_of
+from .includes import namespace_of, passed_by, path_of
 from .loops import iterate, too_many_turns, unpack
 from .messages import Messages
 from .packages import PackageFinder
@@ -646,22 +647,26 @@ class Interpreter:
         self, node: IncludeNode, path: str, passed: dict[str, Any], scope: Scope, out: list[Node]
     ) -> None:
         """Put out what an XML file holds: URDF as it is, or what a xacro file expands to."""
-        from .xml_includes import check_xml_include, xml_content
+        from .xml_includes import check_xml_include, read_included, xml_content
 
-        is_xacro = is_xacro_file(path)
-        check_xml_include(node, is_xacro=is_xacro)
         try:
             source = self.files.load(path, node.path_span, scope.home, is_xml=True)
         except YamaroError as error:
             self._trace_into(error, node)
             raise
         frame = self._step("included", source.name, node.span, None)
+        try:
+            root, is_xacro = read_included(source, self.limits)
+        except YamaroError as error:
+            add_trace(error, frame)
+            raise
+        check_xml_include(node, is_xacro=is_xacro)
         self._enter(frame, node.path_span)
         try:
             if is_xacro:
-                out += self._expanded(source, passed, node, frame)
+                out += self._expanded(source, passed, node, scope, frame)
             else:
-                out += xml_content(source, passed.get("prefix"), frame, self.limits)
+                out += xml_content(root, passed.get("prefix"), frame)
         except YamaroError as error:
             add_trace(error, frame)
             raise
@@ -669,7 +674,12 @@ class Interpreter:
             self._leave(frame)
 
     def _expanded(
-        self, source: Source, passed: dict[str, Any], node: IncludeNode, frame: Frame
+        self,
+        source: Source,
+        passed: dict[str, Any],
+        node: IncludeNode,
+        scope: Scope,
+        frame: Frame,
     ) -> list[Node]:
         from ..xacro.expansion import expand
         from .xacro_host import XacroHost
@@ -685,6 +695,8 @@ class Interpreter:
             for argument in node.arguments
             if argument.name is not None
         }
+        if node.namespace is not None:
+            arguments["namespace"] = str(namespace_of(node, scope, self.values))
         return expand(source, host, arguments, self.reporter, frame=frame).children
 
     def _trace_into(self, error: YamaroError, node: IncludeNode) -> None:

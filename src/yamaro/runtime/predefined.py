@@ -67,7 +67,10 @@ class Helpers:
         }
 
     def load_yaml(self, path: str) -> Any:
-        """Return the data in a YAML file as dicts, lists and scalars; nothing is evaluated."""
+        """Return the data in a YAML file as dicts, lists and scalars; nothing is evaluated.
+
+        Numbers with a unit, such as `!degrees 90`, are converted.
+        """
         text = os.fspath(path)
         absolute = self._packages.resolve_uri(text, self._directory)
         if absolute is None:
@@ -84,7 +87,7 @@ class Helpers:
         source = decode(data, name=text, path=absolute)
         reporter = Reporter()
         rules = self._library.rules
-        root = read(source, reporter=reporter, limits=rules.limits)
+        root = read(source, reporter=reporter, limits=rules.limits, units=True)
         return plain_data(parse_value(root, ParseContext(reporter, rules), is_literal=True))
 
     def _nowhere(self, uri: str) -> InputFault:

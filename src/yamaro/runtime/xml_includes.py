@@ -20,6 +20,36 @@ _REFERS = re.compile("link|joint|frame|body|reference|parent|child|mimic", re.IG
 """Tags and attributes that name links and joints, in extensions of URDF that no schema tells of."""
 
 
+def read_included(source: Source, limits: Limits) -> tuple[Element, bool]:
+    """Return the root of an XML file, and whether the file is xacro's.
+
+    It is if its name says so, if it has one of xacro's tags, or if it declares them and has one of
+    xacro's expressions: many such files are called `.urdf`.
+
+    Raises:
+        YamaroError: it is no XML.
+    """
+    root = read_xml(source, limits).root
+    name = source.path.lower().replace("\\", "/").rpartition("/")[2]
+    return root, name.endswith(".xacro") or is_xacro(root)
+
+
+def is_xacro(root: Element) -> bool:
+    """Tell whether a document has xacro's tags, or declares them and has xacro's expressions."""
+    declares = "xmlns:xacro" in root.attributes
+    pending = [root]
+    while pending:
+        element = pending.pop()
+        if element.name.startswith("xacro:"):
+            return True
+        if declares:
+            values = [*map(str, element.attributes.values()), element.text()]
+            if any("${" in value or "$(" in value for value in values):
+                return True
+        pending += element.elements()
+    return False
+
+
 def check_xml_include(node: IncludeNode, *, is_xacro: bool) -> None:
     """Check what an include of XML passes; xacro files have arguments of any name.
 
@@ -54,19 +84,14 @@ def xacro_in_safe_mode(span: Span) -> YamaroError:
     )
 
 
-def xml_content(source: Source, prefix: object, frame: Frame, limits: Limits) -> list[Node]:
+def xml_content(root: Element, prefix: object, frame: Frame) -> list[Node]:
     """Return what stands under the root of an XML file, reached by an include.
 
     Args:
-        source: the file.
+        root: the root.
         prefix: put in front of the names of links and joints, wherever they are named.
         frame: the include.
-        limits: how deep it may be.
-
-    Raises:
-        YamaroError: it is no XML.
     """
-    root = read_xml(source, limits).root
     if prefix not in (None, ""):
         _rename(root, format_value(prefix))
     _tidy(root)

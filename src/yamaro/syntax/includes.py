@@ -17,8 +17,16 @@ if TYPE_CHECKING:
     from .yaml_nodes import YamlNode
 
 
+XML_ENDINGS = (".urdf", ".xacro", ".xml", ".sdf")
+"""Endings of the names of files that hold XML, which is included as it is."""
+
 OTHER_WORDS = ("file", "filename", "src", "from", "uri", "url")
 """What other formats call the path of an include."""
+
+
+def is_xml_file(path: str) -> bool:
+    """Tell whether a file holds XML."""
+    return path.lower().endswith(XML_ENDINGS)
 
 
 def parse_include(key: ScalarNode, node: YamlNode, context: ParseContext) -> IncludeNode:
@@ -52,6 +60,9 @@ def parse_include(key: ScalarNode, node: YamlNode, context: ParseContext) -> Inc
             hint=f"did you mean `path` by '{near}'?" if near else "write path: other.yaml",
         )
     path = _parse_path(path_pair[1], path_pair[0], context)
+    if namespace_pair and isinstance(path_pair[1], ScalarNode) and is_xml_file(path_pair[1].text):
+        rest.append(namespace_pair)  # XML has no names to put into one, but xacro files arguments
+        namespace_pair = None
     namespace = _parse_namespace(namespace_pair[1], context) if namespace_pair else None
     arguments = _include_arguments(rest, context)
     path_span = path_pair[1].span()

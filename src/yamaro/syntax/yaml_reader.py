@@ -34,20 +34,38 @@ if TYPE_CHECKING:
     from .yaml_nodes import YamlNode
 
 
-def read(source: Source, *, reporter: Reporter, limits: Limits | None = None) -> YamlNode:
+UNITS = {
+    "!radians": 1.0,
+    "!degrees": 0.017453292519943295,
+    "!meters": 1.0,
+    "!millimeters": 0.001,
+    "!foot": 0.3048,
+    "!inches": 0.0254,
+}
+"""Tags of numbers in data, as xacro knows them, and what one is in radians or metres."""
+
+
+def read(
+    source: Source,
+    *,
+    reporter: Reporter,
+    limits: Limits | None = None,
+    units: bool = False,
+) -> YamlNode:
     """Return the root node of a source's one document.
 
     Args:
         source: the text.
         reporter: takes the warnings.
         limits: how deep it may be, and how far its aliases expand; the usual ones if left out.
+        units: convert numbers that have a tag of `UNITS`.
 
     Raises:
         YamaroError: the text is no YAML, is empty, holds several documents, custom tags, or
             aliases that refer to themselves or expand without measure.
     """
     refuse_characters(source)
-    root = _Builder(source, limits or Limits()).build()
+    root = _Builder(source, limits or Limits(), units=units).build()
     if root is None or _is_nothing(root):
         raise failure(
             "empty-file",
@@ -96,8 +114,10 @@ class _Builder:
         *,
         owner: Source | None = None,
         places: list[int] | None = None,
+        units: bool = False,
     ) -> None:
         """Read `source`; for a fragment, `places` are the offsets of its characters in `owner`."""
+        self.units = units
         self.text = source.text
         self.limits = limits
         self.source = owner or source
@@ -195,7 +215,9 @@ class _Builder:
         tag = event.tag
         if anchor is not None or tag is not None:
             if tag is not None:
-                self._refuse_tag(event)
+                if not self.units or tag not in UNITS:
+                    self._refuse_tag(event)
+                event.value, event.style = self._converted(event), ""
             start = min(self._after_properties(start), end)  # behind an empty scalar is the next
         if self.places is not None:
             end = self.place(end - 1) + 1 if end > start else self.place(start)
@@ -299,6 +321,19 @@ class _Builder:
             else:
                 spread.append(pair)
         mapping.pairs = spread
+
+    def _converted(self, event: Any) -> str:
+        """Return a number with a unit in radians or metres."""
+        try:
+            return repr(float(event.value) * UNITS[event.tag])
+        except ValueError:
+            start, end = event.start_mark.index, event.end_mark.index
+            raise failure(
+                "yaml-tag",
+                f"'{event.value}' is no number, as {event.tag} needs it",
+                Span(self.source, start, end),
+                hint=f"write {event.tag} 90.0; an expression in data is not evaluated",
+            ) from None
 
     def _refuse_tag(self, event: Any) -> None:
         start = event.start_mark.index

@@ -16,6 +16,7 @@ from .definitions import declare_argument, define_macro, define_property
 from .evaluator import Evaluator
 from .includes import include
 from .literals import truth
+from .namespaces import declare_lost
 from .places import Place
 from .python import Python
 from .scope import Macros, Scope
@@ -69,6 +70,8 @@ class Expansion:
     Attributes:
         frame: the innermost call or include.
         documents: the root elements of the files that were read, by path.
+        included: the paths that each include meant, by the place of its `filename`.
+        lost: attributes and prefixes that were meant for a condition, and so for nothing.
     """
 
     def __init__(
@@ -83,6 +86,8 @@ class Expansion:
         self.comments = Comments()
         self.frame = frame
         self.documents: dict[str, Element] = {}
+        self.included: dict[tuple[str, int], list[str]] = {}
+        self.lost: dict[str, object] = {}
         self.depth = 0
         self._walked = 0
 
@@ -100,6 +105,8 @@ class Expansion:
             result = self.element(root, Macros(), self.scope(self.evaluator.names))
         except RecursionError:
             raise self.too_deep(self.frame.span if self.frame else root.span) from None
+        if self.lost:
+            declare_lost(result, self.lost)
         tidy(result)
         return result
 
@@ -247,9 +254,10 @@ def _condition(expansion: Expansion, node: Element, site: Site) -> None:
                 place = expansion.place(node, name)
                 expansion.evaluator.text(other, site.scope, place)  # type: ignore[arg-type]
         kept: list[Node] = []
-        inside = Site(kept, Element(node.name, node.span), site.macros, site.scope)
-        expansion.children(node.children, inside)
+        holder = Element(node.name, node.span)
+        expansion.children(node.children, Site(kept, holder, site.macros, site.scope))
         site.out += kept
+        expansion.lost.update(holder.attributes)
     leave_mark()
 
 

@@ -124,6 +124,9 @@ def _read(
 ) -> tuple[Element, list[Node]]:
     """Return the root of a file, without children, and what its content expands to."""
     place = node.value_span("filename")
+    paths = expansion.included.setdefault((place.source.path, place.start), [])
+    if path not in paths:
+        paths.append(path)
     known = expansion.documents.get(path)
     source = _source(expansion, path, place) if known is None else None
     expansion.enter("included", os.path.basename(path), place)

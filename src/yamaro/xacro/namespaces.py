@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+from ..xmltree import Element
+
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from ..xmltree import Element
     from .expansion import Expansion
 
 
@@ -24,3 +25,18 @@ def lift_prefixes(expansion: Expansion, inner: Element, outer: Element) -> None:
             hint="declare it with the same address in all files",
             trace=expansion.frame,
         )
+
+
+def declare_lost(root: Element, lost: dict[str, object]) -> None:
+    """Declare prefixes at the root that are used in it, and declared nowhere around their use.
+
+    That comes of a file that is included in a condition: xacro forgets what it declares.
+    """
+    pending = [(root, frozenset(root.attributes))]
+    while pending:
+        element, declared = pending.pop()
+        for name in (element.name, *element.attributes):
+            declaration = f"xmlns:{name.partition(':')[0]}"
+            if ":" in name and declaration in lost and declaration not in declared:
+                root.attributes.setdefault(declaration, lost[declaration])
+        pending += [(own, declared.union(own.attributes)) for own in element.elements()]

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 from ...syntax.scalars import type_plain
 
 TYPE_CHECKING = False
@@ -16,6 +18,7 @@ MOST_IN_BRACES = 6
 LONGEST_KEY = 1000
 """Characters that a key may have before YAML wants a `?` in front of it."""
 
+_SPACE = re.compile(r"\s+")
 _INDICATORS = frozenset("-?:,[]{}#&*!|>'\"%@`")
 _OPENING = frozenset("-?:")
 _NULLS = frozenset(("", "~", "null", "Null", "NULL"))
@@ -98,7 +101,7 @@ def literal(text: str) -> str:
 
 
 def element_key(name: str, attributes: dict[str, str], *, bracketed: bool = False) -> str:
-    """Return the key of an XML element, `name/attribute=value, …`; the values as they are meant."""
+    """Return the key of an element, `name/attribute=value, …`; values as the language has them."""
     key = name
     if attributes:
         key += "/" + ", ".join(f"{name}={_attribute(value)}" for name, value in attributes.items())
@@ -106,13 +109,62 @@ def element_key(name: str, attributes: dict[str, str], *, bracketed: bool = Fals
 
 
 def _attribute(value: str) -> str:
-    if "," not in value and value == value.strip() and not value.startswith(("'", '"')):
-        return literal(value)
-    if "'" not in value:
-        return f"'{literal(value)}'"
-    if '"' not in value:
-        return f'"{literal(value)}"'
-    return f"$({value!r})"
+    outside = without_expressions(value)
+    if "," not in outside and value == value.strip() and not value.startswith(("'", '"')):
+        return value
+    if "'" not in outside:
+        return f"'{value}'"
+    if '"' not in outside:
+        return f'"{value}"'
+    return f"$({_as_python(value)})"
+
+
+def _as_python(value: str) -> str:
+    """Return a text as one expression: for one that holds both kinds of quotes."""
+    pieces = []
+    for piece, is_expression in _pieces(value):
+        if is_expression:
+            pieces.append(f"str({piece[2:-1]})")
+        elif piece:
+            pieces.append(repr(piece.replace("$$(", "$(").replace("$${", "${")))
+    return " + ".join(pieces)
+
+
+def without_expressions(text: str) -> str:
+    """Return a text with `$()` in place of each expression."""
+    return "".join("$()" if is_expression else piece for piece, is_expression in _pieces(text))
+
+
+def words_of(text: str) -> list[str]:
+    """Return the words of a text; an expression is no more than a piece of one."""
+    words = [""]
+    for piece, is_expression in _pieces(text):
+        if is_expression:
+            words[-1] += piece
+            continue
+        first, *others = _SPACE.split(piece)
+        words[-1] += first
+        words += others
+    return [word for word in words if word]
+
+
+def _pieces(text: str) -> Iterator[tuple[str, bool]]:
+    """Return the pieces of a text, and of each whether it is an expression."""
+    if "$(" not in text:
+        yield text, False
+        return
+    from ...syntax.template import skip_expression
+
+    start = position = 0
+    while (at := text.find("$(", position)) >= 0:
+        end = skip_expression(text, at)
+        if end <= at or text[at - 1 : at] == "$":
+            position = at + 2
+            continue
+        yield text[start:at], False
+        yield text[at:end], True
+        start = position = end
+    yield text[start:], False
 
 
 # --- writing ----------------------------------------------------------------------------------

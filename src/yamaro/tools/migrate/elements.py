@@ -7,7 +7,7 @@ from textwrap import dedent
 from ...syntax.names import STATEMENTS
 from ...xmltree import Comment, Element, Text, format_value
 from .compare import values_of
-from .document import Body, Entry, element_key, literal
+from .document import Body, Entry, element_key
 from .pairing import has_text
 
 TYPE_CHECKING = False
@@ -40,12 +40,7 @@ class ElementWriter:
     def key(self, name: str, attributes: dict[str, str], *, bracketed: bool = False) -> str:
         """Return the key of an element."""
         if name == "mesh" and "filename" in attributes:
-            file = attributes["filename"]
-            spelled = self.file_name(file)
-            if spelled != literal(file):
-                stand_in = "\0"
-                key = element_key(name, {**attributes, "filename": stand_in}, bracketed=bracketed)
-                return key.replace(stand_in, spelled)
+            attributes = {**attributes, "filename": self.file_name(attributes["filename"])}
         return element_key(name, attributes, bracketed=bracketed)
 
     def value(self, element: Element) -> Value:
@@ -53,7 +48,7 @@ class ElementWriter:
         if not has_text(element):
             return self.body(element.children)
         if all(isinstance(child, Text) for child in element.children):
-            return literal(tidy_text(element.text()))
+            return tidy_text(element.text())
         return self.body(element.children)
 
     def body(self, nodes: list[Node]) -> Body | None:
@@ -114,12 +109,28 @@ def needs_brackets(name: str, attributes: dict[str, str]) -> bool:
     return name in STATEMENTS or (name[0].isupper() and not attributes)
 
 
+def spelled(element: Element, spell: Callable[[str], str]) -> Element:
+    """Return a copy of an element, its values and texts as the language spells them."""
+    copy = element.with_children(
+        [
+            spelled(child, spell)
+            if isinstance(child, Element)
+            else Text(spell(format_value(child.value)), child.span)
+            if isinstance(child, Text)
+            else child
+            for child in element.children
+        ]
+    )
+    copy.attributes = {name: spell(value) for name, value in values_of(element).items()}
+    return copy
+
+
 def add_loose(node: Comment | Text, body: Body) -> None:
     """Add a comment, or a text between elements if it is more than white space."""
     if isinstance(node, Comment):
         body.note(tidy_text(node.text))
     elif text := tidy_text(format_value(node.value)):
-        body.add("<#text>", literal(text))
+        body.add("<#text>", text)
 
 
 def tidy_text(text: str) -> str:

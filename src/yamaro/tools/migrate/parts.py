@@ -6,7 +6,7 @@ from ...robot.mesh import MESH_ENDINGS, mesh_ending
 from ...robot.shapes import Box, Cylinder, Sphere
 from ...xmltree import Element, Text, format_value
 from .compare import same_words, values_of
-from .document import RECORD_WIDTH, Body, Entry, Value, literal
+from .document import RECORD_WIDTH, Body, Entry, Value, without_expressions, words_of
 from .elements import ElementWriter, add_loose
 from .pairing import has_text, name_of
 
@@ -114,11 +114,14 @@ class PartWriter:
         elements: ElementWriter,
         names: Names,
         material: Callable[[Element], Value | None],
+        *,
+        resolves: bool = False,
     ) -> None:
         """Take what writes elements, the names, and what writes a material in short, or None."""
         self._elements = elements
         self._names = names
         self._material = material
+        self._resolves = resolves
 
     def part(self, link: Element, joint: Element | None, *, joint_first: bool) -> Entry:
         """Return a part, or a link that holds nothing as the element that it is.
@@ -126,7 +129,7 @@ class PartWriter:
         Raises:
             NoPart: it cannot be written as one.
         """
-        _plain_words(name_of(link))
+        _checked_word(name_of(link))
         is_empty = not link.elements()
         if joint is None and is_empty:
             return self._elements.entry(link)
@@ -134,11 +137,11 @@ class PartWriter:
         own_name = self._names.add(link, joint)
         link_key = "link"
         if own_name is not None:
-            body.add("name", literal(own_name))
+            body.add("name", own_name)
         elif joint is None:
             link_key = self._elements.key("link", {"name": name_of(link)})
         else:
-            body.add("name", literal(f"{_plain_words(name_of(joint))} {name_of(link)}"))
+            body.add("name", f"{_checked_word(name_of(joint))} {name_of(link)}")
         others = {key: value for key, value in values_of(link).items() if key != "name"}
         if others:
             if link_key != "link":
@@ -161,7 +164,7 @@ class PartWriter:
         if kind is None or has_text(joint):
             raise NoPart
         body = Body(in_braces=True)
-        body.add("type", literal(kind))
+        body.add("type", kind)
         rest = Body()
         seen: dict[str, Element] = {}
         for child in joint.children:
@@ -184,8 +187,8 @@ class PartWriter:
             raise NoPart
         name = values_of(parent).get("link", "")
         if list(values_of(parent)) == ["link"] and not parent.children and _is_word(name):
-            if name in self._names.links:
-                body.add("parent", literal(self._names.of_links.get(name, name)))
+            if name in self._names.links or (self._resolves and name != "root_link"):
+                body.add("parent", self._names.of_links.get(name, name))
                 return
         body.entries.append(self._elements.entry(parent, bracketed=True))
 
@@ -201,11 +204,11 @@ class PartWriter:
             name = attributes["joint"]
             attributes["joint"] = self._names.of_joints.get(name, name)
             if list(attributes) == ["joint"]:
-                return Entry("mimic", literal(attributes["joint"]))
+                return Entry("mimic", attributes["joint"])
         if child.name == "limit" and not _is_whole(attributes, kind):
             return self._element(child)
         if child.name in RECORDS and not any(name[0].isupper() for name in attributes):
-            entries = [Entry(key, literal(value)) for key, value in attributes.items()]
+            entries = [Entry(key, value) for key, value in attributes.items()]
             return Entry(child.name, Body(entries, in_braces=True, width=RECORD_WIDTH))
         return self._element(child)
 
@@ -259,7 +262,7 @@ class PartWriter:
     def _inertial(self, inertial: Element, plan: _LinkPlan) -> Entry:
         mass = values_of(child_named(inertial, "mass"))["value"]
         moments = values_of(child_named(inertial, "inertia"))
-        body = Body([Entry("mass", literal(mass))], in_braces=True)
+        body = Body([Entry("mass", mass)], in_braces=True)
         if not plan.has_computed_inertia:
             body.add("inertia", _numbers(" ".join(moments[name] for name in MOMENTS), 6))
         if plan.pose is None:
@@ -407,7 +410,7 @@ def is_short_material(material: Element) -> bool:
         isinstance(child, Element)
         and not child.children
         and list(values_of(child)) == [wanted[child.name]]
-        and (child.name != "color" or len(values_of(child)["rgba"].split()) == 4)
+        and (child.name != "color" or are_numbers(values_of(child)["rgba"], 4))
         for child in children
     )
 
@@ -475,27 +478,35 @@ def _is_whole(limit: dict[str, str], kind: str) -> bool:
 def _numbers(text: str, count: int) -> str:
     if not are_numbers(text, count):
         raise NoPart
-    return " ".join(text.split())
+    return " ".join(words_of(text))
 
 
 def are_numbers(text: str, count: int) -> bool:
-    """Tell whether a text is so many numbers."""
-    words = text.split()
+    """Tell whether a text is so many numbers, as far as that can be told of expressions."""
+    words = words_of(text)
+    if len(words) != count:
+        return len(words) == 1 and words[0].startswith("$(")
+    return all(map(_may_be_number, words))
+
+
+def _may_be_number(word: str) -> bool:
+    if "$(" in word:
+        return True
     try:
-        numbers = [float(word) for word in words]
+        number = float(word)
     except ValueError:
         return False
-    return len(words) == count and all(number - number == 0 for number in numbers)
+    return number - number == 0
 
 
-def _plain_words(name: str) -> str:
+def _checked_word(name: str) -> str:
     if not _is_word(name):
         raise NoPart
     return name
 
 
 def _is_word(name: str) -> bool:
-    return bool(name) and "," not in name and len(name.split()) == 1 and name == name.strip()
+    return "," not in without_expressions(name) and words_of(name) == [name]
 
 
 def _spaces(element: Element) -> int:

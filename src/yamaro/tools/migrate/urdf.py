@@ -6,7 +6,7 @@ from ...diagnostics import YamaroError
 from ...xmltree import Comment, Element
 from .compare import Difference, compare, values_of
 from .document import RECORD_WIDTH, Body, Entry, Quoted, Value, element_key, literal, write_document
-from .elements import ElementWriter, add_loose, tidy_text
+from .elements import ElementWriter, add_loose, spelled, tidy_text
 from .pairing import Item, is_bare, name_of, pair
 from .parts import Names, NoPart, PartWriter, is_short_material
 
@@ -47,13 +47,14 @@ def migrate_urdf(document: XmlDocument, build: Callable[[str], Element]) -> Migr
         YamaroError: what came out cannot be built, which is a fault of ours.
     """
     root = document.root
+    source = spelled(root, literal)
     plain: set[int] = set()
     while True:
-        text = _write(document, plain)
+        text = _write(document, source, plain)
         try:
             built = build(text)
         except YamaroError:
-            everything = {id(e) for e in root.elements() if e.name in ("joint", "link")}
+            everything = {id(e) for e in source.elements() if e.name in ("joint", "link")}
             if everything <= plain:
                 raise
             plain |= everything
@@ -61,39 +62,37 @@ def migrate_urdf(document: XmlDocument, build: Callable[[str], Element]) -> Migr
         differences = compare(root, built)
         if not differences or root.name != "robot":
             return Migration(text, root, differences)
-        different = _different(root, built) - plain
+        different = _different(root, source, built) - plain
         if not different:
             return Migration(text, root, differences)
         plain |= different
 
 
-def _different(expected: Element, actual: Element) -> set[int]:
-    """Return the joints and links that have not come out the same, by identity."""
+def _different(expected: Element, source: Element, actual: Element) -> set[int]:
+    """Return the joints and links of `source` that have not come out as expected, by identity."""
     different = set()
-    for name in ("joint", "link"):
-        first = [element for element in expected.elements() if element.name == name]
-        second = {name_of(e): e for e in actual.elements() if e.name == name}
-        for element in first:
-            other = second.get(name_of(element))
+    made = {(e.name, name_of(e)): e for e in actual.elements() if e.name in ("joint", "link")}
+    for element, own in zip(expected.elements(), source.elements(), strict=True):
+        if element.name in ("joint", "link"):
+            other = made.get((element.name, name_of(element)))
             if other is None or compare(element, other):
-                different.add(id(element))
+                different.add(id(own))
     return different
 
 
-def _write(document: XmlDocument, plain: set[int]) -> str:
+def _write(document: XmlDocument, root: Element, plain: set[int]) -> str:
     """Return a source in which some joints and links are plain elements.
 
     Those that turn out to be no parts are added to them. What names these has to be written anew.
     """
     while True:
         known = len(plain)
-        text = _written(document, plain)
+        text = _written(document, root, plain)
         if len(plain) == known:
             return text
 
 
-def _written(document: XmlDocument, plain: set[int]) -> str:
-    root = document.root
+def _written(document: XmlDocument, root: Element, plain: set[int]) -> str:
     variables = Variables(root)
     elements = ElementWriter(variables.file_name)
     model = _Model(root, elements, variables, plain).body() if root.name == "robot" else None
@@ -106,7 +105,7 @@ def _written(document: XmlDocument, plain: set[int]) -> str:
         key = element_key(root.name, attributes, bracketed="name" not in attributes)
         sections.add(key, elements.value(root) if model is None else model or None)
     else:
-        sections.entries.insert(0, Entry("robot", literal(attributes["name"])))
+        sections.entries.insert(0, Entry("robot", attributes["name"]))
         sections.add("model", model or None)
     for comment in document.after:
         sections.note(tidy_text(comment.text))
@@ -191,8 +190,8 @@ class Variables:
         """Return the name of a file in the language's spelling."""
         for folder, variable in self._folders:
             if file.startswith(folder + "/"):
-                return f"$({variable}){literal(file[len(folder) :])}"
-        return literal(file)
+                return f"$({variable}){file[len(folder) :]}"
+        return file
 
     def material(self, material: Element) -> Value:
         """Return what is written behind `material:`, or None for one without a short form."""
@@ -205,8 +204,8 @@ class Variables:
         if not attributes["name"]:
             return None
         if list(attributes) == ["name"]:
-            return literal(attributes["name"])
-        return Body([Entry(k, literal(v)) for k, v in attributes.items()], in_braces=True)
+            return attributes["name"]
+        return Body([Entry(k, v) for k, v in attributes.items()], in_braces=True)
 
     def _find_folders(self, root: Element) -> None:
         folders: dict[str, list[str]] = {}
@@ -222,7 +221,7 @@ class Variables:
             if not common.startswith(package) or len(common) < len("$(meshes)"):
                 continue
             stem = "meshes" if len(folders) == 1 else f"{package.rpartition('/')[2]}_meshes"
-            variable = self._declare(stem, Quoted(literal(common)))
+            variable = self._declare(stem, Quoted(common))
             self._folders.append((common, variable))
         self._folders.sort(key=lambda pair: -len(pair[0]))
 
@@ -238,7 +237,7 @@ class Variables:
                     counts[key] = counts.get(key, 0) + 1
         for key, count in counts.items():
             if count >= FEWEST_MATERIALS:
-                entries = [Entry(name, Quoted(literal(value))) for name, value in key]
+                entries = [Entry(name, Quoted(value)) for name, value in key]
                 name = dict(key)["name"]
                 self._materials[key] = self._declare(
                     name, Body(entries, in_braces=True, width=RECORD_WIDTH)

@@ -1,0 +1,166 @@
+"""Brings a corpus of public robots over to Yamaro, and says of each whether it stayed the same.
+
+    python bench/robots.py [CORPUS] [--only REGEX]
+
+CORPUS is a folder with `urdf.tsv` and `xacro.tsv` (by default ../shared/corpus beside the project):
+paths of files below its `src/`, and for xacro the arguments, the packages and a file with what
+xacro makes of it. Three things are tried:
+
+- each URDF is migrated and built again;
+- each xacro file is included in a Yamaro file that holds nothing else;
+- the lines of what was migrated are counted.
+
+Robots are compared by tests/migrate/same_robot.py, which knows lxml and nothing of Yamaro.
+"""
+
+from __future__ import annotations
+
+import argparse
+import csv
+import os
+import re
+import statistics
+import sys
+import tempfile
+import time
+from collections.abc import Callable, Iterable
+from pathlib import Path
+from xml.dom import minidom
+
+import yamaro
+from yamaro.policy import Limits
+from yamaro.tools.migrate.command import migrate_file
+from yamaro.tools.migrate.document import element_key
+
+ROOT = Path(__file__).parents[1]
+sys.path.insert(0, str(ROOT))
+
+from tests.migrate.same_robot import is_same_robot  # noqa: E402 - after the path
+
+UNKNOWN = "/opt/ros/unknown/share"
+Row = dict[str, str]
+
+
+class Tally:
+    """What came of one kind of trial."""
+
+    def __init__(self, name: str) -> None:
+        self.name = name
+        self.tried = 0
+        self.same = 0
+        self.failures: list[str] = []
+        self.seconds: list[float] = []
+
+    def add(self, path: str, trial: Callable[[], bool]) -> None:
+        """Count a trial, which tells whether a robot stayed the same, or raises why not."""
+        self.tried += 1
+        began = time.perf_counter()
+        try:
+            reason = "" if trial() else "differs"
+        except Exception as error:
+            reason = f"{type(error).__name__}: {str(error).splitlines()[0]}"
+        self.seconds.append(time.perf_counter() - began)
+        if reason:
+            self.failures.append(f"{self.name}: {path}: {reason}")
+        else:
+            self.same += 1
+
+    def row(self) -> str:
+        share = 100 * self.same / max(self.tried, 1)
+        middle = statistics.median(self.seconds) if self.seconds else 0.0
+        return f"| {self.name} | {self.tried} | {self.same} | {share:.1f} % | {middle:.3f} s |"
+
+
+class Corpus:
+    """The robots of a folder."""
+
+    def __init__(self, folder: Path, only: str) -> None:
+        self.folder = folder
+        self._only = re.compile(only)
+
+    def rows(self, table: str) -> Iterable[Row]:
+        """Return the rows of a table that are asked for."""
+        with (self.folder / table).open(encoding="utf-8") as file:
+            rows = csv.DictReader(file, delimiter="\t", quoting=csv.QUOTE_NONE)
+            return [row for row in rows if self._only.search(row["path"])]
+
+    def path(self, row: Row) -> Path:
+        return self.folder / "src" / row["path"]
+
+    def real(self, text: str) -> str:
+        """Return a text with the places that stand in it as @NAME@."""
+        text = text.replace("@CORPUS@/", f"{self.folder}/")
+        return text.replace("@UNKNOWN@/", f"{UNKNOWN}/")
+
+    def packages(self, row: Row) -> dict[str, str]:
+        """Return the folders of the packages that a robot asks for."""
+        pairs = (item.split("=", 1) for item in row["packages"].split(";") if item)
+        source = self.folder / "src"
+        return {name: str(source / at) if at else f"{UNKNOWN}/{name}" for name, at in pairs}
+
+    def arguments(self, row: Row) -> dict[str, str]:
+        return dict(re.findall(r"(\S+?):=(.*?)(?=\s\S+?:=|$)", self.real(row["args"])))
+
+
+def migrates(path: Path, lines: list[float]) -> bool:
+    """Tell whether a URDF that is migrated and built again is the same; note the share of lines."""
+    migration = migrate_file(str(path), Limits())
+    source = path.read_bytes()
+    lines.append(len(migration.text.splitlines()) / len(source.splitlines()))
+    with tempfile.TemporaryDirectory() as folder:
+        made = Path(folder) / "robot.yaml"
+        made.write_text(migration.text, encoding="utf-8")
+        xml = yamaro.build(made, on_message=print).xml()
+    return is_same_robot(source, xml.encode())
+
+
+def includes(corpus: Corpus, row: Row) -> bool:
+    """Tell whether a Yamaro file that includes a xacro file makes what xacro makes of it."""
+    path = corpus.path(row)
+    os.chdir(path.parent)
+    expected = corpus.real((corpus.folder / row["expected"]).read_text(encoding="utf-8"))
+    root = minidom.parseString(expected).documentElement
+    key = element_key(root.tagName, dict(root.attributes.items()))
+    passed = "".join(
+        f"\n    {name}: {quoted(value)}" for name, value in corpus.arguments(row).items()
+    )
+    built = yamaro.build(
+        path.parent / "including.yaml",
+        text=f"{quoted(key)}:\n  include:\n    path: {quoted(path.name)}{passed}\n",
+        packages=corpus.packages(row),
+        on_message=lambda line: None,
+    )
+    return is_same_robot(expected.encode(), built.xml().encode())
+
+
+def quoted(text: str) -> str:
+    return "'" + text.replace("'", "''") + "'"
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
+    parser.add_argument("corpus", nargs="?", type=Path, default=ROOT.parent / "shared" / "corpus")
+    parser.add_argument("--only", default="", help="robots whose path has this regular expression")
+    options = parser.parse_args()
+    if not options.corpus.exists():
+        sys.exit(f"there is no corpus at {options.corpus}")
+    os.environ.update(ROS_VERSION="2", ROS_DISTRO="humble")
+    corpus = Corpus(options.corpus.resolve(), options.only)
+    lines: list[float] = []
+    migrated, included = Tally("URDF migrated"), Tally("xacro included")
+    for row in corpus.rows("urdf.tsv"):
+        path = corpus.path(row)
+        migrated.add(row["path"], lambda path=path: migrates(path, lines))
+    for row in corpus.rows("xacro.tsv"):
+        included.add(row["path"], lambda row=row: includes(corpus, row))
+    print("| | robots | same | | median time |\n|---|--:|--:|--:|--:|")
+    print(migrated.row())
+    print(included.row())
+    if lines:
+        print(f"\nlines of migrated URDF: {statistics.median(lines):.2f} of the source's (median)")
+    print("", *migrated.failures, *included.failures, sep="\n")
+    sys.exit(1 if migrated.failures or included.failures else 0)
+
+
+if __name__ == "__main__":
+    main()

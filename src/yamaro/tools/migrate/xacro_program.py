@@ -1,0 +1,288 @@
+"""What a robot in xacro consists of: its files, macros, properties and arguments, and their names.
+
+The robot is expanded once, which tells which files its includes mean and which expressions are
+truth values. All else is read from the files.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+
+from ...diagnostics import Reporter, YamaroError
+from ...xacro.evaluator import Evaluator
+from ...xacro.expansion import Expansion
+from ...xacro.literals import guess_value
+from ...xacro.parameters import Parameter, parse_parameters
+from ...xacro.python import Python
+from ...xmltree import Element, Text, format_value
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Iterator, Mapping
+    from typing import Any
+
+    from ...source import Source, Span
+    from ...xacro.host import Host
+
+_NAME = re.compile(r"[A-Za-z_]\w*")
+
+
+class Macro:
+    """A macro and the function it becomes.
+
+    Attributes:
+        name, function: what they are called.
+        parameters: of the macro.
+        file: the path of the file it is defined in.
+        element: its tag.
+    """
+
+    def __init__(self, element: Element, file: str, function: str) -> None:
+        """Hold them."""
+        self.element = element
+        self.name = format_value(element.attributes.get("name")).removeprefix("xacro:")
+        self.parameters: list[Parameter] = parse_parameters(
+            format_value(element.attributes.get("params", ""))
+        )
+        self.file = file
+        self.function = function
+
+    def values(self) -> list[str]:
+        """Return the names of the parameters that are values."""
+        return [own.name for own in self.parameters if not own.is_block]
+
+    def blocks(self) -> list[str]:
+        """Return the names of the parameters that are blocks, with their stars."""
+        return [own.name for own in self.parameters if own.is_block]
+
+
+class Program:
+    """The files of a robot, and what is defined in them.
+
+    Attributes:
+        main: the path of the main file.
+        roots: the root elements of the files, by path.
+        included: the paths that an include means, by the place of its `filename`.
+        truths: expressions that were True or False.
+        numbers: expressions that gave a text which xacro takes for a number: `float` or `int`.
+        macros: by name.
+        arguments: the defaults of the arguments, by name.
+        result: what the robot expands to.
+    """
+
+    def __init__(self, source: Source, host: Host, arguments: Mapping[str, str]) -> None:
+        """Expand a robot and look at its files.
+
+        Raises:
+            YamaroError: it cannot be expanded.
+        """
+        self.main = source.path
+        self.given = dict(arguments)
+        python = _WatchedPython(host.limits)
+        reporter = Reporter()
+        evaluator = Evaluator(host, reporter, python, dict(arguments))
+        expansion = Expansion(host, reporter, evaluator)
+        self.result = expansion.expand(source)
+        self.values_of_arguments = evaluator.arguments
+        self.roots: dict[str, Element] = {source.path: _read(source, host)}
+        self.roots.update(expansion.documents)
+        self.included = expansion.included
+        self._read_the_rest(host)
+        self.truths = python.truths
+        self.numbers = {text: kind for text, kind in python.numbers.items() if kind != "text"}
+        self.macros: dict[str, Macro] = {}
+        self.definitions: dict[tuple[str, int], Macro] = {}
+        self.arguments: dict[str, str] = {}
+        self.properties: dict[str, set[str]] = {}
+        self.blocks: set[str] = set()
+        self._names: dict[str, set[str]] = {}
+        for path, root in self.roots.items():
+            self._gather(path, root)
+        self.at_top: set[str] = set()
+        self.known: set[str] = set()
+        self.read: set[str] = set()
+        self.inherited = self._names_of_callers()
+
+    def _read_the_rest(self, host: Host) -> None:
+        """Read the files of includes that these arguments do not reach, if their names are plain."""
+        pending = list(self.roots.items())
+        while pending:
+            path, root = pending.pop()
+            for element in walk(root):
+                if element.name != "xacro:include" or "filename" not in element.attributes:
+                    continue
+                span = element.value_span("filename")
+                key = (span.source.path, span.start)
+                if key in self.included:
+                    continue
+                found = _plain_path(format_value(element.attributes["filename"]), path, host, span)
+                if found is None:
+                    continue
+                self.included[key] = [found]
+                if found not in self.roots:
+                    try:
+                        self.roots[found] = _read(host.read(found, span), host)
+                    except YamaroError:
+                        del self.included[key]
+                        continue
+                    pending.append((found, self.roots[found]))
+
+    def _gather(self, path: str, root: Element) -> None:
+        names = self._names[path] = set()
+        for element in walk(root):
+            given = {name: format_value(value) for name, value in element.attributes.items()}
+            for text in (*given.values(), _own_text(element)):
+                if "$" in text or element.name in ("xacro:if", "xacro:unless"):
+                    names.update(_NAME.findall(text))
+            if element.name.startswith("xacro:"):
+                names.add(element.name)
+            if element.name == "xacro:insert_block":
+                names.add(given.get("name", ""))
+            if element.name == "xacro:macro" and "name" in given:
+                name = given["name"].removeprefix("xacro:")
+                known = self.macros.get(name)
+                function = known.function if known else self._function_name(name)
+                macro = Macro(element, path, function)
+                self.macros.setdefault(name, macro)
+                self.definitions[path, element.span.start] = macro
+            elif element.name == "xacro:arg" and "name" in given:
+                self.arguments.setdefault(given["name"], given.get("default", ""))
+            elif element.name == "xacro:property" and "name" in given:
+                self.properties.setdefault(given["name"], set()).add(path)
+                if "value" not in given and "default" not in given and "remove" not in given:
+                    self.blocks.add(given["name"])
+
+    def _names_of_callers(self) -> set[str]:
+        """Return the names that macros read of those who call them."""
+        at_top: set[str] = set(self.arguments)
+        for root in self.roots.values():
+            at_top |= defined_in(root)
+        free: set[str] = set()
+        own: set[str] = set()
+        for macro in self.definitions.values():
+            local = defined_in(macro.element, nested=True) | set(macro.values())
+            own |= local
+            free |= _used_in(macro.element) - local
+        self.at_top = at_top
+        self.known = at_top | own
+        self.read = set().union(*map(_used_in, self.roots.values()))
+        return (free - at_top) & own
+
+    def _function_name(self, name: str) -> str:
+        stem = camel(name)
+        taken = {macro.function for macro in self.macros.values()}
+        unique, number = stem, 2
+        while unique in taken:
+            unique, number = f"{stem}{number}", number + 1
+        return unique
+
+    def is_defined_again(self, macro: Macro) -> bool:
+        """Tell whether a macro of a file is defined once more further down in it."""
+        return any(
+            other.name == macro.name and path == macro.file and start > macro.element.span.start
+            for (path, start), other in self.definitions.items()
+        )
+
+    def is_used_elsewhere(self, name: str, path: str) -> bool:
+        """Tell whether a name stands in an expression, or a tag, of another file."""
+        return any(name in names for other, names in self._names.items() if other != path)
+
+
+def camel(name: str) -> str:
+    """Return a name as that of a function: `wheel_macro` becomes `WheelMacro`."""
+    words = [word for word in re.split(r"[^A-Za-z0-9]+", name) if word]
+    joined = "".join(word[0].upper() + word[1:] for word in words)
+    return joined if joined[:1].isalpha() else f"F{joined}"
+
+
+def walk(root: Element) -> Iterator[Element]:
+    """Return an element and all in it."""
+    pending = [root]
+    while pending:
+        element = pending.pop()
+        yield element
+        pending += reversed(element.elements())
+
+
+def _plain_path(filename: str, includer: str, host: Host, span: Span) -> str | None:
+    """Return the path that an include means whatever the names in it mean, or None."""
+    packages = re.findall(r"\$\(find ([\w-]+)\)", filename)
+    try:
+        for name in packages:
+            filename = filename.replace(f"$(find {name})", host.find_package(name, span))
+    except YamaroError:
+        return None
+    path = os.path.normpath(os.path.join(os.path.dirname(includer), filename))
+    return path if "$" not in path and os.path.isfile(path) else None
+
+
+def defined_in(root: Element, *, nested: bool = False) -> set[str]:
+    """Return the properties defined in an element, those of macros in it only if `nested`."""
+    names = set()
+    pending = [root]
+    while pending:
+        element = pending.pop()
+        if element.name == "xacro:property":
+            names.add(format_value(element.attributes.get("name")))
+        if element.name != "xacro:macro" or element is root or nested:
+            pending += element.elements()
+    return names
+
+
+def _used_in(root: Element) -> set[str]:
+    """Return the names in the expressions of an element."""
+    names: set[str] = set()
+    for element in walk(root):
+        for text in (*map(format_value, element.attributes.values()), _own_text(element)):
+            names |= names_in(text)
+    return names
+
+
+def names_in(text: str) -> set[str]:
+    """Return the names in the expressions of a text, but for those in quotes or behind a dot."""
+    names: set[str] = set()
+    for expression in re.findall(r"\$\{([^}]*)\}", text):
+        plain = re.sub(r"'[^']*'|\"[^\"]*\"", "", expression)
+        names.update(re.findall(r"(?<![\w.])[A-Za-z_]\w*", plain))
+    return names
+
+
+def _own_text(element: Element) -> str:
+    return "".join(format_value(c.value) for c in element.children if isinstance(c, Text))
+
+
+def _read(source: Source, host: Host) -> Element:
+    from ...xmlreader import read_xml
+
+    return read_xml(source, host.limits, exact=True).root
+
+
+class _WatchedPython(Python):
+    """Python that notes which expressions are truth values."""
+
+    __slots__ = ("numbers", "truths")
+
+    def __init__(self, limits: Any) -> None:
+        super().__init__(limits)
+        self.truths: set[str] = set()
+        self.numbers: dict[str, str] = {}
+
+    def evaluate(self, text: str, names: dict[str, Any]) -> Any:
+        value = super().evaluate(text, names)
+        if isinstance(value, bool):
+            self.truths.add(text.strip())
+        elif isinstance(value, str):
+            self._note_kind(text.strip(), guess_value(value))
+        return value
+
+    def _note_kind(self, text: str, meant: object) -> None:
+        kind = {float: "float", int: "int"}.get(type(meant), "text")
+        known = self.numbers.setdefault(text, kind)
+        if kind != known:
+            self.numbers[text] = "text" if "text" in (kind, known) else "float"
+
+
+def common_folder(paths: list[str]) -> str:
+    """Return the deepest folder that holds all of the files."""
+    return os.path.commonpath([os.path.dirname(path) for path in paths])

@@ -1,0 +1,541 @@
+"""One file of xacro as a Yamaro source: macros as functions, properties as variables, parts."""
+
+from __future__ import annotations
+
+import os
+
+from ...runtime.predefined import CONSTANTS
+from ...syntax.names import is_identifier
+from ...xacro.parameters import Parameter
+from ...xmltree import Comment, Element, Text, format_value
+from .document import Body, Entry, Value, joined, literal, without_expressions
+from .elements import ElementWriter, needs_brackets, spelled, tidy_text
+from .pairing import child_of, has_text, name_of
+from .parts import Names, NoPart, PartWriter, is_short_material
+from .xacro_program import Macro, Program, camel, defined_in, names_in
+from .xacro_python import CannotMigrate, Translator
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from ...source import Span
+    from ...xmltree import Node
+
+PREDEFINED = frozenset(CONSTANTS) | {"load_yaml", "find", "math", "xacro", "python", "arg"}
+SCOPES = {"global": "/global", "parent": "/parent"}
+
+
+class FileWriter(ElementWriter):
+    """Writes one file.
+
+    Attributes:
+        lost: what could not be carried over: where, and why.
+    """
+
+    __slots__ = (
+        "_blocks",
+        "_functions",
+        "_is_top",
+        "_locals",
+        "_output_of",
+        "_parameters",
+        "_path",
+        "_program",
+        "lost",
+        "translator",
+    )
+
+    def __init__(self, program: Program, path: str, output_of: Callable[[str], str]) -> None:
+        """Take the program, the file, and what gives the path of a migrated file."""
+        super().__init__(lambda file: file)
+        self._program = program
+        self._path = path
+        self._output_of = output_of
+        self._functions = Body()
+        self._is_top = True
+        self._blocks: dict[str, str] = {}
+        self._parameters: set[str] = set()
+        self._locals: set[str] = set()
+        self.lost: list[tuple[Span, str]] = []
+        truths = {
+            name
+            for name, value in program.values_of_arguments.items()
+            if value.lower() in ("true", "false")
+        }
+        self.translator = Translator(
+            self._variable, lambda name: False, program.truths, truths, program.numbers
+        )
+
+    def _variable(self, name: str) -> str:
+        return name if is_identifier(name) else name.replace("-", "_")
+
+    # --- the file -------------------------------------------------------------------------------
+
+    def sections(self, *, is_main: bool) -> Body:
+        """Return the sections of the file."""
+        root = self._program.roots[self._path]
+        sections = Body()
+        declared = self._arguments() if is_main else Body()
+        model = self.statements(root.children)
+        first = model.entries[0] if model.entries else None
+        if first is not None and first.key == "variables" and isinstance(first.value, Body):
+            declared.extend(first.value)
+            declared.entries[0].comment = joined(first.comment, declared.entries[0].comment)
+            del model.entries[0]
+        if self.translator.imports:
+            sections.add("import", f"[{', '.join(sorted(self.translator.imports))}]")
+        if declared:
+            sections.add("variables", declared)
+        if self._functions:
+            sections.add("functions", self._functions)
+        if is_main:
+            self._add_root(root, sections, model)
+        elif model:
+            sections.add("model", model)
+        return sections
+
+    def _add_root(self, root: Element, sections: Body, model: Body) -> None:
+        attributes = {
+            name: self.translator.text(format_value(value))
+            for name, value in root.attributes.items()
+            if name != "xmlns:xacro"
+        }
+        if root.name == "robot" and list(attributes) == ["name"]:
+            sections.entries.insert(0, Entry("robot", attributes["name"]))
+            sections.add("model", model or None)
+            return
+        key = self.key(root.name, attributes, bracketed="name" not in attributes)
+        sections.add(key, model or None)
+
+    def _arguments(self) -> Body:
+        """Return the arguments of all files, which the main file declares."""
+        body = Body()
+        for name, default in self._program.arguments.items():
+            try:
+                value = self.translator.value(default)
+            except CannotMigrate as error:
+                self._lose(self._program.roots[self._path].span, str(error))
+                continue
+            is_shared = self._program.is_used_elsewhere(name, self._path)
+            body.add(self._variable(name) + ("/global" if is_shared else ""), value or "")
+        return body
+
+    def _lose(self, span: Span, why: str) -> None:
+        self.lost.append((span, why))
+
+    # --- bodies ---------------------------------------------------------------------------------
+
+    def body(self, nodes: list[Node]) -> Body | None:
+        """Return what stands in an element."""
+        was_top, self._is_top = self._is_top, False
+        body = self.statements(nodes)
+        self._is_top = was_top
+        if not any(isinstance(node, Element) and node.name.startswith("xacro:") for node in nodes):
+            body.in_braces = _is_short(body)
+        return body or None
+
+    def statements(self, nodes: list[Node]) -> Body:
+        """Return statements for what stands in a file, a macro or an element."""
+        body = Body()
+        position = 0
+        links = _links_of_joints(nodes)
+        skipped: set[int] = set()
+        while position < len(nodes):
+            node = nodes[position]
+            position += 1
+            if id(node) in skipped:
+                continue
+            if isinstance(node, Comment):
+                body.note(tidy_text(node.text))
+            elif isinstance(node, Text):
+                text = tidy_text(format_value(node.value))
+                if text:
+                    body.add("<#text>", self._text(text, node.span))
+            elif isinstance(node, Element):
+                try:
+                    self._statement(node, body, links.get(id(node)), skipped)
+                except CannotMigrate as error:
+                    self._lose(node.span, str(error))
+                    body.note(f"not migrated: <{node.name}>: {error}")
+        return body
+
+    def _statement(
+        self, node: Element, body: Body, link: Element | None, skipped: set[int]
+    ) -> None:
+        if node.name.startswith("xacro:"):
+            handler = _HANDLERS.get(node.name, FileWriter._call)
+            handler(self, node, body)
+            return
+        if link is not None or node.name == "link":
+            part = self._part(link or node, node if link is not None else None)
+            if part is not None:
+                body.append(part)
+                if link is not None:
+                    skipped.add(id(link))
+                return
+        body.append(self.entry(node))
+
+    def entry(self, element: Element, *, bracketed: bool = False) -> Entry:
+        """Return an element, with its values translated."""
+        attributes = self._values(element)
+        children = element.children
+        if any(isinstance(c, Element) and c.name == "xacro:attribute" for c in children):
+            children = self._take_attributes(element, attributes)
+        bracketed = bracketed or needs_brackets(element.name, attributes)
+        key = self.key(element.name, attributes, bracketed=bracketed)
+        return Entry(key, self._content(element, children))
+
+    def _values(self, element: Element) -> dict[str, str]:
+        return {
+            name: self.translator.text(_tidied(format_value(value)))
+            for name, value in element.attributes.items()
+            if not name.startswith(("xacro:", "xmlns:xacro"))
+        }
+
+    def _content(self, element: Element, children: list[Node]) -> Value:
+        if has_text(element) and all(isinstance(child, (Text, Comment)) for child in children):
+            return self._text(tidy_text(element.text()), element.span)
+        return self.body(children)
+
+    def _text(self, text: str, span: Span) -> str:
+        try:
+            return self.translator.text(text)
+        except CannotMigrate as error:
+            self._lose(span, str(error))
+            return literal(text)
+
+    def _take_attributes(self, element: Element, attributes: dict[str, str]) -> list[Node]:
+        """Add what `<xacro:attribute>` gives to an element, and return its other children."""
+        rest: list[Node] = []
+        for child in element.children:
+            if isinstance(child, Element) and child.name == "xacro:attribute":
+                name = format_value(child.attributes.get("name"))
+                attributes[name] = self.translator.text(format_value(child.attributes.get("value")))
+            else:
+                rest.append(child)
+        return rest
+
+    # --- parts ----------------------------------------------------------------------------------
+
+    def _part(self, link: Element, joint: Element | None) -> Entry | None:
+        """Return a joint and a link as a part, or None if they are more than a part can say."""
+        if _has_statements(link) or (joint is not None and _has_statements(joint)):
+            return None
+        try:
+            own = spelled(link, lambda text: self.translator.text(_tidied(text)))
+            around = None
+            if joint is not None:
+                around = spelled(joint, lambda text: self.translator.text(_tidied(text)))
+                if not _may_be_part(around):
+                    return None
+            robot = Element("robot", link.span, {}, [own])
+            writer = PartWriter(_Spelled(), Names(robot), _material, resolves=True)
+            return writer.part(own, around, joint_first=True)
+        except NoPart:
+            return None
+
+    # --- xacro's tags ---------------------------------------------------------------------------
+
+    def _argument(self, node: Element, body: Body) -> None:
+        """Leave out an argument, which the main file declares."""
+
+    def _property(self, node: Element, body: Body) -> None:
+        given = {name: format_value(value) for name, value in node.attributes.items()}
+        name = given["name"]
+        if "remove" in given:
+            raise CannotMigrate(f"the property '{name}' is removed")
+        if "value" not in given and "default" not in given:
+            self._define_block(node, name)
+            return
+        text = given.get("value", given.get("default", ""))
+        if text.strip() == f"$(arg {name})":
+            return
+        if "default" in given and (
+            name in self._parameters or len(self._program.properties[name]) > 1
+        ):
+            raise CannotMigrate(f"the property '{name}' may have a value already")
+        scope = SCOPES.get(given.get("scope", ""), "")
+        if self._is_top and not scope and self._program.is_used_elsewhere(name, self._path):
+            scope = "/global"
+        elif not self._is_top and name in self._program.inherited:
+            scope = {"": "/child", "/parent": "/bridge"}.get(scope, scope)
+        if not is_identifier(name):
+            raise CannotMigrate(f"the name of the property '{name}' is computed, or no name")
+        value = self.translator.value(text)
+        last = body.entries[-1] if body.entries else None
+        key = name + scope
+        if (
+            last is None
+            or last.key != "variables"
+            or not isinstance(last.value, Body)
+            or any(entry.key.partition("/")[0] == name for entry in last.value)
+        ):
+            last = Entry("variables", Body())
+            body.append(last)
+        elif body.remark:
+            assert isinstance(last.value, Body)
+            last.value.note(body.remark)
+            body.remark = ""
+        assert isinstance(last.value, Body)
+        last.value.add(key, value)
+
+    def _may_be_evaluated(self, text: str) -> bool:
+        """Tell whether all names of a value are known; xacro looks at no value before it is read."""
+        return names_in(text) <= self._program.known | PREDEFINED
+
+    def _define_block(self, node: Element, name: str) -> None:
+        function = Body([Entry("body", self.body(node.children))])
+        scope = "/global" if self._program.is_used_elsewhere(name, self._path) else ""
+        self._functions.add(camel(name) + scope, function)
+
+    def _macro(self, node: Element, body: Body) -> None:
+        name = format_value(node.attributes.get("name")).removeprefix("xacro:")
+        macro = self._program.definitions[self._path, node.span.start]
+        if self._is_top and self._program.is_defined_again(macro):
+            body.note(f"the first definition of {name} is left out: there is another one below")
+            return
+        function = Body()
+        before = self._blocks, self._parameters, self._is_top, self._locals
+        self._locals = defined_in(node, nested=True)
+        self._is_top = False
+        self._blocks = {own.lstrip("*"): own for own in macro.blocks()}
+        self._parameters = set(macro.values())
+        inputs = self._inputs(macro)
+        if inputs:
+            function.add("input", ", ".join(inputs))
+        content = self.statements(node.children)
+        shared = [own for own in macro.values() if own in self._program.inherited]
+        if shared:
+            entries = [Entry(f"{own}/child", f"$({own})") for own in shared]
+            content.entries.insert(0, Entry("variables", Body(entries)))
+        self._blocks, self._parameters, self._is_top, self._locals = before
+        function.add("body", content or None)
+        is_shared = self._program.is_used_elsewhere(f"xacro:{name}", self._path)
+        key = macro.function + ("/global" if is_shared else "")
+        target = self._functions
+        if not self._is_top:
+            target = Body()
+            body.add("functions", target)
+        target.note(body.remark)
+        body.remark = ""
+        target.add(key, function)
+
+    def _inputs(self, macro: Macro) -> list[str]:
+        required: list[str] = []
+        optional: list[str] = []
+        blocks: list[str] = []
+        for own in macro.parameters:
+            if own.is_block:
+                blocks.append("**" + self._block_name(own.name.lstrip("*")))
+            elif own.is_forwarded and own.default is None:
+                required.append(own.name)
+            elif own.default is not None:
+                optional.append(f"{own.name}={self._default(own)}")
+            elif macro.element.attributes["params"] and _has_empty_default(macro, own):
+                optional.append(f"{own.name}=''")
+            else:
+                required.append(own.name)
+        return required + optional + blocks
+
+    def _default(self, own: Parameter) -> str:
+        value = self.translator.value(own.default or "")
+        if value == "":
+            return "''"
+        outside = without_expressions(value)
+        if (
+            any(char in outside for char in ",[]{}#'\"&*!|>%@`")
+            or ": " in outside
+            or " " in outside
+        ):
+            return "'" + value.replace("'", "''") + "'"
+        return value
+
+    def _block_name(self, name: str) -> str:
+        stem = camel(name)
+        taken = {macro.function for macro in self._program.macros.values()}
+        return f"{stem}Block" if stem in taken else stem
+
+    def _insert(self, node: Element, body: Body) -> None:
+        name = format_value(node.attributes.get("name"))
+        if name in self._blocks:
+            body.add(self._block_name(name))
+        elif name in self._program.blocks:
+            body.add(camel(name))
+        else:
+            raise CannotMigrate(f"there is no block '{name}'")
+
+    def _call(self, node: Element, body: Body) -> None:
+        name = node.name.removeprefix("xacro:")
+        macro = self._program.macros.get(name)
+        if macro is None:
+            raise CannotMigrate(f"there is no macro '{name}'")
+        arguments = Body(in_braces=True)
+        for key, value in node.attributes.items():
+            arguments.add(key, self._argument_value(format_value(value)))
+        visible = self._parameters | self._locals | self._program.at_top
+        for own in macro.parameters:
+            if own.is_forwarded and own.name not in node.attributes and own.name in visible:
+                arguments.add(own.name, f"$({own.name})")
+        blocks = macro.blocks()
+        if blocks:
+            arguments.in_braces = False
+            self._add_blocks(node, macro, arguments)
+        body.add(macro.function, arguments or None)
+
+    def _argument_value(self, text: str) -> str:
+        return self.translator.value(text)
+
+    def _add_blocks(self, node: Element, macro: Macro, arguments: Body) -> None:
+        given = [child for child in node.children if isinstance(child, Element)]
+        blocks = macro.blocks()
+        if len(blocks) != len(given):
+            if len(blocks) != 1 or blocks[0].startswith("**"):
+                raise CannotMigrate(f"the blocks of '{macro.name}' are computed")
+            arguments.add(self._block_name(blocks[0].lstrip("*")), self.body(node.children))
+            return
+        for block, child in zip(blocks, given, strict=True):
+            name = self._block_name(block.lstrip("*"))
+            if block.startswith("**"):
+                if child.name.startswith("xacro:"):
+                    raise CannotMigrate(f"the block '{block}' of '{macro.name}' is computed")
+                arguments.add(name, self.body(child.children))
+            else:
+                content = self.body([child])
+                if content is not None:
+                    content.in_braces = False
+                arguments.add(name, content)
+
+    def _condition(self, node: Element, body: Body) -> None:
+        text = format_value(node.attributes.get("value"))
+        condition = self.translator.condition(text)
+        is_unless = node.name == "xacro:unless"
+        content = self.body(node.children)
+        if content is not None:
+            content.in_braces = False
+        last = body.entries[-1] if body.entries else None
+        if (
+            is_unless
+            and last is not None
+            and last.key == "if"
+            and isinstance(last.value, Body)
+            and last.value.entries[0].value == condition
+            and not body.remark
+        ):
+            body.add("else", content)
+            return
+        if is_unless:
+            condition = f"not ({condition})" if not condition.isidentifier() else f"not {condition}"
+        body.add("if", Body([Entry("condition", condition), Entry("body", content)]))
+
+    def _include(self, node: Element, body: Body) -> None:
+        span = node.value_span("filename")
+        paths = self._program.included.get((span.source.path, span.start), [])
+        paths = [path for path in paths if path in self._program.roots]
+        if not paths:
+            name = format_value(node.attributes.get("filename"))
+            raise CannotMigrate(f"the file '{name}' is not included for these arguments")
+        folder = os.path.dirname(self._output_of(self._path))
+        for path in paths:
+            relative = os.path.relpath(self._output_of(path), folder)
+            if "ns" in node.attributes:
+                raise CannotMigrate("a file is included with a namespace")
+            body.add("include", literal(relative))
+
+    def _element(self, node: Element, body: Body) -> None:
+        name = self.translator.text(format_value(node.attributes.get("xacro:name")))
+        attributes = self._values(node)
+        children = self._take_attributes(node, attributes)
+        body.append(Entry(self.key(name, attributes), self._content(node, children)))
+
+    def _call_by_name(self, node: Element, body: Body) -> None:
+        given = format_value(node.attributes.get("macro"))
+        if "$" in given:
+            raise CannotMigrate("the macro that is called is computed")
+        attributes = {k: v for k, v in node.attributes.items() if k != "macro"}
+        named = Element(f"xacro:{given}", node.span, attributes, node.children)
+        self._call(named, body)
+
+
+class _Spelled(ElementWriter):
+    """Writes elements whose values are translated already."""
+
+    def __init__(self) -> None:
+        super().__init__(lambda file: file)
+
+
+_HANDLERS = {
+    "xacro:arg": FileWriter._argument,
+    "xacro:property": FileWriter._property,
+    "xacro:macro": FileWriter._macro,
+    "xacro:insert_block": FileWriter._insert,
+    "xacro:if": FileWriter._condition,
+    "xacro:unless": FileWriter._condition,
+    "xacro:include": FileWriter._include,
+    "xacro:element": FileWriter._element,
+    "xacro:call": FileWriter._call_by_name,
+}
+
+
+def _material(material: Element) -> Value | None:
+    if not is_short_material(material) or not format_value(material.attributes["name"]):
+        return None
+    details = material.elements()
+    name = format_value(material.attributes["name"])
+    if not details:
+        return name
+    entries = [Entry(e.name, format_value(next(iter(e.attributes.values())))) for e in details]
+    return Body([Entry("name", name), *entries], in_braces=True)
+
+
+def _is_short(body: Body) -> bool:
+    entries = body.entries
+    if len(entries) == 1:
+        return "," not in entries[0].key
+    return len(entries) <= 3 and all(isinstance(e.value, str) and "/" not in e.key for e in entries)
+
+
+def _links_of_joints(nodes: list[Node]) -> dict[int, Element]:
+    """Return the link beside each joint whose child it is, by the joint's identity."""
+    elements = [node for node in nodes if isinstance(node, Element)]
+    found: dict[int, Element] = {}
+    taken: set[int] = set()
+    for first, second in zip(elements, elements[1:], strict=False):
+        joint, link = (first, second) if first.name == "joint" else (second, first)
+        if joint.name != "joint" or link.name != "link" or id(link) in taken or id(joint) in found:
+            continue
+        if first is joint and child_of(joint) == name_of(link):
+            found[id(joint)] = link
+            taken.add(id(link))
+    return found
+
+
+def _may_be_part(joint: Element) -> bool:
+    """Tell whether a joint's limit would not be filled in."""
+    kind = format_value(joint.attributes.get("type"))
+    if kind in ("fixed", "continuous", "floating", "planar"):
+        return True
+    limits = [child for child in joint.elements() if child.name == "limit"]
+    return len(limits) == 1 and {"lower", "upper", "effort", "velocity"} <= set(
+        limits[0].attributes
+    )
+
+
+def _has_statements(element: Element) -> bool:
+    pending = [element]
+    while pending:
+        current = pending.pop()
+        if current.name.startswith("xacro:"):
+            return True
+        pending += current.elements()
+    return False
+
+
+def _has_empty_default(macro: Macro, own: Parameter) -> bool:
+    text = format_value(macro.element.attributes["params"])[own.start : own.end + 2]
+    return ":=" in text or "=" in text
+
+
+def _tidied(text: str) -> str:
+    """Return a text without line breaks between its words."""
+    return " ".join(text.split()) if "\n" in text else text
