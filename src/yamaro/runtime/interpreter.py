@@ -647,7 +647,13 @@ class Interpreter:
         self, node: IncludeNode, path: str, passed: dict[str, Any], scope: Scope, out: list[Node]
     ) -> None:
         """Put out what an XML file holds: URDF as it is, or what a xacro file expands to."""
-        from .xml_includes import check_xml_include, declare_prefixes, read_included, xml_content
+        from .xml_includes import (
+            check_xml_include,
+            declare_prefixes,
+            read_included,
+            xacro_in_safe_mode,
+            xml_content,
+        )
 
         try:
             source = self.files.load(path, node.path_span, scope.home, is_xml=True)
@@ -661,6 +667,8 @@ class Interpreter:
             add_trace(error, frame)
             raise
         check_xml_include(node, is_xacro=is_xacro)
+        if is_xacro and self.safety is not None and not self.policy.is_confined:
+            raise xacro_in_safe_mode(node.path_span)
         self._enter(frame, node.path_span)
         try:
             if is_xacro:
@@ -687,10 +695,7 @@ class Interpreter:
         """Return the root of what a xacro file expands to."""
         from ..xacro.expansion import expand
         from .xacro_host import XacroHost
-        from .xml_includes import xacro_in_safe_mode
 
-        if self.safety is not None and not self.policy.is_confined:
-            raise xacro_in_safe_mode(node.path_span)
         host = XacroHost(
             self.files, self.messages, self.limits, main=source, has_environment=self.safety is None
         )
