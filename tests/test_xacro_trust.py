@@ -119,10 +119,5 @@ def test_files_elsewhere_are_out_of_reach(body: str, mode: str) -> None:
 @needs_jail
 @pytest.mark.parametrize("mode", ["safe", "jail"])
 def test_a_pattern_finds_nothing_elsewhere(mode: str) -> None:
-    body = '<xacro:include filename="../*.xacro"/><link name="a"/>'
-    try:
-        made = built(body, mode)
-    except YamaroError as error:
-        assert error.diagnostics[0].code == "path-outside"
-    else:
-        assert "s3cret" not in made
+    made = built('<xacro:include filename="../*.xacro"/><link name="a"/>', mode)
+    assert made == '<?xml version="1.0"?>\n<robot name="r">\n  <link name="a"/>\n</robot>\n'
