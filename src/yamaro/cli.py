@@ -283,7 +283,8 @@ def _check_arguments(arguments: Arguments) -> None:
     command = arguments.command
     for option in arguments.options:
         if option not in COMMANDS[command]:
-            raise WrongUsage(f"'--{option}' has no meaning for 'yamaro {command}'")
+            usage = "yamaro FILE" if command == "build" else f"yamaro {command}"
+            raise WrongUsage(f"'--{option}' has no meaning for '{usage}'")
     modes = [f"--{mode}" for mode in MODE_OPTIONS if arguments.has(mode)]
     if len(modes) > 1:
         raise WrongUsage(f"'{modes[0]}' and '{modes[1]}' exclude each other")
@@ -440,17 +441,13 @@ def _migrate(arguments: Arguments, streams: Streams) -> int:
     _refuse_overwriting(arguments, lambda: arguments.words)
     path = arguments.words[0]
     limits = make_policy(arguments).limits
-    data = None
-    if path == STANDARD_INPUT:
-        if sys.stdin is None:
-            raise WrongUsage("standard input is closed")
-        data = sys.stdin.buffer.read()
+    data = _read_bytes(path, limits.file + 1)
     try:
         source = command.read_file(path, limits, data)
         if command.is_xacro_file(source, limits):
             return _migrate_xacro(source, arguments, streams, limits)
         if arguments.assignments:
-            raise WrongUsage(f"a URDF has no argument {_quote(arguments.assignments[0])}")
+            raise WrongUsage(f"a URDF has no argument to set: {_quote(arguments.assignments[0])}")
         _refuse_replacing(arguments, [arguments.output_path])
         migration = command.migrate_file(path, limits, data)
     except YamaroError as error:
@@ -628,24 +625,12 @@ def _read_pipe(path: str, limits: Limits) -> str | None:
     """Return the text of standard input or of a named pipe, None for what can be read by name."""
     from .runtime.loader import LoadError, check_size, decode
 
-    most = limits.file + 1
+    data = _read_bytes(path, limits.file + 1)
+    if data is None:
+        return None
     if path == STANDARD_INPUT:
-        if sys.stdin is None:
-            raise WrongUsage("standard input is closed")
-        buffer = getattr(sys.stdin, "buffer", None)
-        try:
-            data = sys.stdin.read(most).encode() if buffer is None else buffer.read(most)
-        except OSError as error:
-            raise WrongUsage(f"cannot read standard input: {error.strerror}") from None
         name, absolute = STANDARD_INPUT_NAME, ""
     else:
-        try:
-            if os.stat(path).st_mode & 0o170000 != 0o010000:
-                return None
-            with open(path, "rb") as file:
-                data = file.read(most)
-        except OSError:
-            return None
         name, absolute = path, os.path.abspath(path)
     try:
         check_size(len(data), limits)
@@ -654,6 +639,25 @@ def _read_pipe(path: str, limits: Limits) -> str | None:
 
         raise refusal_of_main(name, error) from None
     return decode(data, name=name, path=absolute).text
+
+
+def _read_bytes(path: str, most: int) -> bytes | None:
+    """Return so many bytes of standard input or a named pipe, None for what can be read by name."""
+    if path == STANDARD_INPUT:
+        if sys.stdin is None:
+            raise WrongUsage("standard input is closed")
+        buffer = getattr(sys.stdin, "buffer", None)
+        try:
+            return sys.stdin.read(most).encode() if buffer is None else buffer.read(most)
+        except OSError as error:
+            raise WrongUsage(f"cannot read standard input: {error.strerror}") from None
+    try:
+        if os.stat(path).st_mode & 0o170000 != 0o010000:
+            return None
+        with open(path, "rb") as file:
+            return file.read(most)
+    except OSError:
+        return None
 
 
 # --- what is said -----------------------------------------------------------------------------

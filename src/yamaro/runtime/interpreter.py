@@ -647,7 +647,13 @@ class Interpreter:
         self, node: IncludeNode, path: str, passed: dict[str, Any], scope: Scope, out: list[Node]
     ) -> None:
         """Put out what an XML file holds: URDF as it is, or what a xacro file expands to."""
-        from .xml_includes import check_xml_include, read_included, xml_content
+        from .xml_includes import (
+            check_xml_include,
+            declare_prefixes,
+            read_included,
+            xacro_in_safe_mode,
+            xml_content,
+        )
 
         try:
             source = self.files.load(path, node.path_span, scope.home, is_xml=True)
@@ -661,12 +667,17 @@ class Interpreter:
             add_trace(error, frame)
             raise
         check_xml_include(node, is_xacro=is_xacro)
+        if is_xacro and self.safety is not None and not self.policy.is_confined:
+            raise xacro_in_safe_mode(node.path_span)
         self._enter(frame, node.path_span)
         try:
             if is_xacro:
-                out += self._expanded(source, passed, node, scope, frame)
+                root = self._expanded(source, passed, node, scope, frame)
+                content = root.children
             else:
-                out += xml_content(root, passed.get("prefix"), frame)
+                content = xml_content(root, passed.get("prefix"), frame)
+            declare_prefixes(root, content)
+            out += content
         except YamaroError as error:
             add_trace(error, frame)
             raise
@@ -680,13 +691,11 @@ class Interpreter:
         node: IncludeNode,
         scope: Scope,
         frame: Frame,
-    ) -> list[Node]:
+    ) -> Element:
+        """Return the root of what a xacro file expands to."""
         from ..xacro.expansion import expand
         from .xacro_host import XacroHost
-        from .xml_includes import xacro_in_safe_mode
 
-        if self.safety is not None and not self.policy.is_confined:
-            raise xacro_in_safe_mode(node.path_span)
         host = XacroHost(
             self.files, self.messages, self.limits, main=source, has_environment=self.safety is None
         )
@@ -697,7 +706,7 @@ class Interpreter:
         }
         if node.namespace is not None:
             arguments["namespace"] = str(namespace_of(node, scope, self.values))
-        return expand(source, host, arguments, self.reporter, frame=frame).children
+        return expand(source, host, arguments, self.reporter, frame=frame)
 
     def _trace_into(self, error: YamaroError, node: IncludeNode) -> None:
         """Note the include that led to an error in a file that cannot even be read as text."""

@@ -101,6 +101,35 @@ def xml_content(root: Element, prefix: object, frame: Frame) -> list[Node]:
     return root.children
 
 
+def declare_prefixes(root: Element, content: list[Node]) -> None:
+    """Declare prefixes where they are used, as the root that declares them is left out."""
+    declared = {
+        name[6:]: value
+        for name, value in root.attributes.items()
+        if name.startswith("xmlns:") and name != "xmlns:xacro"
+    }
+    if not declared:
+        return
+    for element in content:
+        if isinstance(element, Element):
+            for prefix in _prefixes_in(element):
+                if prefix in declared:
+                    element.attributes.setdefault(f"xmlns:{prefix}", declared[prefix])
+
+
+def _prefixes_in(element: Element) -> list[str]:
+    """Return the prefixes of the names in an element, each once."""
+    found: dict[str, None] = {}
+    pending = [element]
+    while pending:
+        inner = pending.pop()
+        for name in (inner.name, *inner.attributes):
+            if ":" in name:
+                found[name.partition(":")[0]] = None
+        pending += inner.elements()
+    return list(found)
+
+
 def _tidy(root: Element) -> None:
     """Leave out the white space between elements, and let them inherit what led to the root."""
     pending = [root]

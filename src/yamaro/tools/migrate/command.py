@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 
 from ...compiler import Program, UsageError, refusal_of_main
-from ...runtime.loader import FileLoader, LoadError
+from ...runtime.loader import FileLoader, LoadError, check_size
 from ...runtime.xml_includes import read_included
 from ...source import STANDARD_INPUT, STANDARD_INPUT_NAME
 from ...xmlreader import decode_xml, read_xml
@@ -32,13 +32,14 @@ def read_file(path: str, limits: Limits, data: bytes | None = None) -> Source:
         UsageError: it cannot be read.
     """
     absolute = "" if path == STANDARD_INPUT else os.path.abspath(path)
-    if data is None:
-        try:
+    try:
+        if data is None:
             data = FileLoader(limits).read(absolute)
-        except LoadError as error:
-            if error.hint is not None:
-                raise refusal_of_main(path, error) from None
-            raise UsageError(f"cannot read '{path}': {error}") from None
+        check_size(len(data), limits)
+    except LoadError as error:
+        if error.hint is not None:
+            raise refusal_of_main(path, error) from None
+        raise UsageError(f"cannot read '{path}': {error}") from None
     name = STANDARD_INPUT_NAME if path == STANDARD_INPUT else path
     return decode_xml(data, name=name, path=absolute)
 
@@ -74,8 +75,7 @@ def report(migration: Migration | XacroMigration) -> str:
         links = sum(child.name == "link" for child in children)
         joints = sum(child.name == "joint" for child in children)
         return f"identical: {_counted(links, 'link')}, {_counted(joints, 'joint')}"
-    lines = [f"different: {difference}" for difference in migration.differences]
-    return "\n".join(lines)
+    return "\n".join([f"different: {difference}" for difference in migration.differences])
 
 
 def _counted(count: int, what: str) -> str:

@@ -142,6 +142,11 @@ def name_of(element: Element) -> str:
     return format_value(element.attributes.get("name", ""))
 
 
+def is_bare(item: Item) -> bool:
+    """Tell whether an item is a link by itself with nothing in it, which is no part."""
+    return item.joint is None and not item.element.elements()
+
+
 def child_of(joint: Element) -> str | None:
     """Return the name of a joint's child link."""
     for child in joint.elements():

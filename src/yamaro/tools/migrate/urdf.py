@@ -7,7 +7,7 @@ from ...xmltree import Comment, Element
 from .compare import Difference, compare, values_of
 from .document import RECORD_WIDTH, Body, Entry, Quoted, Value, element_key, literal, write_document
 from .elements import ElementWriter, add_loose, spelled, tidy_text
-from .pairing import Item, name_of, pair
+from .pairing import Item, is_bare, name_of, pair
 from .parts import Names, NoPart, PartWriter, is_short_material
 
 TYPE_CHECKING = False
@@ -81,6 +81,18 @@ def _different(expected: Element, source: Element, actual: Element) -> set[int]:
 
 
 def _write(document: XmlDocument, root: Element, plain: set[int]) -> str:
+    """Return a source in which some joints and links are plain elements.
+
+    Those that turn out to be no parts are added to them. What names these has to be written anew.
+    """
+    while True:
+        known = len(plain)
+        text = _written(document, root, plain)
+        if len(plain) == known:
+            return text
+
+
+def _written(document: XmlDocument, root: Element, plain: set[int]) -> str:
     variables = Variables(root)
     elements = ElementWriter(variables.file_name)
     model = _Model(root, elements, variables, plain).body() if root.name == "robot" else None
@@ -129,7 +141,7 @@ class _Model:
     def body(self) -> Body:
         items, loose = pair(self._root)
         for item in items:  # parents and mimics may be named before their parts are written
-            if item.element.name == "link" and not self._is_plain(item):
+            if item.element.name == "link" and not (self._is_plain(item) or is_bare(item)):
                 self._names.add(item.element, item.joint)
         body = Body()
         for item in items:
@@ -147,7 +159,7 @@ class _Model:
             try:
                 return [self._parts.part(link, joint, joint_first=item.is_joint_first)]
             except NoPart:
-                self._plain.update((id(link), id(joint)))
+                self._plain.update(id(element) for element in (link, joint) if element is not None)
                 self._names.remove(link, joint)
         entries = [self._elements.entry(link)]
         if joint is not None:

@@ -10,7 +10,7 @@ from ...runtime.predefined import CONSTANTS
 from ...syntax.names import is_identifier
 from ...xacro.parameters import Parameter
 from ...xmltree import Comment, Element, Text, format_value
-from .document import Body, Entry, Value, joined, literal, without_expressions
+from .document import Body, Entry, Value, literal, without_expressions
 from .elements import ElementWriter, needs_brackets, spelled, tidy_text
 from .pairing import child_of, has_text, name_of
 from .parts import Names, NoPart, PartWriter, is_short_material
@@ -87,8 +87,8 @@ class FileWriter(ElementWriter):
         model = self.statements(root.children)
         first = model.entries[0] if model.entries else None
         if first is not None and first.key == "variables" and isinstance(first.value, Body):
+            declared.note(first.comment)
             declared.extend(first.value)
-            declared.entries[0].comment = joined(first.comment, declared.entries[0].comment)
             del model.entries[0]
         if self.translator.imports:
             sections.add("import", f"[{', '.join(sorted(self.translator.imports))}]")

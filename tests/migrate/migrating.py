@@ -1,0 +1,37 @@
+"""Migrates XML in tests, and holds that what comes out makes the same document."""
+
+from __future__ import annotations
+
+from textwrap import dedent, indent
+
+from tests.migrate.same_robot import is_same_robot
+from yamaro.compiler import build
+from yamaro.source import Source
+from yamaro.tools.migrate.urdf import Migration, migrate_urdf
+from yamaro.xmlreader import read_xml
+from yamaro.xmltree import Element
+
+
+def migration_of(xml: str) -> Migration:
+    def build_tree(text: str) -> Element:
+        root = build("robot.yaml", text=text, on_message=lambda message: None).root
+        assert root is not None
+        return root
+
+    return migrate_urdf(read_xml(Source(xml, name="robot.urdf", path="")), build_tree)
+
+
+def migrated(xml: str) -> str:
+    """Return the YAML that a document becomes, which makes the same document."""
+    migration = migration_of(xml)
+    assert migration.differences == []
+    made = build("robot.yaml", text=migration.text, on_message=lambda message: None).xml()
+    assert is_same_robot(xml.encode(), made.encode())
+    return migration.text
+
+
+def model_of(body: str) -> str:
+    """Return the model that a robot becomes whose elements are these, at the margin."""
+    text = migrated(f'<robot name="arm">\n{indent(dedent(body).strip(), "  ")}\n</robot>\n')
+    head, model = text.split("model:\n")
+    return head.removeprefix("robot: arm\n") + dedent(model)

@@ -1,0 +1,318 @@
+"""Robots in xacro become sources of the same structure that make the same robot."""
+
+from __future__ import annotations
+
+import os
+import textwrap
+from pathlib import Path
+
+import pytest
+
+from tests.migrate.same_robot import is_same_robot
+from tests.test_xacro_corpus import CORPUS, UNKNOWN, real, rows
+from yamaro import build
+from yamaro.cli import main
+from yamaro.policy import Limits
+from yamaro.tools.migrate.xacro_command import migrate_robot
+from yamaro.tools.migrate.xacro_python import CannotMigrate, Translator, typed
+from yamaro.xmlreader import decode_xml
+
+HEAD = '<robot xmlns:xacro="http://www.ros.org/wiki/xacro" name="r">'
+
+
+def migrated(folder: Path, text: str, **files: str) -> dict[str, str]:
+    """Return the sources of a robot, which were found to make the same robot."""
+    (folder / "r.urdf.xacro").write_text(f"{HEAD}\n{textwrap.dedent(text)}</robot>\n")
+    for name, content in files.items():
+        (folder / f"{name}.xacro").write_text(f"{HEAD}\n{textwrap.dedent(content)}</robot>\n")
+    path = folder / "r.urdf.xacro"
+    source = decode_xml(path.read_bytes(), name=path.name, path=str(path))
+    migration = migrate_robot(
+        source, str(folder / "out"), arguments=[], packages={}, limits=Limits()
+    )
+    assert migration.faults == []
+    assert [str(each) for each in migration.differences] == []
+    assert migration.lost == []
+    return migration.files
+
+
+def test_macros_become_functions_and_properties_variables(tmp_path: Path) -> None:
+    made = migrated(
+        tmp_path,
+        """\
+        <!-- The wheels -->
+        <xacro:arg name="prefix" default="my_"/>
+        <xacro:property name="radius" value="0.1"/>
+        <xacro:property name="width" value="${radius / 2}"/>
+        <xacro:macro name="wheel_unit" params="side y:=0.5 *origin">
+          <!-- in the middle -->
+          <link name="$(arg prefix)${side}_wheel">
+            <visual>
+              <xacro:insert_block name="origin"/>
+              <geometry><cylinder radius="${radius}" length="${width}"/></geometry>
+            </visual>
+          </link>
+          <xacro:if value="${y > 0.4}"><far/></xacro:if>
+          <xacro:unless value="${y > 0.4}"><near at="${y}"/></xacro:unless>
+        </xacro:macro>
+        <xacro:wheel_unit side="left"><origin xyz="0 0 1"/></xacro:wheel_unit>
+        <xacro:wheel_unit side="right" y="0.1"><origin xyz="0 0 2"/></xacro:wheel_unit>
+        """,
+    )
+    assert made["r.yaml"] == textwrap.dedent("""\
+        robot: r
+        variables:
+          prefix: my_
+          # The wheels
+          radius: 0.1
+          width: $(radius / 2)
+        functions:
+          WheelUnit:
+            input: side, y=0.5, **Origin
+            body:
+              # in the middle
+              link/name=$(prefix)$(side)_wheel:
+                visual:
+                  Origin:
+                  geometry:
+                    cylinder/radius=$(radius), length=$(width):
+              if:
+                condition: y > 0.4
+                body:
+                  far:
+              else:
+                near/at=$(y):
+        model:
+          - WheelUnit:
+              side: left
+              Origin:
+                origin/xyz=0 0 1:
+          - WheelUnit:
+              side: right
+              y: 0.1
+              Origin:
+                origin/xyz=0 0 2:
+        """)
+
+
+def test_a_joint_and_its_link_become_a_part(tmp_path: Path) -> None:
+    made = migrated(
+        tmp_path,
+        """\
+        <xacro:property name="l" value="0.3"/>
+        <link name="base_link"/>
+        <joint name="arm_joint" type="fixed">
+          <parent link="base_link"/><child link="arm_link"/><origin xyz="0 0 ${l}" rpy="0 0 0"/>
+        </joint>
+        <link name="arm_link">
+          <visual><geometry><box size="${l} 0.1 0.1"/></geometry></visual>
+        </link>
+        """,
+    )
+    assert made["r.yaml"].splitlines()[4:] == [
+        "  link/name=base_link:",
+        "  part:",
+        "    name: arm",
+        "    joint: {type: fixed, parent: base_link, xyz: 0 0 $(l)}",
+        "    link:",
+        "      visual: {geometry: box, scale: $(l) 0.1 0.1, origin: none}",
+    ]
+
+
+def test_each_file_is_migrated_and_what_is_shared_is_global(tmp_path: Path) -> None:
+    made = migrated(
+        tmp_path,
+        """\
+        <xacro:include filename="lib.xacro"/>
+        <xacro:box name="a" size="${side}"/>
+        """,
+        lib="""\
+        <xacro:property name="side" value="2"/>
+        <xacro:property name="own" value="3"/>
+        <xacro:macro name="box" params="name size">
+          <b name="${name}" s="${size * own}"/>
+        </xacro:macro>
+        """,
+    )
+    assert made["lib.yaml"] == textwrap.dedent("""\
+        variables:
+          side/global: 2
+          own: 3
+        functions:
+          Box/global:
+            input: name, size
+            body:
+              b/name=$(name), s=$(size * own):
+        """)
+    assert "  include: lib.yaml\n" in made["r.yaml"]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        # what a macro reads of its caller
+        """<xacro:macro name="inner" params=""><i v="${depth}"/></xacro:macro>
+        <xacro:macro name="outer" params="depth"><xacro:inner/></xacro:macro>
+        <xacro:outer depth="4"/>""",
+        # forwarded parameters
+        """<xacro:property name="n" value="7"/>
+        <xacro:macro name="m" params="n:=^ k:=^|5"><i n="${n}" k="${k}"/></xacro:macro>
+        <xacro:macro name="o" params="k"><xacro:m n="1"/></xacro:macro>
+        <xacro:m/><xacro:o k="9"/>""",
+        # a property handed to the caller
+        """<xacro:macro name="read" params=""><xacro:property name="v" value="8" scope="parent"/>
+        </xacro:macro>
+        <xacro:macro name="use" params=""><xacro:read/><i v="${v}"/></xacro:macro><xacro:use/>""",
+        # recursion in place of a loop
+        """<xacro:macro name="loop" params="i"><xacro:if value="${i}"><c i="${i}"/>
+        <xacro:loop i="${i - 1}"/></xacro:if></xacro:macro><xacro:loop i="3"/>""",
+        # truth values in texts, numbers that are texts, quotes
+        """<xacro:property name="f" value="true"/><a f="${f}" n="${not f}">${f}</a>
+        <xacro:property name="row" value="1 2 3"/>
+        <xacro:property name="x" value="${row.split()[1]}"/><b x="${x * 2}"/>
+        <xacro:property name="q" value="'1.0'"/><c q="${q}"/>""",
+        # blocks of content, computed tags and attributes, names with a dash
+        """<xacro:macro name="my-wrap" params="**inside"><w><xacro:insert_block name="inside"/></w>
+        </xacro:macro><xacro:my-wrap><any><x/><y v="1,2"/></any></xacro:my-wrap>
+        <xacro:element xacro:name="e_${1 + 1}" k="v"><xacro:attribute name="z" value="3"/>
+        </xacro:element>""",
+        # a property that is never looked at
+        '<xacro:property name="lazy" value="${nothing_has_this_name}"/><a/>',
+        # a block as a property
+        """<xacro:property name="grey"><color rgba="1 1 1 1"/></xacro:property>
+        <m><xacro:insert_block name="grey"/></m>""",
+    ],
+)
+def test_the_same_robot_comes_out(tmp_path: Path, text: str) -> None:
+    assert "r.yaml" in migrated(tmp_path, text)
+
+
+def test_what_cannot_be_carried_over_is_told_at_its_place(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    Path("r.xacro").write_text(
+        f'{HEAD}\n  <xacro:property name="n" value="1"/>\n'
+        '  <xacro:property name="n" remove="true"/>\n  <a/>\n</robot>\n'
+    )
+    assert main(["migrate", "r.xacro", "-o", "out"]) == 0
+    told = capsys.readouterr().err
+    code = "not-migrated"
+    assert told.startswith(f"warning[{code}]: the property 'n' is removed\n --> r.xacro:3:4\n  |\n")
+    assert told.endswith("r.xacro: identical: 0 links, 0 joints; 1 file, out/r.yaml\n")
+    assert "# not migrated: <xacro:property>" in Path("out/r.yaml").read_text()
+
+
+def test_a_difference_is_told(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    Path("r.xacro").write_text(
+        f'{HEAD}\n<xacro:macro name="m" params=""><a/></xacro:macro>\n'
+        '<xacro:property name="which" value="m"/><xacro:call macro="${which}"/></robot>\n'
+    )
+    assert main(["migrate", "r.xacro", "-o", "out"]) == 1
+    assert "different: robot 'r', a: is missing" in capsys.readouterr().err
+
+
+def test_the_folder_is_needed_and_what_is_there_stays(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    Path("r.xacro").write_text(f'{HEAD}<xacro:arg name="n" default="1"/><a n="$(arg n)"/></robot>')
+    assert main(["migrate", "r.xacro"]) == 2
+    assert "give a folder, as in '-o robot/'" in capsys.readouterr().err
+    assert main(["migrate", "r.xacro", "-o", "out/", "n:=5"]) == 0
+    capsys.readouterr()
+    Path("out/r.yaml").write_text("mine")
+    assert main(["migrate", "r.xacro", "-o", "out"]) == 2
+    assert "'out/r.yaml' is there already; --force replaces it" in capsys.readouterr().err
+    assert Path("out/r.yaml").read_text() == "mine"
+    assert main(["migrate", "r.xacro", "-o", "out", "--force", "-q"]) == 0
+    assert capsys.readouterr().err == ""
+    assert build("out/r.yaml").xml().count('<a n="1"/>') == 1
+
+
+@pytest.mark.parametrize(
+    ("xacro", "python"),
+    [
+        ("radius * 2", "radius * 2"),
+        ("math.pi / 2", "pi / 2"),
+        ("math.fmod(a, 2)", "math.fmod(a, 2)"),
+        ("cfg.arm.length", "cfg['arm']['length']"),
+        ("cfg['arm'].length + other.x", "cfg['arm']['length'] + other['x']"),
+        ("name.split('_')[0]", "name.split('_')[0]"),
+        ("xacro.load_yaml(file).links", "load_yaml(file)['links']"),
+        ("xacro.load_yaml('$(find arm)/a.yaml')", "load_yaml(find('arm') + '/a.yaml')"),
+        ("xacro.arg('side')", "side"),
+        ("'$(arg side)' == 'left'", "str(side) == 'left'"),
+        ("'$(arg is_sim)' == 'true'", "str(is_sim).lower() == 'true'"),
+        ("$(arg n) + 1", "n + 1"),
+        ("python.len(a)", "len(a)"),
+        ("[x.y for x in rows]", "[x['y'] for x in rows]"),
+    ],
+)
+def test_an_expression_is_translated(xacro: str, python: str) -> None:
+    translator = Translator(lambda name: name, lambda name: False, set(), {"is_sim"}, {})
+    assert translator.expression(xacro) == python
+
+
+@pytest.mark.parametrize("text", ["1 +", "xacro.dotify(a)", "$(anon x)"])
+def test_an_expression_without_counterpart_is_refused(text: str) -> None:
+    translator = Translator(lambda name: name, lambda name: False, set(), set(), {})
+    with pytest.raises(CannotMigrate):
+        translator.expression(text)
+
+
+@pytest.mark.parametrize(
+    ("text", "spelled"),
+    [
+        ("0.10", "0.10"),
+        ("007", "007"),
+        ("true", "true"),
+        ("False", "False"),
+        ("a b", "a b"),
+        ("'5'", "5"),
+        ("1e400", "1e400"),
+        ("", ""),
+        ("${x", None),
+    ],
+)
+def test_a_value_keeps_its_type(text: str, spelled: str | None) -> None:
+    if spelled is not None:
+        assert typed(text) == spelled
+
+
+@pytest.mark.skipif(not CORPUS.exists(), reason="there is no corpus")
+def test_robots_of_others_stay_the_same(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    monkeypatch.setenv("ROS_VERSION", "2")
+    monkeypatch.setenv("ROS_DISTRO", "humble")
+    tried = same = 0
+    for row in rows()[::4]:
+        pairs = [item.split("=", 1) for item in row["packages"].split(";") if item]
+        packages = {name: f"{CORPUS}/src/{at}" if at else f"{UNKNOWN}/{name}" for name, at in pairs}
+        path = CORPUS / "src" / row["path"]
+        monkeypatch.chdir(path.parent)
+        arguments = [part for part in real(row["args"]).split(" ") if ":=" in part]
+        source = decode_xml(path.read_bytes(), name=path.name, path=str(path))
+        folder = str(tmp_path / str(tried))
+        migration = migrate_robot(
+            source, folder, arguments=arguments, packages=packages, limits=Limits()
+        )
+        tried += 1
+        if migration.faults or migration.differences:
+            continue
+        for name, text in migration.files.items():
+            made = Path(folder, name)
+            os.makedirs(made.parent, exist_ok=True)
+            made.write_text(text)
+        xml = build(
+            Path(folder, migration.main),
+            command_line=arguments,
+            packages=packages,
+            on_message=lambda line: None,
+        ).xml()
+        expected = real((CORPUS / row["expected"]).read_text("utf-8"))
+        assert is_same_robot(expected.encode(), xml.encode()), row["path"]  # none silently
+        same += 1
+    assert same >= 0.97 * tried
