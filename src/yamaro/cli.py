@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from .compiler import Build
     from .diagnostics import Diagnostic
     from .policy import Limits, Policy
+    from .source import Source
 
 MOST_SECONDS = 1e9
 """The longest time-out, some thirty years: what the system's clocks can count."""
@@ -64,6 +65,8 @@ other commands:
   yamaro check FILE [name:=value ...]   look for errors, warnings and doubtful things; write nothing
   yamaro tree FILE [name:=value ...]    show links, joints and masses as a tree
   yamaro migrate FILE [-o FILE]         write a URDF, or other XML, as a YAML file of Yamaro
+  yamaro migrate FILE -o FOLDER [name:=value ...]
+                                        write a robot in xacro as YAML files, a file for each
   yamaro completion bash|zsh|fish       print a completion script for the shell
 
 examples:
@@ -112,7 +115,7 @@ COMMANDS = {
     "build": frozenset(("output", "quiet", "strict", "deps", "color", *POLICY_OPTIONS)),
     "check": frozenset(("quiet", "strict", "color", *POLICY_OPTIONS)),
     "tree": frozenset(("quiet", "strict", "color", *POLICY_OPTIONS)),
-    "migrate": frozenset(("output", "quiet", "color", "limit", "force")),
+    "migrate": frozenset(("output", "quiet", "color", "limit", "force", "package")),
     "completion": frozenset(),
 }
 
@@ -436,14 +439,16 @@ def _migrate(arguments: Arguments, streams: Streams) -> int:
 
     arguments.resolve_output()
     _refuse_overwriting(arguments, lambda: arguments.words)
-    if "output" in arguments.options and not arguments.has("force"):
-        _refuse_replacing(arguments)
-    if arguments.assignments:
-        raise WrongUsage("'yamaro migrate' sets no variables")
     path = arguments.words[0]
     limits = make_policy(arguments).limits
     data = _read_bytes(path, limits.file + 1)
     try:
+        source = command.read_file(path, limits, data)
+        if command.is_xacro_file(source, limits):
+            return _migrate_xacro(source, arguments, streams, limits)
+        if arguments.assignments:
+            raise WrongUsage(f"a URDF has no argument {_quote(arguments.assignments[0])}")
+        _refuse_replacing(arguments, [arguments.output_path])
         migration = command.migrate_file(path, limits, data)
     except YamaroError as error:
         _show(error.diagnostics, arguments, streams)
@@ -456,17 +461,54 @@ def _migrate(arguments: Arguments, streams: Streams) -> int:
     return status or (INPUT_ERROR if migration.differences else DONE)
 
 
-def _refuse_replacing(arguments: Arguments) -> None:
-    """Refuse to replace a file: what is migrated is changed by hand afterwards."""
-    output = arguments.options["output"]
-    if output in STANDARD_OUTPUT:
+def _migrate_xacro(source: Source, arguments: Arguments, streams: Streams, limits: Limits) -> int:
+    """Write the files of a robot in xacro into a folder, and say whether it is the same."""
+    from .tools.migrate import command, xacro_command
+
+    folder = arguments.output_path
+    if arguments.options.get("output", "-") in STANDARD_OUTPUT:
+        raise WrongUsage("a robot in xacro becomes several files: give a folder, as in '-o robot/'")
+    if os.path.isfile(folder):
+        raise WrongUsage(f"{_quote(arguments.options['output'])} is a file, and a folder is needed")
+    migration = xacro_command.migrate_robot(
+        source,
+        os.path.abspath(folder),
+        arguments=arguments.assignments,
+        packages=_read_packages(arguments),
+        limits=limits,
+    )
+    paths = {os.path.join(folder, name): text for name, text in migration.files.items()}
+    _refuse_replacing(arguments, list(paths))
+    _show([*xacro_command.warnings_of(migration), *migration.faults], arguments, streams)
+    for path, text in paths.items():
+        try:
+            write_file(path, [text.encode()])
+        except OSError as error:
+            reason = error.strerror or error
+            streams.say(f"yamaro: error: cannot write {_quote(path)}: {reason}")
+            return INPUT_ERROR
+    count = f"{len(paths)} file{'s' if len(paths) > 1 else ''}"
+    if migration.faults:
+        streams.say(f"{_display_name(arguments)}: the sources ({count}) have errors; see above")
+        return INPUT_ERROR
+    if not streams.quiet or migration.differences:
+        main = os.path.normpath(os.path.join(arguments.options["output"], migration.main))
+        streams.say(f"{_display_name(arguments)}: {command.report(migration)}; {count}, {main}")
+    return INPUT_ERROR if migration.differences else DONE
+
+
+def _refuse_replacing(arguments: Arguments, paths: Sequence[str]) -> None:
+    """Refuse to replace files: what is migrated is changed by hand afterwards."""
+    if arguments.has("force") or arguments.options.get("output", "-") in STANDARD_OUTPUT:
         return
-    try:
-        is_there = os.stat(arguments.output_path).st_mode & 0o170000 == 0o100000
-    except OSError:
-        return
-    if is_there:
-        raise WrongUsage(f"{_quote(output)} is there already; --force replaces it")
+    for path in paths:
+        try:
+            is_there = os.stat(path).st_mode & 0o170000 == 0o100000
+        except OSError:
+            continue
+        if is_there:
+            shown = os.path.relpath(path)
+            raise WrongUsage(f"{_quote(shown)} is there already; --force replaces it")
 
 
 def _bound_process(arguments: Arguments, streams: Streams, policy: Policy) -> None:

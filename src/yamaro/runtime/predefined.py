@@ -69,7 +69,8 @@ class Helpers:
     def load_yaml(self, path: str) -> Any:
         """Return the data in a YAML file as dicts, lists and scalars; nothing is evaluated.
 
-        Numbers with a unit, such as `!degrees 90`, are converted.
+        Numbers with a unit, such as `!degrees 90`, are converted. Where a key comes again, its last
+        value counts, as for other readers of YAML.
         """
         text = os.fspath(path)
         absolute = self._packages.resolve_uri(text, self._directory)
@@ -88,7 +89,8 @@ class Helpers:
         reporter = Reporter()
         rules = self._library.rules
         root = read(source, reporter=reporter, limits=rules.limits, units=True)
-        return plain_data(parse_value(root, ParseContext(reporter, rules), is_literal=True))
+        value = parse_value(root, ParseContext(reporter, rules), is_literal=True)
+        return plain_data(value, gather=dict)
 
     def _nowhere(self, uri: str) -> InputFault:
         """Return the fault of a URI that leads nowhere."""
@@ -136,19 +138,22 @@ class Helpers:
         return value
 
 
-def plain_data(value: Value) -> Any:
-    """Return a value without expressions as Python data."""
-    if isinstance(value, Constant):
-        return value.value
-    if isinstance(value, ListValue):
-        return [plain_data(item) for item in value.items]
-    assert isinstance(value, DictValue)
-    return gather_pairs([(plain_data(key), plain_data(item)) for key, item in value.pairs])
-
-
 def gather_pairs(pairs: list[tuple[Any, Any]]) -> dict[Any, Any]:
     """Return a dict of pairs; a key that stands several times has the list of its values."""
     gathered: dict[Any, list[Any]] = {}
     for key, value in pairs:
         gathered.setdefault(key, []).append(value)
     return {key: values[0] if len(values) == 1 else values for key, values in gathered.items()}
+
+
+def plain_data(
+    value: Value, gather: Callable[[list[tuple[Any, Any]]], dict[Any, Any]] = gather_pairs
+) -> Any:
+    """Return a value without expressions as Python data; `gather` makes a dict of pairs."""
+    if isinstance(value, Constant):
+        return value.value
+    if isinstance(value, ListValue):
+        return [plain_data(item, gather) for item in value.items]
+    assert isinstance(value, DictValue)
+    pairs = [(plain_data(key, gather), plain_data(item, gather)) for key, item in value.pairs]
+    return gather(pairs)

@@ -6,6 +6,7 @@ import os
 
 from ...compiler import Program, UsageError, refusal_of_main
 from ...runtime.loader import FileLoader, LoadError, check_size
+from ...runtime.xml_includes import read_included
 from ...source import STANDARD_INPUT, STANDARD_INPUT_NAME
 from ...xmlreader import decode_xml, read_xml
 from .urdf import Migration, migrate_urdf
@@ -13,11 +14,13 @@ from .urdf import Migration, migrate_urdf
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from ...policy import Limits
+    from ...source import Source
     from ...xmltree import Element
+    from .xacro import XacroMigration
 
 
-def migrate_file(path: str, limits: Limits, data: bytes | None = None) -> Migration:
-    """Return the Yamaro source of a URDF, or of any other XML.
+def read_file(path: str, limits: Limits, data: bytes | None = None) -> Source:
+    """Return an XML file.
 
     Args:
         path: the file, or `-`.
@@ -25,7 +28,7 @@ def migrate_file(path: str, limits: Limits, data: bytes | None = None) -> Migrat
         data: its content, read from `path` if it is None.
 
     Raises:
-        YamaroError: it is no XML.
+        YamaroError: it is not in the encoding that it says.
         UsageError: it cannot be read.
     """
     absolute = "" if path == STANDARD_INPUT else os.path.abspath(path)
@@ -38,7 +41,16 @@ def migrate_file(path: str, limits: Limits, data: bytes | None = None) -> Migrat
             raise refusal_of_main(path, error) from None
         raise UsageError(f"cannot read '{path}': {error}") from None
     name = STANDARD_INPUT_NAME if path == STANDARD_INPUT else path
-    source = decode_xml(data, name=name, path=absolute)
+    return decode_xml(data, name=name, path=absolute)
+
+
+def migrate_file(path: str, limits: Limits, data: bytes | None = None) -> Migration:
+    """Return the Yamaro source of a URDF, or of any other XML; raises what `read_file` does.
+
+    Raises:
+        YamaroError: it is no XML.
+    """
+    source = read_file(path, limits, data)
 
     def build(text: str) -> Element:
         name = "robot.yaml" if path == STANDARD_INPUT else f"{os.path.splitext(path)[0]}.yaml"
@@ -49,7 +61,12 @@ def migrate_file(path: str, limits: Limits, data: bytes | None = None) -> Migrat
     return migrate_urdf(read_xml(source, limits), build)
 
 
-def report(migration: Migration) -> str:
+def is_xacro_file(source: Source, limits: Limits) -> bool:
+    """Tell whether an XML file is one of xacro; raise YamaroError if it is no XML."""
+    return read_included(source, limits)[1]
+
+
+def report(migration: Migration | XacroMigration) -> str:
     """Return what is said of a migration: how large the robot is, or in what it differs."""
     if not migration.differences:
         if migration.root.name != "robot":

@@ -4,18 +4,19 @@ from __future__ import annotations
 
 import os
 
-from .compare import Difference, compare
 from .document import write_document
 from .xacro_program import Program, common_folder
 from .xacro_writer import FileWriter
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Mapping
+    from collections.abc import Mapping
 
+    from ...diagnostics import Diagnostic
     from ...source import Source, Span
     from ...xacro.host import Host
     from ...xmltree import Element
+    from .compare import Difference
 
 
 class XacroMigration:
@@ -26,7 +27,9 @@ class XacroMigration:
         main: the path of the main file.
         root: what xacro makes of the robot.
         differences: in what the robot that the sources make differs from it.
+        origins: the paths of the files by those of the xacro files they were made of.
         lost: what could not be carried over, with its place.
+        faults: the errors of the sources, if they cannot be built.
     """
 
     def __init__(self, files: dict[str, str], main: str, root: Element) -> None:
@@ -34,8 +37,10 @@ class XacroMigration:
         self.files = files
         self.main = main
         self.root = root
+        self.origins: dict[str, str] = {}
         self.differences: list[Difference] = []
         self.lost: list[tuple[Span, str]] = []
+        self.faults: list[Diagnostic] = []
 
 
 def migrate_xacro(source: Source, host: Host, arguments: Mapping[str, str]) -> XacroMigration:
@@ -50,18 +55,13 @@ def migrate_xacro(source: Source, host: Host, arguments: Mapping[str, str]) -> X
     for path in program.roots:
         outputs[path] = _output(os.path.relpath(path, folder), set(outputs.values()))
     migration = XacroMigration({}, outputs[source.path], program.result)
+    migration.origins = outputs
     for path, output in outputs.items():
         writer = FileWriter(program, path, outputs.__getitem__)
         sections = writer.sections(is_main=path == source.path)
         migration.files[output] = write_document(sections)
         migration.lost += writer.lost
     return migration
-
-
-def check(migration: XacroMigration, build: Callable[[Mapping[str, str], str], Element]) -> None:
-    """Build the sources and note in what the robot differs."""
-    built = build(migration.files, migration.main)
-    migration.differences = compare(migration.root, built)
 
 
 def _output(path: str, taken: set[str]) -> str:

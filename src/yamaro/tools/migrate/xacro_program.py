@@ -94,18 +94,18 @@ class Program:
         self.macros: dict[str, Macro] = {}
         self.definitions: dict[tuple[str, int], Macro] = {}
         self.arguments: dict[str, str] = {}
+        self.ambiguous: set[str] = set()
         self.properties: dict[str, set[str]] = {}
         self.blocks: set[str] = set()
         self._names: dict[str, set[str]] = {}
         for path, root in self.roots.items():
             self._gather(path, root)
         self.at_top: set[str] = set()
-        self.known: set[str] = set()
         self.read: set[str] = set()
         self.inherited = self._names_of_callers()
 
     def _read_the_rest(self, host: Host) -> None:
-        """Read the files of includes that these arguments do not reach, if their names are plain."""
+        """Read the files that these arguments do not reach, where their names are plain."""
         pending = list(self.roots.items())
         while pending:
             path, root = pending.pop()
@@ -147,7 +147,7 @@ class Program:
                 self.macros.setdefault(name, macro)
                 self.definitions[path, element.span.start] = macro
             elif element.name == "xacro:arg" and "name" in given:
-                self.arguments.setdefault(given["name"], given.get("default", ""))
+                self._add_argument(given["name"], given.get("default", ""))
             elif element.name == "xacro:property" and "name" in given:
                 self.properties.setdefault(given["name"], set()).add(path)
                 if "value" not in given and "default" not in given and "remove" not in given:
@@ -155,7 +155,7 @@ class Program:
 
     def _names_of_callers(self) -> set[str]:
         """Return the names that macros read of those who call them."""
-        at_top: set[str] = set(self.arguments)
+        at_top: set[str] = set()
         for root in self.roots.values():
             at_top |= defined_in(root)
         free: set[str] = set()
@@ -163,11 +163,50 @@ class Program:
         for macro in self.definitions.values():
             local = defined_in(macro.element, nested=True) | set(macro.values())
             own |= local
-            free |= _used_in(macro.element) - local
+            local |= self._handed_to(macro.element)
+            free |= used_in(macro.element) - local
+            free |= {p.name for p in macro.parameters if p.is_forwarded and p.default is None}
         self.at_top = at_top
-        self.known = at_top | own
-        self.read = set().union(*map(_used_in, self.roots.values()))
+        self.read = set().union(*map(used_in, self.roots.values()))
         return (free - at_top) & own
+
+    def visible_in(self, macro: Macro) -> set[str]:
+        """Return the names that a macro may see: its own, and those of all who may call it."""
+        visible = set(self.at_top)
+        seen: set[str] = set()
+        pending = [macro.name]
+        while pending:
+            name = pending.pop()
+            if name in seen:
+                continue
+            seen.add(name)
+            for own in self.definitions.values():
+                if own.name == name:
+                    visible |= set(own.values()) | defined_in(own.element, nested=True)
+                    visible |= self._handed_to(own.element)
+                elif any(called.name == f"xacro:{name}" for called in walk(own.element)):
+                    pending.append(own.name)
+        return visible
+
+    def _handed_to(self, element: Element) -> set[str]:
+        """Return the properties that the macros called in an element hand to it."""
+        handed: set[str] = set()
+        for called in walk(element):
+            macro = self.macros.get(called.name.removeprefix("xacro:"))
+            if macro is not None and called.name.startswith("xacro:"):
+                handed |= {
+                    format_value(own.attributes.get("name"))
+                    for own in walk(macro.element)
+                    if own.name == "xacro:property" and own.attributes.get("scope") == "parent"
+                }
+        return handed
+
+    def _add_argument(self, name: str, default: str) -> None:
+        """Note an argument; where it has several defaults, the one that counts for this robot."""
+        if self.arguments.setdefault(name, default) == default or name in self.given:
+            return
+        self.ambiguous.add(name)
+        self.arguments[name] = self.values_of_arguments.get(name, default)
 
     def _function_name(self, name: str) -> str:
         stem = camel(name)
@@ -230,7 +269,7 @@ def defined_in(root: Element, *, nested: bool = False) -> set[str]:
     return names
 
 
-def _used_in(root: Element) -> set[str]:
+def used_in(root: Element) -> set[str]:
     """Return the names in the expressions of an element."""
     names: set[str] = set()
     for element in walk(root):

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import os
+import re
+from itertools import pairwise
 
 from ...runtime.predefined import CONSTANTS
 from ...syntax.names import is_identifier
@@ -12,7 +14,7 @@ from .document import Body, Entry, Value, joined, literal, without_expressions
 from .elements import ElementWriter, needs_brackets, spelled, tidy_text
 from .pairing import child_of, has_text, name_of
 from .parts import Names, NoPart, PartWriter, is_short_material
-from .xacro_program import Macro, Program, camel, defined_in, names_in
+from .xacro_program import Macro, Program, camel, defined_in, names_in, used_in
 from .xacro_python import CannotMigrate, Translator
 
 TYPE_CHECKING = False
@@ -22,6 +24,7 @@ if TYPE_CHECKING:
     from ...source import Span
     from ...xmltree import Node
 
+_MESSAGE = re.compile(r"\$\{xacro\.(?:message|warning|error)\(([^,}]*)\)\}")
 PREDEFINED = frozenset(CONSTANTS) | {"load_yaml", "find", "math", "xacro", "python", "arg"}
 SCOPES = {"global": "/global", "parent": "/parent"}
 
@@ -42,6 +45,8 @@ class FileWriter(ElementWriter):
         "_parameters",
         "_path",
         "_program",
+        "_read",
+        "_visible",
         "lost",
         "translator",
     )
@@ -57,6 +62,8 @@ class FileWriter(ElementWriter):
         self._blocks: dict[str, str] = {}
         self._parameters: set[str] = set()
         self._locals: set[str] = set()
+        self._read: set[str] = set()
+        self._visible = program.at_top
         self.lost: list[tuple[Span, str]] = []
         truths = {
             name
@@ -112,6 +119,9 @@ class FileWriter(ElementWriter):
         """Return the arguments of all files, which the main file declares."""
         body = Body()
         for name, default in self._program.arguments.items():
+            if name in self._program.ambiguous:
+                span = self._program.roots[self._path].span
+                self._lose(span, f"the argument '{name}' has several defaults; one is taken")
             try:
                 value = self.translator.value(default)
             except CannotMigrate as error:
@@ -150,7 +160,10 @@ class FileWriter(ElementWriter):
                 body.note(tidy_text(node.text))
             elif isinstance(node, Text):
                 text = tidy_text(format_value(node.value))
-                if text:
+                message = _MESSAGE.fullmatch(text)
+                if message:
+                    body.add("print", self._text(f"${{{message[1]}}}", node.span))
+                elif text:
                     body.add("<#text>", self._text(text, node.span))
             elif isinstance(node, Element):
                 try:
@@ -194,7 +207,11 @@ class FileWriter(ElementWriter):
         }
 
     def _content(self, element: Element, children: list[Node]) -> Value:
-        if has_text(element) and all(isinstance(child, (Text, Comment)) for child in children):
+        if (
+            has_text(element)
+            and not _MESSAGE.fullmatch(element.text().strip())
+            and all(isinstance(child, (Text, Comment)) for child in children)
+        ):
             return self._text(tidy_text(element.text()), element.span)
         return self.body(children)
 
@@ -251,10 +268,13 @@ class FileWriter(ElementWriter):
         text = given.get("value", given.get("default", ""))
         if text.strip() == f"$(arg {name})":
             return
-        if "default" in given and (
-            name in self._parameters or len(self._program.properties[name]) > 1
-        ):
-            raise CannotMigrate(f"the property '{name}' may have a value already")
+        if "default" in given:
+            if name in self._parameters:
+                return
+            if (not self._is_top and name in self._program.at_top) or (
+                self._is_top and len(self._program.properties[name]) > 1
+            ):
+                raise CannotMigrate(f"the property '{name}' may have a value already")
         scope = SCOPES.get(given.get("scope", ""), "")
         if self._is_top and not scope and self._program.is_used_elsewhere(name, self._path):
             scope = "/global"
@@ -281,8 +301,8 @@ class FileWriter(ElementWriter):
         last.value.add(key, value)
 
     def _may_be_evaluated(self, text: str) -> bool:
-        """Tell whether all names of a value are known; xacro looks at no value before it is read."""
-        return names_in(text) <= self._program.known | PREDEFINED
+        """Tell whether all names of a value are known: xacro evaluates only what is read."""
+        return names_in(text) <= self._visible | PREDEFINED
 
     def _define_block(self, node: Element, name: str) -> None:
         function = Body([Entry("body", self.body(node.children))])
@@ -296,8 +316,10 @@ class FileWriter(ElementWriter):
             body.note(f"the first definition of {name} is left out: there is another one below")
             return
         function = Body()
-        before = self._blocks, self._parameters, self._is_top, self._locals
+        before = self._blocks, self._parameters, self._is_top, self._locals, self._visible
         self._locals = defined_in(node, nested=True)
+        self._read = used_in(node)
+        self._visible = self._program.visible_in(macro)
         self._is_top = False
         self._blocks = {own.lstrip("*"): own for own in macro.blocks()}
         self._parameters = set(macro.values())
@@ -309,7 +331,7 @@ class FileWriter(ElementWriter):
         if shared:
             entries = [Entry(f"{own}/child", f"$({own})") for own in shared]
             content.entries.insert(0, Entry("variables", Body(entries)))
-        self._blocks, self._parameters, self._is_top, self._locals = before
+        self._blocks, self._parameters, self._is_top, self._locals, self._visible = before
         function.add("body", content or None)
         is_shared = self._program.is_used_elsewhere(f"xacro:{name}", self._path)
         key = macro.function + ("/global" if is_shared else "")
@@ -375,7 +397,9 @@ class FileWriter(ElementWriter):
             arguments.add(key, self._argument_value(format_value(value)))
         visible = self._parameters | self._locals | self._program.at_top
         for own in macro.parameters:
-            if own.is_forwarded and own.name not in node.attributes and own.name in visible:
+            if not own.is_forwarded or own.name in node.attributes:
+                continue
+            if own.name in visible or (own.default is None and own.name in self._program.inherited):
                 arguments.add(own.name, f"$({own.name})")
         blocks = macro.blocks()
         if blocks:
@@ -500,7 +524,7 @@ def _links_of_joints(nodes: list[Node]) -> dict[int, Element]:
     elements = [node for node in nodes if isinstance(node, Element)]
     found: dict[int, Element] = {}
     taken: set[int] = set()
-    for first, second in zip(elements, elements[1:], strict=False):
+    for first, second in pairwise(elements):
         joint, link = (first, second) if first.name == "joint" else (second, first)
         if joint.name != "joint" or link.name != "link" or id(link) in taken or id(joint) in found:
             continue

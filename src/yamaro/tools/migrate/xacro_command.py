@@ -1,0 +1,155 @@
+"""What `yamaro migrate` does with a robot in xacro: reads it, writes a folder, and compares."""
+
+from __future__ import annotations
+
+import os
+
+from ...compiler import Program
+from ...diagnostics import WARNING, Diagnostic, YamaroError, did_you_mean, failure
+from ...runtime.deep_stack import run_on_deep_stack
+from ...runtime.loader import FileLoader, LoadError
+from ...runtime.packages import PackageFinder
+from ...xmlreader import decode_xml
+from .compare import compare
+from .xacro import XacroMigration, migrate_xacro
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Mapping, Sequence
+
+    from ...policy import Limits
+    from ...source import Source, Span
+
+
+class DiskHost:
+    """Gives a robot that is migrated its files and packages, and notes the packages."""
+
+    def __init__(self, limits: Limits, packages: Mapping[str, str]) -> None:
+        """Take folders of packages by name, before those that are found."""
+        self.limits = limits
+        self._loader = FileLoader(limits)
+        self._packages = PackageFinder(given=packages)
+        self.found: dict[str, str] = dict(packages)
+
+    def read(self, path: str, span: Span) -> Source:
+        """Return the text of a file; raise YamaroError if it cannot be read."""
+        absolute = os.path.abspath(path)
+        try:
+            return decode_xml(self._loader.read(absolute), name=_shown(absolute), path=absolute)
+        except LoadError as error:
+            near = did_you_mean(os.path.basename(absolute), self._loader.neighbours(absolute))
+            raise failure(
+                error.code,
+                f"the file '{os.path.basename(path)}' cannot be included: {error}",
+                span,
+                hint=error.hint or near,
+                notes=[f"looked for {absolute}"],
+            ) from None
+
+    def glob(self, pattern: str) -> list[str]:
+        """Return the paths that a pattern of the shell matches."""
+        from glob import glob
+
+        return glob(pattern)
+
+    def find_package(self, name: str, span: Span) -> str:
+        """Return the folder of a package; raise YamaroError if there is none."""
+        start = os.path.dirname(span.source.path)
+        folder = self._packages.find(name, start)
+        if folder is None:
+            raise failure(
+                "unknown-package",
+                f"the package '{name}' is not found",
+                span,
+                hint=f"say where it is: --package {name}:=…/{name}",
+                notes=[f"looked in {place}" for place in self._packages.looked_at(name, start)[:6]],
+            )
+        self.found[name] = folder
+        return folder
+
+    def environment(self, name: str) -> str | None:
+        """Return a variable of the environment, or None if it is not set."""
+        return os.environ.get(name)
+
+    def folder(self) -> str:
+        """Return the current folder."""
+        return os.getcwd()
+
+    def say(self, text: str, span: Span) -> None:
+        """Take what the robot says, which the sources will say."""
+
+
+class OverlayLoader(FileLoader):
+    """Reads files that are not written yet, and all others from the disk."""
+
+    def __init__(self, files: Mapping[str, str], limits: Limits) -> None:
+        """Take the files by their absolute paths."""
+        super().__init__(limits)
+        self._files = files
+
+    def read(self, path: str) -> bytes:
+        """Return a file's content; raise LoadError if there is none."""
+        text = self._files.get(path)
+        return super().read(path) if text is None else text.encode()
+
+
+def migrate_robot(
+    source: Source,
+    folder: str,
+    *,
+    arguments: Sequence[str],
+    packages: Mapping[str, str],
+    limits: Limits,
+) -> XacroMigration:
+    """Return the sources of a robot in xacro, compared with what xacro makes of it.
+
+    Args:
+        source: the main file.
+        folder: where the sources are to be written, absolute.
+        arguments: the arguments, as `name:=value`.
+        packages: folders of packages by name.
+        limits: how large the files may be.
+
+    Raises:
+        YamaroError: the robot cannot be expanded.
+    """
+    host = DiskHost(limits, packages)
+    given = dict(argument.split(":=", 1) for argument in arguments)
+    migration = run_on_deep_stack(lambda: migrate_xacro(source, host, given))
+    texts = {os.path.join(folder, name): text for name, text in migration.files.items()}
+    program = Program(
+        os.path.join(folder, migration.main),
+        loader=OverlayLoader(texts, limits),
+        packages=host.found,
+    )
+    try:
+        built = program.build(command_line=arguments, on_message=_drop)
+    except YamaroError as error:
+        migration.faults = [each for each in error.diagnostics if each.severity != WARNING]
+        return migration
+    assert built.root is not None
+    migration.differences = compare(migration.root, built.root)
+    return migration
+
+
+def warnings_of(migration: XacroMigration) -> list[Diagnostic]:
+    """Return what could not be carried over, as warnings at its places."""
+    return [
+        Diagnostic(
+            "not-migrated",
+            why,
+            span,
+            hint="the sources have a comment there",
+            severity=WARNING,
+        )
+        for span, why in migration.lost
+    ]
+
+
+def _shown(path: str) -> str:
+    relative = os.path.relpath(path)
+    return path if relative.startswith(os.path.join("..", "..")) else relative
+
+
+def _drop(message: str) -> None:
+    """Take a message of a build."""
