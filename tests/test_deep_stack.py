@@ -300,6 +300,24 @@ def test_what_runs_in_a_thread_can_be_stopped(no_thread: list[deep_stack._Worker
     wait_for(lambda: _thread._count() == threads)
 
 
+def test_a_thread_that_does_not_heed_ctrl_c_is_waited_for_a_second_only() -> None:
+    begun, ended = threading.Event(), threading.Event()
+
+    def hold_out() -> None:
+        begun.set()
+        ended.wait(20)
+
+    job, worker = deep_stack._Job(hold_out), deep_stack._new_worker()
+    assert worker is not None
+    worker.give(job)
+    assert begun.wait(20)
+    asked = time.monotonic()
+    worker.stop(job)
+    assert 0.9 < time.monotonic() - asked < 10
+    ended.set()
+    job.wait()
+
+
 def test_a_thread_that_ended_after_its_job_is_not_used_again(
     no_thread: list[deep_stack._Worker],
 ) -> None:

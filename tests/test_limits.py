@@ -23,6 +23,7 @@ EVERYWHERE = [
         3,
         "limit-statements",
         "doc: {if: {condition: true, body: {variables: {x: 1}}}, print: x}"),
+    ("statements", 4, "limit-statements", "doc: {for: {iterator: i, range: 3}}"),
     ("xml-depth", 4, "limit-xml-depth", "doc: {a: {b: {c: }}}"),
     ("output", 46, "limit-output", "doc: {a: 1}"),
     ("printed", 5, "limit-printed", "doc: {print: four}"),

@@ -71,6 +71,14 @@ def test_a_file_that_may_not_be_read_says_so(tmp_path: Path) -> None:
     assert reason(tmp_path / "a") == "reading it is not permitted"
 
 
+def test_what_is_not_permitted_says_so(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    def refuse(*_: object) -> int:
+        raise PermissionError
+
+    monkeypatch.setattr(loader.os, "open", refuse)  # type: ignore[attr-defined]
+    assert reason(tmp_path / "a") == "reading it is not permitted"
+
+
 # --- faults while a file is read --------------------------------------------------------------
 
 # The memory of this process: a regular file for whoever asks, and an error for who reads its start.

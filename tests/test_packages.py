@@ -108,6 +108,14 @@ def test_names_of_all_packages_are_told(tmp_path: Path) -> None:
     assert finder.names(own) == ["arm", "gripper", "hand"]
 
 
+def test_names_are_told_of_those_packages_only_that_are_found(tmp_path: Path) -> None:
+    own = make_package(tmp_path / "ws" / "arm")
+    make_package(tmp_path / "ws" / "other" / "hand")
+    finder = PackageFinder({})
+    assert finder.find("hand", own) is None
+    assert finder.names(own) == ["arm"]
+
+
 def test_a_bare_folder_is_not_searched(tmp_path: Path) -> None:
     make_package(tmp_path / "home" / "projects" / "arm")
     assert PackageFinder({}).find("arm", str(tmp_path / "home")) is None
@@ -185,6 +193,19 @@ def test_linked_folders_are_followed_and_loops_end(tmp_path: Path) -> None:
     assert finder.find("arm", "/") == str(root / "link" / "arm")
 
 
+def test_several_links_are_followed(tmp_path: Path) -> None:
+    root = tmp_path / "src"
+    root.mkdir()
+    for name in ("arm", "hand"):
+        make_package(tmp_path / f"place_of_{name}" / name)
+        (root / name).symlink_to(tmp_path / f"place_of_{name}")
+    finder = PackageFinder({"ROS_PACKAGE_PATH": str(root)})
+    assert [finder.find(name, "/") for name in ("arm", "hand")] == [
+        str(root / "arm" / "arm"),
+        str(root / "hand" / "hand"),
+    ]
+
+
 def test_search_is_bounded(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     deep = tmp_path.joinpath(*"abcdefghij", "arm")
     make_package(deep)
@@ -256,6 +277,12 @@ def test_threads_may_share_a_finder(tmp_path: Path) -> None:
 def test_names_in_manifests(tmp_path: Path, manifest: str, name: str | None) -> None:
     (tmp_path / "package.xml").write_text(manifest, encoding="utf-8")
     assert manifest_name(str(tmp_path)) == name
+
+
+def test_a_manifest_in_another_encoding_is_read(tmp_path: Path) -> None:
+    manifest = "<package><author>Zoë</author><name>arm</name></package>"
+    (tmp_path / "package.xml").write_bytes(manifest.encode("latin-1"))
+    assert manifest_name(str(tmp_path)) == "arm"
 
 
 @pytest.mark.parametrize("name", ["", ".", "..", "../arm", "arm/urdf", "a b", "ärm", "arm\n"])

@@ -253,6 +253,13 @@ def test_safe_mode_holds_for_what_is_parsed_late(text: str) -> None:
     assert (error.code, error.span.written()) == ("unsafe-code", "().__class__")
 
 
+def test_what_is_printed_may_be_a_list_or_a_mapping() -> None:
+    text = "variables: {x: 2}\nout:\n  - print: {a: $(x)}\n  - print: [1, $(x)]"
+    told: list[str] = []
+    build("/t.yaml", loader=MemoryLoader({"/t.yaml": text}), on_message=told.append)
+    assert told == ["{'a': 2}", "[1, 2]"]
+
+
 # --- helpers ----------------------------------------------------------------------------------
 
 

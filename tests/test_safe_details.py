@@ -334,6 +334,18 @@ def test_what_takes_time_or_memory_has_a_price_by_size(line: str) -> None:
     assert Fraction(more - few, 1024) == Fraction(price)
 
 
+def test_a_small_exponent_of_a_large_modulus_has_a_price_too() -> None:
+    assert Run("pow(3, 5, huge)", many(30_000), UNLIMITED).steps > 1_000_000
+
+
+def test_none_between_printed_values_is_a_space() -> None:
+    told: list[str] = []
+    runtime = SafeRuntime(say=told.append)
+    code = runtime.bind(compile_safe("print(1, 2, sep=None, end=None)", "<test>", "eval"))
+    eval(code, {"__builtins__": runtime.names()})
+    assert told == ["1 2\n"]
+
+
 # --- values from outside ------------------------------------------------------------------------
 
 

@@ -45,6 +45,7 @@ def place(diagnostic: Diagnostic) -> str:
         ("$('x/'[:1])/n=1:", '<out><x n="1"/></out>'),
         ('a/b="x":', '<out><a b="x"/></out>'),
         ("a/b='x':", '<out><a b="x"/></out>'),
+        ("a: |-\n  $((1,\n  # so, 2)\n  3))", "<out><a>1 3</a></out>"),
     ],
 )
 def test_a_key_means(text: str, xml: str) -> None:
@@ -106,6 +107,8 @@ def test_a_key_means(text: str, xml: str) -> None:
         ("out: ? a", "1:6 ?"),
         ("out:\n  if: {condition: $((1) + ), body: }", "2:21 (1) +"),
         ("out:\n  for: {iterator: i, in: $((1) + 1), body: }", "2:28 (1) + 1"),
+        ('out:\n  A: "1, \'x"', "2:10 '"),
+        ("variables: {'  ': 1}\nout:", "1:13 '  '"),
     ],
 )
 def test_a_fault_is_underlined(text: str, told: str) -> None:
@@ -148,6 +151,22 @@ def test_a_fault_is_underlined(text: str, told: str) -> None:
             "put `name` and what follows two columns further to the right",
         ),
         ("out:\n  if:\n    condition: 1\n    body: a=b=c", "write a: b=c"),
+        (
+            "out:\n  if: {condition: 1, body: 'a == b'}",
+            "write each entry as `name: value`, on a line of its own",
+        ),
+        (
+            "functions: {A: {input: [[a], b], body: }}\nout:",
+            "quote a parameter whose default holds brackets: 'sizes=[1, 2]'",
+        ),
+        (
+            "functions: {A: {input: [a: 1], body: }}\nout:",
+            "write a default behind an equals sign: length=1.0",
+        ),
+        (
+            "functions: {A: {input: length 2 * 3, body: }}\nout:",
+            "a default stands behind =: length=2 * 3",
+        ),
         ("out:\n  a: $(1 || 2)", "Python writes `and`, `or` and `not`"),
         (
             "out:\n  a: $(find-pkg-share 'x')",
@@ -209,6 +228,11 @@ def test_a_hint_says(text: str, hint: str) -> None:
             "'robot' stands beside the root element, and a file makes one",
         ),
         ("variables: {' /local': 1}\nout:", "'' cannot name a variable"),
+        ("out:\n  a/=1: 2", "the attribute has no name"),
+        (
+            "robot: a\nrobot/name=b: {c: 1}",
+            "'robot/name=b' makes a root element, and `robot:` has named one before",
+        ),
         ("out:\n  a$(x): b: c", "a value that contains ': ' must be quoted"),
         (
             'out: "a\n  b:\n  c": d',
@@ -307,6 +331,10 @@ def test_a_body_that_is_a_comment_to_yaml_is_warned_of(text: str) -> None:
     assert [code for code, _ in warned(text)] == ["hidden-value"]
 
 
+def test_a_comment_at_the_start_of_a_file_is_warned_of_too() -> None:
+    assert warned("#text: a\nout:") == [("comment-entry", "write <#text>: or quote the key")]
+
+
 def test_a_scope_may_stand_apart_from_its_name() -> None:
     assert "<out>3</out>" in build_text("variables: {maX: 1, aX /local: 2}\nout: $(maX + aX)").xml()
 
@@ -375,10 +403,12 @@ def test_an_integer_has_no_more_digits_than_python_reads() -> None:
         type_plain("1" * 4301)
 
 
-@pytest.mark.parametrize("text", ["1 << 100000000000", "10 ** 100000000000"])
+@pytest.mark.parametrize(
+    "text", ["1 << 100000000000", "10 ** 100000000000", "2**9_999_999", "2**9_999_999 + 2**9"]
+)
 def test_a_number_of_billions_of_digits_is_not_computed(text: str) -> None:
     error = fault(f"out: $({text})")
-    assert (error.code, error.span.written()) == ("limit-integer", text)
+    assert (error.code, error.span.written()) == ("limit-integer", text.partition(" + ")[0])
 
 
 @pytest.mark.parametrize("text", ["().__class__", "open('x')"])
@@ -492,8 +522,9 @@ def test_a_text_is_quoted_in_the_quotes_that_read_best(value: str, expected: str
     assert quoted(value) == expected
 
 
-def test_annotations_in_a_users_function_are_values() -> None:
-    text = "process: |\n  def f(x: int): return x\nout: $(f.__annotations__['x'] is int)\n"
+@pytest.mark.parametrize("result", ["x", "2**x"])
+def test_annotations_in_a_users_function_are_values(result: str) -> None:
+    text = f"process: |\n  def f(x: int): return {result}\nout: $(f.__annotations__['x'] is int)\n"
     assert "<out>true</out>" in build_text(text).xml()
 
 

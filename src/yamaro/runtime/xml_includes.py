@@ -30,8 +30,8 @@ def read_included(source: Source, limits: Limits) -> tuple[Element, bool]:
         YamaroError: it is no XML.
     """
     root = read_xml(source, limits).root
-    name = source.path.lower().replace("\\", "/").rpartition("/")[2]
-    return root, name.endswith(".xacro") or is_xacro(root)
+    is_called_xacro = source.path.lower().endswith(".xacro")
+    return root, is_called_xacro or is_xacro(root)
 
 
 def is_xacro(root: Element) -> bool:
@@ -65,7 +65,7 @@ def check_xml_include(node: IncludeNode, *, is_xacro: bool) -> None:
                 hint=did_you_mean(argument.name or "", ["prefix"])
                 or "prefix: left_ renames its links and joints; nothing else can be set in it",
             )
-    if node.namespace is not None:
+    if node.namespace is not None and not is_xacro:
         raise failure(
             "bad-namespace",
             "an XML file has no functions or variables to put into a namespace",

@@ -100,6 +100,8 @@ class Program:
         self._names: dict[str, set[str]] = {}
         for path, root in self.roots.items():
             self._gather(path, root)
+        for path, root in self.roots.items():
+            self._names[path] |= self._forwarded_in(root)
         self.at_top: set[str] = set()
         self.read: set[str] = set()
         self.inherited = self._names_of_callers()
@@ -169,6 +171,18 @@ class Program:
         self.at_top = at_top
         self.read = set().union(*map(used_in, self.roots.values()))
         return (free - at_top) & own
+
+    def _forwarded_in(self, root: Element) -> set[str]:
+        """Return the names that calls in a file forward to macros without saying so."""
+        return {
+            own.name
+            for called in walk(root)
+            if called.name.startswith("xacro:")
+            for macro in [self.macros.get(called.name.removeprefix("xacro:"))]
+            if macro is not None
+            for own in macro.parameters
+            if own.is_forwarded
+        }
 
     def visible_in(self, macro: Macro) -> set[str]:
         """Return the names that a macro may see: its own, and those of all who may call it."""
@@ -279,11 +293,19 @@ def used_in(root: Element) -> set[str]:
 
 
 def names_in(text: str) -> set[str]:
-    """Return the names in the expressions of a text, but for those in quotes or behind a dot."""
+    """Return the names that the expressions of a text read."""
+    import ast
+
     names: set[str] = set()
     for expression in re.findall(r"\$\{([^}]*)\}", text):
-        plain = re.sub(r"'[^']*'|\"[^\"]*\"", "", expression)
-        names.update(re.findall(r"(?<![\w.])[A-Za-z_]\w*", plain))
+        try:
+            tree = ast.parse(re.sub(r"\$\([^)]*\)", "0", expression).strip(), mode="eval")
+        except (SyntaxError, ValueError):
+            continue
+        found = [node for node in ast.walk(tree) if isinstance(node, ast.Name)]
+        bound = {node.id for node in found if isinstance(node.ctx, ast.Store)}
+        bound |= {node.arg for node in ast.walk(tree) if isinstance(node, ast.arg)}
+        names |= {node.id for node in found} - bound
     return names
 
 

@@ -268,6 +268,12 @@ class FileWriter(ElementWriter):
         text = given.get("value", given.get("default", ""))
         if text.strip() == f"$(arg {name})":
             return
+        if not self._may_be_evaluated(text):
+            body.note(f"not evaluated: {name}: {text}")
+            read = self._program.read if self._is_top else self._read | self._program.inherited
+            if name in read:
+                self._lose(node.span, f"nothing defines what the property '{name}' is made of")
+            return
         if "default" in given:
             if name in self._parameters:
                 return
