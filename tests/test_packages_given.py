@@ -84,12 +84,6 @@ def test_what_is_no_folder_is_wrong_usage(
     assert outcome(capsys, "robot.yaml", "--package", given) == (2, "", told)
 
 
-def test_migrate_takes_no_packages(capsys: pytest.CaptureFixture[str]) -> None:
-    status, _, err = outcome(capsys, "migrate", "arm.urdf", "--package", "hand:=../far/hand")
-    assert status == 2
-    assert err.startswith("yamaro: error: '--package' has no meaning for 'yamaro migrate'\n")
-
-
 # --- from Python ----------------------------------------------------------------------------------
 
 

@@ -187,7 +187,7 @@ def test_what_cannot_be_read_is_wrong_usage(
     [
         ([], "'yamaro migrate' needs a FILE"),
         (["arm.urdf", "leg.urdf"], "'leg.urdf' is one FILE too many after 'arm.urdf'"),
-        (["arm.urdf", "n:=1"], "a URDF has no argument to set: 'n:=1'"),
+        (["arm.urdf", "n:=1"], "a URDF has no argument 'n:=1'"),
         (["arm.urdf", "--strict"], "'--strict' has no meaning for 'yamaro migrate'"),
         (["arm.urdf", "--jail"], "'--jail' has no meaning for 'yamaro migrate'"),
     ],
@@ -274,6 +274,22 @@ def test_differences_are_told_and_fail_though_the_source_is_written(
     told = "arm.urdf: different: robot: 'name' should not be there\n"
     assert outcome(capsys, "-q", "arm.urdf", "-o", "arm.yaml") == (1, "", told)
     assert Path("arm.yaml").read_text() == "<robot>:\n  link/name=base:\n"
+
+
+def test_what_has_no_counterpart_in_a_xacro_file_is_told(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    Path("arm.xacro").write_text(
+        '<robot name="arm" xmlns:xacro="http://www.ros.org/wiki/xacro">\n'
+        '  <xacro:property name="reach" value="0.8"/>\n'
+        '  <xacro:property name="reach" remove="true"/>\n'
+        "</robot>\n"
+    )
+    status, out, err = outcome(capsys, "arm.xacro", "-o", "arm")
+    code = "not-migrated"
+    assert (status, out) == (0, "")
+    assert err.startswith(f"warning[{code}]: the property 'reach' is removed\n --> arm.xacro:3:4\n")
+    assert "# not migrated: " in Path("arm/arm.yaml").read_text()
 
 
 def test_it_runs_as_a_process_of_its_own() -> None:
