@@ -119,7 +119,7 @@ def migrates(path: Path, lines: list[float]) -> bool:
 
 
 def migrates_xacro(corpus: Corpus, row: Row, lines: dict[str, tuple[int, int]]) -> bool:
-    """Tell whether the migrated sources of a robot make what xacro makes of it; note their lines."""
+    """Tell whether the migrated sources of a robot make what xacro makes of it."""
     path = corpus.path(row)
     os.chdir(path.parent)
     expected = corpus.real((corpus.folder / row["expected"]).read_text(encoding="utf-8"))
