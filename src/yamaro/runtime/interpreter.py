@@ -190,7 +190,8 @@ class Interpreter:
             self._run_element(document.root, scope, out, None)
             root = out[0] if out else None
             assert isinstance(root, Element), "a root element has a fixed name"
-            if root.name == "robot" and "name" not in root.attributes:
+            is_named = "name" in root.attributes or root.verbatim
+            if root.name == "robot" and not is_named:
                 root.attributes = {"name": stem, **root.attributes}
             return root
         start = document.model_span or Span(document.source, 0, 0)

@@ -61,6 +61,10 @@ def migrate_xacro(source: Source, host: Host, arguments: Mapping[str, str]) -> X
         sections = writer.sections(is_main=path == source.path)
         migration.files[output] = write_document(sections)
         migration.lost += writer.lost
+    for path, text in program.data.items():
+        relative = os.path.relpath(path, folder)
+        if not relative.startswith(".."):  # what lies elsewhere is found through its package
+            migration.files[relative] = text
     return migration
 
 

@@ -63,8 +63,9 @@ class Program:
     Attributes:
         main: the path of the main file.
         roots: the root elements of the files, by path.
+        data: the texts of other files that were read, by path.
         included: the paths that an include means, by the place of its `filename`.
-        truths: expressions that were True or False.
+        truths: expressions that were truth values or lists, which Python shows in its own way.
         numbers: expressions that gave a text which xacro takes for a number: `float` or `int`.
         macros: by name.
         arguments: the defaults of the arguments, by name.
@@ -79,15 +80,17 @@ class Program:
         """
         self.main = source.path
         self.given = dict(arguments)
+        watch = _Watch(host)
         python = _WatchedPython(host.limits)
         reporter = Reporter()
-        evaluator = Evaluator(host, reporter, python, dict(arguments))
-        expansion = Expansion(host, reporter, evaluator)
+        evaluator = Evaluator(watch, reporter, python, dict(arguments))
+        expansion = Expansion(watch, reporter, evaluator)
         self.result = expansion.expand(source)
         self.values_of_arguments = evaluator.arguments
         self.roots: dict[str, Element] = {source.path: _read(source, host)}
         self.roots.update(expansion.documents)
         self.included = expansion.included
+        self.data = {path: text for path, text in watch.texts.items() if path not in self.roots}
         self._read_the_rest(host)
         self.truths = python.truths
         self.numbers = {text: kind for text, kind in python.numbers.items() if kind != "text"}
@@ -98,6 +101,7 @@ class Program:
         self.properties: dict[str, set[str]] = {}
         self.blocks: set[str] = set()
         self._names: dict[str, set[str]] = {}
+        self._has_computed_calls = False
         for path, root in self.roots.items():
             self._gather(path, root)
         for path, root in self.roots.items():
@@ -139,6 +143,8 @@ class Program:
                     names.update(_NAME.findall(text))
             if element.name.startswith("xacro:"):
                 names.add(element.name)
+            if element.name == "xacro:call" and "$" in given.get("macro", ""):
+                self._has_computed_calls = True
             if element.name == "xacro:insert_block":
                 names.add(given.get("name", ""))
             if element.name == "xacro:macro" and "name" in given:
@@ -239,6 +245,8 @@ class Program:
 
     def is_used_elsewhere(self, name: str, path: str) -> bool:
         """Tell whether a name stands in an expression, or a tag, of another file."""
+        if self._has_computed_calls and name.startswith("xacro:"):
+            return True
         return any(name in names for other, names in self._names.items() if other != path)
 
 
@@ -319,6 +327,35 @@ def _read(source: Source, host: Host) -> Element:
     return read_xml(source, host.limits, exact=True).root
 
 
+class _Watch:
+    """A host that keeps the texts of the files that are read."""
+
+    def __init__(self, host: Host) -> None:
+        self._host = host
+        self.limits = host.limits
+        self.texts: dict[str, str] = {}
+
+    def read(self, path: str, span: Span) -> Source:
+        source = self._host.read(path, span)
+        self.texts[source.path] = source.text
+        return source
+
+    def glob(self, pattern: str) -> list[str]:
+        return self._host.glob(pattern)
+
+    def find_package(self, name: str, span: Span) -> str:
+        return self._host.find_package(name, span)
+
+    def environment(self, name: str) -> str | None:
+        return self._host.environment(name)
+
+    def folder(self) -> str:
+        return self._host.folder()
+
+    def say(self, text: str, span: Span) -> None:
+        self._host.say(text, span)
+
+
 class _WatchedPython(Python):
     """Python that notes which expressions are truth values."""
 
@@ -331,7 +368,7 @@ class _WatchedPython(Python):
 
     def evaluate(self, text: str, names: dict[str, Any]) -> Any:
         value = super().evaluate(text, names)
-        if isinstance(value, bool):
+        if isinstance(value, (bool, list, tuple)):
             self.truths.add(text.strip())
         elif isinstance(value, str):
             self._note_kind(text.strip(), guess_value(value))

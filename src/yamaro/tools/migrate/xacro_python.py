@@ -231,7 +231,7 @@ class Translator:
         """Return what stands in a `$(…)` as Python, or in the words that ROS has for it."""
         command, *words = content.split()
         if "$" in content and command in ("find", "env") and len(words) == 1:
-            return f"{command}({self._joined(words[0])})"
+            return f"{command}({self.joined(words[0])})"
         if command == "arg" and len(words) == 1:
             self.used.add(words[0])
             return self._rename(words[0])
@@ -247,7 +247,7 @@ class Translator:
             return self._evaluated(content.partition("eval")[2])
         raise CannotMigrate(f"there is no counterpart of $({content})")
 
-    def _joined(self, text: str) -> str:
+    def joined(self, text: str) -> str:
         """Return a text with expressions in it as one expression."""
         pieces = []
         for part in _parsed(text).parts:

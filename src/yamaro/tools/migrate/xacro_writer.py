@@ -41,6 +41,7 @@ class FileWriter(ElementWriter):
         "_functions",
         "_is_top",
         "_locals",
+        "_made_of",
         "_output_of",
         "_parameters",
         "_path",
@@ -63,6 +64,7 @@ class FileWriter(ElementWriter):
         self._parameters: set[str] = set()
         self._locals: set[str] = set()
         self._read: set[str] = set()
+        self._made_of: dict[int, set[str]] = {}
         self._visible = program.at_top
         self.lost: list[tuple[Span, str]] = []
         truths = {
@@ -98,16 +100,19 @@ class FileWriter(ElementWriter):
             sections.add("functions", self._functions)
         if is_main:
             self._add_root(root, sections, model)
-        elif model:
-            sections.add("model", model)
+        elif model or not sections:
+            sections.add("model", model or None)
         return sections
 
     def _add_root(self, root: Element, sections: Body, model: Body) -> None:
         attributes = {
             name: self.translator.text(format_value(value))
             for name, value in root.attributes.items()
-            if name != "xmlns:xacro"
+            if not name.startswith(("xmlns:xacro", "xacro:"))
         }
+        namespace = root.attributes.get("xacro:targetNamespace")
+        if namespace:
+            attributes["xmlns"] = self.translator.text(format_value(namespace))
         if root.name == "robot" and list(attributes) == ["name"]:
             sections.entries.insert(0, Entry("robot", attributes["name"]))
             sections.add("model", model or None)
@@ -305,6 +310,16 @@ class FileWriter(ElementWriter):
             body.remark = ""
         assert isinstance(last.value, Body)
         last.value.add(key, value)
+        self._sort(last.value, name, text)
+
+    def _sort(self, variables: Body, name: str, text: str) -> None:
+        """Put the last of variables before the first that reads it: xacro's are evaluated late."""
+        entries = variables.entries
+        self._made_of[id(entries[-1])] = names_in(text)
+        for index, entry in enumerate(entries):
+            if entry is not entries[-1] and name in self._made_of.get(id(entry), ()):
+                entries.insert(index, entries.pop())
+                return
 
     def _may_be_evaluated(self, text: str) -> bool:
         """Tell whether all names of a value are known: xacro evaluates only what is read."""
@@ -476,15 +491,30 @@ class FileWriter(ElementWriter):
         name = self.translator.text(format_value(node.attributes.get("xacro:name")))
         attributes = self._values(node)
         children = self._take_attributes(node, attributes)
-        body.append(Entry(self.key(name, attributes), self._content(node, children)))
+        bracketed = "$(" in name or needs_brackets(name, attributes)
+        key = self.key(name, attributes, bracketed=bracketed)
+        body.append(Entry(key, self._content(node, children)))
 
     def _call_by_name(self, node: Element, body: Body) -> None:
         given = format_value(node.attributes.get("macro"))
         if "$" in given:
-            raise CannotMigrate("the macro that is called is computed")
+            self._call_computed(node, given, body)
+            return
         attributes = {k: v for k, v in node.attributes.items() if k != "macro"}
         named = Element(f"xacro:{given}", node.span, attributes, node.children)
         self._call(named, body)
+
+    def _call_computed(self, node: Element, given: str, body: Body) -> None:
+        """Call the macro whose name an expression gives, if none of them takes a block."""
+        macros = self._program.macros.values()
+        if node.elements():
+            raise CannotMigrate("the macro that is called is computed, and takes blocks")
+        names = {macro.name: macro.function for macro in macros if not macro.blocks()}
+        arguments = Body(in_braces=True)
+        for key, value in node.attributes.items():
+            if key != "macro":
+                arguments.add(key, self._argument_value(format_value(value)))
+        body.add(f"$({names!r}[{self.translator.joined(given)}])", arguments or None)
 
 
 class _Spelled(ElementWriter):
