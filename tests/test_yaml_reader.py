@@ -165,3 +165,26 @@ def test_only_a_line_that_begins_like_an_entry_is_one(text: str) -> None:
     read(Source(text, name="t.yaml"), reporter=reporter)
     expected = ["comment-entry"] if text.startswith("-") else []
     assert [warning.code for warning in reporter.diagnostics] == expected
+
+
+@pytest.mark.parametrize("between", [" ", "\n", " # a note\n", "   #'\n\n", "\n# one\n  # two\n"])
+def test_a_scalar_begins_behind_its_anchor_and_comments(between: str) -> None:
+    text = f"\n&a{between}two words"
+    node = parse(text)
+    assert isinstance(node, ScalarNode)
+    assert text[node.start : node.end] == node.text == "two words"
+
+
+def test_numbers_with_units_are_converted_where_that_is_asked() -> None:
+    text = "[!degrees 180, !radians 2, !millimeters 5, !meters 1, !foot 1, !inches 1, 3]"
+    node = read(Source(text, name="t.yaml"), reporter=Reporter(), units=True)
+    assert [float(each) for each in plain(node)] == pytest.approx(
+        [3.141592653589793, 2, 0.005, 1, 0.3048, 0.0254, 3]
+    )
+    with pytest.raises(YamaroError, match="yaml-tag"):
+        parse(text)
+
+
+def test_a_unit_needs_a_number() -> None:
+    with pytest.raises(YamaroError, match="'pi' is no number, as !radians needs it"):
+        read(Source("a: !radians pi", name="t.yaml"), reporter=Reporter(), units=True)

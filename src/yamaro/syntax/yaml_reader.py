@@ -248,7 +248,7 @@ class _Builder:
                 self.anchors[name] = node
 
     def _after_properties(self, start: int) -> int:
-        """Return where a node's own text begins, after its anchor."""
+        """Return where a node's own text begins, after its anchor and comments."""
         text = self.text
         while start < len(text) and text[start] in "&!":
             start += 1
@@ -256,8 +256,11 @@ class _Builder:
                 (text[start].isascii() and text[start].isalnum()) or text[start] in "_-"
             ):
                 start += 1
-            while start < len(text) and text[start].isspace():
+            while start < len(text) and (text[start].isspace() or text[start] == "#"):
                 start += 1
+                if text[start - 1] == "#":
+                    while start < len(text) and text[start] not in "\r\n":
+                        start += 1
         return start
 
     def _alias(self, event: Any) -> YamlNode:
