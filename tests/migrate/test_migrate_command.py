@@ -267,13 +267,19 @@ def test_other_xml_is_brought_over(xml: str, capsys: pytest.CaptureFixture[str])
     assert is_same_robot(xml.encode(), compiler.convert("other.yaml").encode())
 
 
-def test_differences_are_told_and_fail_though_the_source_is_written(
+def test_differences_are_told_and_fail_though_the_sources_are_written(
     capsys: pytest.CaptureFixture[str],
 ) -> None:
-    Path("arm.urdf").write_text('<robot><link name="base"/></robot>')  # Yamaro gives it a name
-    told = "arm.urdf: different: robot: 'name' should not be there\n"
-    assert outcome(capsys, "-q", "arm.urdf", "-o", "arm.yaml") == (1, "", told)
-    assert Path("arm.yaml").read_text() == "<robot>:\n  link/name=base:\n"
+    Path("arm.xacro").write_text(
+        '<robot name="arm" xmlns:xacro="http://www.ros.org/wiki/xacro">\n'
+        '  <xacro:macro name="m" params=""><a/></xacro:macro>\n  <xacro:m/>\n'
+        '  <xacro:macro name="m" params=""><b/></xacro:macro>\n  <xacro:m/>\n'
+        "</robot>\n"
+    )
+    status, out, err = outcome(capsys, "-q", "arm.xacro", "-o", "arm")
+    assert (status, out) == (1, "")
+    assert "different: robot 'arm', a: is missing\n" in err
+    assert "b/" not in Path("arm/arm.yaml").read_text()
 
 
 def test_what_has_no_counterpart_in_a_xacro_file_is_told(

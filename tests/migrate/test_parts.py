@@ -1168,9 +1168,10 @@ def test_a_root_becomes(xml: str, yaml: str) -> None:
     assert migrated(xml) == yaml
 
 
-def test_a_robot_without_a_name_is_given_one_and_that_is_told() -> None:
+def test_a_robot_without_a_name_stays_without_one() -> None:
     migration = migration_of('<robot><link name="base_link"/></robot>')
-    assert [str(one) for one in migration.differences] == ["robot: 'name' should not be there"]
+    assert migration.text == "<robot>:\n  link/name=base_link:\n"
+    assert migration.differences == []
 
 
 def test_comments_around_the_root_stay_but_for_those_of_xacro() -> None:

@@ -208,8 +208,8 @@ def test_a_difference_is_told(
 ) -> None:
     monkeypatch.chdir(tmp_path)
     Path("r.xacro").write_text(
-        f'{HEAD}\n<xacro:macro name="m" params=""><a/></xacro:macro>\n'
-        '<xacro:property name="which" value="m"/><xacro:call macro="${which}"/></robot>\n'
+        f'{HEAD}\n<xacro:macro name="m" params=""><a/></xacro:macro><xacro:m/>\n'
+        '<xacro:macro name="m" params=""><b/></xacro:macro><xacro:m/></robot>\n'
     )
     assert main(["migrate", "r.xacro", "-o", "out"]) == 1
     assert "different: robot 'r', a: is missing" in capsys.readouterr().err
