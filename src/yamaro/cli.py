@@ -494,6 +494,8 @@ def _migrate_xacro(source: Source, arguments: Arguments, streams: Streams, limit
     if not streams.quiet or migration.differences:
         main = os.path.normpath(os.path.join(arguments.options["output"], migration.main))
         streams.say(f"{_display_name(arguments)}: {command.report(migration)}; {count}, {main}")
+        if not migration.is_compared_with_xacro:
+            streams.say("compared with Yamaro's own expansion; with yamaro[xacro], with xacro's")
     return INPUT_ERROR if migration.differences else DONE
 
 

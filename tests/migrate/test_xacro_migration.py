@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import sys
 import textwrap
 from pathlib import Path
 
@@ -316,3 +317,16 @@ def test_robots_of_others_stay_the_same(monkeypatch: pytest.MonkeyPatch, tmp_pat
         assert is_same_robot(expected.encode(), xml.encode()), row["path"]  # none silently
         same += 1
     assert same >= 0.97 * tried
+
+
+def test_without_the_package_xacro_it_is_compared_with_our_own_expansion(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setitem(sys.modules, "xacro", None)
+    Path("r.xacro").write_text(f'{HEAD}<xacro:arg name="n" default="1"/><a n="$(arg n)"/></robot>')
+    assert main(["migrate", "r.xacro", "-o", "out"]) == 0
+    assert capsys.readouterr().err == (
+        "r.xacro: identical: 0 links, 0 joints; 1 file, out/r.yaml\n"
+        "compared with Yamaro's own expansion; with yamaro[xacro], with xacro's\n"
+    )

@@ -29,6 +29,7 @@ class XacroMigration:
         differences: in what the robot that the sources make differs from it.
         origins: the paths of the files by those of the xacro files they were made of.
         lost: what could not be carried over, with its place.
+        is_compared_with_xacro: whether the package xacro made what it was compared with.
         faults: the errors of the sources, if they cannot be built.
     """
 
@@ -40,6 +41,7 @@ class XacroMigration:
         self.origins: dict[str, str] = {}
         self.differences: list[Difference] = []
         self.lost: list[tuple[Span, str]] = []
+        self.is_compared_with_xacro = False
         self.faults: list[Diagnostic] = []
 
 

@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import os
+from contextlib import redirect_stderr, redirect_stdout
+from io import StringIO
 
 from ...compiler import Program
 from ...diagnostics import WARNING, Diagnostic, YamaroError, did_you_mean, failure
 from ...runtime.deep_stack import run_on_deep_stack
 from ...runtime.loader import FileLoader, LoadError
 from ...runtime.packages import PackageFinder
-from ...xmlreader import decode_xml
+from ...source import Source, Span
+from ...xmlreader import decode_xml, read_xml
 from .compare import compare
 from .xacro import XacroMigration, migrate_xacro
 
@@ -18,7 +21,7 @@ if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
 
     from ...policy import Limits
-    from ...source import Source, Span
+    from ...xmltree import Element
 
 
 class DiskHost:
@@ -122,14 +125,40 @@ def migrate_robot(
         loader=OverlayLoader(texts, limits),
         packages=host.found,
     )
+    expected = expanded_by_xacro(source.path, given, host) or migration.root
+    migration.is_compared_with_xacro = expected is not migration.root
     try:
         built = program.build(command_line=arguments, on_message=_drop)
     except YamaroError as error:
         migration.faults = [each for each in error.diagnostics if each.severity != WARNING]
         return migration
     assert built.root is not None
-    migration.differences = compare(migration.root, built.root)
+    migration.differences = compare(expected, built.root)
     return migration
+
+
+def expanded_by_xacro(path: str, arguments: Mapping[str, str], host: DiskHost) -> Element | None:
+    """Return what the package `xacro` makes of a robot; None if it is not there, or fails."""
+    try:
+        import xacro
+        from xacro import substitution_args as substitution
+    except ImportError:
+        return None
+    nowhere = Span(Source("", name="xacro", path=path), 0, 0)
+
+    def find(name: str) -> str:
+        return host.find_package(name, nowhere)
+
+    known = substitution._eval_find, substitution._eval_dict["find"]
+    substitution._eval_find = substitution._eval_dict["find"] = find
+    try:
+        with redirect_stderr(StringIO()), redirect_stdout(StringIO()):
+            text = xacro.process_file(path, mappings=dict(arguments)).toxml()
+        return read_xml(Source(text, name="xacro"), host.limits).root
+    except Exception:
+        return None
+    finally:
+        substitution._eval_find, substitution._eval_dict["find"] = known
 
 
 def warnings_of(migration: XacroMigration) -> list[Diagnostic]:

@@ -264,9 +264,11 @@ class FileWriter(ElementWriter):
 
     def _property(self, node: Element, body: Body) -> None:
         given = {name: format_value(value) for name, value in node.attributes.items()}
-        name = given["name"]
+        name = given.get("name", "")
         if "remove" in given:
             raise CannotMigrate(f"the property '{name}' is removed")
+        if not is_identifier(name):
+            raise CannotMigrate(f"the name of the property '{name}' is computed, or no name")
         if "value" not in given and "default" not in given:
             self._define_block(node, name)
             return
@@ -283,7 +285,7 @@ class FileWriter(ElementWriter):
             if name in self._parameters:
                 return
             if (not self._is_top and name in self._program.at_top) or (
-                self._is_top and len(self._program.properties[name]) > 1
+                self._is_top and len(self._program.properties.get(name, ())) > 1
             ):
                 raise CannotMigrate(f"the property '{name}' may have a value already")
         scope = SCOPES.get(given.get("scope", ""), "")
@@ -291,8 +293,6 @@ class FileWriter(ElementWriter):
             scope = "/global"
         elif not self._is_top and name in self._program.inherited:
             scope = {"": "/child", "/parent": "/bridge"}.get(scope, scope)
-        if not is_identifier(name):
-            raise CannotMigrate(f"the name of the property '{name}' is computed, or no name")
         value = self.translator.value(text)
         last = body.entries[-1] if body.entries else None
         key = name + scope
@@ -332,7 +332,9 @@ class FileWriter(ElementWriter):
 
     def _macro(self, node: Element, body: Body) -> None:
         name = format_value(node.attributes.get("name")).removeprefix("xacro:")
-        macro = self._program.definitions[self._path, node.span.start]
+        macro = self._program.definitions.get((self._path, node.span.start))
+        if macro is None:
+            raise CannotMigrate("the macro has no name")
         if self._is_top and self._program.is_defined_again(macro):
             body.note(f"the first definition of {name} is left out: there is another one below")
             return
@@ -415,7 +417,7 @@ class FileWriter(ElementWriter):
             raise CannotMigrate(f"there is no macro '{name}'")
         arguments = Body(in_braces=True)
         for key, value in node.attributes.items():
-            arguments.add(key, self._argument_value(format_value(value)))
+            arguments.add(key, self.translator.value(format_value(value)))
         visible = self._parameters | self._locals | self._program.at_top
         for own in macro.parameters:
             if not own.is_forwarded or own.name in node.attributes:
@@ -427,9 +429,6 @@ class FileWriter(ElementWriter):
             arguments.in_braces = False
             self._add_blocks(node, macro, arguments)
         body.add(macro.function, arguments or None)
-
-    def _argument_value(self, text: str) -> str:
-        return self.translator.value(text)
 
     def _add_blocks(self, node: Element, macro: Macro, arguments: Body) -> None:
         given = [child for child in node.children if isinstance(child, Element)]
@@ -513,7 +512,7 @@ class FileWriter(ElementWriter):
         arguments = Body(in_braces=True)
         for key, value in node.attributes.items():
             if key != "macro":
-                arguments.add(key, self._argument_value(format_value(value)))
+                arguments.add(key, self.translator.value(format_value(value)))
         body.add(f"$({names!r}[{self.translator.joined(given)}])", arguments or None)
 
 
