@@ -56,7 +56,7 @@ REFUSED = re.compile(
 )
 """What safe mode says of what it does not know; `list[int]` is Python, too."""
 SUGGESTION = re.compile(r"\n *= hint: did you mean .*")
-OPERANDS = re.compile(r"unsupported operand type\(s\) for [^:]+: '[^']+' and '[^']+'")
+KIND_OF_VALUE = re.compile(r"(?<=error\[python-error\]: ).*(?=\(TypeError\))")
 ADDRESS = re.compile(r" at 0x[0-9a-f]+")
 HARMLESS = re.compile(r"\*\*[A-Z]\w*|input:|<<:|load_yaml")
 
@@ -77,8 +77,8 @@ def is_refused(safe: Result) -> bool:
 def is_same(trusted: Result, safe: Result, text: str) -> bool:
     """Tell whether results are the same but for the order of sets, which safe mode settles.
 
-    And but for suggestions, since the two do not know the same names, and for the types of
-    operands: what stands for a function in safe mode is of a type of its own.
+    And but for suggestions, since the two do not know the same names, and for the words of a
+    TypeError: what stands for a function in safe mode is of a type of its own.
     """
     trusted, safe = without_suggestions(trusted), without_suggestions(safe)
     if trusted == safe:
@@ -88,7 +88,7 @@ def is_same(trusted: Result, safe: Result, text: str) -> bool:
 
 def without_suggestions(result: Result) -> Result:
     xml, diagnostics, printed, code = result
-    plain = (OPERANDS.sub("operands", SUGGESTION.sub("", own)) for own in diagnostics)
+    plain = (KIND_OF_VALUE.sub("", SUGGESTION.sub("", own)) for own in diagnostics)
     return xml, tuple(plain), printed, code
 
 

@@ -335,7 +335,12 @@ CASES = {
         """,
         """\
         link/name=base:
-        part: {name: tip, joint: {type: fixed, parent: base, <origin/xyz=0 0 1>: }}
+        part:
+          name: tip
+          joint:
+            type: fixed
+            parent: base
+            <origin/xyz=0 0 1>:
         """,
     ),
     "the short forms of a joint": (
@@ -1185,3 +1190,14 @@ def test_comments_around_the_root_stay_but_for_those_of_xacro() -> None:
         "<!-- the end -->\n"
     )
     assert migrated(xml) == "# Copyright: us\nrobot: arm\nmodel:\n# the end\n"
+
+
+def test_a_comment_in_a_geometry_does_not_keep_it_from_its_short_form() -> None:
+    urdf = (
+        '<robot name="r"><link name="base_link"><visual><origin xyz="0 0 1" rpy="0 0 0"/>'
+        '<geometry><!-- smooth --><box size="1 1 1"/></geometry></visual></link></robot>'
+    )
+    assert migrated(urdf) == (
+        "robot: r\nmodel:\n  part:\n    name: base\n    link:\n"
+        "      # smooth\n      visual: {geometry: box, scale: 1 1 1, xyz: 0 0 1}\n"
+    )

@@ -239,7 +239,7 @@ def _in_braces(body: Body, remarks: list[str]) -> str | None:
     pieces = []
     keys = set()
     for entry in body:
-        if entry.key in keys:
+        if entry.key in keys or (entry.value is None and len(body.entries) > 1):
             return None
         remarks += filter(None, [entry.comment])
         keys.add(entry.key)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from ...robot.mesh import MESH_ENDINGS, mesh_ending
 from ...robot.shapes import Box, Cylinder, Sphere
-from ...xmltree import Element, Text, format_value
+from ...xmltree import Comment, Element, Text, format_value
 from .compare import same_words, values_of
 from .document import RECORD_WIDTH, Body, Entry, Value, without_expressions, words_of
 from .elements import ElementWriter, add_loose
@@ -251,7 +251,9 @@ class PartWriter:
             elif child.name == "origin":
                 continue
             elif child.name == "geometry":
-                if own is None:
+                if own is not None:
+                    add_comments(child, rest)
+                else:
                     body.entries.append(self._elements.entry(child, bracketed=True))
             else:
                 material = self._material(child) if child.name == "material" else None
@@ -373,7 +375,7 @@ def read_geometry(section: Element, file_name: Callable[[str], str]) -> Geometry
     """Return the geometry of a visual or collision, or None if it has no short form."""
     geometry = child_named(section, "geometry")
     shapes = geometry.elements()
-    if len(shapes) != 1 or len(geometry.children) != len(shapes) + _spaces(geometry):
+    if len(shapes) != 1 or has_text(geometry):
         return None
     shape = shapes[0]
     attributes = values_of(shape)
@@ -418,6 +420,13 @@ def is_short_material(material: Element) -> bool:
 def child_named(element: Element, name: str) -> Element:
     """Return the child of a name, which there is."""
     return next(child for child in element.elements() if child.name == name)
+
+
+def add_comments(element: Element, body: Body) -> None:
+    """Remark in a body what comments in an element say that is put in other words."""
+    for child in element.children:
+        if isinstance(child, Comment):
+            add_loose(child, body)
 
 
 def optional_child(element: Element, name: str) -> Element | None:
@@ -507,7 +516,3 @@ def _checked_word(name: str) -> str:
 
 def _is_word(name: str) -> bool:
     return "," not in without_expressions(name) and words_of(name) == [name]
-
-
-def _spaces(element: Element) -> int:
-    return sum(1 for child in element.children if isinstance(child, Text))
