@@ -386,7 +386,12 @@ CASES = {
         """,
         """\
         link/name=base:
-        part: {name: tip, joint: {type: revolute, parent: base, '<limit/lower=-1, upper=1>': }}
+        part:
+          name: tip
+          joint:
+            type: revolute
+            parent: base
+            <limit/lower=-1, upper=1>:
         """,
     ),
     "a mimic and a parent are called by their part": (
