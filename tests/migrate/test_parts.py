@@ -457,7 +457,12 @@ CASES = {
         <link name="tip_link"/>
         """,
         """\
-        part: {name: tip, joint: {type: fixed, <parent/link=nowhere>: , xyz: 0 0 1}}
+        part:
+          name: tip
+          joint:
+            type: fixed
+            <parent/link=nowhere>:
+            xyz: 0 0 1
         """,
     ),
     "a material that comes twice is a variable": (
