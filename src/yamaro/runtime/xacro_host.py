@@ -89,7 +89,10 @@ class XacroHost:
 
     def _shown(self, path: str) -> str:
         """Return what a file is called in messages: as the main file is, where it lies near."""
-        relative = os.path.relpath(path, os.path.dirname(self._main.path))
+        try:
+            relative = os.path.relpath(path, os.path.dirname(self._main.path))
+        except ValueError:  # on another drive
+            return path
         if os.path.isabs(self._main.name) or relative.startswith(os.path.join("..", "..", "..")):
             return path
         return os.path.normpath(os.path.join(os.path.dirname(self._main.name), relative))

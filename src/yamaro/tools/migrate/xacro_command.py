@@ -176,7 +176,10 @@ def warnings_of(migration: XacroMigration) -> list[Diagnostic]:
 
 
 def _shown(path: str) -> str:
-    relative = os.path.relpath(path)
+    try:
+        relative = os.path.relpath(path)
+    except ValueError:  # on another drive
+        return path
     return path if relative.startswith(os.path.join("..", "..")) else relative
 
 
