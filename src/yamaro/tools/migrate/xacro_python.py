@@ -71,7 +71,7 @@ class Translator:
             if isinstance(part, str):
                 pieces.append(literal(part))
             elif isinstance(part, Substitution):
-                pieces.append(f"$({self._command(part.text)})")
+                pieces.append(f"$({self._substitution(part.text)})")
             else:
                 python = self.expression(part.text)
                 if part.text.strip() in self._shown_truths:
@@ -226,6 +226,13 @@ class Translator:
         if python.startswith("find("):
             return python
         return f"str({python}).lower()" if python in self._truth_arguments else f"str({python})"
+
+    def _substitution(self, content: str) -> str:
+        """Return what stands in a `$(…)` of a text: a package as ROS names it, or Python."""
+        words = content.split()
+        if len(words) == 2 and words[0] == "find" and "$" not in content:
+            return " ".join(words)
+        return self._command(content)
 
     def _command(self, content: str) -> str:
         """Return what stands in a `$(…)` as Python, or in the words that ROS has for it."""
