@@ -276,6 +276,7 @@ def test_a_stack_that_cannot_be_had_is_replaced_by_a_smaller_one(
     assert threading.stack_size() == before
 
 
+@pytest.mark.usefixtures("untraced")
 def test_what_runs_in_a_thread_can_be_stopped(no_thread: list[deep_stack._Worker]) -> None:
     begun, told = threading.Event(), list[str]()
 
@@ -300,6 +301,7 @@ def test_what_runs_in_a_thread_can_be_stopped(no_thread: list[deep_stack._Worker
     wait_for(lambda: _thread._count() == threads)
 
 
+@pytest.mark.usefixtures("untraced")
 def test_a_thread_that_does_not_heed_ctrl_c_is_waited_for_a_second_only() -> None:
     begun, ended = threading.Event(), threading.Event()
 
@@ -409,7 +411,9 @@ def test_ctrl_c_ends_a_run_at_once(tmp_path: Path, python: str) -> None:
     text = f"process: |\n  print('begun')\n  {python}\nout:\n"
     target = tmp_path / "out.xml"
     command = [sys.executable, "-m", "yamaro", str(write(tmp_path, text)), "-o", str(target)]
-    with subprocess.Popen(command, stderr=subprocess.PIPE, encoding="utf-8") as process:
+    # An interruption in the midst of coverage could leave its lock taken.
+    plain = {name: value for name, value in os.environ.items() if "COVERAGE" not in name}
+    with subprocess.Popen(command, stderr=subprocess.PIPE, encoding="utf-8", env=plain) as process:
         assert process.stderr is not None
         assert process.stderr.readline() == "begun\n"
         begun = time.monotonic()
