@@ -449,7 +449,7 @@ def _migrate(arguments: Arguments, streams: Streams) -> int:
         if arguments.assignments:
             raise WrongUsage(f"a URDF has no argument to set: {_quote(arguments.assignments[0])}")
         _refuse_replacing(arguments, [arguments.output_path])
-        migration = command.migrate_file(path, limits, data)
+        migration = command.migrate_source(source, limits)
     except YamaroError as error:
         _show(error.diagnostics, arguments, streams)
         return INPUT_ERROR

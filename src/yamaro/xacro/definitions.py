@@ -87,6 +87,12 @@ def define_property(expansion: Expansion, node: Element, site: Site) -> None:
 
 def assign(expansion: Expansion, scope: Scope, name: str, value: Any, place: Place) -> None:
     """Give a name a value, which is a number if its text is one."""
+    warn_if_hiding(expansion, name, place)
+    scope.put(name, guess_value(value))
+
+
+def warn_if_hiding(expansion: Expansion, name: str, place: Place) -> None:
+    """Warn of a new name that all expressions know as something else."""
     if name in expansion.evaluator.names:
         expansion.reporter.warn(
             "xacro-redefined",
@@ -95,7 +101,6 @@ def assign(expansion: Expansion, scope: Scope, name: str, value: Any, place: Pla
             hint="choose another name",
             trace=expansion.frame,
         )
-    scope.put(name, guess_value(value))
 
 
 def _make_lazy(scope: Scope, name: str, text: str, place: Place) -> None:

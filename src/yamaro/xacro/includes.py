@@ -7,6 +7,7 @@ import os
 from ..diagnostics import YamaroError, failure
 from ..xmlreader import read_xml
 from ..xmltree import Element
+from .definitions import warn_if_hiding
 from .faults import add_trace
 from .literals import truth
 from .namespaces import lift_prefixes
@@ -56,14 +57,7 @@ def _namespace(expansion: Expansion, given: Include, site: Site) -> tuple[Macros
     name = expansion.evaluator.text(given.namespace, site.scope, place)
     macros = site.macros[name] = Macros()
     scope = Namespace(site.scope, expansion.evaluator.resolve)
-    if name in expansion.evaluator.names:
-        expansion.reporter.warn(
-            "xacro-redefined",
-            f"'{name}' has a meaning in all expressions, which is hidden here",
-            place.span(),
-            hint="choose another name",
-            trace=expansion.frame,
-        )
+    warn_if_hiding(expansion, name, place)
     site.scope.put(name, scope)
     return macros, scope
 

@@ -5,22 +5,12 @@ Lists and dicts in a list or dict are given out as copies, with the same abiliti
 
 from __future__ import annotations
 
-import math
+from ..syntax.yaml_reader import UNITS
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
     from typing import Any
-
-UNITS = {
-    "!radians": 1.0,
-    "!degrees": math.pi / 180.0,
-    "!meters": 1.0,
-    "!millimeters": 0.001,
-    "!foot": 0.3048,
-    "!inches": 0.0254,
-}
-"""The tags of numbers with a unit, and what one of it is in radians or meters."""
 
 
 class YamlList(list["Any"]):

@@ -50,11 +50,15 @@ def migrate_file(path: str, limits: Limits, data: bytes | None = None) -> Migrat
     Raises:
         YamaroError: it is no XML.
     """
-    source = read_file(path, limits, data)
+    return migrate_source(read_file(path, limits, data), limits)
+
+
+def migrate_source(source: Source, limits: Limits) -> Migration:
+    """Return the Yamaro source of an XML file that was read; raise YamaroError if it is no XML."""
+    stem = os.path.splitext(source.path)[0] or "robot"
 
     def build(text: str) -> Element:
-        name = "robot.yaml" if path == STANDARD_INPUT else f"{os.path.splitext(path)[0]}.yaml"
-        built = Program(name, text=text).build(on_message=_drop)
+        built = Program(f"{stem}.yaml", text=text).build(on_message=_drop)
         assert built.root is not None
         return built.root
 

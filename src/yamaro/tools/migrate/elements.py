@@ -12,7 +12,7 @@ from .pairing import has_text
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Iterator
 
     from ...xmltree import Node
     from .document import Value
@@ -59,7 +59,7 @@ class ElementWriter:
                 body.append(self.entry(node))
             else:
                 add_loose(node, body)
-        body.in_braces = _is_short(body)
+        body.in_braces = is_short(body)
         return body or None
 
 
@@ -94,7 +94,7 @@ def _is_number(word: str) -> bool:
     return True
 
 
-def _is_short(body: Body) -> bool:
+def is_short(body: Body) -> bool:
     """Tell whether a body is read as easily in one line: some texts, or one thing only."""
     entries = body.entries
     if len(entries) == 1:
@@ -102,6 +102,15 @@ def _is_short(body: Body) -> bool:
     return len(entries) <= MOST_TEXTS and all(
         isinstance(entry.value, str) and "/" not in entry.key for entry in entries
     )
+
+
+def walk(root: Element) -> Iterator[Element]:
+    """Return an element and all in it."""
+    pending = [root]
+    while pending:
+        element = pending.pop()
+        yield element
+        pending += reversed(element.elements())
 
 
 def needs_brackets(name: str, attributes: dict[str, str]) -> bool:

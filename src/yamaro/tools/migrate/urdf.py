@@ -6,7 +6,7 @@ from ...diagnostics import YamaroError
 from ...xmltree import Comment, Element
 from .compare import Difference, compare, values_of
 from .document import RECORD_WIDTH, Body, Entry, Quoted, Value, element_key, literal, write_document
-from .elements import ElementWriter, add_loose, spelled, tidy_text
+from .elements import ElementWriter, add_loose, spelled, tidy_text, walk
 from .pairing import Item, is_bare, name_of, pair
 from .parts import Names, NoPart, PartWriter, is_short_material
 
@@ -270,14 +270,7 @@ def _material_of(material: Element) -> dict[str, str]:
 
 
 def _all_named(root: Element, name: str) -> list[Element]:
-    found = []
-    pending = [root]
-    while pending:
-        element = pending.pop()
-        if element.name == name:
-            found.append(element)
-        pending += reversed(element.elements())
-    return found
+    return [element for element in walk(root) if element.name == name]
 
 
 def _package_of(file: str) -> str:

@@ -15,11 +15,12 @@ from ...xacro.expansion import Expansion
 from ...xacro.literals import guess_value
 from ...xacro.parameters import Parameter, parse_parameters
 from ...xacro.python import Python
-from ...xmltree import Element, Text, format_value
+from ...xmltree import Element, format_value
+from .elements import walk
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Mapping
+    from collections.abc import Mapping
     from typing import Any
 
     from ...source import Source, Span
@@ -138,7 +139,7 @@ class Program:
         names = self._names[path] = set()
         for element in walk(root):
             given = {name: format_value(value) for name, value in element.attributes.items()}
-            for text in (*given.values(), _own_text(element)):
+            for text in (*given.values(), element.text()):
                 if "$" in text or element.name in ("xacro:if", "xacro:unless"):
                     names.update(_NAME.findall(text))
             if element.name.startswith("xacro:"):
@@ -257,15 +258,6 @@ def camel(name: str) -> str:
     return joined if joined[:1].isalpha() else f"F{joined}"
 
 
-def walk(root: Element) -> Iterator[Element]:
-    """Return an element and all in it."""
-    pending = [root]
-    while pending:
-        element = pending.pop()
-        yield element
-        pending += reversed(element.elements())
-
-
 def _plain_path(filename: str, includer: str, host: Host, span: Span) -> str | None:
     """Return the path that an include means whatever the names in it mean, or None."""
     packages = re.findall(r"\$\(find ([\w-]+)\)", filename)
@@ -295,7 +287,7 @@ def used_in(root: Element) -> set[str]:
     """Return the names in the expressions of an element."""
     names: set[str] = set()
     for element in walk(root):
-        for text in (*map(format_value, element.attributes.values()), _own_text(element)):
+        for text in (*map(format_value, element.attributes.values()), element.text()):
             names |= names_in(text)
     return names
 
@@ -315,10 +307,6 @@ def names_in(text: str) -> set[str]:
         bound |= {node.arg for node in ast.walk(tree) if isinstance(node, ast.arg)}
         names |= {node.id for node in found} - bound
     return names
-
-
-def _own_text(element: Element) -> str:
-    return "".join(format_value(c.value) for c in element.children if isinstance(c, Text))
 
 
 def _read(source: Source, host: Host) -> Element:

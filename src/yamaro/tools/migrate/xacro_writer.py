@@ -11,7 +11,7 @@ from ...syntax.names import is_identifier
 from ...xacro.parameters import Parameter
 from ...xmltree import Comment, Element, Text, format_value
 from .document import Body, Entry, Value, literal, without_expressions
-from .elements import ElementWriter, needs_brackets, spelled, tidy_text
+from .elements import ElementWriter, is_short, needs_brackets, spelled, tidy_text, walk
 from .pairing import child_of, has_text, name_of
 from .parts import Names, NoPart, PartWriter, is_short_material
 from .xacro_program import Macro, Program, camel, defined_in, names_in, used_in
@@ -147,7 +147,7 @@ class FileWriter(ElementWriter):
         body = self.statements(nodes)
         self._is_top = was_top
         if not any(isinstance(node, Element) and node.name.startswith("xacro:") for node in nodes):
-            body.in_braces = _is_short(body)
+            body.in_braces = is_short(body)
         return body or None
 
     def statements(self, nodes: list[Node]) -> Body:
@@ -252,7 +252,9 @@ class FileWriter(ElementWriter):
                 if not _may_be_part(around):
                     return None
             robot = Element("robot", link.span, {}, [own])
-            writer = PartWriter(_Spelled(), Names(robot), _material, resolves=True)
+            writer = PartWriter(
+                ElementWriter(lambda file: file), Names(robot), _material, resolves=True
+            )
             return writer.part(own, around, joint_first=True)
         except NoPart:
             return None
@@ -516,13 +518,6 @@ class FileWriter(ElementWriter):
         body.add(f"$({names!r}[{self.translator.joined(given)}])", arguments or None)
 
 
-class _Spelled(ElementWriter):
-    """Writes elements whose values are translated already."""
-
-    def __init__(self) -> None:
-        super().__init__(lambda file: file)
-
-
 _HANDLERS = {
     "xacro:arg": FileWriter._argument,
     "xacro:property": FileWriter._property,
@@ -545,13 +540,6 @@ def _material(material: Element) -> Value | None:
         return name
     entries = [Entry(e.name, format_value(next(iter(e.attributes.values())))) for e in details]
     return Body([Entry("name", name), *entries], in_braces=True)
-
-
-def _is_short(body: Body) -> bool:
-    entries = body.entries
-    if len(entries) == 1:
-        return "," not in entries[0].key
-    return len(entries) <= 3 and all(isinstance(e.value, str) and "/" not in e.key for e in entries)
 
 
 def _links_of_joints(nodes: list[Node]) -> dict[int, Element]:
@@ -581,13 +569,7 @@ def _may_be_part(joint: Element) -> bool:
 
 
 def _has_statements(element: Element) -> bool:
-    pending = [element]
-    while pending:
-        current = pending.pop()
-        if current.name.startswith("xacro:"):
-            return True
-        pending += current.elements()
-    return False
+    return any(inner.name.startswith("xacro:") for inner in walk(element))
 
 
 def _has_empty_default(macro: Macro, own: Parameter) -> bool:
