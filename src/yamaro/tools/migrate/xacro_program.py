@@ -68,6 +68,7 @@ class Program:
         included: the paths that an include means, by the place of its `filename`.
         truths: expressions that were truth values or lists, which Python shows in its own way.
         numbers: expressions that gave a text which xacro takes for a number: `float` or `int`.
+        floats: expressions that gave a float.
         macros: by name.
         arguments: the defaults of the arguments, by name.
         result: what the robot expands to.
@@ -95,6 +96,7 @@ class Program:
         self._read_the_rest(host)
         self.truths = python.truths
         self.numbers = {text: kind for text, kind in python.numbers.items() if kind != "text"}
+        self.floats = python.floats
         self.macros: dict[str, Macro] = {}
         self.definitions: dict[tuple[str, int], Macro] = {}
         self.arguments: dict[str, str] = {}
@@ -108,6 +110,7 @@ class Program:
         for path, root in self.roots.items():
             self._names[path] |= self._forwarded_in(root)
         self.at_top: set[str] = set()
+        self._readers: dict[str, set[str]] = {}
         self.read: set[str] = set()
         self.inherited = self._names_of_callers()
 
@@ -167,17 +170,22 @@ class Program:
         at_top: set[str] = set()
         for root in self.roots.values():
             at_top |= defined_in(root)
-        free: set[str] = set()
         own: set[str] = set()
         for macro in self.definitions.values():
             local = defined_in(macro.element, nested=True) | set(macro.values())
             own |= local
-            local |= self._handed_to(macro.element)
-            free |= used_in(macro.element) - local
+            local |= self.handed_to(macro.element)
+            free = used_in(macro.element) - local
             free |= {p.name for p in macro.parameters if p.is_forwarded and p.default is None}
+            for name in free - at_top:
+                self._readers.setdefault(name, set()).add(macro.name)
         self.at_top = at_top
         self.read = set().union(*map(used_in, self.roots.values()))
-        return (free - at_top) & own
+        return self._readers.keys() & own
+
+    def is_read_below(self, name: str, macro: Macro) -> bool:
+        """Tell whether macros other than this one read a name of those who call them."""
+        return name in self.inherited and bool(self._readers[name] - {macro.name})
 
     def _forwarded_in(self, root: Element) -> set[str]:
         """Return the names that calls in a file forward to macros without saying so."""
@@ -204,12 +212,12 @@ class Program:
             for own in self.definitions.values():
                 if own.name == name:
                     visible |= set(own.values()) | defined_in(own.element, nested=True)
-                    visible |= self._handed_to(own.element)
+                    visible |= self.handed_to(own.element)
                 elif any(called.name == f"xacro:{name}" for called in walk(own.element)):
                     pending.append(own.name)
         return visible
 
-    def _handed_to(self, element: Element) -> set[str]:
+    def handed_to(self, element: Element) -> set[str]:
         """Return the properties that the macros called in an element hand to it."""
         handed: set[str] = set()
         for called in walk(element):
@@ -345,19 +353,22 @@ class _Watch:
 
 
 class _WatchedPython(Python):
-    """Python that notes which expressions are truth values."""
+    """Python that notes which expressions are truth values, or numbers of some kind."""
 
-    __slots__ = ("numbers", "truths")
+    __slots__ = ("floats", "numbers", "truths")
 
     def __init__(self, limits: Any) -> None:
         super().__init__(limits)
         self.truths: set[str] = set()
+        self.floats: set[str] = set()
         self.numbers: dict[str, str] = {}
 
     def evaluate(self, text: str, names: dict[str, Any]) -> Any:
         value = super().evaluate(text, names)
         if isinstance(value, (bool, list, tuple)):
             self.truths.add(text.strip())
+        elif isinstance(value, float):
+            self.floats.add(text.strip())
         elif isinstance(value, str):
             self._note_kind(text.strip(), guess_value(value))
         return value

@@ -14,6 +14,7 @@ from .document import Body, Entry, Value, literal, without_expressions
 from .elements import ElementWriter, is_short, needs_brackets, spelled, tidy_text, walk
 from .pairing import child_of, has_text, name_of
 from .parts import Names, NoPart, PartWriter, is_short_material
+from .xacro_loops import find_loop
 from .xacro_program import Macro, Program, camel, defined_in, names_in, used_in
 from .xacro_python import CannotMigrate, Translator
 
@@ -351,8 +352,15 @@ class FileWriter(ElementWriter):
         inputs = self._inputs(macro)
         if inputs:
             function.add("input", ", ".join(inputs))
-        content = self.statements(node.children)
+        loop = find_loop(macro, self._program, self.translator)
+        if loop is None:
+            content = self.statements(node.children)
+        else:
+            self._visible = self._visible | {loop.iterator}
+            content = loop.body(self.statements, self.translator.value)
         shared = [own for own in macro.values() if own in self._program.inherited]
+        if loop is not None:
+            shared = [own for own in shared if self._program.is_read_below(own, macro)]
         if shared:
             entries = [Entry(f"{own}/child", f"$({own})") for own in shared]
             content.entries.insert(0, Entry("variables", Body(entries)))
