@@ -12,7 +12,7 @@ from .pairing import has_text
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator
+    from collections.abc import Callable, Container, Iterator
 
     from ...xmlreader import XmlDocument
     from ...xmltree import Node
@@ -111,13 +111,13 @@ def is_short(body: Body) -> bool:
     )
 
 
-def walk(root: Element) -> Iterator[Element]:
-    """Return an element and all in it."""
+def walk(root: Element, without: Container[int] = ()) -> Iterator[Element]:
+    """Return an element and all in it, but for elements of some identities."""
     pending = [root]
     while pending:
         element = pending.pop()
         yield element
-        pending += reversed(element.elements())
+        pending += [inner for inner in reversed(element.elements()) if id(inner) not in without]
 
 
 def needs_brackets(name: str, attributes: dict[str, str]) -> bool:

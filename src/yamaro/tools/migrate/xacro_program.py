@@ -237,21 +237,18 @@ class Program:
         bound = around | local | self._handed_to(element)
         nested = self._macros_in(macro.file, element)
         inside = {id(other.element) for other in nested}
-        free = used_in(element, without=inside) - bound
-        free |= {p.name for p in macro.parameters if p.is_forwarded and p.default is None} - around
+        free = (used_in(element, without=inside) | self._forwarded_in(element, inside)) - bound
         return free.union(*(self._unbound_in(other, bound, own) for other in nested))
 
-    def _forwarded_in(self, root: Element) -> set[str]:
-        """Return the names that calls in a file forward to macros without saying so."""
-        return {
-            own.name
-            for called in walk(root)
-            if called.name.startswith("xacro:")
-            for macro in [self.macros.get(called.name.removeprefix("xacro:"))]
-            if macro is not None
-            for own in macro.parameters
-            if own.is_forwarded
-        }
+    def _forwarded_in(self, root: Element, without: Container[int] = ()) -> set[str]:
+        """Return the names that calls in an element forward to macros without saying so."""
+        names: set[str] = set()
+        for called in walk(root, without):
+            macro = self.macros.get(called.name.removeprefix("xacro:"))
+            if macro is not None and called.name.startswith("xacro:"):
+                own = {each.name for each in macro.parameters if each.is_forwarded}
+                names |= own - set(called.attributes)
+        return names
 
     def visible_in(self, macro: Macro) -> set[str]:
         """Return the names that a macro may see: its own, and those of all who may call it."""
@@ -355,12 +352,9 @@ def defined_in(root: Element, *, nested: bool = False) -> set[str]:
 def used_in(root: Element, without: Container[int] = ()) -> set[str]:
     """Return the names in the expressions of an element, but for elements of some identities."""
     names: set[str] = set()
-    pending = [root]
-    while pending:
-        element = pending.pop()
+    for element in walk(root, without):
         for text in (*map(format_value, element.attributes.values()), element.text()):
             names |= names_in(text)
-        pending += [inner for inner in element.elements() if id(inner) not in without]
     return names
 
 

@@ -589,9 +589,9 @@ def _declare_first(content: Body, variables: list[Entry]) -> None:
     first = content.entries[0] if content.entries else None
     if first is not None and first.key == "variables" and not first.comment:
         assert isinstance(first.value, Body)
-        if not _names_of(variables) & _names_of(first.value):
-            first.value.entries[:0] = variables
-            return
+        own = _names_of(first.value)
+        first.value.entries[:0] = [each for each in variables if not _names_of([each]) & own]
+        return
     content.entries.insert(0, Entry("variables", Body(variables)))
 
 
