@@ -201,8 +201,7 @@ class _Reader:
         else:
             loop = self._counting(is_backwards)
         loop.comments = above, here
-        for own in (loop.iterator, name, *self.changed):
-            _require(not self._program.is_read_below(own, self._macro))
+        _require(not {loop.iterator, name, *self.changed} & self._program.inherited)
         loop.last = [node for own in self._last for node in own.children]
         _require(not any(self._reads(loop.last, own) for own in (loop.iterator, name)))
         return loop
@@ -212,8 +211,7 @@ class _Reader:
         _require(not any(isinstance(node, Element) for node in self.before))
         _require(not self._last and len(self.changed) <= 1)
         _require(not self._program.handed_to(self._macro.element))
-        for own in self._defined:
-            _require(not self._program.is_read_below(own, self._macro))
+        _require(not self._defined & self._program.inherited)
         direct = [own for own in self.after if _is_named(own, "xacro:property")]
         _require(len(direct) == len(self._properties) == len(self._defined))
         defined: set[str] = set()
