@@ -148,6 +148,96 @@ def test_each_file_is_migrated_and_what_is_shared_is_global(tmp_path: Path) -> N
     assert "  include: lib.yaml\n" in made["r.yaml"]
 
 
+def test_a_file_with_a_namespace_is_included_with_one(tmp_path: Path) -> None:
+    made = migrated(
+        tmp_path,
+        """\
+        <xacro:property name="width" value="9"/>
+        <xacro:include filename="gripper.xacro" ns="left"/>
+        <xacro:include filename="gripper.xacro" ns="right"/>
+        <xacro:include filename="lib.xacro" ns="tools"/>
+        <xacro:left.finger name="thumb"><o/></xacro:left.finger>
+        <xacro:right.finger name="thumb"><o/></xacro:right.finger>
+        <xacro:tools.finger side="l"/>
+        <xacro:if value="${width > left.width}"><w by="${2 * left.width + tools.width}"/></xacro:if>
+        """,
+        gripper="""\
+        <xacro:include filename="inner.xacro"/>
+        <xacro:property name="width" value="2"/>
+        <xacro:macro name="finger" params="name *origin">
+          <f name="${name}" w="${width * factor}"><xacro:insert_block name="origin"/></f>
+          <xacro:tip name="${name}"/>
+        </xacro:macro>
+        """,
+        inner="""\
+        <xacro:property name="factor" value="3"/>
+        <xacro:macro name="tip" params="name"><tip name="${name}"/></xacro:macro>
+        """,
+        lib="""\
+        <xacro:property name="width" value="5"/>
+        <xacro:macro name="finger" params="side"><f side="${side}" w="${width}"/></xacro:macro>
+        """,
+    )
+    assert made["r.yaml"] == textwrap.dedent("""\
+        robot: r
+        variables:
+          width/global: 9
+        model:
+          - include: {path: gripper.yaml, namespace: left}
+          - include: {path: gripper.yaml, namespace: right}
+          - include: {path: lib.yaml, namespace: tools}
+          - left.Finger:
+              name: thumb
+              Origin:
+                o:
+          - right.Finger:
+              name: thumb
+              Origin:
+                o:
+          - tools.Finger: {side: l}
+          - if:
+              condition: width > left.width
+              body:
+                w/by=$(2 * left.width + tools.width):
+        """)
+    assert "  width/parent: 2\n" in made["gripper.yaml"]
+    assert "  Finger/parent:\n" in made["gripper.yaml"]
+
+
+@pytest.mark.parametrize(
+    ("text", "why"),
+    [
+        ('<xacro:include filename="a.xacro" ns="${1}"/>', "the namespace '${1}' is computed"),
+        (
+            '<xacro:include filename="a.xacro" ns="A"/><xacro:include filename="a.xacro"/>',
+            "the file is included without a namespace as well",
+        ),
+        (
+            '<xacro:include filename="b.xacro"/><xacro:A.m/>',
+            "the namespace 'A' is made in another file",
+        ),
+        (
+            '<xacro:include filename="b.xacro" ns="B"/>',
+            "the property 'p' is handed out of a namespace",
+        ),
+    ],
+)
+def test_what_namespaces_cannot_do_is_told(tmp_path: Path, text: str, why: str) -> None:
+    a = '<xacro:macro name="m" params=""><a/></xacro:macro>'
+    b = '<xacro:include filename="a.xacro" ns="A"/>'
+    if "handed" in why:
+        b = '<xacro:property name="p" value="1" scope="parent"/>'
+    (tmp_path / "r.xacro").write_text(f'{HEAD}<xacro:property name="q" value="1"/>{text}</robot>')
+    (tmp_path / "a.xacro").write_text(f"{HEAD}{a}</robot>")
+    (tmp_path / "b.xacro").write_text(f"{HEAD}{b}</robot>")
+    path = tmp_path / "r.xacro"
+    source = decode_xml(path.read_bytes(), name=path.name, path=str(path))
+    migration = migrate_robot(
+        source, str(tmp_path / "out"), arguments=[], packages={}, limits=Limits()
+    )
+    assert any(told.startswith(why) for _span, told, _hint in migration.lost)
+
+
 @pytest.mark.parametrize(
     "text",
     [

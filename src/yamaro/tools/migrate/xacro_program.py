@@ -17,6 +17,7 @@ from ...xacro.parameters import Parameter, parse_parameters
 from ...xacro.python import Python
 from ...xmltree import Comment, Element, format_value
 from .elements import tidy_text, walk
+from .xacro_namespaces import Namespaces
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -92,6 +93,7 @@ class Program:
         numbers: expressions that gave a text which xacro takes for a number: `float` or `int`.
         floats: expressions that gave a float.
         macros: by name.
+        namespaces: which files are in one.
         arguments: by name.
         assigned_from_inside: the properties that macros define for those who call them.
         result: what the robot expands to.
@@ -124,12 +126,14 @@ class Program:
         self.floats = python.floats
         self.macros: dict[str, Macro] = {}
         self.definitions: dict[tuple[str, int], Macro] = {}
+        self._macros_of_name: dict[str, list[Macro]] = {}
         self.arguments: dict[str, Argument] = {}
         self.assigned_from_inside: set[str] = set()
         self.properties: dict[str, set[str]] = {}
         self.blocks: set[str] = set()
         self._names: dict[str, set[str]] = {}
         self._has_computed_calls = False
+        self.namespaces = Namespaces(self.main, self.roots, self.included)
         for path, root in self.roots.items():
             self._gather(path, root)
         for path, root in self.roots.items():
@@ -170,7 +174,7 @@ class Program:
                 if "$" in text or element.name in ("xacro:if", "xacro:unless"):
                     names.update(_NAME.findall(text))
             if element.name.startswith("xacro:"):
-                names.add(element.name)
+                names.add(f"xacro:{element.name.removeprefix('xacro:').rpartition('.')[2]}")
             if element.name == "xacro:call" and "$" in given.get("macro", ""):
                 self._has_computed_calls = True
             if element.name == "xacro:insert_block":
@@ -182,6 +186,7 @@ class Program:
                 macro = Macro(element, path, function)
                 self.macros.setdefault(name, macro)
                 self.definitions[path, element.span.start] = macro
+                self._macros_of_name.setdefault(name, []).append(macro)
             elif element.name == "xacro:property" and "name" in given:
                 self.properties.setdefault(given["name"], set()).add(path)
                 if given.get("scope") in ("parent", "global"):
@@ -246,8 +251,8 @@ class Program:
         """Return the names that calls in an element forward to macros without saying so."""
         names: set[str] = set()
         for called in walk(root, without):
-            macro = self.macros.get(called.name.removeprefix("xacro:"))
-            if macro is not None and called.name.startswith("xacro:"):
+            macro = self.macro_called(called)
+            if macro is not None:
                 own = {each.name for each in macro.parameters if each.is_forwarded}
                 names |= own - set(called.attributes)
         return names
@@ -274,14 +279,26 @@ class Program:
         """Return the properties that the macros called in an element hand to it."""
         handed: set[str] = set()
         for called in walk(element):
-            macro = self.macros.get(called.name.removeprefix("xacro:"))
-            if macro is not None and called.name.startswith("xacro:"):
+            macro = self.macro_called(called)
+            if macro is not None:
                 handed |= {
                     format_value(own.attributes.get("name"))
                     for own in walk(macro.element)
                     if own.name == "xacro:property" and own.attributes.get("scope") == "parent"
                 }
         return handed
+
+    def macro_called(self, element: Element) -> Macro | None:
+        """Return the macro that a tag calls: of the namespace it names, its file, or another."""
+        if not element.name.startswith("xacro:"):
+            return None
+        *namespaces, name = element.name.removeprefix("xacro:").split(".")
+        path = element.span.source.path
+        near = self.namespaces.files(path, namespaces) if namespaces else [path]
+        for macro in self._macros_of_name.get(name, ()):
+            if macro.file in near:
+                return macro
+        return None if namespaces else self.macros.get(name)
 
     def _add_argument(self, element: Element, remark: str) -> None:
         """Note an argument; where it has several defaults, the one that counts for this robot."""

@@ -83,8 +83,17 @@ class FileWriter(ElementWriter):
             if value.lower() in ("true", "false")
         }
         self.translator = Translator(
-            self._variable, lambda name: False, program.truths, truths, program.numbers
+            self._variable, self._is_namespace, program.truths, truths, program.numbers
         )
+
+    def _is_namespace(self, name: str) -> bool:
+        return name in self._program.namespaces.names(self._path)
+
+    def _shared(self, name: str) -> str:
+        """Return the scope of something at the top of the file: that of what others use."""
+        if not self._program.is_used_elsewhere(name, self._path):
+            return ""
+        return "/parent" if self._path in self._program.namespaces.inside else "/global"
 
     def _variable(self, name: str) -> str:
         return name if is_identifier(name) else name.replace("-", "_")
@@ -180,8 +189,7 @@ class FileWriter(ElementWriter):
                 self._lose(argument.span, str(error))
                 continue
             body.note(argument.remark)
-            is_shared = self._program.is_used_elsewhere(name, self._path)
-            body.add(self._variable(name) + ("/global" if is_shared else ""), value or "")
+            body.add(self._variable(name) + self._shared(name), value or "")
         return body
 
     def _lose(self, span: Span, why: str, hint: str = "the sources have a comment there") -> None:
@@ -340,8 +348,10 @@ class FileWriter(ElementWriter):
             ):
                 raise CannotMigrate(f"the property '{name}' may have a value already")
         scope = SCOPES.get(given.get("scope", ""), "")
-        if self._is_top and not scope and self._program.is_used_elsewhere(name, self._path):
-            scope = "/global"
+        if self._is_top and scope == "/parent" and self._path in self._program.namespaces.inside:
+            raise CannotMigrate(f"the property '{name}' is handed out of a namespace")
+        if self._is_top and not scope:
+            scope = self._shared(name)
         elif not self._is_top and name in self._program.inherited:
             scope = {"": "/child", "/parent": "/bridge"}.get(scope, scope)
         value = self.translator.value(text)
@@ -387,7 +397,7 @@ class FileWriter(ElementWriter):
 
     def _define_block(self, node: Element, name: str, body: Body) -> None:
         function = Body([Entry("body", self.body(node.children))])
-        scope = "/global" if self._program.is_used_elsewhere(name, self._path) else ""
+        scope = self._shared(name)
         self._functions.note(body.remark)
         body.remark = ""
         self._functions.add(camel(name) + scope, function)
@@ -417,8 +427,7 @@ class FileWriter(ElementWriter):
             _declare_first(content, [Entry(f"{own}/child", f"$({own})") for own in shared])
         self._blocks, self._parameters, self._is_top, self._locals, self._visible = before
         function.add("body", content or None)
-        is_shared = self._program.is_used_elsewhere(f"xacro:{name}", self._path)
-        key = macro.function + ("/global" if is_shared else "")
+        key = macro.function + self._shared(f"xacro:{name}")
         target = self._functions
         if not self._is_top:
             target = self._body_of_last(body, "functions")
@@ -480,7 +489,7 @@ class FileWriter(ElementWriter):
 
     def _call(self, node: Element, body: Body) -> None:
         name = node.name.removeprefix("xacro:")
-        macro = self._program.macros.get(name)
+        macro = self._program.macro_called(node)
         if macro is None:
             raise CannotMigrate(f"there is no macro '{name}'")
         arguments = Body(in_braces=True)
@@ -496,7 +505,11 @@ class FileWriter(ElementWriter):
         if blocks:
             arguments.in_braces = False
             self._add_blocks(node, macro, arguments)
-        body.add(macro.function, arguments or None)
+        namespace = name.rpartition(".")[0]
+        if namespace and not self._is_namespace(namespace):
+            raise CannotMigrate(f"the namespace '{namespace}' is made in another file")
+        function = f"{namespace}.{macro.function}" if namespace else macro.function
+        body.add(function, arguments or None)
 
     def _add_blocks(self, node: Element, macro: Macro, arguments: Body) -> None:
         given = [child for child in node.children if isinstance(child, Element)]
@@ -545,10 +558,19 @@ class FileWriter(ElementWriter):
             raise CannotMigrate(f"the file '{name}' is not included for these arguments")
         folder = os.path.dirname(self._output_of(self._path))
         for path in paths:
-            relative = os.path.relpath(self._output_of(path), folder)
-            if "ns" in node.attributes:
-                raise CannotMigrate("a file is included with a namespace")
-            body.add("include", literal(relative))
+            relative = literal(os.path.relpath(self._output_of(path), folder))
+            body.add("include", self._in_namespace(node, path, relative) or relative)
+
+    def _in_namespace(self, node: Element, path: str, file: str) -> Body | None:
+        """Return what an include says that puts a file's names in a namespace, if it does."""
+        if "ns" not in node.attributes:
+            return None
+        name = format_value(node.attributes["ns"])
+        if not is_identifier(name):
+            raise CannotMigrate(f"the namespace '{name}' is computed, or no name")
+        if path in self._program.namespaces.mixed:
+            raise CannotMigrate("the file is included without a namespace as well")
+        return Body([Entry("path", file), Entry("namespace", name)], in_braces=True)
 
     def _element(self, node: Element, body: Body) -> None:
         name = self.translator.text(format_value(node.attributes.get("xacro:name")))
