@@ -472,11 +472,16 @@ class FileWriter(ElementWriter):
     def _call(self, node: Element, body: Body) -> None:
         name = node.name.removeprefix("xacro:")
         macro = self._program.macros.get(name)
-        if macro is None:
-            raise CannotMigrate(f"there is no macro '{name}'")
         arguments = Body(in_braces=True)
         for key, value in node.attributes.items():
             arguments.add(key, self.translator.value(format_value(value)))
+        if macro is None:
+            if node.elements() or not is_identifier(camel(name)):
+                raise CannotMigrate(f"there is no macro '{name}'")
+            hint = "the sources call it too, which is an error where it is reached, as in xacro"
+            self._lose(node.span, f"there is no macro '{name}'", hint)
+            body.add(camel(name), arguments or None)
+            return
         visible = self._parameters | self._locals | self._program.at_top
         for own in macro.parameters:
             if not own.is_forwarded or own.name in node.attributes:
