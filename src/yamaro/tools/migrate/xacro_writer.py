@@ -23,6 +23,7 @@ from .elements import (
 )
 from .pairing import child_of, has_text, name_of
 from .parts import Names, NoPart, PartWriter, material_entry
+from .xacro_loops import find_loop
 from .xacro_program import Macro, Program, camel, defined_in, names_in, used_in
 from .xacro_python import CannotMigrate, Translator, negated
 
@@ -410,7 +411,7 @@ class FileWriter(ElementWriter):
         inputs = self._inputs(macro)
         if inputs:
             function.add("input", Row(inputs))
-        content = self.statements(node.children)
+        content = self._loop(macro) or self.statements(node.children)
         shared = [own for own in macro.values() if own in self._program.inherited]
         if shared:
             _declare_first(content, [Entry(f"{own}/child", f"$({own})") for own in shared])
@@ -424,6 +425,14 @@ class FileWriter(ElementWriter):
         target.note(body.remark)
         body.remark = ""
         target.add(key, function)
+
+    def _loop(self, macro: Macro) -> Body | None:
+        """Return the content of a macro that calls itself as a loop, if it can be one."""
+        loop = find_loop(macro, self._program, self.translator)
+        if loop is None:
+            return None
+        self._visible = self._visible | {loop.iterator}
+        return loop.body(self.statements, self.translator.value)
 
     def _inputs(self, macro: Macro) -> list[str]:
         required: list[str] = []
