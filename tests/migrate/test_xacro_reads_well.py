@@ -265,7 +265,8 @@ def test_a_macro_that_is_nowhere_is_called_all_the_same(
     monkeypatch.chdir(tmp_path)
     Path("r.xacro").write_text(
         f'{HEAD}\n  <xacro:arg name="n" default="1"/>\n'
-        "  <xacro:if value=\"${xacro.arg('n') > 1}\"><xacro:ERROR_too_many/></xacro:if>\n</robot>\n"
+        '  <xacro:property name="n" value="$(arg n)"/>\n'
+        '  <xacro:if value="${n > 1}"><xacro:ERROR_too_many/></xacro:if>\n</robot>\n'
     )
     assert main(["migrate", "r.xacro", "-o", "out"]) == 0
     told = capsys.readouterr().err
