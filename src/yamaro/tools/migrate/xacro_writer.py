@@ -4,16 +4,15 @@ from __future__ import annotations
 
 import os
 import re
-from itertools import pairwise
 
 from ...runtime.predefined import CONSTANTS
 from ...syntax.names import is_identifier
 from ...xacro.parameters import Parameter
 from ...xmltree import Comment, Element, Text, format_value
 from .document import Body, Entry, Value, literal, without_expressions
-from .elements import ElementWriter, is_short, needs_brackets, spelled, tidy_text, walk
-from .pairing import child_of, has_text, name_of
-from .parts import Names, NoPart, PartWriter, is_short_material
+from .elements import ElementWriter, is_short, needs_brackets, tidy_text
+from .pairing import has_text
+from .xacro_parts import links_of_joints, part_of
 from .xacro_program import Macro, Program, camel, defined_in, names_in, used_in
 from .xacro_python import CannotMigrate, Translator
 
@@ -154,7 +153,7 @@ class FileWriter(ElementWriter):
         """Return statements for what stands in a file, a macro or an element."""
         body = Body()
         position = 0
-        links = _links_of_joints(nodes)
+        links = links_of_joints(nodes)
         skipped: set[int] = set()
         while position < len(nodes):
             node = nodes[position]
@@ -186,7 +185,8 @@ class FileWriter(ElementWriter):
             handler(self, node, body)
             return
         if link is not None or node.name == "link":
-            part = self._part(link or node, node if link is not None else None)
+            joint = node if link is not None else None
+            part = part_of(link or node, joint, self._translate)
             if part is not None:
                 body.append(part)
                 if link is not None:
@@ -206,7 +206,7 @@ class FileWriter(ElementWriter):
 
     def _values(self, element: Element) -> dict[str, str]:
         return {
-            name: self.translator.text(_tidied(format_value(value)))
+            name: self._translate(format_value(value))
             for name, value in element.attributes.items()
             if not name.startswith(("xacro:", "xmlns:xacro"))
         }
@@ -219,6 +219,9 @@ class FileWriter(ElementWriter):
         ):
             return self._text(tidy_text(element.text()), element.span)
         return self.body(children)
+
+    def _translate(self, text: str) -> str:
+        return self.translator.text(_tidied(text))
 
     def _text(self, text: str, span: Span) -> str:
         try:
@@ -237,27 +240,6 @@ class FileWriter(ElementWriter):
             else:
                 rest.append(child)
         return rest
-
-    # --- parts ----------------------------------------------------------------------------------
-
-    def _part(self, link: Element, joint: Element | None) -> Entry | None:
-        """Return a joint and a link as a part, or None if they are more than a part can say."""
-        if _has_statements(link) or (joint is not None and _has_statements(joint)):
-            return None
-        try:
-            own = spelled(link, lambda text: self.translator.text(_tidied(text)))
-            around = None
-            if joint is not None:
-                around = spelled(joint, lambda text: self.translator.text(_tidied(text)))
-                if not _may_be_part(around):
-                    return None
-            robot = Element("robot", link.span, {}, [own])
-            writer = PartWriter(
-                ElementWriter(lambda file: file), Names(robot), _material, resolves=True
-            )
-            return writer.part(own, around, joint_first=True)
-        except NoPart:
-            return None
 
     # --- xacro's tags ---------------------------------------------------------------------------
 
@@ -529,47 +511,6 @@ _HANDLERS = {
     "xacro:element": FileWriter._element,
     "xacro:call": FileWriter._call_by_name,
 }
-
-
-def _material(material: Element) -> Value | None:
-    if not is_short_material(material) or not format_value(material.attributes["name"]):
-        return None
-    details = material.elements()
-    name = format_value(material.attributes["name"])
-    if not details:
-        return name
-    entries = [Entry(e.name, format_value(next(iter(e.attributes.values())))) for e in details]
-    return Body([Entry("name", name), *entries], in_braces=True)
-
-
-def _links_of_joints(nodes: list[Node]) -> dict[int, Element]:
-    """Return the link beside each joint whose child it is, by the joint's identity."""
-    elements = [node for node in nodes if isinstance(node, Element)]
-    found: dict[int, Element] = {}
-    taken: set[int] = set()
-    for first, second in pairwise(elements):
-        joint, link = (first, second) if first.name == "joint" else (second, first)
-        if joint.name != "joint" or link.name != "link" or id(link) in taken or id(joint) in found:
-            continue
-        if first is joint and child_of(joint) == name_of(link):
-            found[id(joint)] = link
-            taken.add(id(link))
-    return found
-
-
-def _may_be_part(joint: Element) -> bool:
-    """Tell whether a joint's limit would not be filled in."""
-    kind = format_value(joint.attributes.get("type"))
-    if kind in ("fixed", "continuous", "floating", "planar"):
-        return True
-    limits = [child for child in joint.elements() if child.name == "limit"]
-    return len(limits) == 1 and {"lower", "upper", "effort", "velocity"} <= set(
-        limits[0].attributes
-    )
-
-
-def _has_statements(element: Element) -> bool:
-    return any(inner.name.startswith("xacro:") for inner in walk(element))
 
 
 def _has_empty_default(macro: Macro, own: Parameter) -> bool:
