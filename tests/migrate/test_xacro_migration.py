@@ -72,11 +72,12 @@ def test_macros_become_functions_and_properties_variables(tmp_path: Path) -> Non
             input: side, y=0.5, **Origin
             body:
               # in the middle
-              link/name=$(prefix)$(side)_wheel:
-                visual:
-                  Origin:
-                  geometry:
-                    cylinder/radius=$(radius), length=$(width):
+              part:
+                link/name=$(prefix)$(side)_wheel:
+                  visual:
+                    geometry: cylinder
+                    scale: $(radius) $(width)
+                    Origin:
               if:
                 condition: y > 0.4
                 body:
@@ -87,12 +88,12 @@ def test_macros_become_functions_and_properties_variables(tmp_path: Path) -> Non
           - WheelUnit:
               side: left
               Origin:
-                origin/xyz=0 0 1:
+                <origin/xyz=0 0 1>:
           - WheelUnit:
               side: right
               y: 0.1
               Origin:
-                origin/xyz=0 0 2:
+                <origin/xyz=0 0 2>:
         """)
 
 

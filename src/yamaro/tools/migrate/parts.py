@@ -79,10 +79,10 @@ class Names:
 
     __slots__ = ("joints", "links", "of_joints", "of_links")
 
-    def __init__(self, robot: Element) -> None:
-        """Take the names of a robot."""
-        self.links = {name_of(e) for e in robot.elements() if e.name == "link"}
-        self.joints = {name_of(e) for e in robot.elements() if e.name == "joint"}
+    def __init__(self, elements: list[Element]) -> None:
+        """Take the names of what stands in a robot."""
+        self.links = {name_of(e) for e in elements if e.name == "link"}
+        self.joints = {name_of(e) for e in elements if e.name == "joint"}
         self.of_links: dict[str, str] = {}
         self.of_joints: dict[str, str] = {}
 
@@ -167,17 +167,18 @@ class PartWriter:
         body.add("type", kind)
         rest = Body()
         seen: dict[str, Element] = {}
-        for child in joint.children:
-            if not isinstance(child, Element):
-                add_loose(child, rest)
-            elif child.name in ("parent", "child", "origin"):
+
+        def write(child: Element, out: Body) -> None:
+            if child.name in ("parent", "child", "origin"):
                 if child.name in seen:
                     raise NoPart
                 seen[child.name] = child
             else:
-                rest.append(self._joint_child(child, kind, seen))
+                out.append(self._joint_child(child, kind, joint, seen))
+
+        self._write_all(joint, rest, write)
         self._add_ends(seen, body)
-        self._add_pose(seen.get("origin"), body)
+        self._add_pose(joint, seen.get("origin"), body)
         body.extend(rest)
         return Entry(self._elements.key("joint", attributes), body)
 
@@ -192,9 +193,11 @@ class PartWriter:
                 return
         body.entries.append(self._elements.entry(parent, bracketed=True))
 
-    def _joint_child(self, child: Element, kind: str, seen: dict[str, Element]) -> Entry:
+    def _joint_child(
+        self, child: Element, kind: str, joint: Element, seen: dict[str, Element]
+    ) -> Entry:
         attributes = values_of(child)
-        is_first = child.name not in seen
+        is_first = self._is_first(child, joint, seen)
         seen[child.name] = child
         if child.children or not attributes or not is_first:
             return self._element(child)
@@ -217,24 +220,37 @@ class PartWriter:
     def _link(self, link: Element) -> Body | None:
         if has_text(link):
             raise NoPart
-        plan = _LinkPlan(link, self._elements.file_name)
+        plan = self._plan(link)
         body = Body()
         if plan.geometry is not None:
             body.entries += plan.geometry.entries()
         if plan.pose is not None:
-            self._add_pose(plan.pose.origin, body)
-        for child in link.children:
-            if not isinstance(child, Element):
-                add_loose(child, body)
-            elif child is plan.inertial:
-                body.append(self._inertial(child, plan))
+            self._add_pose(link, plan.pose.origin, body)
+
+        def write(child: Element, out: Body) -> None:
+            if child.name == "inertial" and self._is_short_inertial(child, plan):
+                out.append(self._inertial(child, plan))
             elif child.name in SECTIONS:
-                body.append(self._section(child, plan))
+                out.append(self._section(child, plan))
             else:
-                body.append(self._element(child))
+                out.append(self._element(child))
+
+        self._write_all(link, body, write)
         return body or None
 
-    def _section(self, section: Element, plan: _LinkPlan) -> Entry:
+    def _plan(self, link: Element) -> LinkPlan:
+        return LinkPlan(link, self._elements.file_name, self._has_form)
+
+    def _has_form(self, section: Element) -> bool:
+        """Tell whether a section has what the short form of one says, each once."""
+        if section.name == "inertial":
+            return _has_mass_form(section)
+        return _has_section_form(section)
+
+    def _is_short_inertial(self, inertial: Element, plan: LinkPlan) -> bool:
+        return inertial is plan.inertial
+
+    def _section(self, section: Element, plan: LinkPlan) -> Entry:
         """Return a visual or collision, or what stands for the second inertial of a link."""
         if id(section) not in plan.sections:
             return self._elements.entry(section, bracketed=True)
@@ -243,25 +259,27 @@ class PartWriter:
         if own is not None and (plan.geometry is None or own.key() != plan.geometry.key()):
             body.entries += own.entries()
         if plan.pose is None:
-            self._add_pose(optional_child(section, "origin"), body)
+            self._add_pose(section, optional_child(section, "origin"), body)
         rest = Body()
-        for child in section.children:
-            if not isinstance(child, Element):
-                add_loose(child, rest)
-            elif child.name == "origin":
-                continue
-            elif child.name == "geometry":
+
+        def write(child: Element, out: Body) -> None:
+            if child.name == "geometry":
                 if own is not None:
                     add_comments(child, rest)
                 else:
                     body.entries.append(self._elements.entry(child, bracketed=True))
-            else:
-                material = self._material(child) if child.name == "material" else None
-                rest.append(material or self._element(child))
+            elif child.name != "origin":
+                out.append(self._section_child(child, section))
+
+        self._write_all(section, rest, write)
         body.extend(rest)
         return Entry(self._elements.key(section.name, values_of(section)), body or None)
 
-    def _inertial(self, inertial: Element, plan: _LinkPlan) -> Entry:
+    def _section_child(self, child: Element, section: Element) -> Entry:
+        material = self._material(child) if child.name == "material" else None
+        return material or self._element(child)
+
+    def _inertial(self, inertial: Element, plan: LinkPlan) -> Entry:
         mass = values_of(child_named(inertial, "mass"))["value"]
         moments = values_of(child_named(inertial, "inertia"))
         body = Body([Entry("mass", mass)], in_braces=True)
@@ -269,24 +287,39 @@ class PartWriter:
             body.add("inertia", _numbers(" ".join(moments[name] for name in MOMENTS), 6))
         if plan.pose is None:
             pose = Body()
-            self._add_pose(optional_child(inertial, "origin"), pose)
+            self._add_pose(inertial, optional_child(inertial, "origin"), pose)
             body.entries[1:1] = pose.entries
-        for child in inertial.children:
-            if not isinstance(child, Element):
-                add_loose(child, body)
-            elif child.name not in ("origin", "mass", "inertia"):
-                body.append(self._element(child))
+
+        def write(child: Element, out: Body) -> None:
+            if child.name not in ("origin", "mass", "inertia"):
+                out.append(self._element(child))
+
+        self._write_all(inertial, body, write)
         if plan.has_computed_inertia and len(body.entries) == 1 and not body.remark:
             return body.entries[0]
         return Entry("inertial", body)
 
     # --- both -----------------------------------------------------------------------------------
 
+    def _write_all(
+        self, owner: Element, body: Body, write: Callable[[Element, Body], None]
+    ) -> None:
+        """Write each element in a joint, link or section by `write`, and what is beside them."""
+        for child in owner.children:
+            if isinstance(child, Element):
+                write(child, body)
+            else:
+                add_loose(child, body)
+
+    def _is_first(self, child: Element, owner: Element, seen: dict[str, Element]) -> bool:
+        """Tell whether an element is no second one of its name, for which there is no key."""
+        return child.name not in seen
+
     def _element(self, element: Element) -> Entry:
         return self._elements.entry(element, bracketed=element.name in PART_KEYS)
 
-    def _add_pose(self, origin: Element | None, body: Body) -> None:
-        """Add the entries that give an origin, or say that there is none."""
+    def _add_pose(self, owner: Element, origin: Element | None, body: Body) -> None:
+        """Add the entries that give the origin of what has it, or say that there is none."""
         if origin is None:
             body.add("origin", "none")
             return
@@ -307,7 +340,7 @@ class _CommonPose:
         self.origin = origin
 
 
-class _LinkPlan:
+class LinkPlan:
     """What the sections of a link share, and so stands in the link.
 
     Attributes:
@@ -319,7 +352,13 @@ class _LinkPlan:
         has_computed_inertia: whether the inertia is that of the geometry.
     """
 
-    def __init__(self, link: Element, file_name: Callable[[str], str]) -> None:
+    def __init__(
+        self,
+        link: Element,
+        file_name: Callable[[str], str],
+        has_form: Callable[[Element], bool],
+    ) -> None:
+        """Look at a link; `has_form` tells which of its sections have a short form."""
         self.sections: dict[int, Geometry | None] = {}
         self.geometry: Geometry | None = None
         self.pose: _CommonPose | None = None
@@ -327,10 +366,10 @@ class _LinkPlan:
         self.has_computed_inertia = False
         posed: list[Element] = []
         for child in link.elements():
-            if child.name in ("visual", "collision") and _has_section_form(child):
+            if child.name in ("visual", "collision") and has_form(child):
                 self.sections[id(child)] = read_geometry(child, file_name)
                 posed.append(child)
-            elif child.name == "inertial" and self.inertial is None and _has_mass_form(child):
+            elif child.name == "inertial" and self.inertial is None and has_form(child):
                 self.inertial = child
                 posed.append(child)
         self._choose_geometry()
@@ -497,7 +536,11 @@ def _is_solid(inertial: Element, geometry: Geometry) -> bool:
 
 def _is_whole(limit: dict[str, str], kind: str) -> bool:
     """Tell whether a limit has all that would else be filled in."""
-    has_range = kind not in ("revolute", "prismatic") or "lower" in limit or "upper" in limit
+    has_range = (
+        (kind not in ("revolute", "prismatic") and "$(" not in kind)
+        or "lower" in limit
+        or "upper" in limit
+    )
     return has_range and "effort" in limit and "velocity" in limit
 
 

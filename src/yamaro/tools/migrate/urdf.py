@@ -124,11 +124,11 @@ class _Model:
         self._root = root
         self._elements = elements
         self._plain = plain
-        self._names = Names(root)
+        self._names = Names(root.elements())
         self._parts = PartWriter(elements, self._names, variables.material)
 
     def body(self) -> Body:
-        items, loose = pair(self._root)
+        items, loose = pair(self._root.children)
         for item in items:  # parents and mimics may be named before their parts are written
             if item.element.name == "link" and not (self._is_plain(item) or is_bare(item)):
                 self._names.add(item.element, item.joint)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 
 from .document import write_document
+from .xacro_contents import Contents
 from .xacro_program import Program, common_folder
 from .xacro_writer import FileWriter
 
@@ -53,13 +54,14 @@ def migrate_xacro(source: Source, host: Host, arguments: Mapping[str, str]) -> X
     """
     program = Program(source, host, arguments)
     folder = common_folder(list(program.roots))
+    contents = Contents(program)
     outputs: dict[str, str] = {}
     for path in program.roots:
         outputs[path] = _output(os.path.relpath(path, folder), set(outputs.values()))
     migration = XacroMigration({}, outputs[source.path], program.result)
     migration.origins = outputs
     for path, output in outputs.items():
-        writer = FileWriter(program, path, outputs.__getitem__)
+        writer = FileWriter(program, contents, path, outputs.__getitem__)
         is_main = path == source.path
         sections = writer.sections(is_main=is_main)
         migration.files[output] = write_document(sections, writer.header(is_main=is_main))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import re
-from itertools import pairwise
+from contextlib import contextmanager
 
 from ...runtime.predefined import CONSTANTS
 from ...syntax.names import is_identifier
@@ -16,23 +16,24 @@ from .elements import (
     header_of,
     is_short,
     needs_brackets,
-    spelled,
     tidy_text,
     tidy_value,
     walk,
 )
-from .pairing import child_of, has_text, name_of
-from .parts import Names, NoPart, PartWriter, material_entry
+from .pairing import has_text
 from .xacro_loops import find_loop
+from .xacro_parts import Step, XacroPartWriter, in_steps, is_statement, stands_as_key
 from .xacro_program import Macro, Program, camel, defined_in, names_in, used_in
 from .xacro_python import CannotMigrate, Translator, negated
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable
+    from collections.abc import Callable, Iterable, Iterator
 
     from ...source import Span
     from ...xmltree import Node
+    from .xacro_contents import Contents
+    from .xacro_parts import Write
 
 _MESSAGE = re.compile(r"\$\{xacro\.(?:message|warning|error)\(([^,}]*)\)\}")
 PREDEFINED = frozenset(CONSTANTS) | {"load_yaml", "find", "math", "xacro", "python", "arg"}
@@ -47,14 +48,18 @@ class FileWriter(ElementWriter):
     """
 
     __slots__ = (
+        "_around",
         "_blocks",
+        "_contents",
         "_functions",
+        "_is_in_element",
         "_is_top",
         "_locals",
         "_made_of",
         "_output_of",
         "_parameters",
         "_path",
+        "_place",
         "_program",
         "_read",
         "_visible",
@@ -62,10 +67,16 @@ class FileWriter(ElementWriter):
         "translator",
     )
 
-    def __init__(self, program: Program, path: str, output_of: Callable[[str], str]) -> None:
+    def __init__(
+        self, program: Program, contents: Contents, path: str, output_of: Callable[[str], str]
+    ) -> None:
         """Take the program, the file, and what gives the path of a migrated file."""
         super().__init__(lambda file: file)
         self._program = program
+        self._contents = contents
+        self._around: Macro | None = None
+        self._place: Write | None = None
+        self._is_in_element = program.result.name != "robot"
         self._path = path
         self._output_of = output_of
         self._functions = Body()
@@ -200,8 +211,10 @@ class FileWriter(ElementWriter):
     def body(self, nodes: list[Node]) -> Body | None:
         """Return what stands in an element."""
         was_top, self._is_top = self._is_top, False
-        body = self.statements(nodes)
-        self._is_top = was_top
+        try:
+            body = self.statements(nodes)
+        finally:
+            self._is_top = was_top
         if not any(isinstance(node, Element) and node.name.startswith("xacro:") for node in nodes):
             body.in_braces = is_short(body)
         return body or None
@@ -209,14 +222,8 @@ class FileWriter(ElementWriter):
     def statements(self, nodes: list[Node]) -> Body:
         """Return statements for what stands in a file, a macro or an element."""
         body = Body()
-        position = 0
-        links = _links_of_joints(nodes)
-        skipped: set[int] = set()
-        while position < len(nodes):
-            node = nodes[position]
-            position += 1
-            if id(node) in skipped:
-                continue
+        for step in self._steps(nodes):
+            node = step.node
             if isinstance(node, Comment):
                 body.note(tidy_text(node.text))
             elif isinstance(node, Text):
@@ -228,27 +235,60 @@ class FileWriter(ElementWriter):
                     body.add("<#text>", self._text(text, node.span))
             elif isinstance(node, Element):
                 try:
-                    self._statement(node, body, links.get(id(node)), skipped)
+                    self._statement(node, step, body)
                 except CannotMigrate as error:
                     self._lose(node.span, str(error))
                     body.note(f"not migrated: <{node.name}>: {error}")
         return body
 
-    def _statement(
-        self, node: Element, body: Body, link: Element | None, skipped: set[int]
-    ) -> None:
-        if node.name.startswith("xacro:"):
+    def _steps(self, nodes: list[Node]) -> Iterable[Step]:
+        """Return what is written one after the other: links with their joints, where they stand."""
+        if self._is_in_element or self._place is not None:
+            return map(Step, nodes)
+        return in_steps(nodes)
+
+    def _statement(self, node: Element, step: Step, body: Body) -> None:
+        if is_statement(node):
             handler = _HANDLERS.get(node.name, FileWriter._call)
             handler(self, node, body)
-            return
-        if link is not None or node.name == "link":
-            part = self._part(link or node, node if link is not None else None)
-            if part is not None:
-                body.append(part)
-                if link is not None:
-                    skipped.add(id(link))
-                return
-        body.append(self.entry(node))
+        elif self._place is not None:
+            self._place(node, body)
+        elif node.name != "link" or self._is_in_element:
+            body.append(self.entry(node))
+        else:
+            for entry in self._part(node, step):
+                body.append(entry)
+
+    def _part(self, link: Element, step: Step) -> list[Entry]:
+        """Return a link and its joint as a part, or as the elements that they are."""
+        known = len(self.lost)
+        parts = XacroPartWriter(self, self._translate, self._contents, self._around)
+        part = parts.entry(link, step.joint, joint_first=step.is_joint_first)
+        if part is not None:
+            return [part]
+        del self.lost[known:]
+        both = [link] if step.joint is None else [step.joint, link]
+        return [self.entry(each) for each in (both if step.is_joint_first else both[::-1])]
+
+    def write_statement(self, node: Element, body: Body, place: Write) -> None:
+        """Write a statement, and the elements in it by `place`."""
+        with self._within(place):
+            self._statement(node, Step(node), body)
+
+    @contextmanager
+    def _within(self, place: Write | None, *, is_in_element: bool = False) -> Iterator[None]:
+        """Write the elements of a body by `place`, or else as the elements they are."""
+        before = self._place, self._is_in_element
+        self._place, self._is_in_element = place, is_in_element
+        try:
+            yield
+        finally:
+            self._place, self._is_in_element = before
+
+    def _write_for_parts(self, node: Element, body: Body) -> None:
+        """Write an element that may come to stand in a part, where it is to mean the same."""
+        own = XacroPartWriter(self, self._translate, self._contents, self._around).spelled(node)
+        body.append(self.entry(node, bracketed=not stands_as_key(own)))
 
     def entry(self, element: Element, *, bracketed: bool = False) -> Entry:
         """Return an element, with its values translated."""
@@ -262,7 +302,7 @@ class FileWriter(ElementWriter):
 
     def _values(self, element: Element) -> dict[str, str]:
         return {
-            name: tidy_value(name, self.translator.text(_tidied(format_value(value))))
+            name: tidy_value(name, self._translate(format_value(value)))
             for name, value in element.attributes.items()
             if not name.startswith(("xacro:", "xmlns:xacro"))
         }
@@ -274,7 +314,11 @@ class FileWriter(ElementWriter):
             and all(isinstance(child, (Text, Comment)) for child in children)
         ):
             return self._text(tidy_text(element.text()), element.span)
-        return self.body(children)
+        with self._within(None, is_in_element=True):
+            return self.body(children)
+
+    def _translate(self, text: str) -> str:
+        return self.translator.text(_tidied(text))
 
     def _text(self, text: str, span: Span) -> str:
         try:
@@ -293,27 +337,6 @@ class FileWriter(ElementWriter):
             else:
                 rest.append(child)
         return rest
-
-    # --- parts ----------------------------------------------------------------------------------
-
-    def _part(self, link: Element, joint: Element | None) -> Entry | None:
-        """Return a joint and a link as a part, or None if they are more than a part can say."""
-        if _has_statements(link) or (joint is not None and _has_statements(joint)):
-            return None
-        try:
-            own = spelled(link, lambda text: self.translator.text(_tidied(text)))
-            around = None
-            if joint is not None:
-                around = spelled(joint, lambda text: self.translator.text(_tidied(text)))
-                if not _may_be_part(around):
-                    return None
-            robot = Element("robot", link.span, {}, [own])
-            writer = PartWriter(
-                ElementWriter(lambda file: file), Names(robot), material_entry, resolves=True
-            )
-            return writer.part(own, around, joint_first=True)
-        except NoPart:
-            return None
 
     # --- xacro's tags ---------------------------------------------------------------------------
 
@@ -396,7 +419,8 @@ class FileWriter(ElementWriter):
         return names_in(text) <= self._visible | PREDEFINED
 
     def _define_block(self, node: Element, name: str, body: Body) -> None:
-        function = Body([Entry("body", self.body(node.children))])
+        with self._within(self._place_of_block(None, name)):
+            function = Body([Entry("body", self.body(node.children))])
         scope = self._shared(name)
         self._functions.note(body.remark)
         body.remark = ""
@@ -412,6 +436,7 @@ class FileWriter(ElementWriter):
             return
         function = Body()
         before = self._blocks, self._parameters, self._is_top, self._locals, self._visible
+        around, self._around = self._around, macro
         self._locals = defined_in(node, nested=True)
         self._read = used_in(node)
         self._visible = self._program.visible_in(macro)
@@ -421,7 +446,10 @@ class FileWriter(ElementWriter):
         inputs = self._inputs(macro)
         if inputs:
             function.add("input", Row(inputs))
-        content = self._loop(macro) or self.statements(node.children)
+        is_in_part = self._contents.may_be_in_part(macro)
+        with self._within(self._write_for_parts if is_in_part else None):
+            content = self._loop(macro) or self.statements(node.children)
+        self._around = around
         shared = [own for own in macro.values() if own in self._program.inherited]
         if shared:
             _declare_first(content, [Entry(f"{own}/child", f"$({own})") for own in shared])
@@ -490,11 +518,16 @@ class FileWriter(ElementWriter):
     def _call(self, node: Element, body: Body) -> None:
         name = node.name.removeprefix("xacro:")
         macro = self._program.macro_called(node)
-        if macro is None:
-            raise CannotMigrate(f"there is no macro '{name}'")
         arguments = Body(in_braces=True)
         for key, value in node.attributes.items():
             arguments.add(key, self.translator.value(format_value(value)))
+        if macro is None:
+            if node.elements() or "." in name or not is_identifier(camel(name)):
+                raise CannotMigrate(f"there is no macro '{name}'")
+            hint = "the sources call it too, which is an error where it is reached, as in xacro"
+            self._lose(node.span, f"there is no macro '{name}'", hint)
+            body.add(camel(name), arguments or None)
+            return
         visible = self._parameters | self._locals | self._program.at_top
         for own in macro.parameters:
             if not own.is_forwarded or own.name in node.attributes:
@@ -517,19 +550,26 @@ class FileWriter(ElementWriter):
         if len(blocks) != len(given):
             if len(blocks) != 1 or blocks[0].startswith("**"):
                 raise CannotMigrate(f"the blocks of '{macro.name}' are computed")
-            arguments.add(self._block_name(blocks[0].lstrip("*")), self.body(node.children))
+            own = blocks[0].lstrip("*")
+            with self._within(self._place_of_block(macro, own), is_in_element=self._is_in_element):
+                arguments.add(self._block_name(own), self.body(node.children))
             return
         for block, child in zip(blocks, given, strict=True):
             name = self._block_name(block.lstrip("*"))
-            if block.startswith("**"):
-                if child.name.startswith("xacro:"):
-                    raise CannotMigrate(f"the block '{block}' of '{macro.name}' is computed")
-                arguments.add(name, self.body(child.children))
-            else:
-                content = self.body([child])
-                if content is not None:
-                    content.in_braces = False
-                arguments.add(name, content)
+            is_content = block.startswith("**")
+            if is_content and is_statement(child):
+                raise CannotMigrate(f"the block '{block}' of '{macro.name}' is computed")
+            place = self._place_of_block(macro, block.lstrip("*"))
+            with self._within(place, is_in_element=self._is_in_element):
+                content = self.body(child.children if is_content else [child])
+            if content is not None and not is_content:
+                content.in_braces = False
+            arguments.add(name, content)
+
+    def _place_of_block(self, macro: Macro | None, name: str) -> Write | None:
+        """Return what writes the elements of a block."""
+        is_in_part = self._contents.may_block_be_in_part(macro, name)
+        return self._write_for_parts if is_in_part else None
 
     def _condition(self, node: Element, body: Body) -> None:
         text = format_value(node.attributes.get("value"))
@@ -640,36 +680,6 @@ def _declared_in(body: Body) -> set[str]:
                 names |= _names_of(entry.value)
             names |= _declared_in(entry.value)
     return names
-
-
-def _links_of_joints(nodes: list[Node]) -> dict[int, Element]:
-    """Return the link beside each joint whose child it is, by the joint's identity."""
-    elements = [node for node in nodes if isinstance(node, Element)]
-    found: dict[int, Element] = {}
-    taken: set[int] = set()
-    for first, second in pairwise(elements):
-        joint, link = (first, second) if first.name == "joint" else (second, first)
-        if joint.name != "joint" or link.name != "link" or id(link) in taken or id(joint) in found:
-            continue
-        if first is joint and child_of(joint) == name_of(link):
-            found[id(joint)] = link
-            taken.add(id(link))
-    return found
-
-
-def _may_be_part(joint: Element) -> bool:
-    """Tell whether a joint's limit would not be filled in."""
-    kind = format_value(joint.attributes.get("type"))
-    if kind in ("fixed", "continuous", "floating", "planar"):
-        return True
-    limits = [child for child in joint.elements() if child.name == "limit"]
-    return len(limits) == 1 and {"lower", "upper", "effort", "velocity"} <= set(
-        limits[0].attributes
-    )
-
-
-def _has_statements(element: Element) -> bool:
-    return any(inner.name.startswith("xacro:") for inner in walk(element))
 
 
 def _has_empty_default(macro: Macro, own: Parameter) -> bool:
