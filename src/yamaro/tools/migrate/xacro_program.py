@@ -21,7 +21,7 @@ from .xacro_namespaces import Namespaces
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Container, Mapping
+    from collections.abc import Container, Iterator, Mapping
     from typing import Any
 
     from ...source import Source, Span
@@ -68,9 +68,10 @@ class Argument:
         span: where it is declared.
         remark: the comments above that.
         is_ambiguous: whether it has another default elsewhere.
+        made_of: the names that its defaults read.
     """
 
-    __slots__ = ("default", "is_ambiguous", "remark", "span")
+    __slots__ = ("default", "is_ambiguous", "made_of", "remark", "span")
 
     def __init__(self, default: str | None, span: Span, remark: str) -> None:
         """Hold what its first declaration says."""
@@ -78,6 +79,7 @@ class Argument:
         self.span = span
         self.remark = remark
         self.is_ambiguous = False
+        self.made_of: set[str] = set()
 
 
 class Program:
@@ -306,6 +308,7 @@ class Program:
         default = element.attributes.get("default")
         text = None if default is None else format_value(default)
         known = self.arguments.setdefault(name, Argument(text, element.span, remark))
+        known.made_of |= names_in(text or "")
         if text is None or text == known.default:
             return
         if known.default is None:
@@ -313,6 +316,20 @@ class Program:
         elif name not in self.given:
             known.is_ambiguous = True
             known.default = self.values_of_arguments.get(name, known.default)
+
+    def is_python(self, name: str) -> bool:
+        """Tell whether an argument is a list or the like that is put into expressions only."""
+        import ast
+
+        try:
+            value = ast.literal_eval((self.arguments[name].default or "").strip())
+        except (SyntaxError, ValueError):
+            return False
+        if not isinstance(value, (list, tuple, dict)):
+            return False
+        used = f"$(arg {name})"
+        texts = [text for root in self.roots.values() for text in _texts_in(root) if used in text]
+        return all(_outside_expressions(text).count(used) == 0 for text in texts)
 
     def _function_name(self, name: str) -> str:
         stem = camel(name)
@@ -366,6 +383,20 @@ def defined_in(root: Element, *, nested: bool = False) -> set[str]:
         if element.name != "xacro:macro" or element is root or nested:
             pending += element.elements()
     return names
+
+
+def _texts_in(root: Element) -> Iterator[str]:
+    """Return the values of attributes in an element, and its texts."""
+    for element in walk(root):
+        yield from map(format_value, element.attributes.values())
+        yield element.text()
+
+
+def _outside_expressions(text: str) -> str:
+    """Return what of a text is none of Python's: without `${…}`, but with the texts in it."""
+    return re.sub(
+        r"\$\{([^}]*)\}", lambda found: " ".join(re.findall(r"'[^']*'|\"[^\"]*\"", found[1])), text
+    )
 
 
 def used_in(root: Element, without: Container[int] = ()) -> set[str]:

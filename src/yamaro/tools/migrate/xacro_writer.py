@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import re
 from contextlib import contextmanager
 
 from ...runtime.predefined import CONSTANTS
@@ -35,7 +34,6 @@ if TYPE_CHECKING:
     from .xacro_contents import Contents
     from .xacro_parts import Write
 
-_MESSAGE = re.compile(r"\$\{xacro\.(?:message|warning|error)\(([^,}]*)\)\}")
 PREDEFINED = frozenset(CONSTANTS) | {"load_yaml", "find", "math", "xacro", "python", "arg"}
 SCOPES = {"global": "/global", "parent": "/parent"}
 
@@ -188,6 +186,10 @@ class FileWriter(ElementWriter):
         """Return the arguments of all files, which the main file declares."""
         body = Body()
         for name, argument in self._program.arguments.items():
+            if self._is_late(name):
+                body.note(argument.remark)
+                body.add(f"{self._variable(name)}/global")
+                continue
             if argument.is_ambiguous:
                 self._lose(
                     argument.span,
@@ -195,7 +197,9 @@ class FileWriter(ElementWriter):
                     "xacro takes the one that it reaches first, which other arguments may change",
                 )
             try:
-                value = self.translator.value(argument.default or "")
+                default = argument.default or ""
+                is_python = self._program.is_python(name)
+                value = f"$({default.strip()})" if is_python else self.translator.value(default)
             except CannotMigrate as error:
                 self._lose(argument.span, str(error))
                 continue
@@ -228,9 +232,9 @@ class FileWriter(ElementWriter):
                 body.note(tidy_text(node.text))
             elif isinstance(node, Text):
                 text = tidy_text(format_value(node.value))
-                message = _MESSAGE.fullmatch(text)
-                if message:
-                    body.add("print", self._text(f"${{{message[1]}}}", node.span))
+                message = self._message(text)
+                if message is not None:
+                    body.add("print", message)
                 elif text:
                     body.add("<#text>", self._text(text, node.span))
             elif isinstance(node, Element):
@@ -310,7 +314,7 @@ class FileWriter(ElementWriter):
     def _content(self, element: Element, children: list[Node]) -> Value:
         if (
             has_text(element)
-            and not _MESSAGE.fullmatch(element.text().strip())
+            and self._message(element.text().strip()) is None
             and all(isinstance(child, (Text, Comment)) for child in children)
         ):
             return self._text(tidy_text(element.text()), element.span)
@@ -319,6 +323,13 @@ class FileWriter(ElementWriter):
 
     def _translate(self, text: str) -> str:
         return self.translator.text(_tidied(text))
+
+    def _message(self, text: str) -> str | None:
+        """Return what a text says to the user, if it does nothing else."""
+        try:
+            return self.translator.message(text) if "xacro." in text else None
+        except CannotMigrate:
+            return None
 
     def _text(self, text: str, span: Span) -> str:
         try:
@@ -332,7 +343,7 @@ class FileWriter(ElementWriter):
         rest: list[Node] = []
         for child in element.children:
             if isinstance(child, Element) and child.name == "xacro:attribute":
-                name = format_value(child.attributes.get("name"))
+                name = self.translator.text(format_value(child.attributes.get("name")))
                 attributes[name] = self.translator.text(format_value(child.attributes.get("value")))
             else:
                 rest.append(child)
@@ -341,8 +352,24 @@ class FileWriter(ElementWriter):
     # --- xacro's tags ---------------------------------------------------------------------------
 
     def _argument(self, node: Element, body: Body) -> None:
-        """Leave out an argument, which the main file declares, and the comments above it."""
+        """Leave out an argument, which the main file declares, and the comments above it.
+
+        A default that is made of properties is given where it stands, if there is no value yet.
+        """
         body.remark = ""
+        name = format_value(node.attributes.get("name"))
+        if not self._is_late(name) or "default" not in node.attributes:
+            return
+        own = self._variable(name)
+        default = self.translator.value(format_value(node.attributes["default"]))
+        given = Body([Entry("variables", Body([Entry(f"{own}/global", default)]))])
+        body.add("if", Body([Entry("condition", f"{own} is None"), Entry("body", given)]))
+
+    def _is_late(self, name: str) -> bool:
+        """Tell whether an argument has a default that is made of properties."""
+        argument = self._program.arguments.get(name)
+        known = PREDEFINED | self._program.arguments.keys()
+        return argument is not None and not argument.made_of <= known
 
     def _property(self, node: Element, body: Body) -> None:
         given = {name: format_value(value) for name, value in node.attributes.items()}
