@@ -12,7 +12,6 @@ from .diagnostics import (
     Reporter,
     YamaroError,
     YamaroWarning,
-    failure,
     suggest,
 )
 from .policy import Limits, Policy
@@ -22,6 +21,7 @@ from .runtime.deep_stack import run_on_deep_stack
 from .runtime.interpreter import Interpreter
 from .runtime.library import Library, rules_of
 from .runtime.loader import FileLoader, LoadError
+from .runtime.meshes import MeshFinder
 from .runtime.packages import PackageFinder
 from .runtime.predefined import plain_data
 from .source import STANDARD_INPUT, STANDARD_INPUT_NAME, Source, Span
@@ -55,13 +55,14 @@ PIECES_IN_CHUNK = 10_000
 class Build:
     """A finished robot or other document."""
 
-    __slots__ = ("_find_meshes", "_make_root", "_pieces", "_root", "files", "warnings")
+    __slots__ = ("_find_meshes", "_make_root", "_pieces", "_root", "files", "finder", "warnings")
 
     def __init__(
         self,
         make_root: Callable[[], Element],
         find_meshes: Callable[[], list[str]],
         *,
+        finder: MeshFinder,
         pieces: list[str],
         warnings: list[Diagnostic],
         files: list[str],
@@ -71,6 +72,7 @@ class Build:
         Args:
             make_root: makes the finished tree, each element traced to its origin.
             find_meshes: gives the meshes referred to.
+            finder: tells where the file of a mesh is.
             pieces: the document, in pieces.
             warnings: what was noticed, in order.
             files: the absolute path of every file read, in order.
@@ -79,6 +81,7 @@ class Build:
         self._find_meshes = find_meshes
         self._root: Element | None = None
         self._pieces = pieces
+        self.finder = finder
         self.warnings = warnings
         self.files = files
 
@@ -234,7 +237,8 @@ class Program:
                 reporter.add(diagnostic)
             if outcome.has_errors:
                 raise YamaroError(reporter.diagnostics)
-            result = take(_build_of(outcome))
+            finder = MeshFinder(PackageFinder(given=self._packages), self._reach)
+            result = take(_build_of(outcome, finder))
         else:
             result = self._run(lambda: take(compile_robot(say)), reporter, source)
         if strict and reporter.diagnostics:
@@ -372,7 +376,7 @@ def _reach_of(path: str, policy: Policy, packages: Mapping[str, str]) -> Reach |
     return Reach(roots_of(os.path.abspath(path), allowed, PackageFinder()))
 
 
-def _build_of(outcome: Outcome) -> Build:
+def _build_of(outcome: Outcome, finder: MeshFinder) -> Build:
     """Return the build that came out of a jail."""
 
     def make_root() -> Element:
@@ -382,6 +386,7 @@ def _build_of(outcome: Outcome) -> Build:
     return Build(
         make_root,
         lambda: outcome.meshes,
+        finder=finder,
         pieces=outcome.pieces,
         warnings=outcome.diagnostics,
         files=outcome.files,
@@ -401,7 +406,7 @@ def _finish(
     An element that stands in several places cannot tell which calls led to each of them. So if
     there is something to tell about one, all is done again with an element for each place.
     """
-    finder = _MeshFinder(interpreter.files.packages, reach)
+    finder = MeshFinder(interpreter.files.packages, reach)
     limits = interpreter.limits
     has_parts, shared = interpreter.has_parts, interpreter.builder.shared
     found = _complete(evaluated, shared, finder, limits, has_parts=has_parts, advice=advice)
@@ -430,6 +435,7 @@ def _finish(
     return Build(
         make_root,
         lambda: finder.referred_to(finished),
+        finder=finder,
         pieces=found.pieces,
         warnings=reporter.diagnostics,
         files=list(interpreter.files.read),
@@ -452,7 +458,7 @@ class _Completed:
 def _complete(
     evaluated: Element,
     shared: Shared,
-    finder: _MeshFinder,
+    finder: MeshFinder,
     limits: Limits,
     *,
     has_parts: bool,
@@ -474,6 +480,7 @@ def _complete(
                 reporter=reporter,
                 resolve_mesh=finder.resolve,
                 places_searched=finder.places_searched,
+                path_meant=finder.path_meant,
                 advice=advisor,
                 shared=shared,
             )
@@ -637,69 +644,3 @@ def _warn_of_unknown_variables(
                 span,
                 hint=f"did you mean '{near}'?" if near else None,
             )
-
-
-class _MeshFinder:
-    """Finds the files that meshes and textures refer to."""
-
-    __slots__ = ("_found", "_packages", "_reach")
-
-    def __init__(self, packages: PackageFinder, reach: Reach | None) -> None:
-        self._packages = packages
-        self._reach = reach
-        self._found: dict[tuple[str, str], str | None] = {}
-
-    def resolve(self, filename: str, span: Span) -> str | None:
-        """Return the absolute path of a file referred to at a span, or None if it is not there.
-
-        Raises:
-            YamaroError: it lies where it may not be read.
-        """
-        directory = _directory(span)
-        key = (filename, directory)
-        if key not in self._found:
-            path = None
-            if "\x00" not in filename:
-                path = self._packages.resolve_uri(filename, directory)
-            is_file = path is not None and os.path.isfile(path)
-            if is_file and self._reach is not None:
-                self._check_reach(self._reach, str(path), filename, span)
-            self._found[key] = path if is_file else None
-        return self._found[key]
-
-    @staticmethod
-    def _check_reach(reach: Reach, path: str, filename: str, span: Span) -> None:
-        try:
-            reach.check(path)
-        except LoadError as error:
-            message = f"the file '{filename}' cannot be read: {error}"
-            raise failure(error.code, message, span, hint=error.hint) from None
-
-    def places_searched(self, package: str, span: Span) -> list[str] | None:
-        """Return where a package was looked for, or None if it is known."""
-        directory = _directory(span)
-        if self._packages.find(package, directory) is not None:
-            return None
-        return self._packages.looked_at(package, directory)
-
-    def referred_to(self, root: Element) -> list[str]:
-        """Return the files of every mesh and texture in a tree, each once, in order."""
-        files: dict[str, None] = {}
-        pending = [root]
-        seen: set[int] = set()  # an element may stand in several places
-        while pending:
-            element = pending.pop()
-            if id(element) in seen:
-                continue
-            seen.add(id(element))
-            if element.name in ("mesh", "texture") and element.attributes.get("filename"):
-                filename = str(element.attributes["filename"])
-                span = element.value_span("filename")
-                files.setdefault(self.resolve(filename, span) or filename)
-            pending.extend(reversed(element.elements()))
-        return list(files)
-
-
-def _directory(span: Span) -> str:
-    path = span.source.path
-    return os.path.dirname(path) if path else os.getcwd()
