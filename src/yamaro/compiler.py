@@ -26,10 +26,11 @@ from .runtime.packages import PackageFinder
 from .runtime.predefined import plain_data
 from .source import STANDARD_INPUT, STANDARD_INPUT_NAME, Source, Span
 from .syntax.context import ParseContext
+from .syntax.includes import is_xml_file
 from .syntax.names import is_identifier, python_name
 from .syntax.values import parse_inline
 from .syntax.yaml_nodes import PLAIN, ScalarNode
-from .xmltree import Element, unshared, write_pieces
+from .xmltree import Element, format_value, unshared, write_pieces
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -117,7 +118,16 @@ class Program:
     conversion. Conversions may run in several threads at once.
     """
 
-    __slots__ = ("_library", "_packages", "_path", "_policy", "_reach", "_source", "_text")
+    __slots__ = (
+        "_is_xml",
+        "_library",
+        "_packages",
+        "_path",
+        "_policy",
+        "_reach",
+        "_source",
+        "_text",
+    )
 
     def __init__(
         self,
@@ -127,10 +137,12 @@ class Program:
         loader: Loader | None = None,
         policy: Policy | None = None,
         packages: Mapping[str, str] | None = None,
+        takes_xml: bool = False,
     ) -> None:
         """Name the main file; see `yamaro.build`."""
         self._path = path = os.fspath(path)
         self._text = text
+        self._is_xml = takes_xml and is_xml_file(path)
         self._policy = policy or Policy()
         self._packages = dict(packages or {})
         self._reach = _reach_of(path, self._policy, self._packages)
@@ -211,8 +223,7 @@ class Program:
         What it does not take is freed in the thread that made it, whose core has it at hand. Out of
         a jail the tree comes only with `has_root`, since that takes time.
         """
-        passed, places = _read_command_line(command_line)
-        passed.update(variables)
+        evaluate = self._evaluation(command_line, variables)
         source = self._main_file()
         reporter = Reporter()
 
@@ -224,8 +235,7 @@ class Program:
                 policy=self._policy,
                 packages=PackageFinder(given=self._packages),
             )
-            evaluated = interpreter.run_main(source, stem=_stem(self._path), variables=passed)
-            _warn_of_unknown_variables(interpreter, places, reporter)
+            evaluated = evaluate(source, interpreter, reporter)
             return _finish(evaluated, interpreter, reporter, advice=advice, reach=self._reach)
 
         say = on_message or _print_to_standard_error
@@ -247,9 +257,37 @@ class Program:
             raise YamaroError(reporter.diagnostics)
         return result
 
+    def _evaluation(
+        self, command_line: Sequence[str], variables: Mapping[str, object]
+    ) -> Callable[[Source, Interpreter, Reporter], Element]:
+        """Return what evaluates the main file; raise UsageError if a `name:=value` is malformed."""
+        if self._is_xml:
+            arguments = _read_xacro_arguments(command_line, variables)
+
+            def evaluate_xml(
+                source: Source, interpreter: Interpreter, reporter: Reporter
+            ) -> Element:
+                from .runtime.xml_main import run_xml_main
+
+                root, is_xacro = run_xml_main(source, interpreter, arguments, reporter)
+                if not is_xacro:
+                    _warn_of_unknown_variables(interpreter, _places_of(command_line), reporter)
+                return root
+
+            return evaluate_xml
+        passed, places = _read_command_line(command_line)
+        passed.update(variables)
+
+        def evaluate(source: Source, interpreter: Interpreter, reporter: Reporter) -> Element:
+            evaluated = interpreter.run_main(source, stem=_stem(self._path), variables=passed)
+            _warn_of_unknown_variables(interpreter, places, reporter)
+            return evaluated
+
+        return evaluate
+
     def _main_file(self) -> Source:
         if self._source is None:
-            self._source = _read_main(self._path, self._text, self._library)
+            self._source = _read_main(self._path, self._text, self._library, is_xml=self._is_xml)
         return self._source
 
     def _has_jail(self, source: Source) -> bool:
@@ -336,6 +374,7 @@ def build(
     policy: Policy | None = None,
     packages: Mapping[str, str] | None = None,
     has_root: bool = True,
+    takes_xml: bool = False,
 ) -> Build:
     """Compile a file.
 
@@ -351,12 +390,16 @@ def build(
         policy: how far the file is trusted; in full by default.
         packages: folders of ROS packages by name, before those that are found.
         has_root: without, there may be no tree in the end, which spares taking it out of a jail.
+        takes_xml: the file may also be a URDF, or a robot in xacro; its name tells which it is.
 
     Raises:
         YamaroError: the input has errors; it holds them, and the warnings found before.
         UsageError: the main file cannot be read, or a `name:=value` is malformed.
     """
-    return Program(path, text=text, loader=loader, policy=policy, packages=packages).build(
+    program = Program(
+        path, text=text, loader=loader, policy=policy, packages=packages, takes_xml=takes_xml
+    )
+    return program.build(
         command_line=command_line,
         variables=variables,
         strict=strict,
@@ -578,7 +621,7 @@ def _stem(path: str) -> str:
     return stem or "robot"
 
 
-def _read_main(path: str, text: str | None, library: Library) -> Source:
+def _read_main(path: str, text: str | None, library: Library, *, is_xml: bool) -> Source:
     if text is not None:
         is_file = path != STANDARD_INPUT
         name = path if is_file else STANDARD_INPUT_NAME
@@ -586,7 +629,7 @@ def _read_main(path: str, text: str | None, library: Library) -> Source:
             text.removeprefix("\ufeff"), name=name, path=os.path.abspath(path) if is_file else ""
         )
     try:
-        return library.source(os.path.abspath(path), path)
+        return library.source(os.path.abspath(path), path, is_xml=is_xml)
     except LoadError as error:
         if error.hint is not None:
             raise refusal_of_main(path, error) from None
@@ -620,6 +663,28 @@ def _read_command_line(arguments: Sequence[str]) -> tuple[dict[str, object], dic
             raise UsageError(f"'{argument}': {error.diagnostics[0].message}") from None
         places[python_name(name)] = Span(source, 0, len(name))
     return values, places
+
+
+def _read_xacro_arguments(
+    command_line: Sequence[str], variables: Mapping[str, object]
+) -> dict[str, str]:
+    """Return the arguments of a xacro file, which are texts."""
+    values = {}
+    for argument in command_line:
+        name, separator, value = argument.partition(":=")
+        if not separator or not name:
+            raise UsageError(f"'{argument}' is not of the form name:=value")
+        values[name] = value
+    return values | {name: format_value(value) for name, value in variables.items()}
+
+
+def _places_of(command_line: Sequence[str]) -> dict[str, Span]:
+    """Return where the name of each `name:=value` stands."""
+    places = {}
+    for argument in command_line:
+        name = argument.partition(":=")[0]
+        places[name] = Span(Source(argument, name="<command line>"), 0, len(name))
+    return places
 
 
 def _warn_of_unknown_variables(
