@@ -182,6 +182,45 @@ def test_an_argument_whose_default_needs_a_property_gets_it_where_that_is_known(
     hold_for(tmp_path, [], ["path:=given"], ["top:=t"])
 
 
+def test_a_default_that_reads_a_parameter_means_that_of_the_caller(tmp_path: Path) -> None:
+    made = migrated(
+        tmp_path,
+        """\
+        <xacro:property name="prefix" value="top_"/>
+        <xacro:macro name="arm" params="prefix tf:=${prefix}"><a p="${prefix}" t="${tf}"/>
+        </xacro:macro>
+        <xacro:arm prefix="l_"/><xacro:arm prefix="r_" tf="x_"/>
+        """,
+    )
+    assert "    input: prefix, tf\n" in made["r.yaml"]
+    assert "  - Arm: {prefix: l_, tf: $(prefix)}\n" in made["r.yaml"]
+
+
+def test_an_include_whose_name_depends_on_an_argument_still_does(tmp_path: Path) -> None:
+    library = {
+        f"parts/{name}.urdf": f'<xacro:macro name="arm" params=""><{name}/></xacro:macro>'
+        for name in ("long", "short")
+    }
+    (tmp_path / "parts").mkdir()
+    text = """\
+        <xacro:arg name="kind" default="long"/>
+        <xacro:include filename="parts/$(arg kind).urdf.xacro"/>
+        <xacro:arm/>
+        """
+    short = migrated(tmp_path, text.replace('default="long"', 'default="short"'), **library)
+    made = migrated(tmp_path, text, **library)
+    assert "  include: parts/$(kind).yaml\n" in made["r.yaml"]
+    assert sorted(made) == ["parts/long.yaml", "r.yaml"]
+    assert sorted(short) == ["parts/short.yaml", "r.yaml"]
+    hold_for(tmp_path, [], ["kind:=short"])
+
+
+def test_prefixes_that_an_included_file_declares_are_declared(tmp_path: Path) -> None:
+    (tmp_path / "other.xml").write_text('<robot xmlns:b="http://b.org"><b:x/></robot>')
+    made = migrated(tmp_path, '<xacro:include filename="other.xml"/>')
+    assert made["r.yaml"].startswith("robot/name=r, xmlns:b=http://b.org:\n")
+
+
 def test_an_argument_may_be_a_list_of_python(tmp_path: Path) -> None:
     made = migrated(
         tmp_path,

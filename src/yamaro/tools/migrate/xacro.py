@@ -6,6 +6,7 @@ import os
 
 from .document import write_document
 from .xacro_contents import Contents
+from .xacro_includes import source_name
 from .xacro_program import Program, common_folder
 from .xacro_writer import FileWriter
 
@@ -74,10 +75,7 @@ def migrate_xacro(source: Source, host: Host, arguments: Mapping[str, str]) -> X
 
 
 def _output(path: str, taken: set[str]) -> str:
-    stem = path
-    for ending in (".xacro", ".urdf", ".xml"):
-        stem = stem.removesuffix(ending)
-    unique, number = f"{stem}.yaml", 2
+    unique, number = source_name(path), 2
     while unique in taken:
-        unique, number = f"{stem}_{number}.yaml", number + 1
+        unique, number = f"{source_name(path).removesuffix('.yaml')}_{number}.yaml", number + 1
     return unique

@@ -17,6 +17,7 @@ from ...xacro.parameters import Parameter, parse_parameters
 from ...xacro.python import Python
 from ...xmltree import Comment, Element, format_value
 from .elements import tidy_text, walk
+from .xacro_includes import folder_meant
 from .xacro_namespaces import Namespaces
 
 TYPE_CHECKING = False
@@ -54,6 +55,10 @@ class Macro:
     def values(self) -> list[str]:
         """Return the names of the parameters that are values."""
         return [own.name for own in self.parameters if not own.is_block]
+
+    def is_default_of_caller(self, own: Parameter) -> bool:
+        """Tell whether a default reads the caller's property of a parameter's name."""
+        return bool(names_in(own.default or "") & set(self.values()))
 
     def blocks(self) -> list[str]:
         """Return the names of the parameters that are blocks, with their stars."""
@@ -109,6 +114,7 @@ class Program:
         """
         self.main = source.path
         self.given = dict(arguments)
+        self._host = host
         watch = _Watch(host)
         python = _WatchedPython(host.limits)
         reporter = Reporter()
@@ -316,6 +322,10 @@ class Program:
         elif name not in self.given:
             known.is_ambiguous = True
             known.default = self.values_of_arguments.get(name, known.default)
+
+    def folder_meant(self, start: str, element: Element) -> str | None:
+        """Return the folder that the start of a file's name means where an element stands."""
+        return folder_meant(start, element.span.source.path, self._host, element.span)
 
     def is_python(self, name: str) -> bool:
         """Tell whether an argument is a list or the like that is put into expressions only."""
