@@ -221,6 +221,23 @@ def test_prefixes_that_an_included_file_declares_are_declared(tmp_path: Path) ->
     assert made["r.yaml"].startswith("robot/name=r, xmlns:b=http://b.org:\n")
 
 
+def test_numbers_with_units_that_are_expressions_become_numbers(tmp_path: Path) -> None:
+    (tmp_path / "limits.yaml").write_text(
+        "a: !radians pi / 2  # a quarter\nb: [!degrees 2*45, !degrees 90]\nc: !meters 1.5\n"
+    )
+    made = migrated(
+        tmp_path,
+        """\
+        <xacro:property name="limits" value="${xacro.load_yaml('limits.yaml')}"/>
+        <a a="${limits.a}" b="${limits.b[0]} ${limits.b[1]}" c="${limits.c}"/>
+        """,
+    )
+    assert made["limits.yaml"] == (
+        "a: !radians 1.5707963267948966  # a quarter\nb: [!degrees 90.0, !degrees 90]\n"
+        "c: !meters 1.5\n"
+    )
+
+
 def test_an_argument_may_be_a_list_of_python(tmp_path: Path) -> None:
     made = migrated(
         tmp_path,
@@ -363,6 +380,10 @@ def test_what_namespaces_cannot_do_is_told(tmp_path: Path, text: str, why: str) 
         value="${xacro.message('from a', 'value') or 7}"/>
         ${xacro.message('a', 2, k)}<a v="${cfg.a + cfg.b}" s="${said}"/>
         <b><xacro:attribute name="${k}_x" value="${k}"/></b>""",
+        # a macro that is defined anew
+        """<xacro:macro name="m" params="n"><a n="${n}"/></xacro:macro><xacro:m n="1"/>
+        <xacro:macro name="m" params="*b"><b><xacro:insert_block name="b"/></b></xacro:macro>
+        <xacro:m><i/></xacro:m><xacro:m><j/></xacro:m>""",
         # a block as a property
         """<xacro:property name="grey"><color rgba="1 1 1 1"/></xacro:property>
         <m><xacro:insert_block name="grey"/></m>""",
@@ -393,11 +414,14 @@ def test_a_difference_is_told(
 ) -> None:
     monkeypatch.chdir(tmp_path)
     Path("r.xacro").write_text(
-        f'{HEAD}\n<xacro:macro name="m" params=""><a/></xacro:macro><xacro:m/>\n'
-        '<xacro:macro name="m" params=""><b/></xacro:macro><xacro:m/></robot>\n'
+        f'{HEAD}\n<xacro:macro name="m" params=""><a/></xacro:macro>\n'
+        '<xacro:macro name="use" params=""><xacro:m/></xacro:macro><xacro:use/>\n'
+        '<xacro:macro name="m" params=""><b/></xacro:macro><xacro:use/></robot>\n'
     )
     assert main(["migrate", "r.xacro", "-o", "out"]) == 1
-    assert "different: robot 'r', a: is missing" in capsys.readouterr().err
+    told = capsys.readouterr().err
+    assert "different: robot 'r', a: is missing" in told
+    assert "this definition of 'm' is left out: there is another one below" in told
 
 
 def test_the_folder_is_needed_and_what_is_there_stays(

@@ -463,7 +463,9 @@ class FileWriter(ElementWriter):
         if macro is None:
             raise CannotMigrate("the macro has no name")
         if self._is_top and self._program.is_defined_again(macro):
-            body.note(f"the first definition of {name} is left out: there is another one below")
+            why = f"this definition of '{name}' is left out: there is another one below"
+            self._lose(node.span, why)
+            body.note(why)
             return
         function = Body()
         before = self._blocks, self._parameters, self._is_top, self._locals, self._visible
@@ -534,7 +536,7 @@ class FileWriter(ElementWriter):
 
     def _block_name(self, name: str) -> str:
         stem = camel(name)
-        taken = {macro.function for macro in self._program.macros.values()}
+        taken = {macro.function for macro in self._program.definitions.values()}
         return f"{stem}Block" if stem in taken else stem
 
     def _insert(self, node: Element, body: Body) -> None:
