@@ -63,8 +63,8 @@ def test_macros_become_functions_and_properties_variables(tmp_path: Path) -> Non
     assert made["r.yaml"] == textwrap.dedent("""\
         robot: r
         variables:
-          prefix: my_
           # The wheels
+          prefix: my_
           radius: 0.1
           width: $(radius / 2)
         functions:

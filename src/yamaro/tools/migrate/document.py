@@ -78,6 +78,19 @@ class Quoted(str):
     __slots__ = ()
 
 
+class Row(str):
+    """A text of several pieces with commas between them, which may go on several lines."""
+
+    __slots__ = ("pieces",)
+    pieces: list[str]
+
+    def __new__(cls, pieces: list[str]) -> Row:
+        """Join the pieces."""
+        row = super().__new__(cls, ", ".join(pieces))
+        row.pieces = pieces
+        return row
+
+
 class Entry:
     """A key with its value; `comment` is what YAML comments above it say, line by line."""
 
@@ -220,6 +233,10 @@ def _write_entry(entry: Entry, head: str, margin: str, out: list[str]) -> None:
 
 
 def _write_text(text: str, head: str, margin: str, out: list[str]) -> None:
+    if isinstance(text, Row) and len(head) + len(text) >= WIDTH and _is_plain(text, in_flow=False):
+        out.append(head)
+        out += [f"{margin}  {line}" for line in _wrapped(text.pieces, WIDTH - len(margin) - 2)]
+        return
     lines = text.split("\n")
     if len(lines) == 1 or not all(line.isprintable() for line in lines):
         out.append(f"{head} {_scalar(text, in_flow=False)}")
@@ -227,6 +244,19 @@ def _write_text(text: str, head: str, margin: str, out: list[str]) -> None:
     indicator = "2" if lines[0].startswith(" ") else ""
     out.append(f"{head} |{indicator}-")
     out += [f"{margin}  {line}".rstrip() for line in lines]
+
+
+def _wrapped(pieces: list[str], width: int) -> list[str]:
+    """Return pieces with commas between them as lines no wider than asked, if that can be."""
+    lines = [""]
+    for piece in pieces:
+        longer = f"{lines[-1]}, {piece}" if lines[-1] else piece
+        if lines[-1] and len(longer) >= width:
+            lines[-1] += ","
+            lines.append(piece)
+        else:
+            lines[-1] = longer
+    return lines
 
 
 def _in_braces(body: Body, remarks: list[str]) -> str | None:

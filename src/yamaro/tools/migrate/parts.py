@@ -6,7 +6,7 @@ from ...robot.mesh import MESH_ENDINGS, mesh_ending
 from ...robot.shapes import Box, Cylinder, Sphere
 from ...xmltree import Comment, Element, Text, format_value
 from .compare import same_words, values_of
-from .document import RECORD_WIDTH, Body, Entry, Value, without_expressions, words_of
+from .document import RECORD_WIDTH, Body, Entry, without_expressions, words_of
 from .elements import ElementWriter, add_loose
 from .pairing import has_text, name_of
 
@@ -113,7 +113,7 @@ class PartWriter:
         self,
         elements: ElementWriter,
         names: Names,
-        material: Callable[[Element], Value | None],
+        material: Callable[[Element], Entry | None],
         *,
         resolves: bool = False,
     ) -> None:
@@ -269,15 +269,15 @@ class PartWriter:
                 else:
                     body.entries.append(self._elements.entry(child, bracketed=True))
             elif child.name != "origin":
-                out.append(self._section_child(child, section))
+                out.append(self._section_child(child))
 
         self._write_all(section, rest, write)
         body.extend(rest)
         return Entry(self._elements.key(section.name, values_of(section)), body or None)
 
-    def _section_child(self, child: Element, section: Element) -> Entry:
+    def _section_child(self, child: Element) -> Entry:
         material = self._material(child) if child.name == "material" else None
-        return Entry("material", material) if material else self._element(child)
+        return material or self._element(child)
 
     def _inertial(self, inertial: Element, plan: LinkPlan) -> Entry:
         mass = values_of(child_named(inertial, "mass"))["value"]
@@ -454,6 +454,23 @@ def is_short_material(material: Element) -> bool:
         and (child.name != "color" or are_numbers(values_of(child)["rgba"], 4))
         for child in children
     )
+
+
+def material_entry(material: Element) -> Entry | None:
+    """Return a material in short: its name, with its colour and texture; None for any other."""
+    if not is_short_material(material):
+        return None
+    name = values_of(material)["name"]
+    looks = [
+        Entry(look.name, " ".join(words_of(format_value(value))))
+        for look in material.elements()
+        for value in values_of(look).values()
+    ]
+    if not looks:
+        return Entry("material", name) if name else None
+    if not name:
+        return Entry("material/name=", Body(looks, in_braces=True))
+    return Entry("material", Body([Entry("name", name), *looks], in_braces=True))
 
 
 def child_named(element: Element, name: str) -> Element:

@@ -29,7 +29,7 @@ class XacroMigration:
         root: what xacro makes of the robot.
         differences: in what the robot that the sources make differs from it.
         origins: the paths of the files by those of the xacro files they were made of.
-        lost: what could not be carried over, with its place.
+        lost: what could not be carried over: its place, why, and a hint.
         is_compared_with_xacro: whether the package xacro made what it was compared with.
         faults: the errors of the sources, if they cannot be built.
     """
@@ -41,7 +41,7 @@ class XacroMigration:
         self.root = root
         self.origins: dict[str, str] = {}
         self.differences: list[Difference] = []
-        self.lost: list[tuple[Span, str]] = []
+        self.lost: list[tuple[Span, str, str]] = []
         self.is_compared_with_xacro = False
         self.faults: list[Diagnostic] = []
 
@@ -62,8 +62,9 @@ def migrate_xacro(source: Source, host: Host, arguments: Mapping[str, str]) -> X
     migration.origins = outputs
     for path, output in outputs.items():
         writer = FileWriter(program, contents, path, outputs.__getitem__)
-        sections = writer.sections(is_main=path == source.path)
-        migration.files[output] = write_document(sections)
+        is_main = path == source.path
+        sections = writer.sections(is_main=is_main)
+        migration.files[output] = write_document(sections, writer.header(is_main=is_main))
         migration.lost += writer.lost
     for path, text in program.data.items():
         relative = os.path.relpath(path, folder)

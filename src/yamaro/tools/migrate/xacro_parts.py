@@ -10,7 +10,7 @@ from __future__ import annotations
 from ...robot.urdf import JOINT_TYPES
 from ...xmltree import Comment, Element, Text, format_value
 from .compare import values_of
-from .document import Body, Entry, Value
+from .document import Body, Entry
 from .elements import ElementWriter, add_loose, walk
 from .pairing import has_text, pair
 from .parts import (
@@ -22,6 +22,7 @@ from .parts import (
     PartWriter,
     are_numbers,
     is_short_material,
+    material_entry,
     read_geometry,
 )
 from .xacro_contents import UnknownContent
@@ -164,7 +165,7 @@ class XacroPartWriter(PartWriter):
         self._originals: dict[int, tuple[Element, Element]] = {}
         self._has_one_inertial = False
         elements = _PartElements(host, self._originals)
-        super().__init__(elements, Names([]), _material, resolves=True)
+        super().__init__(elements, Names([]), material_entry, resolves=True)
 
     def entry(self, link: Element, joint: Element | None, *, joint_first: bool) -> Entry | None:
         """Return a joint and a link as a part, or None if they are more than a part can say."""
@@ -334,14 +335,3 @@ def _declares(owner: Element) -> bool:
 
 def _may_repeat(counts: Counts, *names: str) -> bool:
     return any(counts.get(name, (0, 0))[1] > 1 for name in names)
-
-
-def _material(material: Element) -> Value | None:
-    if not is_short_material(material) or not format_value(material.attributes["name"]):
-        return None
-    details = material.elements()
-    name = format_value(material.attributes["name"])
-    if not details:
-        return name
-    entries = [Entry(e.name, format_value(next(iter(e.attributes.values())))) for e in details]
-    return Body([Entry("name", name), *entries], in_braces=True)

@@ -15,16 +15,17 @@ from ...xacro.expansion import Expansion
 from ...xacro.literals import guess_value
 from ...xacro.parameters import Parameter, parse_parameters
 from ...xacro.python import Python
-from ...xmltree import Element, format_value
-from .elements import walk
+from ...xmltree import Comment, Element, format_value
+from .elements import tidy_text, walk
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Mapping
+    from collections.abc import Container, Mapping
     from typing import Any
 
     from ...source import Source, Span
     from ...xacro.host import Host
+    from ...xmlreader import XmlDocument
 
 _NAME = re.compile(r"[A-Za-z_]\w*")
 
@@ -58,18 +59,40 @@ class Macro:
         return [own.name for own in self.parameters if own.is_block]
 
 
+class Argument:
+    """An argument of a robot.
+
+    Attributes:
+        default: what it is if it is not given; None if it has to be.
+        span: where it is declared.
+        remark: the comments above that.
+        is_ambiguous: whether it has another default elsewhere.
+    """
+
+    __slots__ = ("default", "is_ambiguous", "remark", "span")
+
+    def __init__(self, default: str | None, span: Span, remark: str) -> None:
+        """Hold what its first declaration says."""
+        self.default = default
+        self.span = span
+        self.remark = remark
+        self.is_ambiguous = False
+
+
 class Program:
     """The files of a robot, and what is defined in them.
 
     Attributes:
         main: the path of the main file.
-        roots: the root elements of the files, by path.
+        documents: the files, by path.
+        roots: their root elements.
         data: the texts of other files that were read, by path.
         included: the paths that an include means, by the place of its `filename`.
         truths: expressions that were truth values or lists, which Python shows in its own way.
         numbers: expressions that gave a text which xacro takes for a number: `float` or `int`.
         macros: by name.
-        arguments: the defaults of the arguments, by name.
+        arguments: by name.
+        assigned_from_inside: the properties that macros define for those who call them.
         result: what the robot expands to.
     """
 
@@ -88,17 +111,19 @@ class Program:
         expansion = Expansion(watch, reporter, evaluator)
         self.result = expansion.expand(source)
         self.values_of_arguments = evaluator.arguments
-        self.roots: dict[str, Element] = {source.path: _read(source, host)}
-        self.roots.update(expansion.documents)
+        self.documents: dict[str, XmlDocument] = {source.path: _read(source, host)}
+        for path, root in expansion.documents.items():
+            self.documents.setdefault(path, _read(root.span.source, host))
         self.included = expansion.included
-        self.data = {path: text for path, text in watch.texts.items() if path not in self.roots}
         self._read_the_rest(host)
+        self.roots = {path: document.root for path, document in self.documents.items()}
+        self.data = {path: text for path, text in watch.texts.items() if path not in self.roots}
         self.truths = python.truths
         self.numbers = {text: kind for text, kind in python.numbers.items() if kind != "text"}
         self.macros: dict[str, Macro] = {}
         self.definitions: dict[tuple[str, int], Macro] = {}
-        self.arguments: dict[str, str] = {}
-        self.ambiguous: set[str] = set()
+        self.arguments: dict[str, Argument] = {}
+        self.assigned_from_inside: set[str] = set()
         self.properties: dict[str, set[str]] = {}
         self.blocks: set[str] = set()
         self._names: dict[str, set[str]] = {}
@@ -113,10 +138,10 @@ class Program:
 
     def _read_the_rest(self, host: Host) -> None:
         """Read the files that these arguments do not reach, where their names are plain."""
-        pending = list(self.roots.items())
+        pending = list(self.documents)
         while pending:
-            path, root = pending.pop()
-            for element in walk(root):
+            path = pending.pop()
+            for element in walk(self.documents[path].root):
                 if element.name != "xacro:include" or "filename" not in element.attributes:
                     continue
                 span = element.value_span("filename")
@@ -127,13 +152,13 @@ class Program:
                 if found is None:
                     continue
                 self.included[key] = [found]
-                if found not in self.roots:
+                if found not in self.documents:
                     try:
-                        self.roots[found] = _read(host.read(found, span), host)
+                        self.documents[found] = _read(host.read(found, span), host)
                     except YamaroError:
                         del self.included[key]
                         continue
-                    pending.append((found, self.roots[found]))
+                    pending.append(found)
 
     def _gather(self, path: str, root: Element) -> None:
         names = self._names[path] = set()
@@ -155,12 +180,24 @@ class Program:
                 macro = Macro(element, path, function)
                 self.macros.setdefault(name, macro)
                 self.definitions[path, element.span.start] = macro
-            elif element.name == "xacro:arg" and "name" in given:
-                self._add_argument(given["name"], given.get("default", ""))
             elif element.name == "xacro:property" and "name" in given:
                 self.properties.setdefault(given["name"], set()).add(path)
+                if given.get("scope") in ("parent", "global"):
+                    self.assigned_from_inside.add(given["name"])
                 if "value" not in given and "default" not in given and "remove" not in given:
                     self.blocks.add(given["name"])
+            self._gather_arguments(element)
+
+    def _gather_arguments(self, element: Element) -> None:
+        """Note the arguments that are declared in an element, with the comments above them."""
+        remarks: list[str] = []
+        for child in element.children:
+            if isinstance(child, Comment):
+                remarks.append(tidy_text(child.text))
+            elif isinstance(child, Element):
+                if child.name == "xacro:arg" and "name" in child.attributes:
+                    self._add_argument(child, "\n".join(remarks))
+                remarks = []
 
     def _names_of_callers(self) -> set[str]:
         """Return the names that macros read of those who call them."""
@@ -169,27 +206,49 @@ class Program:
             at_top |= defined_in(root)
         free: set[str] = set()
         own: set[str] = set()
-        for macro in self.definitions.values():
-            local = defined_in(macro.element, nested=True) | set(macro.values())
-            own |= local
-            local |= self._handed_to(macro.element)
-            free |= used_in(macro.element) - local
-            free |= {p.name for p in macro.parameters if p.is_forwarded and p.default is None}
+        for path, root in self.roots.items():
+            for macro in self._macros_in(path, root):
+                free |= self._unbound_in(macro, set(), own)
         self.at_top = at_top
         self.read = set().union(*map(used_in, self.roots.values()))
         return (free - at_top) & own
 
-    def _forwarded_in(self, root: Element) -> set[str]:
-        """Return the names that calls in a file forward to macros without saying so."""
-        return {
-            own.name
-            for called in walk(root)
-            if called.name.startswith("xacro:")
-            for macro in [self.macros.get(called.name.removeprefix("xacro:"))]
-            if macro is not None
-            for own in macro.parameters
-            if own.is_forwarded
-        }
+    def _macros_in(self, path: str, element: Element) -> list[Macro]:
+        """Return the macros defined in an element, but for those in other macros."""
+        found = []
+        pending = element.elements()
+        while pending:
+            inner = pending.pop()
+            macro = self.definitions.get((path, inner.span.start))
+            if macro is not None and macro.element.name == inner.name:
+                found.append(macro)
+            else:
+                pending += inner.elements()
+        return found
+
+    def _unbound_in(self, macro: Macro, around: set[str], own: set[str]) -> set[str]:
+        """Return the names that a macro reads and nothing around it in the text defines.
+
+        What is defined in it, and in macros in it, is added to `own`.
+        """
+        element = macro.element
+        local = defined_in(element) | set(macro.values())
+        own |= local
+        bound = around | local | self._handed_to(element)
+        nested = self._macros_in(macro.file, element)
+        inside = {id(other.element) for other in nested}
+        free = (used_in(element, without=inside) | self._forwarded_in(element, inside)) - bound
+        return free.union(*(self._unbound_in(other, bound, own) for other in nested))
+
+    def _forwarded_in(self, root: Element, without: Container[int] = ()) -> set[str]:
+        """Return the names that calls in an element forward to macros without saying so."""
+        names: set[str] = set()
+        for called in walk(root, without):
+            macro = self.macros.get(called.name.removeprefix("xacro:"))
+            if macro is not None and called.name.startswith("xacro:"):
+                own = {each.name for each in macro.parameters if each.is_forwarded}
+                names |= own - set(called.attributes)
+        return names
 
     def visible_in(self, macro: Macro) -> set[str]:
         """Return the names that a macro may see: its own, and those of all who may call it."""
@@ -222,12 +281,19 @@ class Program:
                 }
         return handed
 
-    def _add_argument(self, name: str, default: str) -> None:
+    def _add_argument(self, element: Element, remark: str) -> None:
         """Note an argument; where it has several defaults, the one that counts for this robot."""
-        if self.arguments.setdefault(name, default) == default or name in self.given:
+        name = format_value(element.attributes["name"])
+        default = element.attributes.get("default")
+        text = None if default is None else format_value(default)
+        known = self.arguments.setdefault(name, Argument(text, element.span, remark))
+        if text is None or text == known.default:
             return
-        self.ambiguous.add(name)
-        self.arguments[name] = self.values_of_arguments.get(name, default)
+        if known.default is None:
+            known.default = text
+        elif name not in self.given:
+            known.is_ambiguous = True
+            known.default = self.values_of_arguments.get(name, known.default)
 
     def _function_name(self, name: str) -> str:
         stem = camel(name)
@@ -283,10 +349,10 @@ def defined_in(root: Element, *, nested: bool = False) -> set[str]:
     return names
 
 
-def used_in(root: Element) -> set[str]:
-    """Return the names in the expressions of an element."""
+def used_in(root: Element, without: Container[int] = ()) -> set[str]:
+    """Return the names in the expressions of an element, but for elements of some identities."""
     names: set[str] = set()
-    for element in walk(root):
+    for element in walk(root, without):
         for text in (*map(format_value, element.attributes.values()), element.text()):
             names |= names_in(text)
     return names
@@ -309,10 +375,10 @@ def names_in(text: str) -> set[str]:
     return names
 
 
-def _read(source: Source, host: Host) -> Element:
+def _read(source: Source, host: Host) -> XmlDocument:
     from ...xmlreader import read_xml
 
-    return read_xml(source, host.limits, exact=True).root
+    return read_xml(source, host.limits, exact=True)
 
 
 class _Watch:

@@ -107,7 +107,7 @@ class Translator:
         if isinstance(part, Substitution):
             python = self._command(part.text)
             return f"{python}.lower() in ('true', '1')" if python.startswith("env(") else python
-        return self.expression(part.text)
+        return _without_parentheses(self.expression(part.text))
 
     # --- Python ---------------------------------------------------------------------------------
 
@@ -270,6 +270,49 @@ class Translator:
         """Return what follows `$(eval`, where arguments are names, or called as arg('name')."""
         text = re.sub(r"""\barg\((['"])(\w+)\1\)""", r"\2", text)
         return self.expression(text)
+
+
+_OPPOSITES = {"==": "!=", "!=": "==", "in": "not in", "not in": "in"}
+
+
+def negated(condition: str) -> str:
+    """Return the condition that is true where this one is false."""
+    import ast
+
+    try:
+        tree = ast.parse(condition, mode="eval").body
+    except (SyntaxError, ValueError):
+        return f"not ({condition})"
+    if isinstance(tree, ast.UnaryOp) and isinstance(tree.op, ast.Not):
+        return _without_parentheses(condition.removeprefix("not").strip())
+    if isinstance(tree, ast.Compare) and len(tree.ops) == 1:
+        left = ast.get_source_segment(condition, tree.left) or ""
+        right = ast.get_source_segment(condition, tree.comparators[0]) or ""
+        between = condition.removeprefix(left).removesuffix(right)
+        opposite = _OPPOSITES.get(" ".join(between.split()))
+        if left + between + right == condition and opposite is not None:
+            return f"{left} {opposite} {right}"
+    if isinstance(tree, (ast.Name, ast.Call, ast.Attribute, ast.Subscript, ast.Constant)):
+        return f"not {condition}"
+    return f"not ({condition})"
+
+
+def _without_parentheses(python: str) -> str:
+    """Return an expression without parentheses around the whole."""
+    import ast
+
+    while python.startswith("(") and python.endswith(")"):
+        inner = python[1:-1].strip()
+        try:
+            same = ast.dump(ast.parse(inner, mode="eval")) == ast.dump(
+                ast.parse(python, mode="eval")
+            )
+        except (SyntaxError, ValueError):
+            return python
+        if not same:
+            return python
+        python = inner
+    return python
 
 
 class _Edits:

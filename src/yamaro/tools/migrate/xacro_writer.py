@@ -10,12 +10,20 @@ from ...runtime.predefined import CONSTANTS
 from ...syntax.names import is_identifier
 from ...xacro.parameters import Parameter
 from ...xmltree import Comment, Element, Text, format_value
-from .document import Body, Entry, Value, literal, without_expressions
-from .elements import ElementWriter, is_short, needs_brackets, tidy_text
+from .document import Body, Entry, Row, Value, joined, literal, without_expressions
+from .elements import (
+    ElementWriter,
+    header_of,
+    is_short,
+    needs_brackets,
+    tidy_text,
+    tidy_value,
+    walk,
+)
 from .pairing import has_text
 from .xacro_parts import Step, XacroPartWriter, in_steps, is_statement, stands_as_key
 from .xacro_program import Macro, Program, camel, defined_in, names_in, used_in
-from .xacro_python import CannotMigrate, Translator
+from .xacro_python import CannotMigrate, Translator, negated
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -35,7 +43,7 @@ class FileWriter(ElementWriter):
     """Writes one file.
 
     Attributes:
-        lost: what could not be carried over: where, and why.
+        lost: what could not be carried over: where, why, and what is said below that.
     """
 
     __slots__ = (
@@ -78,7 +86,7 @@ class FileWriter(ElementWriter):
         self._read: set[str] = set()
         self._made_of: dict[int, set[str]] = {}
         self._visible = program.at_top
-        self.lost: list[tuple[Span, str]] = []
+        self.lost: list[tuple[Span, str, str]] = []
         truths = {
             name
             for name, value in program.values_of_arguments.items()
@@ -99,11 +107,7 @@ class FileWriter(ElementWriter):
         sections = Body()
         declared = self._arguments() if is_main else Body()
         model = self.statements(root.children)
-        first = model.entries[0] if model.entries else None
-        if first is not None and first.key == "variables" and isinstance(first.value, Body):
-            declared.note(first.comment)
-            declared.extend(first.value)
-            del model.entries[0]
+        self._take_variables(model, declared)
         if self.translator.imports:
             sections.add("import", f"[{', '.join(sorted(self.translator.imports))}]")
         if declared:
@@ -115,6 +119,44 @@ class FileWriter(ElementWriter):
         elif model or not sections:
             sections.add("model", model or None)
         return sections
+
+    def header(self, *, is_main: bool) -> str:
+        """Return the comment above the file."""
+        header = header_of(self._program.documents[self._path])
+        root = self._program.roots[self._path]
+        if is_main or all(element.name != "xacro:arg" for element in walk(root)):
+            return header
+        folder = os.path.dirname(self._output_of(self._path))
+        main = os.path.relpath(self._output_of(self._program.main), folder)
+        return joined(header, f"the arguments are declared in {main}")
+
+    def _take_variables(self, model: Body, declared: Body) -> None:
+        """Take the first variables of a model to those declared for the file, if that is the same.
+
+        They may stand behind includes if these define none of them, and nothing that they read.
+        """
+        for index, entry in enumerate(model.entries):
+            if entry.key == "variables":
+                assert isinstance(entry.value, Body)
+                if index and not self._is_independent(entry.value, declared):
+                    return
+                if _names_of(entry.value) & _names_of(declared):
+                    return
+                declared.note(entry.comment)
+                declared.extend(entry.value)
+                del model.entries[index]
+                return
+            if entry.key != "include":
+                return
+
+    def _is_independent(self, variables: Body, declared: Body) -> bool:
+        """Tell whether no other file defines variables, nor what they are made of."""
+        names = _names_of(variables)
+        known = names | _names_of(declared) | PREDEFINED
+        made_of = set().union(*(self._made_of.get(id(entry), set()) for entry in variables))
+        return made_of <= known and all(
+            len(self._program.properties.get(name, ())) <= 1 for name in names
+        )
 
     def _add_root(self, root: Element, sections: Body, model: Body) -> None:
         attributes = {
@@ -135,21 +177,25 @@ class FileWriter(ElementWriter):
     def _arguments(self) -> Body:
         """Return the arguments of all files, which the main file declares."""
         body = Body()
-        for name, default in self._program.arguments.items():
-            if name in self._program.ambiguous:
-                span = self._program.roots[self._path].span
-                self._lose(span, f"the argument '{name}' has several defaults; one is taken")
+        for name, argument in self._program.arguments.items():
+            if argument.is_ambiguous:
+                self._lose(
+                    argument.span,
+                    f"the argument '{name}' has several defaults; '{argument.default}' is taken",
+                    "xacro takes the one that it reaches first, which other arguments may change",
+                )
             try:
-                value = self.translator.value(default)
+                value = self.translator.value(argument.default or "")
             except CannotMigrate as error:
-                self._lose(self._program.roots[self._path].span, str(error))
+                self._lose(argument.span, str(error))
                 continue
+            body.note(argument.remark)
             is_shared = self._program.is_used_elsewhere(name, self._path)
             body.add(self._variable(name) + ("/global" if is_shared else ""), value or "")
         return body
 
-    def _lose(self, span: Span, why: str) -> None:
-        self.lost.append((span, why))
+    def _lose(self, span: Span, why: str, hint: str = "the sources have a comment there") -> None:
+        self.lost.append((span, why, hint))
 
     # --- bodies ---------------------------------------------------------------------------------
 
@@ -247,7 +293,7 @@ class FileWriter(ElementWriter):
 
     def _values(self, element: Element) -> dict[str, str]:
         return {
-            name: self._translate(format_value(value))
+            name: tidy_value(name, self._translate(format_value(value)))
             for name, value in element.attributes.items()
             if not name.startswith(("xacro:", "xmlns:xacro"))
         }
@@ -286,7 +332,8 @@ class FileWriter(ElementWriter):
     # --- xacro's tags ---------------------------------------------------------------------------
 
     def _argument(self, node: Element, body: Body) -> None:
-        """Leave out an argument, which the main file declares."""
+        """Leave out an argument, which the main file declares, and the comments above it."""
+        body.remark = ""
 
     def _property(self, node: Element, body: Body) -> None:
         given = {name: format_value(value) for name, value in node.attributes.items()}
@@ -296,7 +343,7 @@ class FileWriter(ElementWriter):
         if not is_identifier(name):
             raise CannotMigrate(f"the name of the property '{name}' is computed, or no name")
         if "value" not in given and "default" not in given:
-            self._define_block(node, name)
+            self._define_block(node, name, body)
             return
         text = given.get("value", given.get("default", ""))
         if text.strip() == f"$(arg {name})":
@@ -326,7 +373,7 @@ class FileWriter(ElementWriter):
             last is None
             or last.key != "variables"
             or not isinstance(last.value, Body)
-            or any(entry.key.partition("/")[0] == name for entry in last.value)
+            or name in _names_of(last.value)
         ):
             last = Entry("variables", Body())
             body.append(last)
@@ -347,14 +394,25 @@ class FileWriter(ElementWriter):
                 entries.insert(index, entries.pop())
                 return
 
+    def _body_of_last(self, body: Body, key: str) -> Body:
+        """Return the body of the last entry if it has this key, else of one that is added."""
+        last = body.entries[-1] if body.entries else None
+        if last is None or last.key != key:
+            last = Entry(key, Body())
+            body.append(last)
+        assert isinstance(last.value, Body)
+        return last.value
+
     def _may_be_evaluated(self, text: str) -> bool:
         """Tell whether all names of a value are known: xacro evaluates only what is read."""
         return names_in(text) <= self._visible | PREDEFINED
 
-    def _define_block(self, node: Element, name: str) -> None:
+    def _define_block(self, node: Element, name: str, body: Body) -> None:
         with self._within(self._place_of_block(None, name)):
             function = Body([Entry("body", self.body(node.children))])
         scope = "/global" if self._program.is_used_elsewhere(name, self._path) else ""
+        self._functions.note(body.remark)
+        body.remark = ""
         self._functions.add(camel(name) + scope, function)
 
     def _macro(self, node: Element, body: Body) -> None:
@@ -376,23 +434,21 @@ class FileWriter(ElementWriter):
         self._parameters = set(macro.values())
         inputs = self._inputs(macro)
         if inputs:
-            function.add("input", ", ".join(inputs))
+            function.add("input", Row(inputs))
         is_in_part = self._contents.may_be_in_part(macro)
         with self._within(self._write_for_parts if is_in_part else None):
             content = self.statements(node.children)
         self._around = around
         shared = [own for own in macro.values() if own in self._program.inherited]
         if shared:
-            entries = [Entry(f"{own}/child", f"$({own})") for own in shared]
-            content.entries.insert(0, Entry("variables", Body(entries)))
+            _declare_first(content, [Entry(f"{own}/child", f"$({own})") for own in shared])
         self._blocks, self._parameters, self._is_top, self._locals, self._visible = before
         function.add("body", content or None)
         is_shared = self._program.is_used_elsewhere(f"xacro:{name}", self._path)
         key = macro.function + ("/global" if is_shared else "")
         target = self._functions
         if not self._is_top:
-            target = Body()
-            body.add("functions", target)
+            target = self._body_of_last(body, "functions")
         target.note(body.remark)
         body.remark = ""
         target.add(key, function)
@@ -491,23 +547,19 @@ class FileWriter(ElementWriter):
     def _condition(self, node: Element, body: Body) -> None:
         text = format_value(node.attributes.get("value"))
         condition = self.translator.condition(text)
-        is_unless = node.name == "xacro:unless"
+        if node.name == "xacro:unless":
+            condition = negated(condition)
         content = self.body(node.children)
         if content is not None:
             content.in_braces = False
         last = body.entries[-1] if body.entries else None
-        if (
-            is_unless
-            and last is not None
-            and last.key == "if"
-            and isinstance(last.value, Body)
-            and last.value.entries[0].value == condition
-            and not body.remark
-        ):
-            body.add("else", content)
-            return
-        if is_unless:
-            condition = f"not ({condition})" if not condition.isidentifier() else f"not {condition}"
+        if last is not None and last.key == "if" and not body.remark:
+            assert isinstance(last.value, Body)
+            if last.value.entries[0].value == negated(condition) and not (
+                names_in(text) & (_declared_in(last.value) | self._program.assigned_from_inside)
+            ):
+                body.add("else", content)
+                return
         body.add("if", Body([Entry("condition", condition), Entry("body", content)]))
 
     def _include(self, node: Element, body: Body) -> None:
@@ -565,6 +617,33 @@ _HANDLERS = {
     "xacro:element": FileWriter._element,
     "xacro:call": FileWriter._call_by_name,
 }
+
+
+def _declare_first(content: Body, variables: list[Entry]) -> None:
+    """Declare variables in front of all that stands in a body."""
+    first = content.entries[0] if content.entries else None
+    if first is not None and first.key == "variables" and not first.comment:
+        assert isinstance(first.value, Body)
+        own = _names_of(first.value)
+        first.value.entries[:0] = [each for each in variables if not _names_of([each]) & own]
+        return
+    content.entries.insert(0, Entry("variables", Body(variables)))
+
+
+def _names_of(variables: Iterable[Entry]) -> set[str]:
+    """Return the names of the variables that entries declare."""
+    return {entry.key.partition("/")[0] for entry in variables}
+
+
+def _declared_in(body: Body) -> set[str]:
+    """Return the names of the variables declared in a body, however deep."""
+    names: set[str] = set()
+    for entry in body:
+        if isinstance(entry.value, Body):
+            if entry.key == "variables":
+                names |= _names_of(entry.value)
+            names |= _declared_in(entry.value)
+    return names
 
 
 def _has_empty_default(macro: Macro, own: Parameter) -> bool:
