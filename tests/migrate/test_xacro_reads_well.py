@@ -257,3 +257,21 @@ def test_a_material_without_a_name_is_short(tmp_path: Path) -> None:
         """,
     )
     assert "material/name=: {color: 1 0 0 1}" in made["r.yaml"]
+
+
+def test_a_macro_that_is_nowhere_is_called_all_the_same(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    Path("r.xacro").write_text(
+        f'{HEAD}\n  <xacro:arg name="n" default="1"/>\n'
+        '  <xacro:property name="n" value="$(arg n)"/>\n'
+        '  <xacro:if value="${n > 1}"><xacro:ERROR_too_many/></xacro:if>\n</robot>\n'
+    )
+    assert main(["migrate", "r.xacro", "-o", "out"]) == 0
+    told = capsys.readouterr().err
+    assert told.startswith("warning[not-migrated]: there is no macro 'ERROR_too_many'\n --> r.xac")
+    assert "the sources call it too, which is an error where it is reached" in told
+    assert main(["out/r.yaml", "-q"]) == 0
+    assert main(["out/r.yaml", "-q", "n:=2"]) == 1
+    assert "ERRORTooMany" in capsys.readouterr().err

@@ -90,6 +90,7 @@ class Program:
         included: the paths that an include means, by the place of its `filename`.
         truths: expressions that were truth values or lists, which Python shows in its own way.
         numbers: expressions that gave a text which xacro takes for a number: `float` or `int`.
+        floats: expressions that gave a float.
         macros: by name.
         arguments: by name.
         assigned_from_inside: the properties that macros define for those who call them.
@@ -120,6 +121,7 @@ class Program:
         self.data = {path: text for path, text in watch.texts.items() if path not in self.roots}
         self.truths = python.truths
         self.numbers = {text: kind for text, kind in python.numbers.items() if kind != "text"}
+        self.floats = python.floats
         self.macros: dict[str, Macro] = {}
         self.definitions: dict[tuple[str, int], Macro] = {}
         self.arguments: dict[str, Argument] = {}
@@ -234,7 +236,7 @@ class Program:
         element = macro.element
         local = defined_in(element) | set(macro.values())
         own |= local
-        bound = around | local | self._handed_to(element)
+        bound = around | local | self.handed_to(element)
         nested = self._macros_in(macro.file, element)
         inside = {id(other.element) for other in nested}
         free = (used_in(element, without=inside) | self._forwarded_in(element, inside)) - bound
@@ -263,12 +265,12 @@ class Program:
             for own in self.definitions.values():
                 if own.name == name:
                     visible |= set(own.values()) | defined_in(own.element, nested=True)
-                    visible |= self._handed_to(own.element)
+                    visible |= self.handed_to(own.element)
                 elif any(called.name == f"xacro:{name}" for called in walk(own.element)):
                     pending.append(own.name)
         return visible
 
-    def _handed_to(self, element: Element) -> set[str]:
+    def handed_to(self, element: Element) -> set[str]:
         """Return the properties that the macros called in an element hand to it."""
         handed: set[str] = set()
         for called in walk(element):
@@ -411,19 +413,22 @@ class _Watch:
 
 
 class _WatchedPython(Python):
-    """Python that notes which expressions are truth values."""
+    """Python that notes which expressions are truth values, or numbers of some kind."""
 
-    __slots__ = ("numbers", "truths")
+    __slots__ = ("floats", "numbers", "truths")
 
     def __init__(self, limits: Any) -> None:
         super().__init__(limits)
         self.truths: set[str] = set()
+        self.floats: set[str] = set()
         self.numbers: dict[str, str] = {}
 
     def evaluate(self, text: str, names: dict[str, Any]) -> Any:
         value = super().evaluate(text, names)
         if isinstance(value, (bool, list, tuple)):
             self.truths.add(text.strip())
+        elif isinstance(value, float):
+            self.floats.add(text.strip())
         elif isinstance(value, str):
             self._note_kind(text.strip(), guess_value(value))
         return value

@@ -21,6 +21,7 @@ from .elements import (
     walk,
 )
 from .pairing import has_text
+from .xacro_loops import find_loop
 from .xacro_parts import Step, XacroPartWriter, in_steps, is_statement, stands_as_key
 from .xacro_program import Macro, Program, camel, defined_in, names_in, used_in
 from .xacro_python import CannotMigrate, Translator, negated
@@ -437,7 +438,7 @@ class FileWriter(ElementWriter):
             function.add("input", Row(inputs))
         is_in_part = self._contents.may_be_in_part(macro)
         with self._within(self._write_for_parts if is_in_part else None):
-            content = self.statements(node.children)
+            content = self._loop(macro) or self.statements(node.children)
         self._around = around
         shared = [own for own in macro.values() if own in self._program.inherited]
         if shared:
@@ -452,6 +453,14 @@ class FileWriter(ElementWriter):
         target.note(body.remark)
         body.remark = ""
         target.add(key, function)
+
+    def _loop(self, macro: Macro) -> Body | None:
+        """Return the content of a macro that calls itself as a loop, if it can be one."""
+        loop = find_loop(macro, self._program, self.translator)
+        if loop is None:
+            return None
+        self._visible = self._visible | {loop.iterator}
+        return loop.body(self.statements, self.translator.value)
 
     def _inputs(self, macro: Macro) -> list[str]:
         required: list[str] = []
@@ -500,11 +509,16 @@ class FileWriter(ElementWriter):
     def _call(self, node: Element, body: Body) -> None:
         name = node.name.removeprefix("xacro:")
         macro = self._program.macros.get(name)
-        if macro is None:
-            raise CannotMigrate(f"there is no macro '{name}'")
         arguments = Body(in_braces=True)
         for key, value in node.attributes.items():
             arguments.add(key, self.translator.value(format_value(value)))
+        if macro is None:
+            if node.elements() or not is_identifier(camel(name)):
+                raise CannotMigrate(f"there is no macro '{name}'")
+            hint = "the sources call it too, which is an error where it is reached, as in xacro"
+            self._lose(node.span, f"there is no macro '{name}'", hint)
+            body.add(camel(name), arguments or None)
+            return
         visible = self._parameters | self._locals | self._program.at_top
         for own in macro.parameters:
             if not own.is_forwarded or own.name in node.attributes:
