@@ -119,6 +119,9 @@ COMMANDS = {
     "completion": frozenset(),
 }
 
+LOOKING = ("check", "tree")
+"""The commands that look at robots of any source: URDF and xacro too."""
+
 
 class Arguments:
     """What the command line asks for."""
@@ -569,6 +572,7 @@ def _build(arguments: Arguments, streams: Streams, policy: Policy) -> tuple[Buil
                 on_message=_drop if streams.quiet else streams.say,
                 advice=arguments.command == "check",
                 has_root=arguments.command == "tree",
+                takes_xml=arguments.command in LOOKING,
             )
             return build, _result(build, arguments, streams)
     except compiler.UsageError as error:

@@ -12,7 +12,6 @@ from .diagnostics import (
     Reporter,
     YamaroError,
     YamaroWarning,
-    failure,
     suggest,
 )
 from .policy import Limits, Policy
@@ -22,14 +21,16 @@ from .runtime.deep_stack import run_on_deep_stack
 from .runtime.interpreter import Interpreter
 from .runtime.library import Library, rules_of
 from .runtime.loader import FileLoader, LoadError
+from .runtime.meshes import MeshFinder
 from .runtime.packages import PackageFinder
 from .runtime.predefined import plain_data
 from .source import STANDARD_INPUT, STANDARD_INPUT_NAME, Source, Span
 from .syntax.context import ParseContext
+from .syntax.includes import is_xml_file
 from .syntax.names import is_identifier, python_name
 from .syntax.values import parse_inline
 from .syntax.yaml_nodes import PLAIN, ScalarNode
-from .xmltree import Element, unshared, write_pieces
+from .xmltree import Element, format_value, unshared, write_pieces
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -55,13 +56,14 @@ PIECES_IN_CHUNK = 10_000
 class Build:
     """A finished robot or other document."""
 
-    __slots__ = ("_find_meshes", "_make_root", "_pieces", "_root", "files", "warnings")
+    __slots__ = ("_find_meshes", "_make_root", "_pieces", "_root", "files", "finder", "warnings")
 
     def __init__(
         self,
         make_root: Callable[[], Element],
         find_meshes: Callable[[], list[str]],
         *,
+        finder: MeshFinder,
         pieces: list[str],
         warnings: list[Diagnostic],
         files: list[str],
@@ -71,6 +73,7 @@ class Build:
         Args:
             make_root: makes the finished tree, each element traced to its origin.
             find_meshes: gives the meshes referred to.
+            finder: tells where the file of a mesh is.
             pieces: the document, in pieces.
             warnings: what was noticed, in order.
             files: the absolute path of every file read, in order.
@@ -79,6 +82,7 @@ class Build:
         self._find_meshes = find_meshes
         self._root: Element | None = None
         self._pieces = pieces
+        self.finder = finder
         self.warnings = warnings
         self.files = files
 
@@ -114,7 +118,16 @@ class Program:
     conversion. Conversions may run in several threads at once.
     """
 
-    __slots__ = ("_library", "_packages", "_path", "_policy", "_reach", "_source", "_text")
+    __slots__ = (
+        "_is_xml",
+        "_library",
+        "_packages",
+        "_path",
+        "_policy",
+        "_reach",
+        "_source",
+        "_text",
+    )
 
     def __init__(
         self,
@@ -124,10 +137,12 @@ class Program:
         loader: Loader | None = None,
         policy: Policy | None = None,
         packages: Mapping[str, str] | None = None,
+        takes_xml: bool = False,
     ) -> None:
         """Name the main file; see `yamaro.build`."""
         self._path = path = os.fspath(path)
         self._text = text
+        self._is_xml = takes_xml and is_xml_file(path)
         self._policy = policy or Policy()
         self._packages = dict(packages or {})
         self._reach = _reach_of(path, self._policy, self._packages)
@@ -208,8 +223,7 @@ class Program:
         What it does not take is freed in the thread that made it, whose core has it at hand. Out of
         a jail the tree comes only with `has_root`, since that takes time.
         """
-        passed, places = _read_command_line(command_line)
-        passed.update(variables)
+        evaluate = self._evaluation(command_line, variables)
         source = self._main_file()
         reporter = Reporter()
 
@@ -221,8 +235,7 @@ class Program:
                 policy=self._policy,
                 packages=PackageFinder(given=self._packages),
             )
-            evaluated = interpreter.run_main(source, stem=_stem(self._path), variables=passed)
-            _warn_of_unknown_variables(interpreter, places, reporter)
+            evaluated = evaluate(source, interpreter, reporter)
             return _finish(evaluated, interpreter, reporter, advice=advice, reach=self._reach)
 
         say = on_message or _print_to_standard_error
@@ -234,7 +247,8 @@ class Program:
                 reporter.add(diagnostic)
             if outcome.has_errors:
                 raise YamaroError(reporter.diagnostics)
-            result = take(_build_of(outcome))
+            finder = MeshFinder(PackageFinder(given=self._packages), self._reach)
+            result = take(_build_of(outcome, finder))
         else:
             result = self._run(lambda: take(compile_robot(say)), reporter, source)
         if strict and reporter.diagnostics:
@@ -243,9 +257,38 @@ class Program:
             raise YamaroError(reporter.diagnostics)
         return result
 
+    def _evaluation(
+        self, command_line: Sequence[str], variables: Mapping[str, object]
+    ) -> Callable[[Source, Interpreter, Reporter], Element]:
+        """Return what evaluates the main file; raise UsageError if a `name:=value` is malformed."""
+        if self._is_xml:
+            arguments = _read_xacro_arguments(command_line, variables)
+
+            def evaluate_xml(
+                source: Source, interpreter: Interpreter, reporter: Reporter
+            ) -> Element:
+                from .runtime.xml_main import run_xml_main
+
+                places = _places_of(command_line)
+                root, is_xacro = run_xml_main(source, interpreter, arguments, places, reporter)
+                if not is_xacro:
+                    _warn_of_unknown_variables(interpreter, places, reporter)
+                return root
+
+            return evaluate_xml
+        passed, places = _read_command_line(command_line)
+        passed.update(variables)
+
+        def evaluate(source: Source, interpreter: Interpreter, reporter: Reporter) -> Element:
+            evaluated = interpreter.run_main(source, stem=_stem(self._path), variables=passed)
+            _warn_of_unknown_variables(interpreter, places, reporter)
+            return evaluated
+
+        return evaluate
+
     def _main_file(self) -> Source:
         if self._source is None:
-            self._source = _read_main(self._path, self._text, self._library)
+            self._source = _read_main(self._path, self._text, self._library, is_xml=self._is_xml)
         return self._source
 
     def _has_jail(self, source: Source) -> bool:
@@ -332,6 +375,7 @@ def build(
     policy: Policy | None = None,
     packages: Mapping[str, str] | None = None,
     has_root: bool = True,
+    takes_xml: bool = False,
 ) -> Build:
     """Compile a file.
 
@@ -347,12 +391,16 @@ def build(
         policy: how far the file is trusted; in full by default.
         packages: folders of ROS packages by name, before those that are found.
         has_root: without, there may be no tree in the end, which spares taking it out of a jail.
+        takes_xml: the file may also be a URDF, or a robot in xacro; its name tells which it is.
 
     Raises:
         YamaroError: the input has errors; it holds them, and the warnings found before.
         UsageError: the main file cannot be read, or a `name:=value` is malformed.
     """
-    return Program(path, text=text, loader=loader, policy=policy, packages=packages).build(
+    program = Program(
+        path, text=text, loader=loader, policy=policy, packages=packages, takes_xml=takes_xml
+    )
+    return program.build(
         command_line=command_line,
         variables=variables,
         strict=strict,
@@ -372,7 +420,7 @@ def _reach_of(path: str, policy: Policy, packages: Mapping[str, str]) -> Reach |
     return Reach(roots_of(os.path.abspath(path), allowed, PackageFinder()))
 
 
-def _build_of(outcome: Outcome) -> Build:
+def _build_of(outcome: Outcome, finder: MeshFinder) -> Build:
     """Return the build that came out of a jail."""
 
     def make_root() -> Element:
@@ -382,6 +430,7 @@ def _build_of(outcome: Outcome) -> Build:
     return Build(
         make_root,
         lambda: outcome.meshes,
+        finder=finder,
         pieces=outcome.pieces,
         warnings=outcome.diagnostics,
         files=outcome.files,
@@ -401,7 +450,7 @@ def _finish(
     An element that stands in several places cannot tell which calls led to each of them. So if
     there is something to tell about one, all is done again with an element for each place.
     """
-    finder = _MeshFinder(interpreter.files.packages, reach)
+    finder = MeshFinder(interpreter.files.packages, reach)
     limits = interpreter.limits
     has_parts, shared = interpreter.has_parts, interpreter.builder.shared
     found = _complete(evaluated, shared, finder, limits, has_parts=has_parts, advice=advice)
@@ -430,6 +479,7 @@ def _finish(
     return Build(
         make_root,
         lambda: finder.referred_to(finished),
+        finder=finder,
         pieces=found.pieces,
         warnings=reporter.diagnostics,
         files=list(interpreter.files.read),
@@ -452,7 +502,7 @@ class _Completed:
 def _complete(
     evaluated: Element,
     shared: Shared,
-    finder: _MeshFinder,
+    finder: MeshFinder,
     limits: Limits,
     *,
     has_parts: bool,
@@ -474,6 +524,7 @@ def _complete(
                 reporter=reporter,
                 resolve_mesh=finder.resolve,
                 places_searched=finder.places_searched,
+                path_meant=finder.path_meant,
                 advice=advisor,
                 shared=shared,
             )
@@ -571,7 +622,7 @@ def _stem(path: str) -> str:
     return stem or "robot"
 
 
-def _read_main(path: str, text: str | None, library: Library) -> Source:
+def _read_main(path: str, text: str | None, library: Library, *, is_xml: bool) -> Source:
     if text is not None:
         is_file = path != STANDARD_INPUT
         name = path if is_file else STANDARD_INPUT_NAME
@@ -579,7 +630,7 @@ def _read_main(path: str, text: str | None, library: Library) -> Source:
             text.removeprefix("\ufeff"), name=name, path=os.path.abspath(path) if is_file else ""
         )
     try:
-        return library.source(os.path.abspath(path), path)
+        return library.source(os.path.abspath(path), path, is_xml=is_xml)
     except LoadError as error:
         if error.hint is not None:
             raise refusal_of_main(path, error) from None
@@ -615,6 +666,28 @@ def _read_command_line(arguments: Sequence[str]) -> tuple[dict[str, object], dic
     return values, places
 
 
+def _read_xacro_arguments(
+    command_line: Sequence[str], variables: Mapping[str, object]
+) -> dict[str, str]:
+    """Return the arguments of a xacro file, which are texts."""
+    values = {}
+    for argument in command_line:
+        name, separator, value = argument.partition(":=")
+        if not separator or not name:
+            raise UsageError(f"'{argument}' is not of the form name:=value")
+        values[name] = value
+    return values | {name: format_value(value) for name, value in variables.items()}
+
+
+def _places_of(command_line: Sequence[str]) -> dict[str, Span]:
+    """Return where the name of each `name:=value` stands."""
+    places = {}
+    for argument in command_line:
+        name = argument.partition(":=")[0]
+        places[name] = Span(Source(argument, name="<command line>"), 0, len(name))
+    return places
+
+
 def _warn_of_unknown_variables(
     interpreter: Interpreter, places: Mapping[str, Span], reporter: Reporter
 ) -> None:
@@ -637,69 +710,3 @@ def _warn_of_unknown_variables(
                 span,
                 hint=f"did you mean '{near}'?" if near else None,
             )
-
-
-class _MeshFinder:
-    """Finds the files that meshes and textures refer to."""
-
-    __slots__ = ("_found", "_packages", "_reach")
-
-    def __init__(self, packages: PackageFinder, reach: Reach | None) -> None:
-        self._packages = packages
-        self._reach = reach
-        self._found: dict[tuple[str, str], str | None] = {}
-
-    def resolve(self, filename: str, span: Span) -> str | None:
-        """Return the absolute path of a file referred to at a span, or None if it is not there.
-
-        Raises:
-            YamaroError: it lies where it may not be read.
-        """
-        directory = _directory(span)
-        key = (filename, directory)
-        if key not in self._found:
-            path = None
-            if "\x00" not in filename:
-                path = self._packages.resolve_uri(filename, directory)
-            is_file = path is not None and os.path.isfile(path)
-            if is_file and self._reach is not None:
-                self._check_reach(self._reach, str(path), filename, span)
-            self._found[key] = path if is_file else None
-        return self._found[key]
-
-    @staticmethod
-    def _check_reach(reach: Reach, path: str, filename: str, span: Span) -> None:
-        try:
-            reach.check(path)
-        except LoadError as error:
-            message = f"the file '{filename}' cannot be read: {error}"
-            raise failure(error.code, message, span, hint=error.hint) from None
-
-    def places_searched(self, package: str, span: Span) -> list[str] | None:
-        """Return where a package was looked for, or None if it is known."""
-        directory = _directory(span)
-        if self._packages.find(package, directory) is not None:
-            return None
-        return self._packages.looked_at(package, directory)
-
-    def referred_to(self, root: Element) -> list[str]:
-        """Return the files of every mesh and texture in a tree, each once, in order."""
-        files: dict[str, None] = {}
-        pending = [root]
-        seen: set[int] = set()  # an element may stand in several places
-        while pending:
-            element = pending.pop()
-            if id(element) in seen:
-                continue
-            seen.add(id(element))
-            if element.name in ("mesh", "texture") and element.attributes.get("filename"):
-                filename = str(element.attributes["filename"])
-                span = element.value_span("filename")
-                files.setdefault(self.resolve(filename, span) or filename)
-            pending.extend(reversed(element.elements()))
-        return list(files)
-
-
-def _directory(span: Span) -> str:
-    path = span.source.path
-    return os.path.dirname(path) if path else os.getcwd()

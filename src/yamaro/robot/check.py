@@ -28,6 +28,7 @@ def check(
     reporter: Reporter,
     resolve_mesh: Callable[[str, Span], str | None] | None = None,
     places_searched: Callable[[str, Span], Sequence[str] | None] | None = None,
+    path_meant: Callable[[str, Span], str | None] | None = None,
     advice: Reporter | None = None,
     shared: Shared | None = None,
 ) -> None:
@@ -40,6 +41,8 @@ def check(
             is not there. Without it no files are looked at.
         places_searched: gives, for the name of a package that cannot be found, the places looked
             at; None for a package that is known.
+        path_meant: gives the path that the name of a file stands for, to tell of one that is not
+            there.
         advice: takes what is legal but seldom meant, such as a density of 50,000 kg/m³. Without it
             this is not worked out.
         shared: the elements that stand in several places, which are checked once where nothing is
@@ -57,7 +60,12 @@ def check(
     check_materials(materials, context)
     if resolve_mesh is not None:
         context.stage = FILES
-        check_files(context, resolve_mesh=resolve_mesh, places_searched=places_searched)
+        check_files(
+            context,
+            resolve_mesh=resolve_mesh,
+            places_searched=places_searched,
+            path_meant=path_meant,
+        )
     context.flush()
     if advice is not None:
         from .check_advice import check_advice

@@ -21,6 +21,7 @@ def check_files(
     *,
     resolve_mesh: Callable[[str, Span], str | None],
     places_searched: Callable[[str, Span], Sequence[str] | None] | None,
+    path_meant: Callable[[str, Span], str | None] | None = None,
 ) -> None:
     """Report each file that is not there and each unknown package once, where first used."""
     told: set[str] = set()
@@ -40,7 +41,8 @@ def check_files(
         if package is not None and places_searched is not None:
             places = places_searched(package, span)
         if package is None or places is None:
-            _report_missing(filename, element, owner, context)
+            path = path_meant(filename, span) if path_meant is not None else None
+            _report_missing(filename, path, element, owner, context)
         elif package not in told:
             told.add(package)
             _report_package(package, places, element, owner, context)
@@ -100,7 +102,9 @@ def _report_empty(element: Element, owner: Element, context: CheckContext) -> No
     )
 
 
-def _report_missing(filename: str, element: Element, owner: Element, context: CheckContext) -> None:
+def _report_missing(
+    filename: str, path: str | None, element: Element, owner: Element, context: CheckContext
+) -> None:
     if package_of(filename) is None:
         hint = "a relative path starts at the folder of the file it is written in"
     else:
@@ -111,6 +115,7 @@ def _report_missing(filename: str, element: Element, owner: Element, context: Ch
         element,
         attribute="filename",
         hint=hint,
+        notes=() if path is None else [f"looked for {path}"],
     )
 
 
@@ -123,5 +128,5 @@ def _report_package(
         f"the package '{package}', where {label(owner)} has its {element.name}, is not found",
         element,
         attribute="filename",
-        hint=f"build and source its workspace{looked}",
+        hint=f"source its workspace, or give its folder: --package {package}:=FOLDER{looked}",
     )

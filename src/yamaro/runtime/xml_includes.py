@@ -101,6 +101,13 @@ def xml_content(root: Element, prefix: object, frame: Frame) -> list[Node]:
     return root.children
 
 
+def tidy_root(root: Element) -> Element:
+    """Return the root of an XML file that is a document of its own."""
+    _tidy(root)
+    root.trace = None
+    return root
+
+
 def declare_prefixes(root: Element, content: list[Node]) -> None:
     """Declare prefixes where they are used, as the root that declares them is left out."""
     declared = {
