@@ -238,6 +238,29 @@ def test_numbers_with_units_that_are_expressions_become_numbers(tmp_path: Path) 
     )
 
 
+def test_truth_values_are_shown_as_xacro_does_where_these_arguments_do_not_lead(
+    tmp_path: Path,
+) -> None:
+    migrated(
+        tmp_path,
+        """\
+        <xacro:arg name="sim" default="false"/>
+        <xacro:arg name="fake" default="true"/>
+        <xacro:property name="n" value="2"/>
+        <xacro:macro name="control" params="sim fake:=^|false n">
+          <xacro:property name="both" value="${sim and fake}"/>
+          <xacro:if value="${sim}">
+            <c sim="${sim}" not="${not sim}" fake="${fake}" both="${both}" n="${n}" is="${n > 1}"/>
+          </xacro:if>
+        </xacro:macro>
+        <xacro:control sim="$(arg sim)" fake="$(arg fake)" n="${n}"/>
+        <xacro:control sim="$(arg sim)" n="3"/>
+        """,
+    )
+    assert "n=$(n)" in (tmp_path / "out/r.yaml").read_text()
+    hold_for(tmp_path, [], ["sim:=true"], ["sim:=true", "fake:=false"])
+
+
 def test_an_argument_may_be_a_list_of_python(tmp_path: Path) -> None:
     made = migrated(
         tmp_path,
@@ -464,13 +487,15 @@ def test_the_folder_is_needed_and_what_is_there_stays(
     ],
 )
 def test_an_expression_is_translated(xacro: str, python: str) -> None:
-    translator = Translator(lambda name: name, lambda name: False, set(), {"is_sim"}, {})
+    translator = Translator(
+        lambda name: name, lambda name: False, lambda text: False, {"is_sim"}, {}
+    )
     assert translator.expression(xacro) == python
 
 
 @pytest.mark.parametrize("text", ["1 +", "xacro.tokenize(a)", "$(anon x)", "$(arg ${a})"])
 def test_an_expression_without_counterpart_is_refused(text: str) -> None:
-    translator = Translator(lambda name: name, lambda name: False, set(), set(), {})
+    translator = Translator(lambda name: name, lambda name: False, lambda text: False, set(), {})
     with pytest.raises(CannotMigrate):
         translator.expression(text)
 

@@ -3,18 +3,16 @@
 from __future__ import annotations
 
 from ...robot.mesh import MESH_ENDINGS, mesh_ending
-from ...robot.shapes import Box, Cylinder, Sphere
 from ...xmltree import Comment, Element, Text, format_value
 from .compare import same_words, values_of
 from .document import RECORD_WIDTH, Body, Entry, without_expressions, words_of
 from .elements import ElementWriter, add_loose
 from .pairing import has_text, name_of
+from .solids import is_inertia_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable
-
-    from ...robot.shapes import Shape
 
 RECORDS = ("limit", "dynamics", "mimic", "safety_controller", "calibration")
 MOMENTS = ("ixx", "ixy", "ixz", "iyy", "iyz", "izz")
@@ -59,19 +57,9 @@ class Geometry:
             entries.append(Entry("scale", self.scale))
         return entries
 
-    def solid(self) -> Shape | None:
-        """Return the body, if it is one whose inertia a formula gives."""
-        try:
-            numbers = [float(word) for word in (self.scale or "").split()]
-        except ValueError:
-            return None
-        if self.kind == "box" and len(numbers) == 3:
-            return Box(*numbers)
-        if self.kind == "cylinder" and len(numbers) == 2:
-            return Cylinder(*numbers)
-        if self.kind == "sphere" and len(numbers) == 1:
-            return Sphere(*numbers)
-        return None
+    def sizes(self) -> list[str]:
+        """Return the numbers of the scale, each as a word."""
+        return words_of(self.scale or "")
 
 
 class Names:
@@ -239,13 +227,25 @@ class PartWriter:
         return body or None
 
     def _plan(self, link: Element) -> LinkPlan:
-        return LinkPlan(link, self._elements.file_name, self._has_form)
+        return LinkPlan(link, self._elements.file_name, self._has_form, self._is_solid)
 
     def _has_form(self, section: Element) -> bool:
         """Tell whether a section has what the short form of one says, each once."""
         if section.name == "inertial":
             return _has_mass_form(section)
         return _has_section_form(section)
+
+    def _is_solid(self, inertial: Element, geometry: Geometry) -> bool:
+        """Tell whether an inertia is the one that a geometry has with its mass."""
+        moments = values_of(child_named(inertial, "inertia"))
+        mass = values_of(child_named(inertial, "mass"))["value"]
+        rows = [moments[name] for name in MOMENTS]
+        return is_inertia_of(geometry.kind, geometry.sizes(), mass, rows)
+
+    def _inertia(self, inertial: Element) -> list[Entry]:
+        """Return the entries that give an inertia."""
+        moments = values_of(child_named(inertial, "inertia"))
+        return [Entry("inertia", _numbers(" ".join(moments[name] for name in MOMENTS), 6))]
 
     def _is_short_inertial(self, inertial: Element, plan: LinkPlan) -> bool:
         return inertial is plan.inertial
@@ -269,22 +269,21 @@ class PartWriter:
                 else:
                     body.entries.append(self._elements.entry(child, bracketed=True))
             elif child.name != "origin":
-                out.append(self._section_child(child, section))
+                out.append(self._section_child(child))
 
         self._write_all(section, rest, write)
         body.extend(rest)
         return Entry(self._elements.key(section.name, values_of(section)), body or None)
 
-    def _section_child(self, child: Element, section: Element) -> Entry:
+    def _section_child(self, child: Element) -> Entry:
         material = self._material(child) if child.name == "material" else None
         return material or self._element(child)
 
     def _inertial(self, inertial: Element, plan: LinkPlan) -> Entry:
         mass = values_of(child_named(inertial, "mass"))["value"]
-        moments = values_of(child_named(inertial, "inertia"))
-        body = Body([Entry("mass", mass)], in_braces=True)
+        body = Body([Entry("mass", mass)], in_braces=True, width=RECORD_WIDTH)
         if not plan.has_computed_inertia:
-            body.add("inertia", _numbers(" ".join(moments[name] for name in MOMENTS), 6))
+            body.entries += self._inertia(inertial)
         if plan.pose is None:
             pose = Body()
             self._add_pose(inertial, optional_child(inertial, "origin"), pose)
@@ -357,8 +356,17 @@ class LinkPlan:
         link: Element,
         file_name: Callable[[str], str],
         has_form: Callable[[Element], bool],
+        is_solid: Callable[[Element, Geometry], bool],
     ) -> None:
-        """Look at a link; `has_form` tells which of its sections have a short form."""
+        """Look at a link.
+
+        Args:
+            link: to look at.
+            file_name: spells the names of mesh files.
+            has_form: tells which of its sections have a short form.
+            is_solid: tells whether an inertial has the inertia of a geometry.
+        """
+        self._is_solid = is_solid
         self.sections: dict[int, Geometry | None] = {}
         self.geometry: Geometry | None = None
         self.pose: _CommonPose | None = None
@@ -383,7 +391,7 @@ class LinkPlan:
                 known.setdefault(geometry.key(), geometry)
                 counts[geometry.key()] = counts.get(geometry.key(), 0) + 1
         for key, geometry in known.items():
-            if self.inertial is not None and _is_solid(self.inertial, geometry):
+            if self.inertial is not None and self._is_solid(self.inertial, geometry):
                 self.geometry = geometry
                 self.has_computed_inertia = True
                 return
@@ -514,23 +522,6 @@ def _once(element: Element, names: Iterable[str], optional: Iterable[str]) -> bo
     found = [child.name for child in element.elements()]
     return all(found.count(name) == 1 for name in names) and all(
         found.count(name) <= 1 for name in optional
-    )
-
-
-def _is_solid(inertial: Element, geometry: Geometry) -> bool:
-    """Tell whether the inertia is the one that the geometry has with this mass."""
-    shape = geometry.solid()
-    if shape is None:
-        return False
-    moments = values_of(child_named(inertial, "inertia"))
-    try:
-        mass = float(values_of(child_named(inertial, "mass"))["value"])
-        computed = shape.inertia(mass)
-    except (ValueError, OverflowError):
-        return False
-    return mass > 0 and all(
-        same_words(moments[name], format_value(value))
-        for name, value in zip(MOMENTS, computed, strict=True)
     )
 
 

@@ -17,6 +17,7 @@ from .parts import (
     MOMENTS,
     PART_KEYS,
     SECTIONS,
+    Geometry,
     Names,
     NoPart,
     PartWriter,
@@ -25,6 +26,7 @@ from .parts import (
     material_entry,
     read_geometry,
 )
+from .solids import are_equal
 from .xacro_contents import UnknownContent
 
 TYPE_CHECKING = False
@@ -35,6 +37,7 @@ if TYPE_CHECKING:
     from ...xmltree import Node
     from .parts import LinkPlan
     from .xacro_contents import Contents, Counts
+    from .xacro_inertia import SolidInertia, Solids
     from .xacro_program import Macro
 
     Write = Callable[[Element, Body], None]
@@ -148,6 +151,7 @@ class XacroPartWriter(PartWriter):
         host: Host,
         translate: Callable[[str], str],
         contents: Contents,
+        solids: Solids,
         around: Macro | None,
     ) -> None:
         """Take what the part stands in.
@@ -156,11 +160,14 @@ class XacroPartWriter(PartWriter):
             host: writes the file.
             translate: gives a text of xacro in the language's spelling.
             contents: tells what statements make.
+            solids: the macros that give the inertia of a solid.
             around: the macro that the part stands in.
         """
         self._host = host
         self._translate = translate
         self._contents = contents
+        self._solids = solids
+        self._inertias: dict[int, SolidInertia] = {}
         self._around = around
         self._originals: dict[int, tuple[Element, Element]] = {}
         self._has_one_inertial = False
@@ -169,14 +176,17 @@ class XacroPartWriter(PartWriter):
 
     def entry(self, link: Element, joint: Element | None, *, joint_first: bool) -> Entry | None:
         """Return a joint and a link as a part, or None if they are more than a part can say."""
+        link, self._inertias = self._solids.without_calls(link)
         try:
             own = self.spelled(link)
             above = self.spelled(joint) if joint is not None else None
             if above is not None:
                 self._check_joint(above)
-            return self.part(own, above, joint_first=joint_first)
+            part = self.part(own, above, joint_first=joint_first)
         except NoPart:
             return None
+        self._solids.replaced |= {each.source.macro.name for each in self._inertias.values()}
+        return part
 
     def spelled(self, element: Element) -> Element:
         """Return a copy in the language's spelling, but for the statements in it."""
@@ -266,7 +276,7 @@ class XacroPartWriter(PartWriter):
         return not _may_repeat(self._counts(owner), child.name)
 
     def _has_form(self, section: Element) -> bool:
-        if not super()._has_form(section):
+        if self._solid(section) is None and not super()._has_form(section):
             return False
         try:
             counts, given = self._counts(section), self._given(section)
@@ -301,6 +311,27 @@ class XacroPartWriter(PartWriter):
         if plan.inertial is not None or not self._has_one_inertial:
             return inertial is plan.inertial
         return self._has_form(inertial)
+
+    # --- inertia --------------------------------------------------------------------------------
+
+    def _solid(self, inertial: Element) -> Geometry | None:
+        """Return the solid whose inertia a call gave, in the language's spelling."""
+        original = self._originals[id(inertial)][1]
+        inertia = self._inertias.get(id(original))
+        if inertia is None:
+            return None
+        scale = " ".join(map(self._translate, inertia.sizes))
+        return Geometry(inertia.kind, inertia.kind, scale)
+
+    def _is_solid(self, inertial: Element, geometry: Geometry) -> bool:
+        solid = self._solid(inertial)
+        if solid is None:
+            return super()._is_solid(inertial, geometry)
+        return solid.kind == geometry.kind and are_equal(solid.sizes(), geometry.sizes())
+
+    def _inertia(self, inertial: Element) -> list[Entry]:
+        solid = self._solid(inertial)
+        return super()._inertia(inertial) if solid is None else solid.entries()
 
 
 class _PartElements(ElementWriter):

@@ -20,6 +20,7 @@ from .elements import tidy_text, walk
 from .xacro_data import with_plain_units
 from .xacro_includes import folder_meant
 from .xacro_namespaces import Namespaces
+from .xacro_truths import Truths
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -97,6 +98,7 @@ class Program:
         roots: their root elements.
         data: the texts of other files that were read, by path.
         included: the paths that an include means, by the place of its `filename`.
+        truth_arguments: the arguments that are true or false.
         truths: expressions that were truth values or lists, which Python shows in its own way.
         numbers: expressions that gave a text which xacro takes for a number: `float` or `int`.
         floats: expressions that gave a float.
@@ -136,6 +138,7 @@ class Program:
             if path not in self.roots
         }
         self.truths = python.truths
+        self._evaluated = python.evaluated
         self.numbers = {text: kind for text, kind in python.numbers.items() if kind != "text"}
         self.floats = python.floats
         self.macros: dict[str, Macro] = {}
@@ -152,6 +155,12 @@ class Program:
         for path, root in self.roots.items():
             self._gather(path, root)
         self._number_versions()
+        self.truth_arguments = {
+            name
+            for name, value in self.values_of_arguments.items()
+            if value.lower() in ("true", "false")
+        }
+        self._maybe_truths = Truths(self.roots.values(), self.truth_arguments)
         for path, root in self.roots.items():
             self._names[path] |= self._forwarded_in(root)
         self.at_top: set[str] = set()
@@ -386,6 +395,13 @@ class Program:
             unique, number = f"{stem}{number}", number + 1
         return unique
 
+    def is_shown_as_truth(self, expression: str) -> bool:
+        """Tell whether an expression gives a truth value or list, or may, if it was not reached."""
+        own = expression.strip()
+        if own in self._evaluated:
+            return own in self.truths
+        return self._maybe_truths.may_give(own)
+
     def is_defined_again(self, macro: Macro) -> bool:
         """Tell whether a macro of a file is replaced by one further down in it."""
         return macro.name not in self._in_a_row and any(
@@ -510,16 +526,18 @@ class _Watch:
 class _WatchedPython(Python):
     """Python that notes which expressions are truth values, or numbers of some kind."""
 
-    __slots__ = ("floats", "numbers", "truths")
+    __slots__ = ("evaluated", "floats", "numbers", "truths")
 
     def __init__(self, limits: Any) -> None:
         super().__init__(limits)
+        self.evaluated: set[str] = set()
         self.truths: set[str] = set()
         self.floats: set[str] = set()
         self.numbers: dict[str, str] = {}
 
     def evaluate(self, text: str, names: dict[str, Any]) -> Any:
         value = super().evaluate(text, names)
+        self.evaluated.add(text.strip())
         if isinstance(value, (bool, list, tuple)):
             self.truths.add(text.strip())
         elif isinstance(value, float):

@@ -33,6 +33,7 @@ if TYPE_CHECKING:
     from ...source import Span
     from ...xmltree import Node
     from .xacro_contents import Contents
+    from .xacro_inertia import Solids
     from .xacro_parts import Write
 
 PREDEFINED = frozenset(CONSTANTS) | {"load_yaml", "find", "math", "xacro", "python", "arg"}
@@ -61,18 +62,25 @@ class FileWriter(ElementWriter):
         "_place",
         "_program",
         "_read",
+        "_solids",
         "_visible",
         "lost",
         "translator",
     )
 
     def __init__(
-        self, program: Program, contents: Contents, path: str, output_of: Callable[[str], str]
+        self,
+        program: Program,
+        contents: Contents,
+        solids: Solids,
+        path: str,
+        output_of: Callable[[str], str],
     ) -> None:
         """Take the program, the file, and what gives the path of a migrated file."""
         super().__init__(lambda file: file)
         self._program = program
         self._contents = contents
+        self._solids = solids
         self._around: Macro | None = None
         self._place: Write | None = None
         self._is_in_element = program.result.name != "robot"
@@ -87,13 +95,12 @@ class FileWriter(ElementWriter):
         self._made_of: dict[int, set[str]] = {}
         self._visible = program.at_top
         self.lost: list[tuple[Span, str, str]] = []
-        truths = {
-            name
-            for name, value in program.values_of_arguments.items()
-            if value.lower() in ("true", "false")
-        }
         self.translator = Translator(
-            self._variable, self._is_namespace, program.truths, truths, program.numbers
+            self._variable,
+            self._is_namespace,
+            program.is_shown_as_truth,
+            program.truth_arguments,
+            program.numbers,
         )
 
     def _is_namespace(self, name: str) -> bool:
@@ -270,7 +277,7 @@ class FileWriter(ElementWriter):
     def _part(self, link: Element, step: Step) -> list[Entry]:
         """Return a link and its joint as a part, or as the elements that they are."""
         known = len(self.lost)
-        parts = XacroPartWriter(self, self._translate, self._contents, self._around)
+        parts = XacroPartWriter(self, self._translate, self._contents, self._solids, self._around)
         part = parts.entry(link, step.joint, joint_first=step.is_joint_first)
         if part is not None:
             return [part]
@@ -295,7 +302,9 @@ class FileWriter(ElementWriter):
 
     def _write_for_parts(self, node: Element, body: Body) -> None:
         """Write an element that may come to stand in a part, where it is to mean the same."""
-        own = XacroPartWriter(self, self._translate, self._contents, self._around).spelled(node)
+        own = XacroPartWriter(
+            self, self._translate, self._contents, self._solids, self._around
+        ).spelled(node)
         body.append(self.entry(node, bracketed=not stands_as_key(own)))
 
     def entry(self, element: Element, *, bracketed: bool = False) -> Entry:
