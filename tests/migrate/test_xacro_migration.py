@@ -182,6 +182,27 @@ def test_an_argument_whose_default_needs_a_property_gets_it_where_that_is_known(
     hold_for(tmp_path, [], ["path:=given"], ["top:=t"])
 
 
+@pytest.mark.parametrize(
+    "text",
+    [
+        """<xacro:arg name="kind" default="x"/>
+        <xacro:if value="${'$(arg kind)' == 'x'}"><xacro:arg name="size" default="1"/></xacro:if>
+        <xacro:arg name="size" default="2"/><a size="$(arg size)"/>""",
+        """<xacro:arg name="kind" default="x"/>
+        <xacro:if value="${'$(arg kind)' == 'x'}"><xacro:include filename="lib.xacro"/></xacro:if>
+        <xacro:arg name="size" default="2"/><a size="$(arg size)"/>""",
+        """<xacro:arg name="kind" default="x"/>
+        <xacro:macro name="first" params="is_first"><xacro:if value="${is_first}">
+        <xacro:arg name="size" default="5"/></xacro:if></xacro:macro>
+        <xacro:first is_first="${'$(arg kind)' == 'y'}"/>
+        <xacro:arg name="size" default="2"/><a size="$(arg size)"/>""",
+    ],
+)
+def test_of_several_defaults_that_counts_which_is_reached_first(tmp_path: Path, text: str) -> None:
+    migrated(tmp_path, text, lib='<xacro:arg name="size" default="3"/>')
+    hold_for(tmp_path, [], ["kind:=y"], ["size:=7"], ["kind:=y", "size:=7"])
+
+
 def test_a_default_that_reads_a_parameter_means_that_of_the_caller(tmp_path: Path) -> None:
     made = migrated(
         tmp_path,
