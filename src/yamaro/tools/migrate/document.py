@@ -271,6 +271,8 @@ def _in_braces(body: Body, remarks: list[str]) -> str | None:
     for entry in body:
         if entry.key in keys or (entry.value is None and len(body.entries) > 1):
             return None
+        if entry.comment and pieces:  # it stands better right above its key
+            return None
         remarks += filter(None, [entry.comment])
         keys.add(entry.key)
         value: str | None
