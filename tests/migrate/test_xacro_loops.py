@@ -254,7 +254,12 @@ def test_what_may_differ_stays_a_call(tmp_path: Path, text: str) -> None:
     assert any("Loop:" in line for line in lines)
 
 
-def test_a_macro_that_is_defined_twice_stays_a_call(tmp_path: Path) -> None:
-    body = '<xacro:if value="${i}"><a i="${i}"/><xacro:loop i="${i - 1}"/></xacro:if>'
-    text = macro("i", body, f'<xacro:macro name="loop" params="i">{body}</xacro:macro>', DOWN)
-    assert not any("for:" in line for line in function_of(tmp_path, text))
+def test_a_macro_that_is_defined_in_two_ways_stays_a_call(tmp_path: Path) -> None:
+    text = macro("i", guarded("if ${i}", ONE + LOWER))
+    definition = text.removeprefix(ARGUMENT)
+    other = definition.replace("<a ", "<b ")
+    condition = "${$(arg n) > 1}"
+    both = guarded(f"if {condition}", definition) + guarded(f"unless {condition}", other)
+    made = migrated(tmp_path, ARGUMENT + both + DOWN)["r.yaml"]
+    assert "for:" not in made
+    hold_for(tmp_path, ["n:=0"], ["n:=1"], ["n:=2"])

@@ -182,6 +182,62 @@ def test_an_argument_whose_default_needs_a_property_gets_it_where_that_is_known(
     hold_for(tmp_path, [], ["path:=given"], ["top:=t"])
 
 
+def test_a_default_that_reads_a_parameter_means_that_of_the_caller(tmp_path: Path) -> None:
+    made = migrated(
+        tmp_path,
+        """\
+        <xacro:property name="prefix" value="top_"/>
+        <xacro:macro name="arm" params="prefix tf:=${prefix}"><a p="${prefix}" t="${tf}"/>
+        </xacro:macro>
+        <xacro:arm prefix="l_"/><xacro:arm prefix="r_" tf="x_"/>
+        """,
+    )
+    assert "    input: prefix, tf\n" in made["r.yaml"]
+    assert "  - Arm: {prefix: l_, tf: $(prefix)}\n" in made["r.yaml"]
+
+
+def test_an_include_whose_name_depends_on_an_argument_still_does(tmp_path: Path) -> None:
+    library = {
+        f"parts/{name}.urdf": f'<xacro:macro name="arm" params=""><{name}/></xacro:macro>'
+        for name in ("long", "short")
+    }
+    (tmp_path / "parts").mkdir()
+    text = """\
+        <xacro:arg name="kind" default="long"/>
+        <xacro:include filename="parts/$(arg kind).urdf.xacro"/>
+        <xacro:arm/>
+        """
+    short = migrated(tmp_path, text.replace('default="long"', 'default="short"'), **library)
+    made = migrated(tmp_path, text, **library)
+    assert "  include: parts/$(kind).yaml\n" in made["r.yaml"]
+    assert sorted(made) == ["parts/long.yaml", "r.yaml"]
+    assert sorted(short) == ["parts/short.yaml", "r.yaml"]
+    hold_for(tmp_path, [], ["kind:=short"])
+
+
+def test_prefixes_that_an_included_file_declares_are_declared(tmp_path: Path) -> None:
+    (tmp_path / "other.xml").write_text('<robot xmlns:b="http://b.org"><b:x/></robot>')
+    made = migrated(tmp_path, '<xacro:include filename="other.xml"/>')
+    assert made["r.yaml"].startswith("robot/name=r, xmlns:b=http://b.org:\n")
+
+
+def test_numbers_with_units_that_are_expressions_become_numbers(tmp_path: Path) -> None:
+    (tmp_path / "limits.yaml").write_text(
+        "a: !radians pi / 2  # a quarter\nb: [!degrees 2*45, !degrees 90]\nc: !meters 1.5\n"
+    )
+    made = migrated(
+        tmp_path,
+        """\
+        <xacro:property name="limits" value="${xacro.load_yaml('limits.yaml')}"/>
+        <a a="${limits.a}" b="${limits.b[0]} ${limits.b[1]}" c="${limits.c}"/>
+        """,
+    )
+    assert made["limits.yaml"] == (
+        "a: !radians 1.5707963267948966  # a quarter\nb: [!degrees 90.0, !degrees 90]\n"
+        "c: !meters 1.5\n"
+    )
+
+
 def test_an_argument_may_be_a_list_of_python(tmp_path: Path) -> None:
     made = migrated(
         tmp_path,
@@ -324,6 +380,10 @@ def test_what_namespaces_cannot_do_is_told(tmp_path: Path, text: str, why: str) 
         value="${xacro.message('from a', 'value') or 7}"/>
         ${xacro.message('a', 2, k)}<a v="${cfg.a + cfg.b}" s="${said}"/>
         <b><xacro:attribute name="${k}_x" value="${k}"/></b>""",
+        # a macro that is defined anew
+        """<xacro:macro name="m" params="n"><a n="${n}"/></xacro:macro><xacro:m n="1"/>
+        <xacro:macro name="m" params="*b"><b><xacro:insert_block name="b"/></b></xacro:macro>
+        <xacro:m><i/></xacro:m><xacro:m><j/></xacro:m>""",
         # a block as a property
         """<xacro:property name="grey"><color rgba="1 1 1 1"/></xacro:property>
         <m><xacro:insert_block name="grey"/></m>""",
@@ -354,11 +414,14 @@ def test_a_difference_is_told(
 ) -> None:
     monkeypatch.chdir(tmp_path)
     Path("r.xacro").write_text(
-        f'{HEAD}\n<xacro:macro name="m" params=""><a/></xacro:macro><xacro:m/>\n'
-        '<xacro:macro name="m" params=""><b/></xacro:macro><xacro:m/></robot>\n'
+        f'{HEAD}\n<xacro:macro name="m" params=""><a/></xacro:macro>\n'
+        '<xacro:macro name="use" params=""><xacro:m/></xacro:macro><xacro:use/>\n'
+        '<xacro:macro name="m" params=""><b/></xacro:macro><xacro:use/></robot>\n'
     )
     assert main(["migrate", "r.xacro", "-o", "out"]) == 1
-    assert "different: robot 'r', a: is missing" in capsys.readouterr().err
+    told = capsys.readouterr().err
+    assert "different: robot 'r', a: is missing" in told
+    assert "this definition of 'm' is left out: there is another one below" in told
 
 
 def test_the_folder_is_needed_and_what_is_there_stays(

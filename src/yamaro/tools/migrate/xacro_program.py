@@ -17,6 +17,8 @@ from ...xacro.parameters import Parameter, parse_parameters
 from ...xacro.python import Python
 from ...xmltree import Comment, Element, format_value
 from .elements import tidy_text, walk
+from .xacro_data import with_plain_units
+from .xacro_includes import folder_meant
 from .xacro_namespaces import Namespaces
 
 TYPE_CHECKING = False
@@ -54,6 +56,10 @@ class Macro:
     def values(self) -> list[str]:
         """Return the names of the parameters that are values."""
         return [own.name for own in self.parameters if not own.is_block]
+
+    def is_default_of_caller(self, own: Parameter) -> bool:
+        """Tell whether a default reads the caller's property of a parameter's name."""
+        return bool(names_in(own.default or "") & set(self.values()))
 
     def blocks(self) -> list[str]:
         """Return the names of the parameters that are blocks, with their stars."""
@@ -109,12 +115,14 @@ class Program:
         """
         self.main = source.path
         self.given = dict(arguments)
+        self._host = host
         watch = _Watch(host)
         python = _WatchedPython(host.limits)
         reporter = Reporter()
         evaluator = Evaluator(watch, reporter, python, dict(arguments))
         expansion = Expansion(watch, reporter, evaluator)
         self.result = expansion.expand(source)
+        names = evaluator.names
         self.values_of_arguments = evaluator.arguments
         self.documents: dict[str, XmlDocument] = {source.path: _read(source, host)}
         for path, root in expansion.documents.items():
@@ -122,13 +130,18 @@ class Program:
         self.included = expansion.included
         self._read_the_rest(host)
         self.roots = {path: document.root for path, document in self.documents.items()}
-        self.data = {path: text for path, text in watch.texts.items() if path not in self.roots}
+        self.data = {
+            path: with_plain_units(text, lambda python_text: python.evaluate(python_text, names))
+            for path, text in watch.texts.items()
+            if path not in self.roots
+        }
         self.truths = python.truths
         self.numbers = {text: kind for text, kind in python.numbers.items() if kind != "text"}
         self.floats = python.floats
         self.macros: dict[str, Macro] = {}
         self.definitions: dict[tuple[str, int], Macro] = {}
         self._macros_of_name: dict[str, list[Macro]] = {}
+        self._in_a_row: set[str] = set()
         self.arguments: dict[str, Argument] = {}
         self.assigned_from_inside: set[str] = set()
         self.properties: dict[str, set[str]] = {}
@@ -138,6 +151,7 @@ class Program:
         self.namespaces = Namespaces(self.main, self.roots, self.included)
         for path, root in self.roots.items():
             self._gather(path, root)
+        self._number_versions()
         for path, root in self.roots.items():
             self._names[path] |= self._forwarded_in(root)
         self.at_top: set[str] = set()
@@ -207,6 +221,31 @@ class Program:
                 if child.name == "xacro:arg" and "name" in child.attributes:
                     self._add_argument(child, "\n".join(remarks))
                 remarks = []
+
+    def _number_versions(self) -> None:
+        """Give a function of its own to each definition of a macro that is redefined in a row.
+
+        That is where all definitions stand at the top of one file, and all calls outside of
+        macros: the last definition above a call is meant.
+        """
+        for name, versions in self._macros_of_name.items():
+            if len(versions) < 2 or len({own.file for own in versions}) > 1:
+                continue
+            root = self.roots[versions[0].file]
+            top = {id(element) for element in root.elements()}
+            tag = f"xacro:{name}"
+            calls = [own for other in self.roots.values() for own in walk(other) if own.name == tag]
+            inside = [own for own in walk(root) if own.name == "xacro:macro"]
+            if (
+                self._has_computed_calls
+                or not all(id(own.element) in top for own in versions)
+                or any(own.span.source.path != versions[0].file for own in calls)
+                or any(own.name == tag for macro in inside for own in walk(macro))
+            ):
+                continue
+            self._in_a_row.add(name)
+            for own in versions[1:]:
+                own.function = self._function_name(name)
 
     def _names_of_callers(self) -> set[str]:
         """Return the names that macros read of those who call them."""
@@ -297,7 +336,11 @@ class Program:
         *namespaces, name = element.name.removeprefix("xacro:").split(".")
         path = element.span.source.path
         near = self.namespaces.files(path, namespaces) if namespaces else [path]
-        for macro in self._macros_of_name.get(name, ()):
+        versions = self._macros_of_name.get(name, [])
+        if name in self._in_a_row:
+            above = [own for own in versions if own.element.span.start < element.span.start]
+            return above[-1] if above else None
+        for macro in versions:
             if macro.file in near:
                 return macro
         return None if namespaces else self.macros.get(name)
@@ -317,6 +360,10 @@ class Program:
             known.is_ambiguous = True
             known.default = self.values_of_arguments.get(name, known.default)
 
+    def folder_meant(self, start: str, element: Element) -> str | None:
+        """Return the folder that the start of a file's name means where an element stands."""
+        return folder_meant(start, element.span.source.path, self._host, element.span)
+
     def is_python(self, name: str) -> bool:
         """Tell whether an argument is a list or the like that is put into expressions only."""
         import ast
@@ -333,15 +380,15 @@ class Program:
 
     def _function_name(self, name: str) -> str:
         stem = camel(name)
-        taken = {macro.function for macro in self.macros.values()}
+        taken = {macro.function for macro in self.definitions.values()}
         unique, number = stem, 2
         while unique in taken:
             unique, number = f"{stem}{number}", number + 1
         return unique
 
     def is_defined_again(self, macro: Macro) -> bool:
-        """Tell whether a macro of a file is defined once more further down in it."""
-        return any(
+        """Tell whether a macro of a file is replaced by one further down in it."""
+        return macro.name not in self._in_a_row and any(
             other.name == macro.name and path == macro.file and start > macro.element.span.start
             for (path, start), other in self.definitions.items()
         )

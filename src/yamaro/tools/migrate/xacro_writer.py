@@ -20,6 +20,7 @@ from .elements import (
     walk,
 )
 from .pairing import has_text
+from .xacro_includes import computed_name
 from .xacro_loops import find_loop
 from .xacro_parts import Step, XacroPartWriter, in_steps, is_statement, stands_as_key
 from .xacro_program import Macro, Program, camel, defined_in, names_in, used_in
@@ -180,6 +181,9 @@ class FileWriter(ElementWriter):
             for name, value in root.attributes.items()
             if not name.startswith(("xmlns:xacro", "xacro:"))
         }
+        for name, value in self._program.result.attributes.items():
+            if name.startswith("xmlns:"):  # other files may declare prefixes
+                attributes.setdefault(name, literal(format_value(value)))
         namespace = root.attributes.get("xacro:targetNamespace")
         if namespace:
             attributes["xmlns"] = self.translator.text(format_value(namespace))
@@ -469,7 +473,9 @@ class FileWriter(ElementWriter):
         if macro is None:
             raise CannotMigrate("the macro has no name")
         if self._is_top and self._program.is_defined_again(macro):
-            body.note(f"the first definition of {name} is left out: there is another one below")
+            why = f"this definition of '{name}' is left out: there is another one below"
+            self._lose(node.span, why)
+            body.note(why)
             return
         function = Body()
         before = self._blocks, self._parameters, self._is_top, self._locals, self._visible
@@ -515,7 +521,7 @@ class FileWriter(ElementWriter):
         for own in macro.parameters:
             if own.is_block:
                 blocks.append("**" + self._block_name(own.name.lstrip("*")))
-            elif own.is_forwarded and own.default is None:
+            elif (own.is_forwarded and own.default is None) or macro.is_default_of_caller(own):
                 required.append(own.name)
             elif own.default is not None:
                 optional.append(f"{own.name}={self._default(own)}")
@@ -540,7 +546,7 @@ class FileWriter(ElementWriter):
 
     def _block_name(self, name: str) -> str:
         stem = camel(name)
-        taken = {macro.function for macro in self._program.macros.values()}
+        taken = {macro.function for macro in self._program.definitions.values()}
         return f"{stem}Block" if stem in taken else stem
 
     def _insert(self, node: Element, body: Body) -> None:
@@ -567,10 +573,15 @@ class FileWriter(ElementWriter):
             return
         visible = self._parameters | self._locals | self._program.at_top
         for own in macro.parameters:
-            if not own.is_forwarded or own.name in node.attributes:
+            if own.name in node.attributes:
                 continue
-            if own.name in visible or (own.default is None and own.name in self._program.inherited):
+            is_seen = own.name in visible or (
+                own.default is None and own.name in self._program.inherited
+            )
+            if own.is_forwarded and is_seen:
                 arguments.add(own.name, f"$({own.name})")
+            elif own.default is not None and macro.is_default_of_caller(own):
+                arguments.add(own.name, self.translator.value(own.default))
         blocks = macro.blocks()
         if blocks:
             arguments.in_braces = False
@@ -634,9 +645,22 @@ class FileWriter(ElementWriter):
             name = format_value(node.attributes.get("filename"))
             raise CannotMigrate(f"the file '{name}' is not included for these arguments")
         folder = os.path.dirname(self._output_of(self._path))
-        for path in paths:
-            relative = literal(os.path.relpath(self._output_of(path), folder))
-            body.add("include", self._in_namespace(node, path, relative) or relative)
+        names = [literal(os.path.relpath(self._output_of(path), folder)) for path in paths]
+        computed = self._computed_name(node, dict(zip(paths, names, strict=True)))
+        for path, name in [(paths[0], computed)] if computed else zip(paths, names, strict=True):
+            body.add("include", self._in_namespace(node, path, name) or name)
+
+    def _computed_name(self, node: Element, known: dict[str, str]) -> str | None:
+        """Return the name of an included source if it depends on arguments, or None."""
+        filename = format_value(node.attributes.get("filename"))
+        computed = computed_name(filename)
+        if computed is None:
+            return None
+        folder = self._program.folder_meant(computed.start, node)
+        name = folder and computed.source(folder, known, self.translator.text)
+        if not name and len(known) > 1 and not any(char in filename for char in "*?["):
+            raise CannotMigrate(f"which file '{filename}' means is computed")
+        return name or None
 
     def _in_namespace(self, node: Element, path: str, file: str) -> Body | None:
         """Return what an include says that puts a file's names in a namespace, if it does."""
