@@ -6,9 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.migrate.same_robot import is_same_robot
-from tests.migrate.test_xacro_migration import migrated
-from yamaro import build
+from tests.migrate.test_xacro_migration import hold_for, migrated
 
 ARGUMENT = '<xacro:arg name="n" default="3"/>\n'
 UP = '<xacro:loop i="0" n="$(arg n)"/>'
@@ -42,17 +40,10 @@ def guarded(condition: str, content: str) -> str:
 def function_of(folder: Path, text: str) -> list[str]:
     """Return the lines of the function that the macro becomes.
 
-    The robot it makes is the one that the package xacro makes, for several arguments.
+    The robot it makes is the one that xacro makes, for several arguments.
     """
-    xacro = pytest.importorskip("xacro")
     made = migrated(folder, text)["r.yaml"]
-    (folder / "r.yaml").write_text(made)
-    for n in ("0", "1", "2", "5"):
-        arguments = {"n": n} if "arg n" in text else {}
-        expected = xacro.process_file(str(folder / "r.urdf.xacro"), mappings=arguments).toxml()
-        given = [f"{name}:={value}" for name, value in arguments.items()]
-        built = build(folder / "r.yaml", command_line=given, on_message=lambda line: None).xml()
-        assert is_same_robot(expected.encode(), built.encode()), (n, made)
+    hold_for(folder, *([f"n:={n}"] for n in (0, 1, 2, 5)))
     lines = made.split("functions:\n")[1].split("model:\n")[0].splitlines()
     start = lines.index("  Loop:")
     return [line[2:] for line in lines[start + 1 :]]
@@ -263,7 +254,12 @@ def test_what_may_differ_stays_a_call(tmp_path: Path, text: str) -> None:
     assert any("Loop:" in line for line in lines)
 
 
-def test_a_macro_that_is_defined_twice_stays_a_call(tmp_path: Path) -> None:
-    body = '<xacro:if value="${i}"><a i="${i}"/><xacro:loop i="${i - 1}"/></xacro:if>'
-    text = macro("i", body, f'<xacro:macro name="loop" params="i">{body}</xacro:macro>', DOWN)
-    assert not any("for:" in line for line in function_of(tmp_path, text))
+def test_a_macro_that_is_defined_in_two_ways_stays_a_call(tmp_path: Path) -> None:
+    text = macro("i", guarded("if ${i}", ONE + LOWER))
+    definition = text.removeprefix(ARGUMENT)
+    other = definition.replace("<a ", "<b ")
+    condition = "${$(arg n) > 1}"
+    both = guarded(f"if {condition}", definition) + guarded(f"unless {condition}", other)
+    made = migrated(tmp_path, ARGUMENT + both + DOWN)["r.yaml"]
+    assert "for:" not in made
+    hold_for(tmp_path, ["n:=0"], ["n:=1"], ["n:=2"])

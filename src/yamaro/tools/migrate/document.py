@@ -266,10 +266,12 @@ def _in_braces(body: Body, remarks: list[str]) -> str | None:
     """
     if len(body.entries) > MOST_IN_BRACES or not body.entries:
         return None
-    pieces = []
+    pieces: list[str] = []
     keys = set()
     for entry in body:
         if entry.key in keys or (entry.value is None and len(body.entries) > 1):
+            return None
+        if entry.comment and pieces:  # it stands better right above its key
             return None
         remarks += filter(None, [entry.comment])
         keys.add(entry.key)

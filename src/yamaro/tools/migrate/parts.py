@@ -5,7 +5,7 @@ from __future__ import annotations
 from ...robot.mesh import MESH_ENDINGS, mesh_ending
 from ...xmltree import Comment, Element, Text, format_value
 from .compare import same_words, values_of
-from .document import RECORD_WIDTH, Body, Entry, without_expressions, words_of
+from .document import RECORD_WIDTH, Body, Entry, joined, without_expressions, words_of
 from .elements import ElementWriter, add_loose
 from .pairing import has_text, name_of
 from .solids import is_inertia_of
@@ -155,18 +155,21 @@ class PartWriter:
         body.add("type", kind)
         rest = Body()
         seen: dict[str, Element] = {}
+        remarks: dict[str, str] = {}
 
         def write(child: Element, out: Body) -> None:
             if child.name in ("parent", "child", "origin"):
                 if child.name in seen:
                     raise NoPart
                 seen[child.name] = child
+                _take_remark(child, out, remarks)
             else:
                 out.append(self._joint_child(child, kind, joint, seen))
 
         self._write_all(joint, rest, write)
         self._add_ends(seen, body)
         self._add_pose(joint, seen.get("origin"), body)
+        _add_remarks(remarks, body)
         body.extend(rest)
         return Entry(self._elements.key("joint", attributes), body)
 
@@ -261,17 +264,20 @@ class PartWriter:
         if plan.pose is None:
             self._add_pose(section, optional_child(section, "origin"), body)
         rest = Body()
+        remarks: dict[str, str] = {}
 
         def write(child: Element, out: Body) -> None:
-            if child.name == "geometry":
-                if own is not None:
-                    add_comments(child, rest)
-                else:
-                    body.entries.append(self._elements.entry(child, bracketed=True))
-            elif child.name != "origin":
+            if child.name not in ("geometry", "origin"):
                 out.append(self._section_child(child))
+                return
+            if child.name == "geometry" and own is not None:
+                add_comments(child, out)
+            elif child.name == "geometry":
+                body.entries.append(self._elements.entry(child, bracketed=True))
+            _take_remark(child, out, remarks)
 
         self._write_all(section, rest, write)
+        _add_remarks(remarks, body)
         body.extend(rest)
         return Entry(self._elements.key(section.name, values_of(section)), body or None)
 
@@ -288,12 +294,16 @@ class PartWriter:
             pose = Body()
             self._add_pose(inertial, optional_child(inertial, "origin"), pose)
             body.entries[1:1] = pose.entries
+        remarks: dict[str, str] = {}
 
         def write(child: Element, out: Body) -> None:
-            if child.name not in ("origin", "mass", "inertia"):
+            if child.name in ("origin", "mass", "inertia"):
+                _take_remark(child, out, remarks)
+            else:
                 out.append(self._element(child))
 
         self._write_all(inertial, body, write)
+        _add_remarks(remarks, body)
         if plan.has_computed_inertia and len(body.entries) == 1 and not body.remark:
             return body.entries[0]
         return Entry("inertial", body)
@@ -330,6 +340,26 @@ class PartWriter:
             words = _numbers(attributes[name], 3)
             if not same_words(words, "0 0 0"):
                 body.add(name, words)
+
+
+_KEYS_OF = {"origin": ("xyz", "rpy", "origin")}
+"""The keys that an element becomes, where these are not its name."""
+
+
+def _take_remark(child: Element, out: Body, remarks: dict[str, str]) -> None:
+    """Take what is remarked above an element that is put in other words."""
+    remarks[child.name], out.remark = out.remark, ""
+
+
+def _add_remarks(remarks: dict[str, str], body: Body) -> None:
+    """Put what was remarked above elements above the keys that they became, or else on top."""
+    for name, remark in remarks.items():
+        keys = _KEYS_OF.get(name, (name,))
+        made = [own for own in body if own.key.strip("<>").partition("/")[0] in keys]
+        for entry in (made or body.entries)[:1]:
+            entry.comment = joined(entry.comment, remark)
+        if not body.entries:
+            body.note(remark)
 
 
 class _CommonPose:

@@ -6,6 +6,7 @@ import os
 
 from .document import Body, write_document
 from .xacro_contents import Contents
+from .xacro_includes import source_name
 from .xacro_inertia import Solids
 from .xacro_program import Program, common_folder
 from .xacro_writer import FileWriter
@@ -135,10 +136,7 @@ def _keys_in(body: Body) -> Iterator[str]:
 
 
 def _output(path: str, taken: set[str]) -> str:
-    stem = path
-    for ending in (".xacro", ".urdf", ".xml"):
-        stem = stem.removesuffix(ending)
-    unique, number = f"{stem}.yaml", 2
+    unique, number = source_name(path), 2
     while unique in taken:
-        unique, number = f"{stem}_{number}.yaml", number + 1
+        unique, number = f"{source_name(path).removesuffix('.yaml')}_{number}.yaml", number + 1
     return unique

@@ -54,8 +54,7 @@ class Contents:
                     (element, around)
                 )
             elif element.name.startswith("xacro:"):
-                called = element.name.removeprefix("xacro:")
-                self._calls.setdefault(called, []).append((element, around))
+                self._calls.setdefault(_called(element), []).append((element, around))
             self._gather(element, known.get(id(element), around), known)
 
     # --- what is made ---------------------------------------------------------------------------
@@ -98,7 +97,7 @@ class Contents:
             return self._inserted(_name(node), around)
         if name == "xacro:property" and "scope" not in node.attributes:
             return {}
-        macros = self._macros.get(name.removeprefix("xacro:"))
+        macros = self._macros.get(_called(node))
         if name in _UNKNOWN or macros is None:
             raise UnknownContent
         return _any_of(
@@ -197,7 +196,7 @@ class Contents:
             for name in self._macros:
                 self._put_macro_in_part(name)
         elif node.name.startswith("xacro:"):
-            self._put_macro_in_part(node.name.removeprefix("xacro:"))
+            self._put_macro_in_part(_called(node))
 
     def _put_macro_in_part(self, name: str) -> None:
         if name in self._in_parts or name not in self._macros:
@@ -226,6 +225,11 @@ class Contents:
 _UNKNOWN = frozenset(
     f"xacro:{name}" for name in ("property", "element", "attribute", "include", "arg", "macro")
 )
+
+
+def _called(element: Element) -> str:
+    """Return the name of the macro that a tag calls, without that of its namespace."""
+    return element.name.removeprefix("xacro:").rpartition(".")[2]
 
 
 def _name(element: Element) -> str:

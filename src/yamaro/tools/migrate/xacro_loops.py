@@ -234,8 +234,8 @@ class _Reader:
     def _forwarded(self, element: Element) -> Iterator[str]:
         """Return the names that the calls in an element forward without saying so."""
         for called in walk(element):
-            macro = self._program.macros.get(called.name.removeprefix("xacro:"))
-            if called.name.startswith("xacro:") and macro is not None:
+            macro = self._program.macro_called(called)
+            if macro is not None:
                 for own in macro.parameters:
                     if own.is_forwarded and own.name not in called.attributes:
                         yield own.name

@@ -17,10 +17,13 @@ from ...xacro.parameters import Parameter, parse_parameters
 from ...xacro.python import Python
 from ...xmltree import Comment, Element, format_value
 from .elements import tidy_text, walk
+from .xacro_data import with_plain_units
+from .xacro_includes import folder_meant
+from .xacro_namespaces import Namespaces
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Container, Mapping
+    from collections.abc import Container, Iterator, Mapping
     from typing import Any
 
     from ...source import Source, Span
@@ -54,6 +57,10 @@ class Macro:
         """Return the names of the parameters that are values."""
         return [own.name for own in self.parameters if not own.is_block]
 
+    def is_default_of_caller(self, own: Parameter) -> bool:
+        """Tell whether a default reads the caller's property of a parameter's name."""
+        return bool(names_in(own.default or "") & set(self.values()))
+
     def blocks(self) -> list[str]:
         """Return the names of the parameters that are blocks, with their stars."""
         return [own.name for own in self.parameters if own.is_block]
@@ -67,9 +74,10 @@ class Argument:
         span: where it is declared.
         remark: the comments above that.
         is_ambiguous: whether it has another default elsewhere.
+        made_of: the names that its defaults read.
     """
 
-    __slots__ = ("default", "is_ambiguous", "remark", "span")
+    __slots__ = ("default", "is_ambiguous", "made_of", "remark", "span")
 
     def __init__(self, default: str | None, span: Span, remark: str) -> None:
         """Hold what its first declaration says."""
@@ -77,6 +85,7 @@ class Argument:
         self.span = span
         self.remark = remark
         self.is_ambiguous = False
+        self.made_of: set[str] = set()
 
 
 class Program:
@@ -92,6 +101,7 @@ class Program:
         numbers: expressions that gave a text which xacro takes for a number: `float` or `int`.
         floats: expressions that gave a float.
         macros: by name.
+        namespaces: which files are in one.
         arguments: by name.
         assigned_from_inside: the properties that macros define for those who call them.
         result: what the robot expands to.
@@ -105,12 +115,14 @@ class Program:
         """
         self.main = source.path
         self.given = dict(arguments)
+        self._host = host
         watch = _Watch(host)
         python = _WatchedPython(host.limits)
         reporter = Reporter()
         evaluator = Evaluator(watch, reporter, python, dict(arguments))
         expansion = Expansion(watch, reporter, evaluator)
         self.result = expansion.expand(source)
+        names = evaluator.names
         self.values_of_arguments = evaluator.arguments
         self.documents: dict[str, XmlDocument] = {source.path: _read(source, host)}
         for path, root in expansion.documents.items():
@@ -118,20 +130,28 @@ class Program:
         self.included = expansion.included
         self._read_the_rest(host)
         self.roots = {path: document.root for path, document in self.documents.items()}
-        self.data = {path: text for path, text in watch.texts.items() if path not in self.roots}
+        self.data = {
+            path: with_plain_units(text, lambda python_text: python.evaluate(python_text, names))
+            for path, text in watch.texts.items()
+            if path not in self.roots
+        }
         self.truths = python.truths
         self.numbers = {text: kind for text, kind in python.numbers.items() if kind != "text"}
         self.floats = python.floats
         self.macros: dict[str, Macro] = {}
         self.definitions: dict[tuple[str, int], Macro] = {}
+        self._macros_of_name: dict[str, list[Macro]] = {}
+        self._in_a_row: set[str] = set()
         self.arguments: dict[str, Argument] = {}
         self.assigned_from_inside: set[str] = set()
         self.properties: dict[str, set[str]] = {}
         self.blocks: set[str] = set()
         self._names: dict[str, set[str]] = {}
         self._has_computed_calls = False
+        self.namespaces = Namespaces(self.main, self.roots, self.included)
         for path, root in self.roots.items():
             self._gather(path, root)
+        self._number_versions()
         for path, root in self.roots.items():
             self._names[path] |= self._forwarded_in(root)
         self.at_top: set[str] = set()
@@ -170,7 +190,7 @@ class Program:
                 if "$" in text or element.name in ("xacro:if", "xacro:unless"):
                     names.update(_NAME.findall(text))
             if element.name.startswith("xacro:"):
-                names.add(element.name)
+                names.add(f"xacro:{element.name.removeprefix('xacro:').rpartition('.')[2]}")
             if element.name == "xacro:call" and "$" in given.get("macro", ""):
                 self._has_computed_calls = True
             if element.name == "xacro:insert_block":
@@ -182,6 +202,7 @@ class Program:
                 macro = Macro(element, path, function)
                 self.macros.setdefault(name, macro)
                 self.definitions[path, element.span.start] = macro
+                self._macros_of_name.setdefault(name, []).append(macro)
             elif element.name == "xacro:property" and "name" in given:
                 self.properties.setdefault(given["name"], set()).add(path)
                 if given.get("scope") in ("parent", "global"):
@@ -200,6 +221,31 @@ class Program:
                 if child.name == "xacro:arg" and "name" in child.attributes:
                     self._add_argument(child, "\n".join(remarks))
                 remarks = []
+
+    def _number_versions(self) -> None:
+        """Give a function of its own to each definition of a macro that is redefined in a row.
+
+        That is where all definitions stand at the top of one file, and all calls outside of
+        macros: the last definition above a call is meant.
+        """
+        for name, versions in self._macros_of_name.items():
+            if len(versions) < 2 or len({own.file for own in versions}) > 1:
+                continue
+            root = self.roots[versions[0].file]
+            top = {id(element) for element in root.elements()}
+            tag = f"xacro:{name}"
+            calls = [own for other in self.roots.values() for own in walk(other) if own.name == tag]
+            inside = [own for own in walk(root) if own.name == "xacro:macro"]
+            if (
+                self._has_computed_calls
+                or not all(id(own.element) in top for own in versions)
+                or any(own.span.source.path != versions[0].file for own in calls)
+                or any(own.name == tag for macro in inside for own in walk(macro))
+            ):
+                continue
+            self._in_a_row.add(name)
+            for own in versions[1:]:
+                own.function = self._function_name(name)
 
     def _names_of_callers(self) -> set[str]:
         """Return the names that macros read of those who call them."""
@@ -246,8 +292,8 @@ class Program:
         """Return the names that calls in an element forward to macros without saying so."""
         names: set[str] = set()
         for called in walk(root, without):
-            macro = self.macros.get(called.name.removeprefix("xacro:"))
-            if macro is not None and called.name.startswith("xacro:"):
+            macro = self.macro_called(called)
+            if macro is not None:
                 own = {each.name for each in macro.parameters if each.is_forwarded}
                 names |= own - set(called.attributes)
         return names
@@ -274,8 +320,8 @@ class Program:
         """Return the properties that the macros called in an element hand to it."""
         handed: set[str] = set()
         for called in walk(element):
-            macro = self.macros.get(called.name.removeprefix("xacro:"))
-            if macro is not None and called.name.startswith("xacro:"):
+            macro = self.macro_called(called)
+            if macro is not None:
                 handed |= {
                     format_value(own.attributes.get("name"))
                     for own in walk(macro.element)
@@ -283,12 +329,29 @@ class Program:
                 }
         return handed
 
+    def macro_called(self, element: Element) -> Macro | None:
+        """Return the macro that a tag calls: of the namespace it names, its file, or another."""
+        if not element.name.startswith("xacro:"):
+            return None
+        *namespaces, name = element.name.removeprefix("xacro:").split(".")
+        path = element.span.source.path
+        near = self.namespaces.files(path, namespaces) if namespaces else [path]
+        versions = self._macros_of_name.get(name, [])
+        if name in self._in_a_row:
+            above = [own for own in versions if own.element.span.start < element.span.start]
+            return above[-1] if above else None
+        for macro in versions:
+            if macro.file in near:
+                return macro
+        return None if namespaces else self.macros.get(name)
+
     def _add_argument(self, element: Element, remark: str) -> None:
         """Note an argument; where it has several defaults, the one that counts for this robot."""
         name = format_value(element.attributes["name"])
         default = element.attributes.get("default")
         text = None if default is None else format_value(default)
         known = self.arguments.setdefault(name, Argument(text, element.span, remark))
+        known.made_of |= names_in(text or "")
         if text is None or text == known.default:
             return
         if known.default is None:
@@ -297,17 +360,35 @@ class Program:
             known.is_ambiguous = True
             known.default = self.values_of_arguments.get(name, known.default)
 
+    def folder_meant(self, start: str, element: Element) -> str | None:
+        """Return the folder that the start of a file's name means where an element stands."""
+        return folder_meant(start, element.span.source.path, self._host, element.span)
+
+    def is_python(self, name: str) -> bool:
+        """Tell whether an argument is a list or the like that is put into expressions only."""
+        import ast
+
+        try:
+            value = ast.literal_eval((self.arguments[name].default or "").strip())
+        except (SyntaxError, ValueError):
+            return False
+        if not isinstance(value, (list, tuple, dict)):
+            return False
+        used = f"$(arg {name})"
+        texts = [text for root in self.roots.values() for text in _texts_in(root) if used in text]
+        return all(_outside_expressions(text).count(used) == 0 for text in texts)
+
     def _function_name(self, name: str) -> str:
         stem = camel(name)
-        taken = {macro.function for macro in self.macros.values()}
+        taken = {macro.function for macro in self.definitions.values()}
         unique, number = stem, 2
         while unique in taken:
             unique, number = f"{stem}{number}", number + 1
         return unique
 
     def is_defined_again(self, macro: Macro) -> bool:
-        """Tell whether a macro of a file is defined once more further down in it."""
-        return any(
+        """Tell whether a macro of a file is replaced by one further down in it."""
+        return macro.name not in self._in_a_row and any(
             other.name == macro.name and path == macro.file and start > macro.element.span.start
             for (path, start), other in self.definitions.items()
         )
@@ -349,6 +430,20 @@ def defined_in(root: Element, *, nested: bool = False) -> set[str]:
         if element.name != "xacro:macro" or element is root or nested:
             pending += element.elements()
     return names
+
+
+def _texts_in(root: Element) -> Iterator[str]:
+    """Return the values of attributes in an element, and its texts."""
+    for element in walk(root):
+        yield from map(format_value, element.attributes.values())
+        yield element.text()
+
+
+def _outside_expressions(text: str) -> str:
+    """Return what of a text is none of Python's: without `${…}`, but with the texts in it."""
+    return re.sub(
+        r"\$\{([^}]*)\}", lambda found: " ".join(re.findall(r"'[^']*'|\"[^\"]*\"", found[1])), text
+    )
 
 
 def used_in(root: Element, without: Container[int] = ()) -> set[str]:

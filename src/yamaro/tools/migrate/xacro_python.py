@@ -22,6 +22,8 @@ METHODS = frozenset(
     for name in dir(kind)
     if name[0] != "_"
 )
+MESSAGES = ("message", "warning", "error")
+"""Functions of xacro that say something to the user, and give an empty text."""
 _PIECE = re.compile(r"""\$\((?P<command>[^()]*)\)|\$\{(?P<inner>[^{}]*)\}|(?P<quote>['"])""")
 
 
@@ -87,7 +89,7 @@ class Translator:
         if len(template.parts) == 1 and isinstance(template.parts[0], Expression):
             own = template.parts[0].text
             kind = self._numbers.get(own.strip())
-            python = self.expression(own)
+            python = _without_parentheses(self.expression(own))
             return f"$({kind}({python}))" if kind else f"$({python})"
         plain = template.plain()
         if plain is not None:
@@ -164,12 +166,38 @@ class Translator:
         if func.attr == "arg" and len(node.args) == 1 and isinstance(node.args[0], ast.Constant):
             edits.replace(node, self._rename(str(node.args[0].value)))
             return True
-        if func.attr != "load_yaml":
+        names = {"load_yaml": "load_yaml", "dotify": "", **dict.fromkeys(MESSAGES, "(print")}
+        if func.attr not in names or (node.keywords and func.attr in MESSAGES):
             raise CannotMigrate(f"there is no counterpart of xacro.{func.attr}")
-        edits.replace(func, "load_yaml")
+        edits.replace(func, names[func.attr])
+        if func.attr in MESSAGES:
+            edits.insert_after(node, " or '')")
         for argument in (*node.args, *node.keywords):
             self._look_at(argument, edits, bound)
         return True
+
+    def message(self, text: str) -> str | None:
+        """Return what a text says to the user that is a call of `xacro.message` and no more."""
+        import ast
+
+        parts = _parsed(text).parts
+        if len(parts) != 1 or not isinstance(parts[0], Expression):
+            return None
+        try:
+            call = ast.parse(self._without_templates(parts[0].text).strip(), mode="eval").body
+        except (SyntaxError, ValueError):
+            return None
+        if not isinstance(call, ast.Call) or call.keywords:
+            return None
+        if ast.unparse(call.func) not in {f"xacro.{name}" for name in MESSAGES}:
+            return None
+        words = [
+            literal(str(argument.value))
+            if isinstance(argument, ast.Constant)
+            else f"$({self.expression(ast.unparse(argument))})"
+            for argument in call.args
+        ]
+        return " ".join(words)
 
     def _attribute(self, node: ast.Attribute, edits: _Edits, bound: frozenset[str]) -> None:
         import ast
@@ -239,6 +267,8 @@ class Translator:
         command, *words = content.split()
         if "$" in content and command in ("find", "env") and len(words) == 1:
             return f"{command}({self.joined(words[0])})"
+        if command == "arg" and "$" in content:
+            raise CannotMigrate(f"the name of the argument in $({content}) is computed")
         if command == "arg" and len(words) == 1:
             self.used.add(words[0])
             return self._rename(words[0])
@@ -332,6 +362,10 @@ class _Edits:
     def replace_after(self, inner: ast.expr, node: ast.expr, new: str) -> None:
         """Put a text in the place of what stands behind `inner` in a node."""
         self._edits.append((self._end(inner), self._end(node), new))
+
+    def insert_after(self, node: ast.expr, new: str) -> None:
+        """Put a text behind a node."""
+        self._edits.append((self._end(node), self._end(node), new))
 
     def text(self) -> str:
         """Return the text with all changes."""

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import re
 from contextlib import contextmanager
 
 from ...runtime.predefined import CONSTANTS
@@ -21,6 +20,7 @@ from .elements import (
     walk,
 )
 from .pairing import has_text
+from .xacro_includes import computed_name
 from .xacro_loops import find_loop
 from .xacro_parts import Step, XacroPartWriter, in_steps, is_statement, stands_as_key
 from .xacro_program import Macro, Program, camel, defined_in, names_in, used_in
@@ -36,7 +36,6 @@ if TYPE_CHECKING:
     from .xacro_inertia import Solids
     from .xacro_parts import Write
 
-_MESSAGE = re.compile(r"\$\{xacro\.(?:message|warning|error)\(([^,}]*)\)\}")
 PREDEFINED = frozenset(CONSTANTS) | {"load_yaml", "find", "math", "xacro", "python", "arg"}
 SCOPES = {"global": "/global", "parent": "/parent"}
 
@@ -102,8 +101,17 @@ class FileWriter(ElementWriter):
             if value.lower() in ("true", "false")
         }
         self.translator = Translator(
-            self._variable, lambda name: False, program.truths, truths, program.numbers
+            self._variable, self._is_namespace, program.truths, truths, program.numbers
         )
+
+    def _is_namespace(self, name: str) -> bool:
+        return name in self._program.namespaces.names(self._path)
+
+    def _shared(self, name: str) -> str:
+        """Return the scope of something at the top of the file: that of what others use."""
+        if not self._program.is_used_elsewhere(name, self._path):
+            return ""
+        return "/parent" if self._path in self._program.namespaces.inside else "/global"
 
     def _variable(self, name: str) -> str:
         return name if is_identifier(name) else name.replace("-", "_")
@@ -173,6 +181,9 @@ class FileWriter(ElementWriter):
             for name, value in root.attributes.items()
             if not name.startswith(("xmlns:xacro", "xacro:"))
         }
+        for name, value in self._program.result.attributes.items():
+            if name.startswith("xmlns:"):  # other files may declare prefixes
+                attributes.setdefault(name, literal(format_value(value)))
         namespace = root.attributes.get("xacro:targetNamespace")
         if namespace:
             attributes["xmlns"] = self.translator.text(format_value(namespace))
@@ -187,6 +198,10 @@ class FileWriter(ElementWriter):
         """Return the arguments of all files, which the main file declares."""
         body = Body()
         for name, argument in self._program.arguments.items():
+            if self._is_late(name):
+                body.note(argument.remark)
+                body.add(f"{self._variable(name)}/global")
+                continue
             if argument.is_ambiguous:
                 self._lose(
                     argument.span,
@@ -194,13 +209,14 @@ class FileWriter(ElementWriter):
                     "xacro takes the one that it reaches first, which other arguments may change",
                 )
             try:
-                value = self.translator.value(argument.default or "")
+                default = argument.default or ""
+                is_python = self._program.is_python(name)
+                value = f"$({default.strip()})" if is_python else self.translator.value(default)
             except CannotMigrate as error:
                 self._lose(argument.span, str(error))
                 continue
             body.note(argument.remark)
-            is_shared = self._program.is_used_elsewhere(name, self._path)
-            body.add(self._variable(name) + ("/global" if is_shared else ""), value or "")
+            body.add(self._variable(name) + self._shared(name), value or "")
         return body
 
     def _lose(self, span: Span, why: str, hint: str = "the sources have a comment there") -> None:
@@ -228,9 +244,9 @@ class FileWriter(ElementWriter):
                 body.note(tidy_text(node.text))
             elif isinstance(node, Text):
                 text = tidy_text(format_value(node.value))
-                message = _MESSAGE.fullmatch(text)
-                if message:
-                    body.add("print", self._text(f"${{{message[1]}}}", node.span))
+                message = self._message(text)
+                if message is not None:
+                    body.add("print", message)
                 elif text:
                     body.add("<#text>", self._text(text, node.span))
             elif isinstance(node, Element):
@@ -312,7 +328,7 @@ class FileWriter(ElementWriter):
     def _content(self, element: Element, children: list[Node]) -> Value:
         if (
             has_text(element)
-            and not _MESSAGE.fullmatch(element.text().strip())
+            and self._message(element.text().strip()) is None
             and all(isinstance(child, (Text, Comment)) for child in children)
         ):
             return self._text(tidy_text(element.text()), element.span)
@@ -321,6 +337,13 @@ class FileWriter(ElementWriter):
 
     def _translate(self, text: str) -> str:
         return self.translator.text(_tidied(text))
+
+    def _message(self, text: str) -> str | None:
+        """Return what a text says to the user, if it does nothing else."""
+        try:
+            return self.translator.message(text) if "xacro." in text else None
+        except CannotMigrate:
+            return None
 
     def _text(self, text: str, span: Span) -> str:
         try:
@@ -334,7 +357,7 @@ class FileWriter(ElementWriter):
         rest: list[Node] = []
         for child in element.children:
             if isinstance(child, Element) and child.name == "xacro:attribute":
-                name = format_value(child.attributes.get("name"))
+                name = self.translator.text(format_value(child.attributes.get("name")))
                 attributes[name] = self.translator.text(format_value(child.attributes.get("value")))
             else:
                 rest.append(child)
@@ -343,8 +366,24 @@ class FileWriter(ElementWriter):
     # --- xacro's tags ---------------------------------------------------------------------------
 
     def _argument(self, node: Element, body: Body) -> None:
-        """Leave out an argument, which the main file declares, and the comments above it."""
+        """Leave out an argument, which the main file declares, and the comments above it.
+
+        A default that is made of properties is given where it stands, if there is no value yet.
+        """
         body.remark = ""
+        name = format_value(node.attributes.get("name"))
+        if not self._is_late(name) or "default" not in node.attributes:
+            return
+        own = self._variable(name)
+        default = self.translator.value(format_value(node.attributes["default"]))
+        given = Body([Entry("variables", Body([Entry(f"{own}/global", default)]))])
+        body.add("if", Body([Entry("condition", f"{own} is None"), Entry("body", given)]))
+
+    def _is_late(self, name: str) -> bool:
+        """Tell whether an argument has a default that is made of properties."""
+        argument = self._program.arguments.get(name)
+        known = PREDEFINED | self._program.arguments.keys()
+        return argument is not None and not argument.made_of <= known
 
     def _property(self, node: Element, body: Body) -> None:
         given = {name: format_value(value) for name, value in node.attributes.items()}
@@ -373,8 +412,10 @@ class FileWriter(ElementWriter):
             ):
                 raise CannotMigrate(f"the property '{name}' may have a value already")
         scope = SCOPES.get(given.get("scope", ""), "")
-        if self._is_top and not scope and self._program.is_used_elsewhere(name, self._path):
-            scope = "/global"
+        if self._is_top and scope == "/parent" and self._path in self._program.namespaces.inside:
+            raise CannotMigrate(f"the property '{name}' is handed out of a namespace")
+        if self._is_top and not scope:
+            scope = self._shared(name)
         elif not self._is_top and name in self._program.inherited:
             scope = {"": "/child", "/parent": "/bridge"}.get(scope, scope)
         value = self.translator.value(text)
@@ -421,7 +462,7 @@ class FileWriter(ElementWriter):
     def _define_block(self, node: Element, name: str, body: Body) -> None:
         with self._within(self._place_of_block(None, name)):
             function = Body([Entry("body", self.body(node.children))])
-        scope = "/global" if self._program.is_used_elsewhere(name, self._path) else ""
+        scope = self._shared(name)
         self._functions.note(body.remark)
         body.remark = ""
         self._functions.add(camel(name) + scope, function)
@@ -432,7 +473,9 @@ class FileWriter(ElementWriter):
         if macro is None:
             raise CannotMigrate("the macro has no name")
         if self._is_top and self._program.is_defined_again(macro):
-            body.note(f"the first definition of {name} is left out: there is another one below")
+            why = f"this definition of '{name}' is left out: there is another one below"
+            self._lose(node.span, why)
+            body.note(why)
             return
         function = Body()
         before = self._blocks, self._parameters, self._is_top, self._locals, self._visible
@@ -455,8 +498,7 @@ class FileWriter(ElementWriter):
             _declare_first(content, [Entry(f"{own}/child", f"$({own})") for own in shared])
         self._blocks, self._parameters, self._is_top, self._locals, self._visible = before
         function.add("body", content or None)
-        is_shared = self._program.is_used_elsewhere(f"xacro:{name}", self._path)
-        key = macro.function + ("/global" if is_shared else "")
+        key = macro.function + self._shared(f"xacro:{name}")
         target = self._functions
         if not self._is_top:
             target = self._body_of_last(body, "functions")
@@ -479,7 +521,7 @@ class FileWriter(ElementWriter):
         for own in macro.parameters:
             if own.is_block:
                 blocks.append("**" + self._block_name(own.name.lstrip("*")))
-            elif own.is_forwarded and own.default is None:
+            elif (own.is_forwarded and own.default is None) or macro.is_default_of_caller(own):
                 required.append(own.name)
             elif own.default is not None:
                 optional.append(f"{own.name}={self._default(own)}")
@@ -504,7 +546,7 @@ class FileWriter(ElementWriter):
 
     def _block_name(self, name: str) -> str:
         stem = camel(name)
-        taken = {macro.function for macro in self._program.macros.values()}
+        taken = {macro.function for macro in self._program.definitions.values()}
         return f"{stem}Block" if stem in taken else stem
 
     def _insert(self, node: Element, body: Body) -> None:
@@ -518,12 +560,12 @@ class FileWriter(ElementWriter):
 
     def _call(self, node: Element, body: Body) -> None:
         name = node.name.removeprefix("xacro:")
-        macro = self._program.macros.get(name)
+        macro = self._program.macro_called(node)
         arguments = Body(in_braces=True)
         for key, value in node.attributes.items():
             arguments.add(key, self.translator.value(format_value(value)))
         if macro is None:
-            if node.elements() or not is_identifier(camel(name)):
+            if node.elements() or "." in name or not is_identifier(camel(name)):
                 raise CannotMigrate(f"there is no macro '{name}'")
             hint = "the sources call it too, which is an error where it is reached, as in xacro"
             self._lose(node.span, f"there is no macro '{name}'", hint)
@@ -531,15 +573,24 @@ class FileWriter(ElementWriter):
             return
         visible = self._parameters | self._locals | self._program.at_top
         for own in macro.parameters:
-            if not own.is_forwarded or own.name in node.attributes:
+            if own.name in node.attributes:
                 continue
-            if own.name in visible or (own.default is None and own.name in self._program.inherited):
+            is_seen = own.name in visible or (
+                own.default is None and own.name in self._program.inherited
+            )
+            if own.is_forwarded and is_seen:
                 arguments.add(own.name, f"$({own.name})")
+            elif own.default is not None and macro.is_default_of_caller(own):
+                arguments.add(own.name, self.translator.value(own.default))
         blocks = macro.blocks()
         if blocks:
             arguments.in_braces = False
             self._add_blocks(node, macro, arguments)
-        body.add(macro.function, arguments or None)
+        namespace = name.rpartition(".")[0]
+        if namespace and not self._is_namespace(namespace):
+            raise CannotMigrate(f"the namespace '{namespace}' is made in another file")
+        function = f"{namespace}.{macro.function}" if namespace else macro.function
+        body.add(function, arguments or None)
 
     def _add_blocks(self, node: Element, macro: Macro, arguments: Body) -> None:
         given = [child for child in node.children if isinstance(child, Element)]
@@ -594,11 +645,33 @@ class FileWriter(ElementWriter):
             name = format_value(node.attributes.get("filename"))
             raise CannotMigrate(f"the file '{name}' is not included for these arguments")
         folder = os.path.dirname(self._output_of(self._path))
-        for path in paths:
-            relative = os.path.relpath(self._output_of(path), folder)
-            if "ns" in node.attributes:
-                raise CannotMigrate("a file is included with a namespace")
-            body.add("include", literal(relative))
+        names = [literal(os.path.relpath(self._output_of(path), folder)) for path in paths]
+        computed = self._computed_name(node, dict(zip(paths, names, strict=True)))
+        for path, name in [(paths[0], computed)] if computed else zip(paths, names, strict=True):
+            body.add("include", self._in_namespace(node, path, name) or name)
+
+    def _computed_name(self, node: Element, known: dict[str, str]) -> str | None:
+        """Return the name of an included source if it depends on arguments, or None."""
+        filename = format_value(node.attributes.get("filename"))
+        computed = computed_name(filename)
+        if computed is None:
+            return None
+        folder = self._program.folder_meant(computed.start, node)
+        name = folder and computed.source(folder, known, self.translator.text)
+        if not name and len(known) > 1 and not any(char in filename for char in "*?["):
+            raise CannotMigrate(f"which file '{filename}' means is computed")
+        return name or None
+
+    def _in_namespace(self, node: Element, path: str, file: str) -> Body | None:
+        """Return what an include says that puts a file's names in a namespace, if it does."""
+        if "ns" not in node.attributes:
+            return None
+        name = format_value(node.attributes["ns"])
+        if not is_identifier(name):
+            raise CannotMigrate(f"the namespace '{name}' is computed, or no name")
+        if path in self._program.namespaces.mixed:
+            raise CannotMigrate("the file is included without a namespace as well")
+        return Body([Entry("path", file), Entry("namespace", name)], in_braces=True)
 
     def _element(self, node: Element, body: Body) -> None:
         name = self.translator.text(format_value(node.attributes.get("xacro:name")))
