@@ -91,10 +91,8 @@ def _drop_functions(names: set[str], files: list[Body]) -> None:
     """
     for sections in files:
         for key in _keys_in(sections):
-            called = key.rpartition(".")[2]  # in a namespace, perhaps
-            if called in names:
-                names.discard(called)
-            elif key.startswith("$("):  # a call whose function is computed
+            names.discard(key.rpartition(".")[2])  # it may be in a namespace
+            if key.startswith("$("):  # a call whose function is computed
                 names -= {name for name in names if repr(name) in key}
     for sections in files:
         for section in [entry for entry in sections if entry.key == "functions"]:
