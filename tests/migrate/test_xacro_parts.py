@@ -239,6 +239,13 @@ def test_a_joint_moves_to_its_link_past_other_elements(tmp_path: Path) -> None:
         # what an expression reads is set in between
         f"""<link name="a_link"/><xacro:property name="l" value="2"/>
         <joint name="a_joint" type="fixed">{ENDS}</joint>""",
+        f"""<xacro:property name="l" value="1"/><link name="a_link">
+        <gazebo><xacro:property name="l" value="3"/></gazebo></link>
+        <joint name="a_joint" type="fixed">{ENDS}<origin xyz="0 0 ${{l}}" rpy="0 0 0"/></joint>""",
+        f"""<xacro:macro name="set" params=""><xacro:property name="l" value="3" scope="parent"/>
+        <a/></xacro:macro><xacro:property name="l" value="1"/>
+        <link name="a_link"><gazebo><xacro:set/></gazebo></link>
+        <joint name="a_joint" type="fixed">{ENDS}<origin xyz="0 0 ${{l}}" rpy="0 0 0"/></joint>""",
         # there may be no limit
         f"""<joint name="a_joint" type="revolute">{ENDS}{MANY}{LIMIT}</xacro:if></joint>
         <link name="a_link"/>""",

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 WIDTH = 100
 """Characters that a line with a mapping in braces may have."""
 RECORD_WIDTH = 120
-"""And one with attributes only, such as a limit."""
+"""And one such as a limit, or a section of a link, which is read at a glance."""
 MOST_IN_BRACES = 6
 LONGEST_KEY = 1000
 """Characters that a key may have before YAML wants a `?` in front of it."""

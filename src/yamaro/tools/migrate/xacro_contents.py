@@ -7,6 +7,7 @@ a name there may be, whatever the arguments are, the macros and all their calls 
 from __future__ import annotations
 
 from ...xmltree import Element, format_value
+from .elements import walk
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -42,6 +43,7 @@ class Contents:
             self._gather(root, None, by_element)
         for root in program.roots.values():
             self._find_parts(root, None, by_element)
+        self._declaring = self._find_declaring()
 
     def _gather(self, root: Element, around: Macro | None, known: dict[int, Macro]) -> None:
         for element in root.elements():
@@ -141,6 +143,30 @@ class Contents:
                 raise UnknownContent
             found.append((call, nodes, around))
         return found
+
+    def _find_declaring(self) -> set[str]:
+        """Return the macros that set what is read outside of them, or call such a macro."""
+        found: set[str] = set()
+        pending = [
+            name
+            for name, macros in self._macros.items()
+            if any("scope" in inner.attributes for macro in macros for inner in walk(macro.element))
+        ]
+        while pending:
+            name = pending.pop()
+            if name not in found:
+                found.add(name)
+                pending += [around.name for _, around in self._calls.get(name, ()) if around]
+        return found
+
+    def sets_variables(self, node: Element) -> bool:
+        """Tell whether an element has statements in it that set what is read after them."""
+        return any(
+            inner.name in ("xacro:property", "xacro:call", "xacro:include")
+            or inner.name.removeprefix("xacro:") in self._declaring
+            for inner in walk(node)
+            if inner.name.startswith("xacro:")
+        )
 
     # --- where it stands ------------------------------------------------------------------------
 

@@ -254,7 +254,7 @@ class FileWriter(ElementWriter):
         """Return what is written one after the other: links with their joints, where they stand."""
         if self._is_in_element or self._place is not None:
             return map(Step, nodes)
-        return in_steps(nodes)
+        return in_steps(nodes, self._contents)
 
     def _statement(self, node: Element, step: Step, body: Body) -> None:
         if is_statement(node):
