@@ -40,14 +40,16 @@ def migrated(folder: Path, text: str, **files: str) -> dict[str, str]:
     return migration.files
 
 
-def hold_for(folder: Path, *several: list[str]) -> None:
-    """Hold that the sources of a robot make what the package xacro does, for several arguments."""
+def hold_for(folder: Path, *several: list[str]) -> list[str]:
+    """Hold that the sources of a robot make what xacro does for arguments; return what was said."""
     xacro = pytest.importorskip("xacro")
+    said: list[str] = []
     for arguments in several:
         given = dict(argument.split(":=") for argument in arguments)
         expected = xacro.process_file(str(folder / "r.urdf.xacro"), mappings=given).toxml()
-        made = build(folder / "out/r.yaml", command_line=arguments, on_message=lambda line: None)
+        made = build(folder / "out/r.yaml", command_line=arguments, on_message=said.append)
         assert is_same_robot(expected.encode(), made.xml().encode()), arguments
+    return said
 
 
 def test_macros_become_functions_and_properties_variables(tmp_path: Path) -> None:

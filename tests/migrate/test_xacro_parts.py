@@ -159,7 +159,7 @@ def test_statements_stand_among_the_sections_of_a_link(tmp_path: Path) -> None:
                 body:
                   <origin/xyz=0 0 1>:
         """)
-    assert "<collision>: {geometry: {box/size=$(size): }}" in (tmp_path / "r.yaml").read_text()
+    assert "<collision>: {geometry: {box/size=$(size): }}" in (tmp_path / "out/r.yaml").read_text()
 
 
 def test_a_geometry_that_a_call_makes_is_an_element(tmp_path: Path) -> None:
@@ -207,7 +207,7 @@ def test_an_inertial_that_a_call_makes_is_not_moved_with_its_link(
         "  collision: {xyz: 1 2 3}",
         "  Heavy:",
     ]
-    assert f"\n      {key}:\n" in (tmp_path / "r.yaml").read_text()
+    assert f"\n      {key}:\n" in (tmp_path / "out/r.yaml").read_text()
 
 
 def test_a_joint_moves_to_its_link_past_other_elements(tmp_path: Path) -> None:

@@ -131,7 +131,6 @@ class Program:
             YamaroError: it cannot be expanded.
         """
         self.main = source.path
-        self.given = dict(arguments)
         self._host = host
         watch = _Watch(host)
         python = _WatchedPython(host.limits)
