@@ -17,6 +17,7 @@ from ...xacro.parameters import Parameter, parse_parameters
 from ...xacro.python import Python
 from ...xmltree import Comment, Element, format_value
 from .elements import tidy_text, walk
+from .xacro_arguments import HiddenArguments
 from .xacro_data import with_plain_units
 from .xacro_includes import folder_meant
 from .xacro_namespaces import Namespaces
@@ -24,7 +25,7 @@ from .xacro_truths import Truths
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Container, Iterator, Mapping
+    from collections.abc import Container, Iterable, Iterator, Mapping
     from typing import Any
 
     from ...source import Source, Span
@@ -121,6 +122,7 @@ class Program:
         namespaces: which files are in one.
         arguments: by name.
         assigned_from_inside: the properties that macros define for those who call them.
+        hidden: the arguments that something of the same name hides.
         result: what the robot expands to.
     """
 
@@ -181,6 +183,17 @@ class Program:
         self.at_top: set[str] = set()
         self.read: set[str] = set()
         self.inherited = self._names_of_callers()
+        self.hidden = HiddenArguments(
+            self.roots.values(), self.definitions.values(), self.inherited
+        )
+        self._declare_given(arguments)
+
+    def _declare_given(self, given: Iterable[str]) -> None:
+        """Note the given arguments that the files read and do not declare."""
+        root = self.roots[self.main]
+        for name in given:
+            if name not in self.arguments and any(name in names for names in self._names.values()):
+                self.arguments[name] = Argument(root.span, "to be given: it has no default")
 
     def _read_the_rest(self, host: Host) -> None:
         """Read the files that these arguments do not reach, where their names are plain."""

@@ -37,6 +37,7 @@ class Translator:
     Attributes:
         imports: the modules that they need.
         used: the names they read.
+        argument: gives the name of the variable for an argument.
     """
 
     def __init__(
@@ -57,6 +58,7 @@ class Translator:
             numbers: the expressions that give a text which is taken for a number, with its kind.
         """
         self._rename = rename
+        self.argument = rename
         self._is_namespace = is_namespace
         self._is_shown_as_truth = is_shown_as_truth
         self._truth_arguments = truth_arguments
@@ -94,7 +96,21 @@ class Translator:
         plain = template.plain()
         if plain is not None:
             return typed(plain)
+        if len(template.parts) == 1 and isinstance(template.parts[0], Substitution):
+            return self._typed_environment(template.parts[0].text) or self.text(text)
         return self.text(text)
+
+    def _typed_environment(self, content: str) -> str | None:
+        """Return a variable of the environment as what its default is: a number or truth value."""
+        command, *words = content.split()
+        if command != "optenv" or len(words) != 2 or "$" in content:
+            return None
+        python = self._command(content)
+        meant = guess_value(words[1])
+        if isinstance(meant, bool):
+            return f"$({python}.lower() in ('true', '1'))"
+        kind = {int: "int", float: "float"}.get(type(meant))
+        return f"$({kind}({python}))" if kind else None
 
     def condition(self, text: str) -> str:
         """Return a condition as Python."""
@@ -164,7 +180,7 @@ class Translator:
         if not isinstance(func.value, ast.Name) or func.value.id != "xacro":
             return False
         if func.attr == "arg" and len(node.args) == 1 and isinstance(node.args[0], ast.Constant):
-            edits.replace(node, self._rename(str(node.args[0].value)))
+            edits.replace(node, self.argument(str(node.args[0].value)))
             return True
         names = {"load_yaml": "load_yaml", "dotify": "", **dict.fromkeys(MESSAGES, "(print")}
         if func.attr not in names or (node.keywords and func.attr in MESSAGES):
@@ -253,7 +269,11 @@ class Translator:
     def _as_text(self, python: str) -> str:
         if python.startswith("find("):
             return python
-        return f"str({python}).lower()" if python in self._truth_arguments else f"str({python})"
+        return (
+            f"str({python}).lower()"
+            if python.removeprefix("arg_") in self._truth_arguments
+            else f"str({python})"
+        )
 
     def _substitution(self, content: str) -> str:
         """Return what stands in a `$(…)` of a text: a package as ROS names it, or Python."""
@@ -271,7 +291,7 @@ class Translator:
             raise CannotMigrate(f"the name of the argument in $({content}) is computed")
         if command == "arg" and len(words) == 1:
             self.used.add(words[0])
-            return self._rename(words[0])
+            return self.argument(words[0])
         if command == "find" and len(words) == 1:
             return f"find('{words[0]}')"
         if command == "env" and len(words) == 1:
@@ -399,6 +419,13 @@ def typed(text: str) -> str:
     if isinstance(meant, float) and meant - meant != 0:
         return f"$(float({text!r}))"
     return repr(meant)
+
+
+def is_typed(text: str) -> bool:
+    """Tell whether YAML takes a text for something else than a text where it is not quoted."""
+    from ...syntax.scalars import type_plain
+
+    return not isinstance(type_plain(text), str)
 
 
 def _parsed(text: str) -> Template:

@@ -9,7 +9,7 @@ from ...runtime.predefined import CONSTANTS
 from ...syntax.names import is_identifier
 from ...xacro.parameters import Parameter
 from ...xmltree import Comment, Element, Text, format_value
-from .document import Body, Entry, Row, Value, joined, literal, without_expressions
+from .document import Body, Entry, Quoted, Row, Value, joined, literal, without_expressions
 from .elements import (
     ElementWriter,
     header_of,
@@ -20,11 +20,12 @@ from .elements import (
     walk,
 )
 from .pairing import has_text
+from .xacro_arguments import is_argument
 from .xacro_includes import computed_name
 from .xacro_loops import find_loop
 from .xacro_parts import Step, XacroPartWriter, in_steps, is_statement, stands_as_key
 from .xacro_program import Macro, Program, camel, defined_in, names_in, used_in
-from .xacro_python import CannotMigrate, Translator, negated
+from .xacro_python import CannotMigrate, Translator, is_typed, negated
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -52,6 +53,7 @@ class FileWriter(ElementWriter):
         "_blocks",
         "_contents",
         "_functions",
+        "_hides",
         "_is_in_element",
         "_is_top",
         "_locals",
@@ -91,6 +93,7 @@ class FileWriter(ElementWriter):
         self._blocks: dict[str, str] = {}
         self._parameters: set[str] = set()
         self._locals: set[str] = set()
+        self._hides: set[str] = set()
         self._read: set[str] = set()
         self._made_of: dict[int, set[str]] = {}
         self._visible = program.at_top
@@ -102,6 +105,7 @@ class FileWriter(ElementWriter):
             program.truth_arguments,
             program.numbers,
         )
+        self.translator.argument = self._argument_name
 
     def _is_namespace(self, name: str) -> bool:
         return name in self._program.namespaces.names(self._path)
@@ -115,6 +119,11 @@ class FileWriter(ElementWriter):
     def _variable(self, name: str) -> str:
         return name if is_identifier(name) else name.replace("-", "_")
 
+    def _argument_name(self, name: str) -> str:
+        """Return the variable of an argument, which something else of its name may hide here."""
+        own = self._variable(name)
+        return f"arg_{own}" if name in self._hides else own
+
     # --- the file -------------------------------------------------------------------------------
 
     def sections(self, *, is_main: bool) -> Body:
@@ -122,6 +131,7 @@ class FileWriter(ElementWriter):
         root = self._program.roots[self._path]
         sections = Body()
         declared = self._arguments() if is_main else Body()
+        self._hides = self._program.hidden.everywhere
         model = self.statements(root.children)
         self._take_variables(model, declared)
         if self.translator.imports:
@@ -210,6 +220,10 @@ class FileWriter(ElementWriter):
                 continue
             body.note(argument.remark)
             body.add(self._variable(name) + self._shared(name), value or "")
+        for name in self._program.arguments:
+            if name in self._program.hidden.used:
+                own = self._variable(name)
+                body.add(f"arg_{own}{self._shared(name)}", f"$({own})")
         return body
 
     def _lose(self, span: Span, why: str, hint: str = "the sources have a comment there") -> None:
@@ -393,7 +407,7 @@ class FileWriter(ElementWriter):
             self._define_block(node, name, body)
             return
         text = given.get("value", given.get("default", ""))
-        if text.strip() == f"$(arg {name})":
+        if is_argument(text, name) and name not in self._hides:
             return
         if not self._may_be_evaluated(text):
             body.note(f"not evaluated: {name}: {text}")
@@ -462,7 +476,7 @@ class FileWriter(ElementWriter):
         scope = self._shared(name)
         self._functions.note(body.remark)
         body.remark = ""
-        self._functions.add(camel(name) + scope, function)
+        self._functions.add(self._block_name(name) + scope, function)
 
     def _macro(self, node: Element, body: Body) -> None:
         name = format_value(node.attributes.get("name")).removeprefix("xacro:")
@@ -486,10 +500,11 @@ class FileWriter(ElementWriter):
         inputs = self._inputs(macro)
         if inputs:
             function.add("input", Row(inputs))
+        hides, self._hides = self._hides, self._hides | self._program.hidden.in_macro(macro)
         is_in_part = self._contents.may_be_in_part(macro)
         with self._within(self._write_for_parts if is_in_part else None):
             content = self._loop(macro) or self.statements(node.children)
-        self._around = around
+        self._around, self._hides = around, hides
         shared = [own for own in macro.values() if own in self._program.inherited]
         if shared:
             _declare_first(content, [Entry(f"{own}/child", f"$({own})") for own in shared])
@@ -534,7 +549,8 @@ class FileWriter(ElementWriter):
             return "''"
         outside = without_expressions(value)
         if (
-            any(char in outside for char in ",[]{}#'\"&*!|>%@`")
+            (isinstance(value, Quoted) and is_typed(value))
+            or any(char in outside for char in ",[]{}#'\"&*!|>%@`")
             or ": " in outside
             or " " in outside
         ):
@@ -548,10 +564,8 @@ class FileWriter(ElementWriter):
 
     def _insert(self, node: Element, body: Body) -> None:
         name = format_value(node.attributes.get("name"))
-        if name in self._blocks:
+        if name in self._blocks or name in self._program.blocks:
             body.add(self._block_name(name))
-        elif name in self._program.blocks:
-            body.add(camel(name))
         else:
             raise CannotMigrate(f"there is no block '{name}'")
 
