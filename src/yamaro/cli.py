@@ -52,7 +52,7 @@ options, in any place:
       --jail            let it do so in a process that can read its own folder and packages, write
                         nothing, and reach no network (Linux only)
       --safe            let it do nothing but compute: no Python modules, no loops in `process`;
-                        what `yamaro check` and `yamaro tree` do by themselves
+                        what `yamaro check`, `tree` and `picture` do by themselves
       --timeout SECONDS end it after that time (with --jail and --safe, 60 if none is given)
       --allow-path PATH with --jail and --safe, let it read a file or folder; may be given again
       --limit NAME=N    set how much it may use, such as turns=5000000; may be given again
@@ -66,8 +66,7 @@ other commands:
   yamaro check FILE [name:=value ...]   look for errors, warnings and doubtful things; write nothing
   yamaro tree FILE [name:=value ...]    show links, joints and masses as a tree
   yamaro picture FILE -o FILE.png [name:=value ...]
-                                        draw the robot, without a display; also as .jpg, and as a
-                                        film, .gif or .mp4; 'yamaro picture --help' tells more
+                                        draw the robot; 'yamaro picture --help' tells more
   yamaro migrate FILE [-o FILE]         write a URDF, or other XML, as a YAML file of Yamaro
   yamaro migrate FILE -o FOLDER [name:=value ...]
                                         write a robot in xacro as YAML files, a file for each
