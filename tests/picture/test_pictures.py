@@ -358,6 +358,17 @@ def test_a_mesh_that_cannot_be_drawn_is_a_box_and_a_warning(
     assert like(image, 230, 76, 64).any()
 
 
+def test_a_mesh_that_cannot_be_drawn_is_an_error_with_strict(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "broken.stl").write_bytes(b"\x00\x01 nothing")
+    source = tmp_path / "robot.urdf"
+    source.write_text(f'<robot name="r">{mesh_visual("broken.stl")}</robot>')
+    assert main(["picture", "--strict", str(source), "-o", str(tmp_path / "out.png")]) == 1
+    assert "error[bad-mesh]" in capsys.readouterr().err
+    assert not (tmp_path / "out.png").exists()
+
+
 # --- films ------------------------------------------------------------------------------------
 
 
