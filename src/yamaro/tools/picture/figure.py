@@ -230,19 +230,22 @@ class Figure:
     def outline(self) -> Floats:
         """Return the outermost points, which have to be in a picture, N×3."""
         found = [_moved(body.outline, self._poses[body.link] @ body.place) for body in self._bodies]
-        if not any(map(len, found)):
-            found = [np.array([pose[:3, 3] for pose in self._poses.values()] or np.zeros((1, 3)))]
+        if self._has_bones or not any(map(len, found)):
+            found.append(self._origins())
         return np.concatenate(found)
+
+    def _origins(self) -> Floats:
+        """Return the origins of all links, N×3; that of the world if there are none."""
+        return np.array([pose[:3, 3] for pose in self._poses.values()] or np.zeros((1, 3)))
 
     def _size(self, marks: list[tuple[str, Vector]]) -> float:
         """Return how large the robot is: the longest edge of the box around it, in metres.
 
         Its links count even where there is nothing to see, and so do marks, points on links.
         """
-        origins = [pose[:3, 3] for pose in self._poses.values()]
-        marked = [self._poses[name] @ [*position, 1.0] for name, position in marks]
-        around = np.array([*origins, *(mark[:3] for mark in marked)] or np.zeros((1, 3)))
-        extent = float(np.ptp(np.concatenate([self.outline(), around]), axis=0).max())
+        around = [self.outline(), self._origins()]
+        around += [_moved(np.array([position]), self._poses[name]) for name, position in marks]
+        extent = float(np.ptp(np.concatenate(around), axis=0).max())
         return extent if extent > 1e-6 else 1.0
 
     def lay_floor(self, level: float, size: float) -> None:
