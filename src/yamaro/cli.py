@@ -51,7 +51,7 @@ options, in any place:
       --jail            let it do so in a process that can read its own folder and packages, write
                         nothing, and reach no network (Linux only)
       --safe            let it do nothing but compute: no Python modules, no loops in `process`;
-                        what `yamaro check` and `yamaro tree` do by themselves
+                        what `yamaro check`, `tree` and `view` do by themselves
       --timeout SECONDS end it after that time (with --jail and --safe, 60 if none is given)
       --allow-path PATH with --jail and --safe, let it read a file or folder; may be given again
       --limit NAME=N    set how much it may use, such as turns=5000000; may be given again
@@ -64,6 +64,9 @@ options, in any place:
 other commands:
   yamaro check FILE [name:=value ...]   look for errors, warnings and doubtful things; write nothing
   yamaro tree FILE [name:=value ...]    show links, joints and masses as a tree
+  yamaro view FILE [name:=value ...]    show the robot in the browser, anew at each save
+  yamaro watch FILE [name:=value ...] -o FILE
+                                        compile at each save, and say what came of it
   yamaro migrate FILE [-o FILE]         write a URDF, or other XML, as a YAML file of Yamaro
   yamaro migrate FILE -o FOLDER [name:=value ...]
                                         write a robot in xacro as YAML files, a file for each
@@ -93,6 +96,9 @@ OPTIONS = {
     "--allow-path": "allow-path",
     "--limit": "limit",
     "--package": "package",
+    "--port": "port",
+    "--no-browser": "no-browser",
+    "--editor": "editor",
     "--color": "color",
     "-h": "help",
     "--help": "help",
@@ -106,6 +112,8 @@ TAKES_VALUE = {
     "allow-path": "a file or folder",
     "limit": "NAME=NUMBER",
     "package": "NAME:=FOLDER",
+    "port": "a number from 0 to 65535",
+    "editor": "a command",
 }
 TAKES_VALUES = ("allow-path", "limit", "package")
 MODE_OPTIONS = ("trust", "jail", "safe")
@@ -116,6 +124,10 @@ COMMANDS = {
     "check": frozenset(("quiet", "strict", "color", *POLICY_OPTIONS)),
     "tree": frozenset(("quiet", "strict", "color", *POLICY_OPTIONS)),
     "migrate": frozenset(("output", "quiet", "color", "limit", "force", "package")),
+    "view": frozenset(
+        ("quiet", "strict", "color", "port", "no-browser", "editor", *POLICY_OPTIONS)
+    ),
+    "watch": frozenset(("output", "quiet", "strict", "color", *POLICY_OPTIONS)),
     "completion": frozenset(),
 }
 
@@ -308,7 +320,7 @@ def make_policy(arguments: Arguments) -> Policy:
     from .policy import JAIL, SAFE, TRUSTED, Policy
 
     modes = {"trust": TRUSTED, "jail": JAIL, "safe": SAFE}
-    mode = TRUSTED if arguments.command == "build" else SAFE
+    mode = TRUSTED if arguments.command in ("build", "watch") else SAFE
     mode = next((modes[name] for name in MODE_OPTIONS if arguments.has(name)), mode)
     allowed = arguments.lists.get("allow-path", [])
     if allowed and mode == TRUSTED:
@@ -409,6 +421,8 @@ def _run(arguments: Arguments, streams: Streams) -> int:
         return _deliver([_completion(arguments.words)], arguments, streams)
     if arguments.command == "migrate":
         return _migrate(arguments, streams)
+    if arguments.command in ("view", "watch"):
+        return _repeat(arguments, streams)
     return _run_on_file(arguments, streams)
 
 
@@ -514,6 +528,103 @@ def _refuse_replacing(arguments: Arguments, paths: Sequence[str]) -> None:
         if is_there:
             shown = os.path.relpath(path)
             raise WrongUsage(f"{_quote(shown)} is there already; --force replaces it")
+
+
+def _repeat(arguments: Arguments, streams: Streams) -> int:
+    """Build at each save until Ctrl-C, which is how these commands end."""
+    import warnings
+
+    from . import compiler
+
+    arguments.resolve_output()
+    if arguments.words[0] == STANDARD_INPUT:
+        raise WrongUsage(f"'yamaro {arguments.command}' needs a FILE with a name, to see it change")
+    policy = make_policy(arguments)
+    if streams.owns_process:
+        from . import process
+
+        process.bound_memory(policy.limits.memory)
+    run = _view if arguments.command == "view" else _watch
+    try:
+        with warnings.catch_warnings():
+            if not sys.warnoptions:  # user code's warnings, unless asked for with -W
+                warnings.simplefilter("ignore")
+            run(arguments, streams, policy)
+    except compiler.UsageError as error:
+        raise WrongUsage(str(error)) from None
+    except KeyboardInterrupt:
+        return DONE
+    finally:
+        streams.restore()
+    return DONE
+
+
+def _view(arguments: Arguments, streams: Streams, policy: Policy) -> None:
+    from .tools.view.command import ViewOptions, view
+
+    def tell_url(url: str) -> None:
+        streams.write_result([f"{url}\n".encode()])
+        streams.divert()
+
+    options = ViewOptions(
+        port=_read_port(arguments),
+        has_browser=not arguments.has("no-browser"),
+        editor=arguments.options.get("editor"),
+    )
+    try:
+        view(
+            arguments.words[0],
+            options,
+            policy=policy,
+            packages=_read_packages(arguments),
+            command_line=arguments.assignments,
+            say=_drop if streams.quiet else streams.say,
+            show=lambda turn: _show(turn.diagnostics, arguments, streams),
+            tell_url=tell_url,
+            strict=arguments.has("strict"),
+        )
+    except ValueError as error:
+        raise WrongUsage(f"'--editor' takes a command: {error}") from None
+    except OSError as error:
+        reason = error.strerror or error
+        raise WrongUsage(f"the port {options.port} cannot be had: {reason}") from None
+
+
+def _read_port(arguments: Arguments) -> int:
+    text = arguments.options.get("port", "0")
+    if not (text.isascii() and text.isdigit() and int(text) <= 65535):
+        raise WrongUsage(f"'--port' takes a number from 0 to 65535, not {_quote(text)}")
+    return int(text)
+
+
+def _watch(arguments: Arguments, streams: Streams, policy: Policy) -> None:
+    from .tools.rebuilding import Rebuilder
+    from .tools.watch import watch
+
+    if arguments.options.get("output", "-") in STANDARD_OUTPUT:
+        raise WrongUsage("'yamaro watch' needs a file to write, as in '-o robot.urdf'")
+    rebuilder = Rebuilder(
+        arguments.words[0],
+        policy=policy,
+        packages=_read_packages(arguments),
+        command_line=arguments.assignments,
+        on_message=_drop if streams.quiet else streams.say,
+        strict=arguments.has("strict"),
+    )
+
+    def write(build: Build) -> bool:
+        _refuse_overwriting(arguments, lambda: [*build.files, *build.meshes])
+        return _deliver(build.encoded(), arguments, streams) == DONE
+
+    _refuse_overwriting(arguments, lambda: arguments.words)
+    streams.divert()
+    watch(
+        rebuilder,
+        write=write,
+        output=arguments.options["output"],
+        say=_drop if streams.quiet else streams.say,
+        show=lambda turn: _show(turn.diagnostics, arguments, streams),
+    )
 
 
 def _bound_process(arguments: Arguments, streams: Streams, policy: Policy) -> None:
