@@ -12,6 +12,8 @@ import { toCreasedNormals } from "three/addons/utils/BufferGeometryUtils.js";
 const CREASE = Math.PI / 6;
 const MOST_CREASED = 300_000; // corners; larger meshes are shown as they are
 
+const MOST_METALNESS = 0.3;
+
 const addressOf = (key) => `file/${key}`;
 const loaded = new Map();
 const textures = new Map();
@@ -127,7 +129,14 @@ function cloned(original) {
   copy.traverse((node) => {
     if (!node.isMesh || !node.material) return;
     const isList = Array.isArray(node.material);
-    node.material = isList ? node.material.map((each) => each.clone()) : node.material.clone();
+    node.material = isList ? node.material.map(ownMaterial) : ownMaterial(node.material);
   });
   return copy;
+}
+
+/** Return a copy of a material; metal is made duller, since there is nothing here to mirror. */
+function ownMaterial(material) {
+  const own = material.clone();
+  if ("metalness" in own) own.metalness = Math.min(own.metalness, MOST_METALNESS);
+  return own;
 }

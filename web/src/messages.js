@@ -7,7 +7,7 @@ export function diagnosticText(text, severity) {
   const lines = text.split("\n").map((line, index) => {
     let kind = "plain";
     if (index === 0) kind = `head ${severity}`;
-    else if (/^\s*-->/.test(line)) kind = "place";
+    else if (/^\s*-->/.test(line)) kind = "at";
     else if (/^\s*\d* \|\s+\^+$/.test(line)) kind = `mark ${severity}`;
     else if (/^\s*=/.test(line)) kind = "remark";
     return h("span", { className: kind, textContent: `${line}\n` });
@@ -95,7 +95,7 @@ export class Warnings {
       "div.warning",
       { data: { code: one.code } },
       h(
-        "button.head",
+        "button.title",
         {
           type: "button",
           onclick: () => {

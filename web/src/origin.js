@@ -27,7 +27,7 @@ export class Origin {
     const body = shape && known[shape.kind]?.[shape.index];
     if (body) rows.push(this.row(shape.kind, "", body, robot));
     rows.push(this.row("link", "", known, robot));
-    if (jointOrigin) rows.push(this.row("joint", joint.name, jointOrigin, robot, joint.jointType));
+    if (jointOrigin) rows.push(this.row("joint", joint.name, jointOrigin, robot));
     byId("origin-rows").replaceChildren(...rows);
     const calls = (body ?? known).calls;
     byId("origin-calls").replaceChildren(...calls.map((call) => this.call(call, robot)));
@@ -38,12 +38,12 @@ export class Origin {
     byId("origin-open").textContent = openLabel();
   }
 
-  row(kind, name, origin, robot, note = "") {
+  row(kind, name, origin, robot) {
     return h(
       "div.origin-row",
       { data: { kind } },
       h("span.kind", {}, kind),
-      h("span.what", { title: name }, name, note && h("span.note", {}, ` ${note}`)),
+      h("span.what", { title: name }, name),
       this.place(origin.place, robot),
     );
   }
@@ -83,7 +83,8 @@ function factsOf(robot, link) {
   const mass = robot.masses.get(link);
   const bodies = robot.shapes.filter((shape) => shape.link === link);
   const count = (kind) => bodies.filter((shape) => shape.kind === kind).length;
-  const facts = [];
+  const joint = robot.jointAbove.get(link);
+  const facts = joint ? [joint.jointType] : [];
   if (Number.isFinite(mass)) facts.push(`${Number(mass.toPrecision(4))} kg`);
   for (const kind of ["visual", "collision"]) {
     if (count(kind)) facts.push(`${count(kind)} ${kind}${count(kind) > 1 ? "s" : ""}`);

@@ -5,7 +5,9 @@ import { loadMesh, loadTexture } from "./meshes.js";
 import { childOf, childrenOf, numbersIn } from "./urdf.js";
 
 const DEFAULT_COLOR = [0.72, 0.73, 0.75, 1];
-const COLLISION_COLOR = 0xe8912d;
+const COLLISION_COLOR = 0xf08c00;
+const COLLISION_EDGE = 0xd9480f;
+const MOST_OUTLINED = 60_000; // corners of a mesh whose edges are drawn
 const MISSING_COLOR = 0xd6336c;
 const MISSING_SIDE = 0.1; // m, times the mesh's scale where that makes sense
 
@@ -71,7 +73,19 @@ export function makeShape(element, shape, materials, told) {
     mesh.material = material;
     group.add(mesh);
   }
+  if (isCollision) ready = ready.then(() => outline(group));
   return { group, ready };
+}
+
+/** Draw the edges of a collision's bodies, which show their form where colours mix. */
+function outline(group) {
+  const bodies = [];
+  group.traverse((node) => node.isMesh && node.name !== "missing" && bodies.push(node));
+  for (const body of bodies) {
+    if (body.geometry.attributes.position.count > MOST_OUTLINED) continue;
+    const line = new THREE.LineBasicMaterial({ color: COLLISION_EDGE, transparent: true, opacity: 0.9 });
+    body.add(new THREE.LineSegments(new THREE.EdgesGeometry(body.geometry, 25), line));
+  }
 }
 
 const number = (element, name) => numbersIn(element, name, [0])[0];
@@ -133,7 +147,7 @@ function missingBox(scale) {
 
 function collisionMaterial() {
   const material = new THREE.MeshStandardMaterial({ color: COLLISION_COLOR, roughness: 0.8 });
-  setOpacity(material, 0.42);
+  setOpacity(material, 0.26);
   // In front of the visual of the same size, rather than flickering through it.
   material.polygonOffset = true;
   material.polygonOffsetFactor = -1;

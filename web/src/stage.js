@@ -2,7 +2,6 @@
 
 import * as THREE from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
-import { RoomEnvironment } from "three/addons/environments/RoomEnvironment.js";
 import { oncePerFrame } from "./dom.js";
 
 const VIEWS = {
@@ -52,6 +51,7 @@ export class Stage {
     this.scene.add(this.holder);
     this.draw = oncePerFrame(() => this.drawNow());
     this.frames = 0;
+    this.Box3 = THREE.Box3;
     this.ground = 0;
     this.radius = 1;
     this.addLights();
@@ -63,18 +63,12 @@ export class Stage {
   }
 
   addLights() {
-    const generator = new THREE.PMREMGenerator(this.renderer);
-    const room = new RoomEnvironment();
-    room.rotation.x = Math.PI / 2;
-    this.scene.environment = generator.fromScene(room, 0.04).texture;
-    this.scene.environmentIntensity = 0.42;
-    generator.dispose();
-    this.sky = new THREE.HemisphereLight(0xffffff, 0xb9c2cf, 0.75);
-    this.sun = new THREE.DirectionalLight(0xfff6ea, 2.1);
+    this.sky = new THREE.HemisphereLight(0xffffff, 0xb9c2cf, 1.9);
+    this.sun = new THREE.DirectionalLight(0xfff8ef, 2.5);
     this.sun.castShadow = true;
     this.sun.shadow.mapSize.set(2048, 2048);
     this.sun.shadow.radius = 3;
-    this.fill = new THREE.DirectionalLight(0xdbe7ff, 0.55);
+    this.fill = new THREE.DirectionalLight(0xdbe7ff, 0.8);
     this.scene.add(this.sky, this.sun, this.sun.target, this.fill);
   }
 
@@ -102,6 +96,7 @@ export class Stage {
     for (const part of [grid, shadow]) part.raycast = () => {};
     this.floor.add(shadow, grid);
     this.floor.position.z = this.ground;
+    this.floor.visible = this.holder.children.length > 0;
     this.scene.add(this.floor);
     this.cell = cell;
   }
@@ -112,6 +107,7 @@ export class Stage {
     this.holder.add(robot.object);
     this.fit(bounds);
     this.castShadows(robot);
+    this.floor.visible = true;
     this.draw();
   }
 

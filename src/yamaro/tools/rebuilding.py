@@ -43,15 +43,18 @@ class Turn:
         self.fault = fault
         self.seconds = seconds
 
-    def is_as(self, other: Turn | None) -> bool:
-        """Tell whether two builds failed in the same way."""
+    def is_told_as(self, other: Turn | None) -> bool:
+        """Tell whether there is the same to tell of two builds."""
         return (
             other is not None
-            and self.build is None
-            and other.build is None
             and self.fault == other.fault
             and list(map(_told, self.diagnostics)) == list(map(_told, other.diagnostics))
         )
+
+    def fails_as(self, other: Turn | None) -> bool:
+        """Tell whether two builds failed in the same way."""
+        is_failure = self.build is None and other is not None and other.build is None
+        return is_failure and self.is_told_as(other)
 
 
 class Rebuilder:
@@ -83,6 +86,7 @@ class Rebuilder:
         self._program: Program | None = None
         self._watch = FileWatch()
         self._last: Turn | None = None
+        _import_ahead(policy)
 
     def build(self, variables: Mapping[str, object] | None = None) -> Turn:
         """Build with these variables, and watch what took part from now on.
@@ -151,6 +155,17 @@ class Rebuilder:
             return list(dict.fromkeys([main, *turn.build.files, *turn.build.meshes]))
         told = [path for diagnostic in turn.diagnostics for path in _files_of(diagnostic)]
         return list(dict.fromkeys([main, *self._watch.paths, *told, *surroundings(main)]))
+
+
+def _import_ahead(policy: Policy) -> None:
+    """Import what conversions import while they run.
+
+    A jail is a copy of this process. What is here already, not each of them has to import anew.
+    """
+    from ..robot import check, part  # noqa: F401
+
+    if policy.is_safe:
+        from ..runtime import safe_code, safe_runtime  # noqa: F401
 
 
 def _files_of(diagnostic: Diagnostic) -> list[str]:

@@ -33,10 +33,11 @@ def watch(
     last: Turn | None = None
     while True:
         turn = rebuilder.build()
-        if not turn.is_as(last):
+        if not turn.fails_as(last):
             is_written = turn.build is not None and write(turn.build)
             say(f"{time.strftime('%H:%M:%S')}  {_outcome(turn, output, is_written=is_written)}")
-            show(turn)
+            if not turn.is_told_as(last):
+                show(turn)
         last = turn
         rebuilder.wait()
 

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
     Stamp = tuple[int, int, int] | None
 
-INTERVAL = 0.05
+INTERVAL = 0.03
 """Seconds between two looks."""
 SETTLING = 0.01
 """Seconds in which a changed file has to stay as it is before it is taken for written."""

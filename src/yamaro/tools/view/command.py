@@ -99,9 +99,10 @@ def _build(
 ) -> Turn:
     """Build once, and say in a line what came of it; nothing if it failed just as before."""
     turn = session.build()
-    if not turn.is_as(last):
+    if not turn.fails_as(last):
         say(f"{time.strftime('%H:%M:%S')}  {outcome_of(turn)}")
-        show(turn)
+        if not turn.is_told_as(last):
+            show(turn)
     return turn
 
 
