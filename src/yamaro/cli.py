@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from .diagnostics import Diagnostic
     from .policy import Limits, Policy
     from .source import Source
+    from .tools.picture.request import Request
 
 MOST_SECONDS = 1e9
 """The longest time-out, some thirty years: what the system's clocks can count."""
@@ -51,7 +52,7 @@ options, in any place:
       --jail            let it do so in a process that can read its own folder and packages, write
                         nothing, and reach no network (Linux only)
       --safe            let it do nothing but compute: no Python modules, no loops in `process`;
-                        what `yamaro check`, `tree` and `view` do by themselves
+                        what `yamaro check`, `tree`, `view` and `picture` do by themselves
       --timeout SECONDS end it after that time (with --jail and --safe, 60 if none is given)
       --allow-path PATH with --jail and --safe, let it read a file or folder; may be given again
       --limit NAME=N    set how much it may use, such as turns=5000000; may be given again
@@ -64,9 +65,13 @@ options, in any place:
 other commands:
   yamaro check FILE [name:=value ...]   look for errors, warnings and doubtful things; write nothing
   yamaro tree FILE [name:=value ...]    show links, joints and masses as a tree
-  yamaro view FILE [name:=value ...]    show the robot in the browser, anew at each save
+  yamaro view FILE [name:=value ...]    show the robot in the browser, anew at each save;
+                                        'yamaro view --help' tells more
   yamaro watch FILE [name:=value ...] -o FILE
                                         compile at each save, and say what came of it
+  yamaro picture FILE -o FILE.png [name:=value ...]
+                                        draw the robot, without a display; also as .jpg, and as a
+                                        film, .gif or .mp4; 'yamaro picture --help' tells more
   yamaro migrate FILE [-o FILE]         write a URDF, or other XML, as a YAML file of Yamaro
   yamaro migrate FILE -o FOLDER [name:=value ...]
                                         write a robot in xacro as YAML files, a file for each
@@ -79,6 +84,49 @@ examples:
   generate_robot | yamaro -
 
 exit status: 0 done, 1 errors in the input or nowhere to write, 2 wrong usage
+"""
+
+VIEW_HELP = """\
+usage: yamaro view [options] FILE [name:=value ...]
+
+Show a robot in the browser, and show it anew whenever one of its files is saved. Ctrl-C ends it.
+FILE may also be a URDF or a xacro file.
+
+options:
+      --port N              serve the page at that port; by default at any that is free
+      --no-browser          open no browser, only print the address of the page
+      --editor COMMAND      open files with that command, as in 'code -g {file}:{line}:{column}';
+                            by default with what VISUAL or EDITOR names, if that has a window
+      --trust               let the file do whatever Python can
+
+The other options of 'yamaro check' hold too: --jail, --package and the like ('yamaro --help').
+"""
+PICTURE_HELP = """\
+usage: yamaro picture FILE -o FILE.png [options] [name:=value ...]
+
+Draw a robot: YAML, URDF or xacro. Needs no display and no browser, but yamaro[picture].
+
+  -o, --output FILE     .png or .jpg; .gif or .mp4 for a film; - for a PNG on standard output
+      --size 800x600    width and height of each view in pixels
+      --view VIEW       iso (the default), front, back, left, right, top, bottom, or azimuth and
+                        elevation of the camera in degrees: 30,20; several make a sheet
+      --joints NAME=POSITION,...
+                        where joints stand, in radians or metres
+      --show WHAT       visual (the default), collision, inertia, frames, grid; several with commas
+      --transparent     nothing behind the robot but its shadow; .png and .gif
+      --turn            a film: the camera goes around the robot
+      --sweep JOINTS    a film: joints go through their limits; names with commas, all of them at
+                        once with 'all', or one after the other with 'each'
+      --seconds N       how long a film is
+      --frames-per-second N
+                        20 for a .gif and 25 for an .mp4, if it is not given
+
+The options of 'yamaro check' hold too: --trust, --package and the like ('yamaro --help').
+
+examples:
+  yamaro picture robot.yaml -o robot.png
+  yamaro picture robot.yaml -o sheet.png --view iso,front,left,top --size 400x300
+  yamaro picture robot.urdf -o waving.gif --sweep shoulder,elbow --package my_robot:=../my_robot
 """
 
 OPTIONS = {
@@ -99,6 +147,15 @@ OPTIONS = {
     "--port": "port",
     "--no-browser": "no-browser",
     "--editor": "editor",
+    "--size": "size",
+    "--view": "view",
+    "--joints": "joints",
+    "--show": "show",
+    "--transparent": "transparent",
+    "--turn": "turn",
+    "--sweep": "sweep",
+    "--seconds": "seconds",
+    "--frames-per-second": "frames-per-second",
     "--color": "color",
     "-h": "help",
     "--help": "help",
@@ -114,8 +171,19 @@ TAKES_VALUE = {
     "package": "NAME:=FOLDER",
     "port": "a number from 0 to 65535",
     "editor": "a command",
+    "size": "WIDTHxHEIGHT",
+    "view": "the name of a view, or azimuth,elevation",
+    "joints": "NAME=POSITION",
+    "show": "visual, collision, inertia, frames or grid",
+    "sweep": "names of joints, all or each",
+    "seconds": "a number of seconds",
+    "frames-per-second": "a number",
 }
-TAKES_VALUES = ("allow-path", "limit", "package")
+TAKES_VALUES = ("allow-path", "limit", "package", "view", "joints", "show")
+PICTURE_OPTIONS = (
+    "size", "view", "joints", "show", "transparent", "turn", "sweep", "seconds",
+    "frames-per-second",
+)  # fmt: skip
 MODE_OPTIONS = ("trust", "jail", "safe")
 POLICY_OPTIONS = (*MODE_OPTIONS, "timeout", "allow-path", "limit", "package")
 COLORS = ("auto", "always", "never")
@@ -123,6 +191,7 @@ COMMANDS = {
     "build": frozenset(("output", "quiet", "strict", "deps", "color", *POLICY_OPTIONS)),
     "check": frozenset(("quiet", "strict", "color", *POLICY_OPTIONS)),
     "tree": frozenset(("quiet", "strict", "color", *POLICY_OPTIONS)),
+    "picture": frozenset(("output", "quiet", "strict", "color", *POLICY_OPTIONS, *PICTURE_OPTIONS)),
     "migrate": frozenset(("output", "quiet", "color", "limit", "force", "package")),
     "view": frozenset(
         ("quiet", "strict", "color", "port", "no-browser", "editor", *POLICY_OPTIONS)
@@ -131,7 +200,7 @@ COMMANDS = {
     "completion": frozenset(),
 }
 
-LOOKING = ("check", "tree")
+LOOKING = ("check", "tree", "picture")
 """The commands that look at robots of any source: URDF and xacro too."""
 
 
@@ -412,7 +481,8 @@ def _quote(text: str) -> str:
 
 def _run(arguments: Arguments, streams: Streams) -> int:
     if arguments.has("help"):
-        return _deliver([HELP.encode()], arguments, streams)
+        text = {"picture": PICTURE_HELP, "view": VIEW_HELP}.get(arguments.command, HELP)
+        return _deliver([text.encode()], arguments, streams)
     if arguments.has("version"):
         from . import __version__
 
@@ -434,6 +504,8 @@ def _run_on_file(arguments: Arguments, streams: Streams) -> int:
     _refuse_overwriting(arguments, lambda: arguments.words)
     policy = make_policy(arguments)
     try:
+        if arguments.command == "picture":
+            _picture_request(arguments)  # what is wrong with it shall not have to wait
         if streams.owns_process:
             _bound_process(arguments, streams, policy)
         build, chunks = _build(arguments, streams, policy)
@@ -682,7 +754,7 @@ def _build(arguments: Arguments, streams: Streams, policy: Policy) -> tuple[Buil
                 strict=arguments.has("strict"),
                 on_message=_drop if streams.quiet else streams.say,
                 advice=arguments.command == "check",
-                has_root=arguments.command == "tree",
+                has_root=arguments.command in ("tree", "picture"),
                 takes_xml=arguments.command in LOOKING,
             )
             return build, _result(build, arguments, streams)
@@ -698,6 +770,8 @@ def _result(build: Build, arguments: Arguments, streams: Streams) -> Iterable[by
     """Return what a successful build gives under the command and options asked for."""
     if arguments.command == "tree":
         return [_tree(build, arguments, streams)]
+    if arguments.command == "picture":
+        return [_picture(build, arguments, streams)]
     if arguments.has("deps"):
         names = dict.fromkeys(filter(os.path.isabs, build.files + build.meshes))
         return [os.fsencode(name) + b"\n" for name in names]
@@ -720,6 +794,36 @@ def _tree(build: Build, arguments: Arguments, streams: Streams) -> bytes:
     color = _has_color(arguments, is_terminal=streams.is_terminal(result=True))
     text = render_tree(build.root, ascii=not has_lines, color=color)
     return text.encode(encoding if has_lines else "ascii", "backslashreplace")
+
+
+def _picture_request(arguments: Arguments) -> Request:
+    """Return what to draw; raise WrongUsage if that makes no sense, YamaroError if it cannot be."""
+    from .compiler import UsageError
+    from .tools.picture.command import check_packages
+    from .tools.picture.request import Request
+
+    output = arguments.options.get("output")
+    if output is None:
+        raise WrongUsage("'yamaro picture' needs a file to write: -o robot.png")
+    try:
+        request = Request(output, arguments.options, arguments.lists)
+    except UsageError as error:
+        raise WrongUsage(str(error)) from None
+    check_packages(_display_name(arguments), request)
+    return request
+
+
+def _picture(build: Build, arguments: Arguments, streams: Streams) -> bytes:
+    from .tools.picture.command import draw
+
+    if build.root.name != "robot":
+        raise WrongUsage(f"'yamaro picture' draws robots, and this is a <{build.root.name}>")
+    result = draw(build, _display_name(arguments), _picture_request(arguments))
+    build.warnings.extend(result.warnings)
+    if not streams.quiet:
+        for remark in result.remarks:
+            streams.say(f"{_display_name(arguments)}: {remark}")
+    return result.data
 
 
 def _completion(words: list[str]) -> bytes:
