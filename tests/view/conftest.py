@@ -42,12 +42,16 @@ class Viewer:
 
     def end(self) -> int:
         """End it as Ctrl-C does, and return its exit status."""
-        self.process.send_signal(signal.SIGINT)
-        status = self.process.wait(20)
+        if self.process.poll() is None:
+            self.process.send_signal(signal.SIGINT)
+        return self.process.wait(20)
+
+    def close(self) -> None:
+        """End it, and let go of its streams."""
+        self.end()
         assert self.process.stdout is not None
         self.process.stdout.close()
         self._log.close()
-        return status
 
 
 class Page(Chromium):
@@ -117,8 +121,7 @@ def view(tmp_path: Path) -> Iterator[Callable[..., Viewer]]:
 
     yield start
     for viewer in running:
-        if viewer.process.poll() is None:
-            viewer.end()
+        viewer.close()
 
 
 @pytest.fixture

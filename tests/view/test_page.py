@@ -266,7 +266,7 @@ def test_a_warning_leads_to_its_link(page: Page, view: Start, tmp_path: Path) ->
 
 
 def test_the_search_finds_links_and_joints(lamp: Page) -> None:
-    rows = "[...document.querySelectorAll('#tree .row')].filter(r => !r.hidden).map(r => r.dataset.link)"
+    rows = "[...document.querySelectorAll('#tree .row:not([hidden])')].map(r => r.dataset.link)"
     assert lamp.run(rows) == ["root_link", "base_link", "left_link", "right_link"]
     lamp.run(
         "(() => { const s = document.getElementById('tree-search'); s.hidden = false;"

@@ -103,8 +103,6 @@ class Rebuilder:
             if self._last is None:
                 raise
             turn = Turn(None, [], fault=str(error))
-        except SystemExit as error:
-            turn = Turn(None, [], fault=f"Python code of the file ended the program: {error!r}")
         turn.seconds = time.perf_counter() - start
         self._watch.follow(self._taking_part(turn), since=since)
         self._last = turn

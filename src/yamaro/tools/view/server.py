@@ -213,22 +213,14 @@ class Handler(BaseHTTPRequestHandler):
             told = version
 
     def _send_file(self, key: str) -> None:
-        path = self.server.session.file(key)
-        if path is None:
+        found = self.server.session.open_file(key)
+        if found is None:
             raise Refused(HTTPStatus.NOT_FOUND)
-        try:
-            descriptor = os.open(path, os.O_RDONLY | getattr(os, "O_NONBLOCK", 0))
-        except OSError:
-            raise Refused(HTTPStatus.NOT_FOUND) from None
+        path, descriptor = found
         with open(descriptor, "rb") as file:
-            status = os.fstat(descriptor)
-            if status.st_mode & 0o170000 != 0o100000:
-                raise Refused(HTTPStatus.NOT_FOUND)
+            missing = os.fstat(descriptor).st_size
             self.send_response(HTTPStatus.OK)
-            self._send_headers(
-                {"Content-Type": content_type(path), "Content-Length": str(status.st_size)}
-            )
-            missing = status.st_size
+            self._send_headers({"Content-Type": content_type(path), "Content-Length": str(missing)})
             while missing and (chunk := file.read(min(CHUNK, missing))):
                 self.wfile.write(chunk)
                 missing -= len(chunk)

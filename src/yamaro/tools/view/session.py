@@ -186,10 +186,24 @@ class Session:
             self._changed.wait_for(lambda: self._is_closed or self._version != version, seconds)
             return -1 if self._is_closed else self._version
 
-    def file(self, key: str) -> str | None:
-        """Return the path of a mesh or texture of this robot, or of the one before it."""
+    def open_file(self, key: str) -> tuple[str, int] | None:
+        """Return path and descriptor of a mesh or texture of this robot, or of the one before it.
+
+        Where it lies is looked at again: it may have become a link since the robot was built.
+        """
         this, before = self._files
-        return this.get(key) or before.get(key)
+        path = this.get(key) or before.get(key)
+        if path is None:
+            return None
+        try:
+            descriptor = os.open(path, os.O_RDONLY | getattr(os, "O_NONBLOCK", 0))
+        except OSError:
+            return None
+        is_file = os.fstat(descriptor).st_mode & 0o170000 == 0o100000
+        if not is_file or (self._reach is not None and not self._reach.is_of(path, descriptor)):
+            os.close(descriptor)
+            return None
+        return path, descriptor
 
     def place(self, number: int, *, version: int, is_fault: bool) -> tuple[str, int, int] | None:
         """Return path, line and column of a place the page has from a version of the state."""
