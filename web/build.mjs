@@ -3,25 +3,32 @@
 //
 //   node build.mjs FOLDER
 
-import { cpSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
-import { dirname, join } from "node:path";
+import { createHash } from "node:crypto";
+import { cpSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from "node:fs";
+import { dirname, join, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
 import { build } from "esbuild";
 
 const here = dirname(fileURLToPath(import.meta.url));
-const target = process.argv[2];
-if (!target) throw new Error("usage: node build.mjs FOLDER");
+if (!process.argv[2]) throw new Error("usage: node build.mjs FOLDER");
+const target = resolve(process.argv[2]);
 mkdirSync(target, { recursive: true });
 
-const options = { bundle: true, minify: true, legalComments: "none", target: "es2022" };
-const banner = "/* Made by scripts/web from web/; see THIRD-PARTY.txt for what is in it. */";
+const options = { absWorkingDir: here, bundle: true, minify: true, legalComments: "none", target: "es2022" };
+// A bundle tells what it was made from: a test without Node.js sees when it is out of date.
+const sources = [
+  ...readdirSync(join(here, "src")).map((name) => `src/${name}`),
+  ...["build.mjs", "icon.svg", "index.html", "package-lock.json", "view.css"],
+];
+const hash = createHash("sha256");
+for (const name of sources.sort()) hash.update(`${name}\0`).update(readFileSync(join(here, name)));
+const banner = `/* Made by scripts/web; THIRD-PARTY.txt tells what is in it. Sources: ${hash.digest("hex")} */`;
 await build({
   ...options,
   entryPoints: [join(here, "src/main.js")],
   format: "esm",
   banner: { js: banner },
   outfile: join(target, "view.js"),
-  absWorkingDir: here,
 });
 await build({ ...options, entryPoints: [join(here, "view.css")], outfile: join(target, "view.css") });
 for (const name of ["index.html", "icon.svg"]) cpSync(join(here, name), join(target, name));

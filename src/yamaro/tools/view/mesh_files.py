@@ -45,7 +45,9 @@ MOST_COMPANIONS = 256
 
 _DAE_NAMES = re.compile(rb"<init_from>\s*(?:<ref>\s*)?([^<]+?)\s*<")
 _OBJ_NAMES = re.compile(rb"^[ \t]*mtllib[ \t]+([^\r\n]+?)[ \t]*\r?$", re.MULTILINE)
-_MTL_NAMES = re.compile(rb"^[ \t]*(?:map_\w+|bump|disp|norm)[ \t]+([^\r\n]+?)[ \t]*\r?$", re.MULTILINE)
+_MTL_NAMES = re.compile(
+    rb"^[ \t]*(?:map_\w+|bump|disp|norm)[ \t]+([^\r\n]+?)[ \t]*\r?$", re.MULTILINE
+)
 _GLTF_CHUNK = b"JSON"
 
 
