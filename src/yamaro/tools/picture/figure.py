@@ -34,6 +34,7 @@ if TYPE_CHECKING:
     from vtkmodules.vtkCommonDataModel import vtkPolyData
     from vtkmodules.vtkRenderingCore import vtkActor
 
+    from ...robot.transforms import Vector
     from ..scene.robot import Inertial, Link, Robot, Shape
     from .stage import Color, Stage
     from .surfaces import Surface
@@ -45,6 +46,8 @@ PLAIN: Color = (0.74, 0.76, 0.79)
 COLLIDING: Color = (0.93, 0.60, 0.22)
 WEIGHING: Color = (0.50, 0.34, 0.80)
 MISSING: Color = (0.90, 0.30, 0.25)
+MISSING_EDGE = 0.06
+"""The edge of the box that stands for a mesh, as a part of the robot's size."""
 BONES: Color = (0.30, 0.34, 0.40)
 
 DIRECTIONS = np.array(
@@ -109,7 +112,7 @@ class Figure:
         self._surfaces: dict[str, list[Surface]] = {}
         self._told: set[str] = set()
         self._poses: dict[str, Floats] = {}
-        self._has_frames = FRAMES in shows
+        self._has_bones = FRAMES in shows
         self._has_grid = GRID in shows
         self._build(shows)
 
@@ -126,10 +129,11 @@ class Figure:
             if INERTIA in shows and link.inertial is not None:
                 self._add_inertia(link, link.inertial)
         self.place({})
-        size = self.size
+        size = self._size([(link.name, shape.pose.position) for link, shape in missing])
         for link, shape in missing:
             self._add_missing(link, shape, size)
-        if self._has_frames:
+            self._has_bones = True  # to tell what hangs together
+        if FRAMES in shows:
             for link in self.robot.links.values():
                 for body, color in axes_bodies(0.07 * size):
                     self._add(link, body, np.eye(4), color)
@@ -214,7 +218,7 @@ class Figure:
 
     def _add_missing(self, link: Link, shape: Shape, size: float) -> None:
         """Add a box in place of a mesh that cannot be drawn."""
-        edge = 0.08 * size
+        edge = MISSING_EDGE * size
         place = np.array(shape.pose.matrix())
         body = self._add(link, box_body((edge, edge, edge)), place, MISSING, 0.55)
         look = body.actor.GetProperty()
@@ -253,7 +257,7 @@ class Figure:
         self._poses = {name: np.array(pose.matrix()) for name, pose in poses.items()}
         for body in self._bodies:
             body.actor.SetUserMatrix(make_matrix(self._poses[body.link] @ body.place))
-        if self._has_frames:
+        if self._has_bones:
             self._place_bones()
 
     def _place_bones(self) -> None:
@@ -276,11 +280,15 @@ class Figure:
             found = [np.array([pose[:3, 3] for pose in self._poses.values()] or np.zeros((1, 3)))]
         return np.concatenate(found)
 
-    @property
-    def size(self) -> float:
-        """Return how large the robot is as it stands: the longest edge of the box around it."""
-        origins = np.array([pose[:3, 3] for pose in self._poses.values()] or np.zeros((1, 3)))
-        extent = float(np.ptp(np.concatenate([self.outline(), origins]), axis=0).max())
+    def _size(self, marks: list[tuple[str, Vector]]) -> float:
+        """Return how large the robot is: the longest edge of the box around it, in metres.
+
+        Its links count even where there is nothing to see, and so do marks, points on links.
+        """
+        origins = [pose[:3, 3] for pose in self._poses.values()]
+        marked = [self._poses[name] @ [*position, 1.0] for name, position in marks]
+        around = np.array([*origins, *(mark[:3] for mark in marked), np.zeros(3)])
+        extent = float(np.ptp(np.concatenate([self.outline(), around]), axis=0).max())
         return extent if extent > 1e-6 else 1.0
 
     def lay_floor(self, level: float, size: float) -> None:

@@ -128,12 +128,17 @@ def _resolver(path: str, allows: Callable[[str], bool]) -> Any:
     from trimesh.resolvers import FilePathResolver
 
     class Resolver(FilePathResolver):  # type: ignore[misc]
+        """Gives files from wherever is allowed: textures often lie beside the folder of meshes."""
+
         def get(self, name: str) -> bytes:
-            target = os.path.join(os.path.dirname(path), name.strip())
+            target = os.path.abspath(os.path.join(self.parent, name.strip()))
             if not allows(target):
                 raise FileNotFoundError(2, "it may not be read", name)
-            data: bytes = super().get(name)
-            return data
+            with open(target, "rb") as file:
+                return file.read(LARGEST_FILE)
+
+        def namespaced(self, namespace: str) -> Resolver:
+            return Resolver(os.path.join(self.parent, namespace))
 
     return Resolver(path)
 
