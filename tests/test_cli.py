@@ -580,7 +580,7 @@ def test_help_is_short_and_wins(capsys: pytest.CaptureFixture[str]) -> None:
     for words in (["-h"], ["--help"], ["check", "-h"], ["a", "b", "--help"]):
         assert outcome(capsys, *words) == (0, cli.HELP, "")
     lines = cli.HELP.splitlines()
-    assert len(lines) < 45
+    assert len(lines) < 49
     assert max(map(len, lines)) <= 100
     for option in cli.OPTIONS:
         assert option in cli.HELP
@@ -1069,7 +1069,7 @@ def on_path() -> dict[str, str]:
 @pytest.mark.parametrize(
     ("line", "words", "expected"),
     [
-        ("yamaro ", ["yamaro", ""], "bin check completion migrate robot.yaml tree two.yml"),
+        ("yamaro ", ["yamaro", ""], "bin check completion migrate robot.yaml tree two.yml view watch"),
         ("yamaro ro", ["yamaro", "ro"], "robot.yaml"),
         ("yamaro check ro", ["yamaro", "check", "ro"], "robot.yaml"),
         ("yamaro robot.yaml ", ["yamaro", "robot.yaml", ""], "legs:= length:="),
@@ -1098,6 +1098,10 @@ def on_path() -> dict[str, str]:
             "legs:=",
         ),
         ("yamaro completion z", ["yamaro", "completion", "z"], "zsh"),
+        ("yamaro view a", ["yamaro", "view", "a"], "a.urdf"),
+        ("yamaro view --no", ["yamaro", "view", "--no"], "--no-browser"),
+        ("yamaro view --port 80 ro", ["yamaro", "view", "--port", "80", "ro"], "robot.yaml"),
+        ("yamaro watch --out", ["yamaro", "watch", "--out"], "--output"),
     ],
 )
 def test_bash_completes(line: str, words: list[str], expected: str) -> None:

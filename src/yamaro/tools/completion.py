@@ -86,9 +86,10 @@ _yamaro() {
     for word in "${words[@]:1:last-1}"; do
         if [[ $skip ]]; then skip=; continue; fi
         case $word in
-            -o | --output | --color | --timeout | --allow-path | --limit | --package) skip=1 ;;
+            -o | --output | --color | --timeout | --allow-path | --limit | --package | --port | --editor)
+                skip=1 ;;
             -?* | *:=*) ;;
-            check | tree | migrate | completion)
+            check | tree | view | watch | migrate | completion)
                 if [[ $command$file ]]; then file=${file:-$word}; else command=$word; fi ;;
             *) file=${file:-$word} ;;
         esac
@@ -102,7 +103,8 @@ _yamaro() {
         --color) COMPREPLY=($(compgen -W "auto always never" -- "$current")); return ;;
         -o | --output | --allow-path) _yamaro_files "$current" ""; return ;;
         --package) return ;;
-        --timeout) return ;;
+        --timeout | --port) return ;;
+        --editor) COMPREPLY=($(compgen -c -- "$current")); return ;;
         --limit)
             COMPREPLY=($(compgen -W "@LIMITS@" -S = -- "$current"))
             compopt -o nospace 2>/dev/null
@@ -114,6 +116,8 @@ _yamaro() {
         local options="-q --quiet --strict --color"
         options+=" --trust --jail --safe --timeout --allow-path --limit --package"
         [[ $command == migrate ]] && options="-q --quiet --color --limit -o --output --force"
+        [[ $command == view ]] && options+=" --port --no-browser --editor"
+        [[ $command == watch ]] && options+=" -o --output"
         [[ $command ]] || options+=" -o --output --deps -h --help -V --version"
         COMPREPLY=($(compgen -W "$options" -- "$current"))
     elif [[ $file ]]; then
@@ -122,9 +126,11 @@ _yamaro() {
         COMPREPLY=($(compgen -W "$names" -- "$current"))
         compopt -o nospace 2>/dev/null
     else
-        [[ $command ]] || COMPREPLY=($(compgen -W "check tree migrate completion" -- "$current"))
+        [[ $command ]] || COMPREPLY=($(compgen -W "check tree view watch migrate completion" -- "$current"))
         if [[ $command == migrate ]]; then
             _yamaro_files "$current" urdf xml
+        elif [[ $command == view ]]; then
+            _yamaro_files "$current" yaml yml urdf xacro
         else
             _yamaro_files "$current" yaml yml
         fi
@@ -157,9 +163,10 @@ _yamaro_words() {
     for word in "${(@)words[2,CURRENT-1]}"; do
         if [[ -n $skip ]]; then skip=; continue; fi
         case $word in
-            -o | --output | --color | --timeout | --allow-path | --limit | --package) skip=1 ;;
+            -o | --output | --color | --timeout | --allow-path | --limit | --package | --port | --editor)
+                skip=1 ;;
             -?* | *:=*) ;;
-            check | tree | migrate | completion)
+            check | tree | view | watch | migrate | completion)
                 if [[ -n $command$file ]]; then file=${file:-$word}; else command=$word; fi ;;
             *) file=${file:-$word} ;;
         esac
@@ -181,6 +188,8 @@ _yamaro_words() {
             local -a commands=(
                 'check:look for errors, warnings and doubtful things'
                 'tree:show links, joints and masses as a tree'
+                'view:show the robot in the browser, anew at each save'
+                'watch:compile at each save'
                 'migrate:write a URDF as a YAML file'
                 'completion:print a completion script'
             )
@@ -188,6 +197,8 @@ _yamaro_words() {
         fi
         if [[ $command == migrate ]]; then
             _files -g '*.(urdf|xml)(-.)'
+        elif [[ $command == view ]]; then
+            _files -g '*.(yaml|yml|urdf|xacro)(-.)'
         else
             _files -g '*.(yaml|yml)(-.)'
         fi
@@ -212,6 +223,9 @@ _yamaro() {
         '*--limit=[set how much it may use]:limit:_yamaro_limits' \
         '*--package=[say where a ROS package is]:name\:=folder: ' \
         '--force[with migrate, replace a file]' \
+        '--port=[with view, serve the page at that port]:port: ' \
+        '--no-browser[with view, only print the address]' \
+        '--editor=[with view, open files with that command]:command:_command_names -e' \
         '--color=[colour messages]:when:(auto always never)' \
         '(- *)'{-h,--help}'[show help]' \
         '(- *)'{-V,--version}'[show the version]' \
@@ -233,7 +247,7 @@ function __yamaro_words
             continue
         end
         switch $word
-            case -o --output --color --timeout --allow-path --limit --package
+            case -o --output --color --timeout --allow-path --limit --package --port --editor
                 set skip 1
             case '-?*' '*:=*'
             case '*'
@@ -244,12 +258,12 @@ end
 
 function __yamaro_command
     set -l words (__yamaro_words)
-    contains -- "$words[1]" check tree migrate completion; and echo $words[1]
+    contains -- "$words[1]" check tree view watch migrate completion; and echo $words[1]
 end
 
 function __yamaro_file
     set -l words (__yamaro_words)
-    contains -- "$words[1]" check tree migrate completion; and set -e words[1]
+    contains -- "$words[1]" check tree view watch migrate completion; and set -e words[1]
     test -n "$words[1]"; and echo -- $words[1]
 end
 
@@ -277,6 +291,8 @@ end
 complete -c yamaro -f
 complete -c yamaro -n '__yamaro_wants command' -a check -d 'look for errors and warnings'
 complete -c yamaro -n '__yamaro_wants command' -a tree -d 'show links, joints and masses'
+complete -c yamaro -n '__yamaro_wants command' -a view -d 'show the robot in the browser'
+complete -c yamaro -n '__yamaro_wants command' -a watch -d 'compile at each save'
 complete -c yamaro -n '__yamaro_wants command' -a migrate -d 'write a URDF as a YAML file'
 complete -c yamaro -n '__yamaro_wants command' -a completion -d 'print a completion script'
 complete -c yamaro -n '__yamaro_wants shell' -a 'bash zsh fish'
@@ -294,6 +310,9 @@ complete -c yamaro -l allow-path -r -F -d 'let it read a file or folder'
 complete -c yamaro -l limit -x -a '(string split " " "@LIMITS@")=' -d 'set how much it may use'
 complete -c yamaro -l package -x -d 'say where a ROS package is: NAME:=FOLDER'
 complete -c yamaro -l force -d 'with migrate, replace a file'
+complete -c yamaro -l port -x -d 'with view, serve the page at that port'
+complete -c yamaro -l no-browser -d 'with view, only print the address'
+complete -c yamaro -l editor -x -a '(__fish_complete_command)' -d 'with view, open files with that'
 complete -c yamaro -l color -x -a 'auto always never' -d 'colour messages'
 complete -c yamaro -s h -l help -d 'show help'
 complete -c yamaro -s V -l version -d 'show the version'
