@@ -65,11 +65,10 @@ options, in any place:
 other commands:
   yamaro check FILE [name:=value ...]   look for errors, warnings and doubtful things; write nothing
   yamaro tree FILE [name:=value ...]    show links, joints and masses as a tree
-  yamaro view FILE [name:=value ...]    show the robot in the browser; 'yamaro view --help' tells more
+  yamaro view FILE [name:=value ...]    show the robot in the browser: 'yamaro view --help'
   yamaro watch FILE -o FILE             compile again at each save, and say what came of it
   yamaro picture FILE -o FILE.png [name:=value ...]
-                                        draw the robot, without a display; also as .jpg, and as a
-                                        film, .gif or .mp4; 'yamaro picture --help' tells more
+                                        draw the robot; 'yamaro picture --help' tells more
   yamaro migrate FILE [-o FILE]         write a URDF, or other XML, as a YAML file of Yamaro
   yamaro migrate FILE -o FOLDER [name:=value ...]
                                         write a robot in xacro as YAML files, a file for each

@@ -27,7 +27,12 @@ def test_the_bundle_was_made_after_the_last_change_of_its_sources() -> None:
 
 def test_the_bundle_is_what_its_sources_give() -> None:
     run = subprocess.run(
-        ["scripts/web", "--check"], cwd=ROOT, capture_output=True, text=True, timeout=300, check=False
+        ["scripts/web", "--check"],
+        cwd=ROOT,
+        capture_output=True,
+        text=True,
+        timeout=300,
+        check=False,
     )
     if run.returncode == CANNOT_BE_TOLD:
         pytest.skip(run.stderr.strip())

@@ -15,6 +15,17 @@ if TYPE_CHECKING:
     from ..syntax.yaml_nodes import YamlNode
 
 SHELLS = ("bash", "zsh", "fish")
+PICTURE_OPTIONS = (
+    "--size", "--view", "--joints", "--show", "--transparent", "--turn", "--sweep", "--seconds",
+    "--frames-per-second",
+)  # fmt: skip
+"""The options of `yamaro picture` alone."""
+VALUED = (
+    "-o", "--output", "--color", "--timeout", "--allow-path", "--limit", "--package", "--port",
+    "--editor", "--size", "--view", "--joints", "--show", "--sweep", "--seconds",
+    "--frames-per-second",
+)  # fmt: skip
+"""The options with a word behind them."""
 MAX_BYTES = 8 << 20
 MAX_DEFAULT = 40
 
@@ -22,9 +33,20 @@ MAX_DEFAULT = 40
 def script(shell: str) -> str:
     """Return the completion script for one of `SHELLS`."""
     from ..policy import limit_names
+    from .picture.words import NAMED_VIEWS, SHOWN
 
     text = {"bash": _BASH, "zsh": _ZSH, "fish": _FISH}[shell]
-    return text.replace("@LIMITS@", " ".join(limit_names()))
+    words = {
+        "@LIMITS@": " ".join(limit_names()),
+        "@PICTURE@": " ".join(PICTURE_OPTIONS),
+        "@SHOWN@": " ".join(SHOWN),
+        "@VALUED@": " | ".join(VALUED),
+        "@VALUED_WORDS@": " ".join(VALUED),
+        "@VIEWS@": " ".join(NAMED_VIEWS),
+    }
+    for mark, replacement in words.items():
+        text = text.replace(mark, replacement)
+    return text
 
 
 def variable_lines(path: str) -> str:
@@ -86,10 +108,9 @@ _yamaro() {
     for word in "${words[@]:1:last-1}"; do
         if [[ $skip ]]; then skip=; continue; fi
         case $word in
-            -o | --output | --color | --timeout | --allow-path | --limit | --package | --port | --editor)
-                skip=1 ;;
+            @VALUED@) skip=1 ;;
             -?* | *:=*) ;;
-            check | tree | view | watch | migrate | completion)
+            check | tree | view | watch | picture | migrate | completion)
                 if [[ $command$file ]]; then file=${file:-$word}; else command=$word; fi ;;
             *) file=${file:-$word} ;;
         esac
@@ -103,7 +124,9 @@ _yamaro() {
         --color) COMPREPLY=($(compgen -W "auto always never" -- "$current")); return ;;
         -o | --output | --allow-path) _yamaro_files "$current" ""; return ;;
         --package) return ;;
-        --timeout | --port) return ;;
+        --timeout | --port | --size | --joints | --sweep | --seconds | --frames-per-second) return ;;
+        --view) COMPREPLY=($(compgen -W "@VIEWS@" -- "$current")); return ;;
+        --show) COMPREPLY=($(compgen -W "@SHOWN@" -- "$current")); return ;;
         --editor) COMPREPLY=($(compgen -c -- "$current")); return ;;
         --limit)
             COMPREPLY=($(compgen -W "@LIMITS@" -S = -- "$current"))
@@ -118,6 +141,7 @@ _yamaro() {
         [[ $command == migrate ]] && options="-q --quiet --color --limit -o --output --force"
         [[ $command == view ]] && options+=" --port --no-browser --editor"
         [[ $command == watch ]] && options+=" -o --output"
+        [[ $command == picture ]] && options+=" -o --output @PICTURE@"
         [[ $command ]] || options+=" -o --output --deps -h --help -V --version"
         COMPREPLY=($(compgen -W "$options" -- "$current"))
     elif [[ $file ]]; then
@@ -126,10 +150,11 @@ _yamaro() {
         COMPREPLY=($(compgen -W "$names" -- "$current"))
         compopt -o nospace 2>/dev/null
     else
-        [[ $command ]] || COMPREPLY=($(compgen -W "check tree view watch migrate completion" -- "$current"))
+        local commands="check tree view watch picture migrate completion"
+        [[ $command ]] || COMPREPLY=($(compgen -W "$commands" -- "$current"))
         if [[ $command == migrate ]]; then
             _yamaro_files "$current" urdf xml
-        elif [[ $command == view ]]; then
+        elif [[ $command ]]; then
             _yamaro_files "$current" yaml yml urdf xacro
         else
             _yamaro_files "$current" yaml yml
@@ -163,10 +188,9 @@ _yamaro_words() {
     for word in "${(@)words[2,CURRENT-1]}"; do
         if [[ -n $skip ]]; then skip=; continue; fi
         case $word in
-            -o | --output | --color | --timeout | --allow-path | --limit | --package | --port | --editor)
-                skip=1 ;;
+            @VALUED@) skip=1 ;;
             -?* | *:=*) ;;
-            check | tree | view | watch | migrate | completion)
+            check | tree | view | watch | picture | migrate | completion)
                 if [[ -n $command$file ]]; then file=${file:-$word}; else command=$word; fi ;;
             *) file=${file:-$word} ;;
         esac
@@ -190,6 +214,7 @@ _yamaro_words() {
                 'tree:show links, joints and masses as a tree'
                 'view:show the robot in the browser, anew at each save'
                 'watch:compile at each save'
+                'picture:draw the robot'
                 'migrate:write a URDF as a YAML file'
                 'completion:print a completion script'
             )
@@ -197,7 +222,7 @@ _yamaro_words() {
         fi
         if [[ $command == migrate ]]; then
             _files -g '*.(urdf|xml)(-.)'
-        elif [[ $command == view ]]; then
+        elif [[ -n $command ]]; then
             _files -g '*.(yaml|yml|urdf|xacro)(-.)'
         else
             _files -g '*.(yaml|yml)(-.)'
@@ -226,6 +251,15 @@ _yamaro() {
         '--port=[with view, serve the page at that port]:port: ' \
         '--no-browser[with view, only print the address]' \
         '--editor=[with view, open files with that command]:command:_command_names -e' \
+        '--size=[with picture, its width and height]:pixels: ' \
+        '*--view=[with picture, from where]:view:(@VIEWS@)' \
+        '*--joints=[with picture, where joints stand]:name=position: ' \
+        '*--show=[with picture, what is shown]:what:(@SHOWN@)' \
+        '--transparent[with picture, nothing behind the robot]' \
+        '--turn[with picture, a film all around the robot]' \
+        '--sweep=[with picture, a film of moving joints]:joints:(all each)' \
+        '--seconds=[with picture, how long a film is]:seconds: ' \
+        '--frames-per-second=[with picture, how quick a film is]:frames: ' \
         '--color=[colour messages]:when:(auto always never)' \
         '(- *)'{-h,--help}'[show help]' \
         '(- *)'{-V,--version}'[show the version]' \
@@ -247,7 +281,7 @@ function __yamaro_words
             continue
         end
         switch $word
-            case -o --output --color --timeout --allow-path --limit --package --port --editor
+            case @VALUED_WORDS@
                 set skip 1
             case '-?*' '*:=*'
             case '*'
@@ -258,12 +292,12 @@ end
 
 function __yamaro_command
     set -l words (__yamaro_words)
-    contains -- "$words[1]" check tree view watch migrate completion; and echo $words[1]
+    contains -- "$words[1]" check tree view watch picture migrate completion; and echo $words[1]
 end
 
 function __yamaro_file
     set -l words (__yamaro_words)
-    contains -- "$words[1]" check tree view watch migrate completion; and set -e words[1]
+    contains -- "$words[1]" check tree view watch picture migrate completion; and set -e words[1]
     test -n "$words[1]"; and echo -- $words[1]
 end
 
@@ -293,6 +327,7 @@ complete -c yamaro -n '__yamaro_wants command' -a check -d 'look for errors and 
 complete -c yamaro -n '__yamaro_wants command' -a tree -d 'show links, joints and masses'
 complete -c yamaro -n '__yamaro_wants command' -a view -d 'show the robot in the browser'
 complete -c yamaro -n '__yamaro_wants command' -a watch -d 'compile at each save'
+complete -c yamaro -n '__yamaro_wants command' -a picture -d 'draw the robot'
 complete -c yamaro -n '__yamaro_wants command' -a migrate -d 'write a URDF as a YAML file'
 complete -c yamaro -n '__yamaro_wants command' -a completion -d 'print a completion script'
 complete -c yamaro -n '__yamaro_wants shell' -a 'bash zsh fish'
@@ -313,6 +348,15 @@ complete -c yamaro -l force -d 'with migrate, replace a file'
 complete -c yamaro -l port -x -d 'with view, serve the page at that port'
 complete -c yamaro -l no-browser -d 'with view, only print the address'
 complete -c yamaro -l editor -x -a '(__fish_complete_command)' -d 'with view, open files with that'
+complete -c yamaro -l size -x -d 'with picture, its width and height'
+complete -c yamaro -l view -x -a '@VIEWS@' -d 'with picture, from where'
+complete -c yamaro -l joints -x -d 'with picture, where joints stand: NAME=POSITION'
+complete -c yamaro -l show -x -a '@SHOWN@' -d 'with picture, what is shown'
+complete -c yamaro -l transparent -d 'with picture, nothing behind the robot'
+complete -c yamaro -l turn -d 'with picture, a film all around the robot'
+complete -c yamaro -l sweep -x -a 'all each' -d 'with picture, a film of moving joints'
+complete -c yamaro -l seconds -x -d 'with picture, how long a film is'
+complete -c yamaro -l frames-per-second -x -d 'with picture, how quick a film is'
 complete -c yamaro -l color -x -a 'auto always never' -d 'colour messages'
 complete -c yamaro -s h -l help -d 'show help'
 complete -c yamaro -s V -l version -d 'show the version'

@@ -62,7 +62,7 @@ def draw(build: Build, name: str, request: Request) -> Result:
     try:
         drawing = Drawing(build, request)
     except NoOpenGLError as error:
-        message = "nothing can be drawn: there is no OpenGL, which draws without a display too"
+        message = "nothing can be drawn here: OpenGL is missing, which needs no display"
         raise failure_of_all("no-opengl", message, name, str(error)) from None
     frames = drawing.frames()
     if request.ending == ".gif":

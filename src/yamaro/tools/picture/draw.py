@@ -11,8 +11,9 @@ from ..scene.robot import Robot
 from .cameras import fitted, fitted_around
 from .figure import Figure
 from .motion import moments
-from .request import COLLISION, FRAMES, GRID, VISUAL, read_positions
+from .request import read_positions
 from .stage import Stage
+from .words import COLLISION, FRAMES, GRID, VISUAL
 
 if TYPE_CHECKING:
     from collections.abc import Iterator

@@ -23,9 +23,9 @@ from .bodies import (
     surface_body,
 )
 from .floor import Shadow, surface_samples
-from .request import COLLISION, FRAMES, GRID, INERTIA, VISUAL
 from .stage import make_matrix, make_texture
 from .surfaces import read_surfaces
+from .words import COLLISION, FRAMES, GRID, INERTIA, VISUAL
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Collection, Mapping

@@ -6,15 +6,8 @@ from math import pi, sin
 
 from ...compiler import UsageError
 from ..scene.robot import CONTINUOUS
-from .request import (
-    ALL,
-    EACH,
-    EACH_SECONDS,
-    MOST_FRAMES,
-    SWEEP_SECONDS,
-    TURN_SECONDS,
-    find_joint,
-)
+from .request import EACH_SECONDS, MOST_FRAMES, SWEEP_SECONDS, TURN_SECONDS, find_joint
+from .words import ALL, EACH
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

@@ -7,6 +7,7 @@ from math import isfinite
 
 from ...compiler import UsageError
 from ...diagnostics import did_you_mean, shortened
+from .words import NAMED_VIEWS, SHOWN, VISUAL
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -16,21 +17,6 @@ if TYPE_CHECKING:
 
 STILLS = (".png", ".jpg", ".jpeg")
 FILMS = (".gif", ".mp4")
-VISUAL, COLLISION, INERTIA, FRAMES, GRID = "visual", "collision", "inertia", "frames", "grid"
-SHOWN = (VISUAL, COLLISION, INERTIA, FRAMES, GRID)
-"""What can be shown of a robot."""
-
-NAMED_VIEWS: dict[str, tuple[float, float]] = {
-    "iso": (35.0, 22.0),
-    "front": (0.0, 0.0),
-    "left": (90.0, 0.0),
-    "back": (180.0, 0.0),
-    "right": (-90.0, 0.0),
-    "top": (180.0, 90.0),
-    "bottom": (0.0, -90.0),
-}
-"""Azimuth and elevation of the camera in degrees, by name."""
-
 SMALLEST, LARGEST = 16, 4096
 """Pixels along a side of a picture."""
 
@@ -40,7 +26,6 @@ MOST_FRAMES = 3000
 TURN_SECONDS = 6.0
 SWEEP_SECONDS = 4.0
 EACH_SECONDS = 2.0
-ALL, EACH = "all", "each"
 
 
 class View:

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import ctypes
+import os
 import sys
 from typing import Any
 
+DEBIAN_PACKAGES = "libegl1 libgl1-mesa-dri"
 EGL_LIBRARY = "libEGL.so.1"
 SOFTWARE_LIBRARIES = ("libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so")
 DEVICE_PLATFORM = 0x313F
@@ -39,7 +41,7 @@ def make_window() -> Any:
         elif any(map(_loads, SOFTWARE_LIBRARIES)):
             window = vtkRenderingOpenGL2.vtkOSOpenGLRenderWindow()
         else:
-            raise NoOpenGLError("install OpenGL, which needs no display: apt install libegl1")
+            raise NoOpenGLError(f"on Debian and Ubuntu: apt install {DEBIAN_PACKAGES}")
     window.SetOffScreenRendering(True)
     return window
 
@@ -57,6 +59,7 @@ def _has_egl() -> bool:
 
     Source: the extensions EGL_EXT_device_enumeration and EGL_EXT_platform_device.
     """
+    os.environ.setdefault("EGL_LOG_LEVEL", "fatal")  # else it tells of each driver it lacks
     try:
         egl = ctypes.CDLL(EGL_LIBRARY)
     except OSError:
