@@ -496,6 +496,7 @@ def test_without_opengl_it_is_said_what_to_install(
     source.write_text(f'<robot name="r">{two_balls()}</robot>')
     assert main(["picture", str(source), "-o", str(tmp_path / "out.png")]) == 1
     error = capsys.readouterr().err
-    assert error.startswith("error[no-opengl]: nothing can be drawn here")
+    code = "no-opengl"
+    assert error.startswith(f"error[{code}]: nothing can be drawn here")
     assert "apt install libegl1 libgl1-mesa-dri" in error
     assert not (tmp_path / "out.png").exists()
