@@ -1,12 +1,18 @@
 // Draws what no body shows: frames, joint axes, centres of mass and boxes of equal inertia.
 
 import * as THREE from "three";
+import { LineMaterial } from "three/addons/lines/LineMaterial.js";
+import { LineSegments2 } from "three/addons/lines/LineSegments2.js";
+import { LineSegmentsGeometry } from "three/addons/lines/LineSegmentsGeometry.js";
 import { mergeGeometries } from "three/addons/utils/BufferGeometryUtils.js";
 
 const AXIS_COLORS = [0xe5484d, 0x30a46c, 0x3e63dd];
 const JOINT_COLOR = 0x8e4ec6;
 const INERTIA_COLOR = 0x12a594;
 const ABOVE_BODIES = 10;
+const OUTLINE = new LineMaterial({ color: 0x2563eb, linewidth: 2.2 }); // pixels
+const MOST_OUTLINED = 60_000; // corners of a body
+const SHARP = 25; // degrees between two faces that make an edge
 
 const X = new THREE.Vector3(1, 0, 0);
 const Y = new THREE.Vector3(0, 1, 0);
@@ -76,6 +82,15 @@ export function equivalentBoxMark({ size, axes }, least) {
   box.quaternion.setFromRotationMatrix(basis);
   box.traverse(drawAbove);
   return box;
+}
+
+/** Return the edges of a body, or null if it has very many. */
+export function outlineMark(geometry) {
+  if (geometry.attributes.position.count > MOST_OUTLINED) return null;
+  const edges = new THREE.EdgesGeometry(geometry, SHARP);
+  const mark = new LineSegments2(new LineSegmentsGeometry().fromEdgesGeometry(edges), OUTLINE);
+  mark.raycast = () => {};
+  return mark;
 }
 
 /** Turn a geometry that points along y to another direction. */

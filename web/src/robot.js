@@ -4,11 +4,11 @@ import * as THREE from "three";
 import URDFLoader from "urdf-loader";
 import { equivalentBox } from "./inertia.js";
 import { beginRobot, endRobot } from "./meshes.js";
-import { axesMark, centreMark, equivalentBoxMark, jointMark } from "./marks.js";
+import { axesMark, centreMark, equivalentBoxMark, jointMark, outlineMark } from "./marks.js";
 import { Materials, makeShape } from "./shapes.js";
 import { childOf, childrenOf, numbersIn, readUrdf } from "./urdf.js";
 
-const HIGHLIGHT = { hovered: [0x3b82f6, 0.22], selected: [0x3b82f6, 0.55] };
+const HIGHLIGHT = { hovered: [0x3b82f6, 0.16], selected: [0x3b82f6, 0.24] };
 
 /** One robot. Its object is ready at once; meshes appear in it when they are loaded. */
 export class Robot {
@@ -35,6 +35,7 @@ export class Robot {
     this.marks = { inertia: [], frames: [], axes: [] };
     this.masses = new Map();
     this.highlighted = { hovered: null, selected: null };
+    this.outlines = [];
     this.ready = this.addShapes(told);
   }
 
@@ -143,11 +144,32 @@ export class Robot {
 
   /** Mark a link as "hovered" or "selected"; null marks none. */
   highlight(how, link) {
+    if (this.highlighted[how] === link) return;
     this.highlighted[how] = link;
+    if (how === "selected") this.outline(link);
     for (const shape of this.shapes) {
       const { hovered, selected } = this.highlighted;
       const state = shape.link === selected ? "selected" : shape.link === hovered ? "hovered" : "";
       shape.group.traverse((node) => node.isMesh && node.material && tint(node.material, state));
+    }
+  }
+
+  /** Draw the edges of a link's bodies. */
+  outline(link) {
+    for (const mark of this.outlines) {
+      mark.removeFromParent();
+      mark.geometry.dispose();
+    }
+    this.outlines = [];
+    for (const { group } of this.shapes.filter((shape) => shape.link === link)) {
+      const bodies = [];
+      group.traverse((node) => node.isMesh && bodies.push(node));
+      for (const body of bodies) {
+        const mark = outlineMark(body.geometry);
+        if (!mark) continue;
+        body.add(mark);
+        this.outlines.push(mark);
+      }
     }
   }
 
@@ -156,7 +178,7 @@ export class Robot {
     this.object.removeFromParent();
     this.object.traverse((node) => {
       if (node.geometry && !node.geometry.isShared) node.geometry.dispose();
-      for (const material of [node.material].flat()) material?.dispose?.();
+      for (const material of [node.material].flat()) material?.dispose();
     });
   }
 }

@@ -69,6 +69,7 @@ export class Tree {
         tabIndex: 0,
         role: "treeitem",
         data: { link, joint: joint?.name ?? "" },
+        title: joint ? `${link}, ${joint.jointType} ${joint.name}` : link,
         onclick: () => this.told.onSelect(link),
         onkeydown: (event) => event.key === "Enter" && this.told.onSelect(link),
         onmouseenter: () => this.told.onHover(link),

@@ -123,8 +123,8 @@ _yamaro() {
     case $previous in
         --color) COMPREPLY=($(compgen -W "auto always never" -- "$current")); return ;;
         -o | --output | --allow-path) _yamaro_files "$current" ""; return ;;
-        --package) return ;;
-        --timeout | --port | --size | --joints | --sweep | --seconds | --frames-per-second) return ;;
+        --package | --timeout | --port) return ;;
+        --size | --joints | --sweep | --seconds | --frames-per-second) return ;;
         --view) COMPREPLY=($(compgen -W "@VIEWS@" -- "$current")); return ;;
         --show) COMPREPLY=($(compgen -W "@SHOWN@" -- "$current")); return ;;
         --editor) COMPREPLY=($(compgen -c -- "$current")); return ;;
