@@ -105,7 +105,7 @@ def browser() -> Iterator[Page]:
     if program is None:
         missing("Chromium")
         raise AssertionError
-    page = Page(program, width=1280, height=800)
+    page = Page(program, width=900, height=600)
     yield page
     page.close()
 

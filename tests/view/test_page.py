@@ -491,7 +491,7 @@ def test_the_page_fits_a_narrow_window(lamp: Page) -> None:
         assert "height" in lamp.text("#variables")
         assert reds(lamp.stage()) > 1000
     finally:
-        lamp.resize(1280, 800)
+        lamp.resize(900, 600)
 
 
 def test_the_page_says_when_yamaro_has_ended(browser: Page, view: Start, tmp_path: Path) -> None:

@@ -147,6 +147,11 @@ def test_requests_of_other_pages_are_refused(served: Served) -> None:
         assert served.ask("state", Origin=origin)[0] == 403, origin
     for site in ("cross-site", "same-site"):
         assert served.ask("state", Sec_Fetch_Site=site)[0] == 403
+        assert served.ask("", Sec_Fetch_Site=site)[0] == 403
+        followed = {"Sec_Fetch_Site": site, "Sec_Fetch_Dest": "document"}
+        assert served.ask("", **followed)[0] == 200  # a link in a terminal in the browser
+        assert served.ask("state", **followed)[0] == 403
+        assert served.ask("rebuild", "POST", {}, **followed)[0] == 403
 
 
 def test_only_json_of_a_bounded_size_is_read(served: Served) -> None:

@@ -187,6 +187,7 @@ function onKey(event) {
 
 const look = (view) => robot && stage.look(view, robot.bounds());
 
+byId("time").onclick = () => post("rebuild", {});
 for (const kind of KINDS) byId(`show-${kind}`).onclick = () => toggle(kind);
 for (const button of document.querySelectorAll("[data-view]")) {
   button.onclick = () => look(button.dataset.view);

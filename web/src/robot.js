@@ -8,6 +8,8 @@ import { axesMark, centreMark, equivalentBoxMark, jointMark, outlineMark } from 
 import { Materials, makeShape } from "./shapes.js";
 import { childOf, childrenOf, numbersIn, readUrdf } from "./urdf.js";
 
+const MISSING_SHARE = 0.07; // of the robot's size
+const USUAL_SIDE = 0.1; // m, where it has none
 const HIGHLIGHT = { hovered: [0x3b82f6, 0.16], selected: [0x3b82f6, 0.24] };
 
 /** One robot. Its object is ready at once; meshes appear in it when they are loaded. */
@@ -23,6 +25,7 @@ export class Robot {
     this.roots = roots;
     this.dropped = dropped;
     this.name = robot.getAttribute("name") ?? "";
+    this.materials = new Materials(robot, description.textures);
     const loader = new URDFLoader();
     loader.parseVisual = loader.parseCollision = false;
     this.object = loader.parse(robot);
@@ -42,14 +45,14 @@ export class Robot {
   /** Add the bodies of all links. */
   addShapes(told) {
     beginRobot();
-    const materials = new Materials(this.element, this.description.textures);
     const pending = [];
+    const all = { ...told, missingSide: this.missingSide() };
     for (const link of childrenOf(this.element, "link")) {
       const name = link.getAttribute("name");
       const known = this.description.links[name];
       for (const kind of ["visual", "collision"]) {
         childrenOf(link, kind).forEach((element, index) => {
-          const { group, ready } = makeShape(element, known?.[kind]?.[index], materials, told);
+          const { group, ready } = makeShape(element, known?.[kind]?.[index], this.materials, all);
           group.visible = kind === "visual";
           this.links.get(name).add(group);
           this.shapes.push({ kind, link: name, index, group });
@@ -63,6 +66,21 @@ export class Robot {
     return Promise.all(pending).then(endRobot);
   }
 
+  /** Return how large a box is to be that stands for a mesh: small beside the robot. */
+  missingSide() {
+    const size = this.frameBounds().getSize(new THREE.Vector3()).length();
+    return size > 0 ? MISSING_SHARE * size : USUAL_SIDE;
+  }
+
+  /** Return the box around the frames of all links. */
+  frameBounds() {
+    this.object.updateMatrixWorld(true);
+    const points = [...this.links.values()].map((link) =>
+      new THREE.Vector3().setFromMatrixPosition(link.matrixWorld),
+    );
+    return new THREE.Box3().setFromPoints(points);
+  }
+
   /** Return the size of the robot as shown: the box around its bodies, in the world. */
   bounds() {
     this.object.updateMatrixWorld(true);
@@ -71,10 +89,8 @@ export class Robot {
       for (const shape of this.shapes) if (shape.kind === kind) box.expandByObject(shape.group);
       if (!box.isEmpty()) return box;
     }
-    for (const link of this.links.values()) {
-      box.expandByPoint(new THREE.Vector3().setFromMatrixPosition(link.matrixWorld));
-    }
-    return box.isEmpty() ? box.set(new THREE.Vector3(), new THREE.Vector3()) : box;
+    const frames = this.frameBounds();
+    return frames.isEmpty() ? box.set(new THREE.Vector3(), new THREE.Vector3()) : frames;
   }
 
   /** Add frames, joint axes and inertias in a size that suits the robot. */

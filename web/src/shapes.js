@@ -9,7 +9,6 @@ const COLLISION_COLOR = 0xf08c00;
 const COLLISION_EDGE = 0xd9480f;
 const MOST_OUTLINED = 60_000; // corners of a mesh whose edges are drawn
 const MISSING_COLOR = 0xd6336c;
-const MISSING_SIDE = 0.1; // m, times the mesh's scale where that makes sense
 
 /** The materials of a robot by name: those under the root, and those that links define. */
 export class Materials {
@@ -22,6 +21,8 @@ export class Materials {
       const isDefined = childOf(material, "color") || childOf(material, "texture");
       if (name && isDefined && !this.byName.has(name)) this.byName.set(name, material);
     }
+    // urdf-loader would load their textures by names that only the server can read.
+    for (const material of childrenOf(robot, "material")) material.remove();
   }
 
   /** Return a new material for a visual. */
@@ -49,7 +50,8 @@ export class Materials {
  * @param {Element} element `<visual>` or `<collision>`
  * @param {object} shape what the server tells of it
  * @param {Materials} materials those of the robot
- * @param {object} told `onChange()` when something has appeared, `onFault(mesh, reason)`
+ * @param {object} told `onChange()` when something has appeared, `onFault(mesh, reason)`, and as
+ *   `missingSide` how large a box stands for a mesh that is not there, in m
  * @returns {{group: THREE.Group, ready: Promise}} `ready` when its mesh has been loaded
  */
 export function makeShape(element, shape, materials, told) {
@@ -111,7 +113,8 @@ const BODIES = {
   },
 };
 
-async function addMesh(group, element, file, material, { onChange, onFault, isCollision }) {
+async function addMesh(group, element, file, material, told) {
+  const { onChange, onFault, isCollision, missingSide } = told;
   const scale = numbersIn(element, "scale", [1, 1, 1]);
   try {
     if (!file) throw new Error("");
@@ -125,17 +128,15 @@ async function addMesh(group, element, file, material, { onChange, onFault, isCo
     holder.add(object);
     group.add(holder);
   } catch (error) {
-    group.add(missingBox(scale));
+    group.add(missingBox(missingSide));
     if (error.message) onFault(element.getAttribute("filename"), error.message);
   }
   onChange();
 }
 
 /** Return the box that stands for a mesh that is not there. */
-function missingBox(scale) {
-  const isPlain = scale.every((factor) => Math.abs(factor) >= 0.5 && Math.abs(factor) <= 2);
-  const sides = scale.map((factor) => MISSING_SIDE * (isPlain ? Math.abs(factor) : 1));
-  const geometry = new THREE.BoxGeometry(...sides);
+function missingBox(side) {
+  const geometry = new THREE.BoxGeometry(side, side, side);
   const fill = new THREE.MeshBasicMaterial({ color: MISSING_COLOR });
   setOpacity(fill, 0.25);
   const box = new THREE.Mesh(geometry, fill);

@@ -35,6 +35,7 @@ export class Variables {
     }
     byId("variable-count").textContent = String(variables.length);
     show(byId("variables-pane"), variables.length > 0);
+    document.body.classList.toggle("has-variables", variables.length > 0);
     this.showAssignments();
   }
 

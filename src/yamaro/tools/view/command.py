@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import threading
 import time
 
 from ...diagnostics import shortened
@@ -86,7 +87,7 @@ def view(
         last = _build(session, None, say, show)
         tell_url(running.url)
         if options.has_browser:
-            _open_browser(running.url, say)
+            threading.Thread(target=_open_browser, args=(running.url, say), daemon=True).start()
         while True:
             if session.wake.wait(INTERVAL) or rebuilder.has_changed():
                 last = _build(session, last, say, show)
@@ -115,6 +116,7 @@ def outcome_of(turn: Turn) -> str:
 
 
 def _open_browser(url: str, say: Callable[[str], None]) -> None:
+    """Open the page; that may take as long as a browser runs that runs in the terminal."""
     import webbrowser
 
     try:

@@ -16,6 +16,7 @@ import sys
 import threading
 from http import HTTPStatus
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
+from socketserver import TCPServer
 
 from .fields import WrongValue
 from .mesh_files import content_type
@@ -88,6 +89,7 @@ class Server(ThreadingHTTPServer):
 
     daemon_threads = True
     block_on_close = False
+    allow_reuse_address = os.name != "nt"  # there it would let others take the port over
     request_queue_size = 32
 
     def __init__(self, session: Session, *, port: int, editor: Editor | None) -> None:
@@ -107,8 +109,7 @@ class Server(ThreadingHTTPServer):
 
     def server_bind(self) -> None:
         """Bind, without looking up the name of this machine, which may take seconds."""
-        self.socket.bind(self.server_address)
-        self.server_address = self.socket.getsockname()
+        TCPServer.server_bind(self)
         self.server_name, self.server_port = HOST, self.server_address[1]
 
     def process_request(self, request: object, client_address: object) -> None:
@@ -171,8 +172,14 @@ class Handler(BaseHTTPRequestHandler):
         origin = self.headers.get("Origin")
         if origin is not None and origin.lower() != f"http://{hosts[0].lower()}":
             raise Refused(HTTPStatus.FORBIDDEN)
-        if self.headers.get("Sec-Fetch-Site", "none") not in ("none", "same-origin"):
+        is_own = self.headers.get("Sec-Fetch-Site", "none") in ("none", "same-origin")
+        if not is_own and not self._is_followed_link():
             raise Refused(HTTPStatus.FORBIDDEN)
+
+    def _is_followed_link(self) -> bool:
+        """Tell whether a person has followed a link, as from a terminal in the browser."""
+        is_page = self.headers.get("Sec-Fetch-Dest") == "document"
+        return self.command == "GET" and is_page and self.path.endswith("/")
 
     def _path_within(self) -> str:
         """Return the path behind the token; without the token there is nothing here."""

@@ -27,6 +27,9 @@ if TYPE_CHECKING:
 
     Json = dict[str, object]
 
+_NOT_WAITING = getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0)
+"""For files that requests ask for: a pipe that nobody writes to must not hang one."""
+
 
 class Session:
     """One robot that is shown, which builds change, and which requests read, in other threads.
@@ -196,7 +199,7 @@ class Session:
         if path is None:
             return None
         try:
-            descriptor = os.open(path, os.O_RDONLY | getattr(os, "O_NONBLOCK", 0))
+            descriptor = os.open(path, os.O_RDONLY | _NOT_WAITING)
         except OSError:
             return None
         is_file = os.fstat(descriptor).st_mode & 0o170000 == 0o100000
