@@ -115,3 +115,16 @@ def test_compiling_a_urdf_is_still_refused(
     path.write_text(URDF)
     assert main([str(path)]) == 1
     assert "this looks like XML" in capsys.readouterr().err
+
+
+def test_an_argument_that_a_xacro_file_does_not_know_is_warned_of(tmp_path: Path) -> None:
+    path = tmp_path / "r.xacro"
+    path.write_text(
+        '<robot xmlns:xacro="http://www.ros.org/wiki/xacro" name="r">'
+        '<xacro:arg name="side" default="left"/><link name="$(arg side)"/></robot>'
+    )
+    built = build(path, command_line=["side:=right", "sied:=up"], takes_xml=True)
+    assert '<link name="right"/>' in built.xml()
+    (warning,) = built.warnings
+    assert warning.message == "'r.xacro' has no argument 'sied'"
+    assert warning.hint == "did you mean 'side'?"

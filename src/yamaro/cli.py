@@ -811,12 +811,17 @@ def _picture_request(arguments: Arguments) -> Request:
 
 
 def _picture(build: Build, arguments: Arguments, streams: Streams) -> bytes:
+    from .diagnostics import ERROR, YamaroError
     from .tools.picture.command import draw
 
     if build.root.name != "robot":
         raise WrongUsage(f"'yamaro picture' draws robots, and this is a <{build.root.name}>")
     result = draw(build, _display_name(arguments), _picture_request(arguments))
     build.warnings.extend(result.warnings)
+    if arguments.has("strict") and result.warnings:
+        for warning in result.warnings:
+            warning.severity = ERROR
+        raise YamaroError(result.warnings)
     if not streams.quiet:
         for remark in result.remarks:
             streams.say(f"{_display_name(arguments)}: {remark}")

@@ -269,9 +269,10 @@ class Program:
             ) -> Element:
                 from .runtime.xml_main import run_xml_main
 
-                root, is_xacro = run_xml_main(source, interpreter, arguments, reporter)
+                places = _places_of(command_line)
+                root, is_xacro = run_xml_main(source, interpreter, arguments, places, reporter)
                 if not is_xacro:
-                    _warn_of_unknown_variables(interpreter, _places_of(command_line), reporter)
+                    _warn_of_unknown_variables(interpreter, places, reporter)
                 return root
 
             return evaluate_xml

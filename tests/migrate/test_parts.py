@@ -874,8 +874,14 @@ CASES = {
         # this moves
         # that is
         # moved
-        # upwards
-        part: {name: tip, joint: {type: continuous, parent: base, xyz: 0 0 1, axis: 0 0 1}}
+        part:
+          name: tip
+          joint:
+            type: continuous
+            parent: base
+            xyz: 0 0 1
+            # upwards
+            axis: 0 0 1
         # the end
         """,
     ),
@@ -1211,3 +1217,55 @@ def test_a_comment_in_a_geometry_does_not_keep_it_from_its_short_form() -> None:
         "robot: r\nmodel:\n  part:\n    name: base\n    link:\n"
         "      # smooth\n      visual: {geometry: box, scale: 1 1 1, xyz: 0 0 1}\n"
     )
+
+
+def test_comments_in_joints_and_sections_stand_above_what_they_stood_above() -> None:
+    assert model_of("""
+        <link name="base"/>
+        <joint name="arm_joint" type="fixed">
+          <!-- what it hangs on -->
+          <parent link="base"/>
+          <child link="arm_link"/>
+          <!-- where -->
+          <origin xyz="0 0 1" rpy="0 0 0"/>
+        </joint>
+        <link name="arm_link">
+          <inertial>
+            <!-- weighed -->
+            <mass value="2"/>
+            <!-- from the drawing -->
+            <origin xyz="0 0 0.1" rpy="0 0 0"/>
+            <!-- guessed -->
+            <inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/>
+            <!-- the end -->
+          </inertial>
+          <visual>
+            <!-- as seen -->
+            <origin xyz="0 0 0" rpy="0 0 0"/>
+            <!-- a ball -->
+            <geometry><sphere radius="1"/></geometry>
+          </visual>
+        </link>
+    """) == dedent("""\
+        link/name=base:
+        part:
+          name: arm
+          joint:
+            type: fixed
+            # what it hangs on
+            parent: base
+            # where
+            xyz: 0 0 1
+          link:
+            inertial:
+              # weighed
+              mass: 2
+              # from the drawing
+              xyz: 0 0 0.1
+              # guessed
+              inertia: 1 0 0 1 0 1
+              # the end
+            # as seen
+            # a ball
+            visual: {geometry: sphere, scale: 1}
+    """)

@@ -14,7 +14,7 @@ from yamaro.policy import Limits
 from yamaro.source import Source
 from yamaro.tools.migrate.xacro_command import migrate_robot
 
-FEWEST = 90
+FEWEST = 100
 """Of the 112 that can be tried. Others look for comments, which become YAML's, or at messages."""
 
 

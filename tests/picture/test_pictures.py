@@ -1,5 +1,7 @@
 """What is in a picture: pixel by pixel, the robot that was written."""
 
+import subprocess
+import sys
 from pathlib import Path
 
 import numpy as np
@@ -7,6 +9,7 @@ import pytest
 import trimesh
 
 from tests.picture.drawing import (
+    SIZE,
     box_of,
     draw,
     frames,
@@ -358,6 +361,17 @@ def test_a_mesh_that_cannot_be_drawn_is_a_box_and_a_warning(
     assert like(image, 230, 76, 64).any()
 
 
+def test_a_mesh_that_cannot_be_drawn_is_an_error_with_strict(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "broken.stl").write_bytes(b"\x00\x01 nothing")
+    source = tmp_path / "robot.urdf"
+    source.write_text(f'<robot name="r">{mesh_visual("broken.stl")}</robot>')
+    assert main(["picture", "--strict", str(source), "-o", str(tmp_path / "out.png")]) == 1
+    assert "error[bad-mesh]" in capsys.readouterr().err
+    assert not (tmp_path / "out.png").exists()
+
+
 # --- films ------------------------------------------------------------------------------------
 
 
@@ -500,3 +514,15 @@ def test_without_opengl_it_is_said_what_to_install(
     assert error.startswith(f"error[{code}]: nothing can be drawn here")
     assert "apt install libegl1 libgl1-mesa-dri" in error
     assert not (tmp_path / "out.png").exists()
+
+
+def test_a_picture_on_standard_output_is_a_png_and_nothing_else(tmp_path: Path) -> None:
+    source = tmp_path / "robot.yaml"
+    part = "part: {name: a, link: {geometry: box, scale: 1 1 1, visual: }}"
+    source.write_text(f"model: {{print: hello, {part}}}\n")
+    command = [sys.executable, "-m", "yamaro", "picture", str(source), "-o", "-", "--size", SIZE]
+    result = subprocess.run(command, capture_output=True, check=True, timeout=60)
+    assert result.stdout.startswith(b"\x89PNG")
+    (tmp_path / "out.png").write_bytes(result.stdout)
+    assert pixels(tmp_path / "out.png").shape == (90, 120, 4)
+    assert b"hello" in result.stderr

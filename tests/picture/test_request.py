@@ -183,6 +183,15 @@ def test_a_missing_package_tells_what_to_install(
     assert "pip install 'yamaro[picture]'" in error
 
 
+def test_a_vtk_that_would_end_the_process_is_refused(
+    robot: str, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr("importlib.util.find_spec", lambda name: object())
+    monkeypatch.setattr("importlib.metadata.version", lambda name: "9.5.2")
+    assert main(["picture", robot, "-o", "a.png"]) == 1
+    assert "needs vtk 9.6 or newer, and this is 9.5" in capsys.readouterr().err
+
+
 def test_help_of_pictures_tells_of_its_options(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["picture", "--help"]) == 0
     text = capsys.readouterr().out

@@ -34,7 +34,8 @@ def lower_material(lowering: Lowering, key: Element) -> Element:
     taken = _taken_details(record)
     details[:0] = taken
     value = record.values.pop("name")
-    if taken and value == "":  # exporters leave the name empty, and the colour says it all
+    if value == "" and any(_is_look(detail) for detail in details):
+        # exporters leave the name empty, and the colour says it all
         name = ""
     else:
         what = "material" if is_short else "name"
@@ -79,6 +80,10 @@ def _split(lowering: Lowering, key: Element) -> tuple[Record, list[Node]]:
         value_spans=key.value_spans,
     )
     return read_record(lowering, head, "name"), details
+
+
+def _is_look(detail: Node) -> bool:
+    return isinstance(detail, Element) and detail.name in ("color", "texture")
 
 
 def _taken_details(record: Record) -> list[Element]:

@@ -707,7 +707,8 @@ class Interpreter:
         }
         if node.namespace is not None:
             arguments["namespace"] = str(namespace_of(node, scope, self.values))
-        return expand(source, host, arguments, self.reporter, frame=frame)
+        places = {each.name: each.span for each in node.arguments if each.name is not None}
+        return expand(source, host, arguments, self.reporter, frame=frame, places=places)
 
     def _trace_into(self, error: YamaroError, node: IncludeNode) -> None:
         """Note the include that led to an error in a file that cannot even be read as text."""

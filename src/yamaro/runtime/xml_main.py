@@ -16,7 +16,11 @@ if TYPE_CHECKING:
 
 
 def run_xml_main(
-    source: Source, interpreter: Interpreter, arguments: Mapping[str, str], reporter: Reporter
+    source: Source,
+    interpreter: Interpreter,
+    arguments: Mapping[str, str],
+    places: Mapping[str, Span],
+    reporter: Reporter,
 ) -> tuple[Element, bool]:
     """Return the root of a URDF as it is, or of what xacro makes of it; and whether it is xacro's.
 
@@ -24,6 +28,7 @@ def run_xml_main(
         source: the main file.
         interpreter: gives files, packages, limits, and how far the file is trusted.
         arguments: what is set of the arguments of a xacro file, as it is written.
+        places: where those are set that were set on the command line.
         reporter: takes the warnings.
 
     Raises:
@@ -43,7 +48,7 @@ def run_xml_main(
             files, interpreter.messages, limits, main=source, has_environment=safety is None
         )
         interpreter.has_frames = True  # those of macros
-        return expand(source, host, arguments, reporter), True
+        return expand(source, host, arguments, reporter, places=places), True
     finally:
         interpreter.messages.close()
         files.close()

@@ -21,6 +21,7 @@ def declare_argument(expansion: Expansion, node: Element, site: Site) -> None:
     """Give an argument its default, if it has no value."""
     given = expansion.statements.attributes(node, ("name", "default"))
     arguments = expansion.evaluator.arguments
+    arguments.used.add(given["name"])
     if given["name"] not in arguments:
         place = expansion.place(node, "default")
         arguments[given["name"]] = expansion.evaluator.text(given["default"], site.scope, place)

@@ -17,6 +17,7 @@ from .templates import Expression, Substitution, Template, parse_template
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Mapping
     from typing import Any, NoReturn
 
     from ..diagnostics import Reporter
@@ -25,6 +26,26 @@ if TYPE_CHECKING:
 
 MOST_NOTES = 6
 """How many uses of properties by other properties are told."""
+
+
+class Arguments(dict[str, str]):
+    """The arguments of a file, by name.
+
+    Attributes:
+        used: those that the file declares or reads.
+    """
+
+    __slots__ = ("used",)
+
+    def __init__(self, given: Mapping[str, str]) -> None:
+        """Begin with what is given."""
+        super().__init__(given)
+        self.used: set[str] = set()
+
+    def __getitem__(self, name: str) -> str:
+        """Return an argument; raise KeyError if there is none."""
+        self.used.add(name)
+        return super().__getitem__(name)
 
 
 class Evaluator:
@@ -38,12 +59,12 @@ class Evaluator:
     """
 
     def __init__(
-        self, host: Host, reporter: Reporter, python: Python, arguments: dict[str, str]
+        self, host: Host, reporter: Reporter, python: Python, arguments: Mapping[str, str]
     ) -> None:
         """Begin outside of all files."""
         self.host = host
         self.reporter = reporter
-        self.arguments = arguments
+        self.arguments = Arguments(arguments)
         self.files: list[str] = []
         self.place: Place
         self.names = predefined(self)

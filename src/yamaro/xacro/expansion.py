@@ -7,7 +7,9 @@ where it is put in, as xacro does.
 
 from __future__ import annotations
 
-from ..diagnostics import Frame, YamaroError, failure
+import os
+
+from ..diagnostics import Frame, YamaroError, did_you_mean, failure
 from ..xmlreader import CData, read_xml
 from ..xmltree import Comment, Element, Text, is_comment_text
 from .calls import call_by_name, call_macro, insert_block
@@ -26,7 +28,7 @@ from .tidying import tidy
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Mapping
+    from collections.abc import Callable, Iterable, Mapping
 
     from ..diagnostics import Reporter
     from ..source import Source, Span
@@ -44,6 +46,7 @@ def expand(
     *,
     python: Python | None = None,
     frame: Frame | None = None,
+    places: Mapping[str, Span] | None = None,
 ) -> Element:
     """Return the root element of what xacro makes of a file, without xmlns:xacro.
 
@@ -56,12 +59,29 @@ def expand(
         reporter: collects warnings.
         python: evaluates expressions, if not as Python does.
         frame: the include that led to the file, if one did.
+        places: where arguments are given; those that the file does not know are warned of there.
 
     Raises:
         YamaroError: the file cannot be expanded; the first fault, with its place.
     """
-    evaluator = Evaluator(host, reporter, python or Python(host.limits), dict(arguments))
-    return Expansion(host, reporter, evaluator, frame).expand(source)
+    evaluator = Evaluator(host, reporter, python or Python(host.limits), arguments)
+    root = Expansion(host, reporter, evaluator, frame).expand(source)
+    known = evaluator.arguments.used
+    for name, span in (places or {}).items():
+        if name not in known:
+            reporter.warn(
+                "unknown-variable",
+                f"'{os.path.basename(source.name)}' has no argument '{name}'",
+                span,
+                hint=did_you_mean(name, sorted(known)) or _list_of(known),
+                trace=frame.parent if frame else None,
+            )
+    return root
+
+
+def _list_of(arguments: Iterable[str]) -> str:
+    names = ", ".join(sorted(arguments))
+    return f"its arguments are {names}" if names else "it has none"
 
 
 class Expansion:

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 WIDTH = 100
 """Characters that a line with a mapping in braces may have."""
 RECORD_WIDTH = 120
-"""And one with attributes only, such as a limit."""
+"""And one such as a limit, or a section of a link, which is read at a glance."""
 MOST_IN_BRACES = 6
 LONGEST_KEY = 1000
 """Characters that a key may have before YAML wants a `?` in front of it."""
@@ -76,6 +76,19 @@ class Quoted(str):
     """A text that would else be a number, true or nothing, and is to be none of these."""
 
     __slots__ = ()
+
+
+class Row(str):
+    """A text of several pieces with commas between them, which may go on several lines."""
+
+    __slots__ = ("pieces",)
+    pieces: list[str]
+
+    def __new__(cls, pieces: list[str]) -> Row:
+        """Join the pieces."""
+        row = super().__new__(cls, ", ".join(pieces))
+        row.pieces = pieces
+        return row
 
 
 class Entry:
@@ -220,6 +233,10 @@ def _write_entry(entry: Entry, head: str, margin: str, out: list[str]) -> None:
 
 
 def _write_text(text: str, head: str, margin: str, out: list[str]) -> None:
+    if isinstance(text, Row) and len(head) + len(text) >= WIDTH and _is_plain(text, in_flow=False):
+        out.append(head)
+        out += [f"{margin}  {line}" for line in _wrapped(text.pieces, WIDTH - len(margin) - 2)]
+        return
     lines = text.split("\n")
     if len(lines) == 1 or not all(line.isprintable() for line in lines):
         out.append(f"{head} {_scalar(text, in_flow=False)}")
@@ -229,6 +246,19 @@ def _write_text(text: str, head: str, margin: str, out: list[str]) -> None:
     out += [f"{margin}  {line}".rstrip() for line in lines]
 
 
+def _wrapped(pieces: list[str], width: int) -> list[str]:
+    """Return pieces with commas between them as lines no wider than asked, if that can be."""
+    lines = [""]
+    for piece in pieces:
+        longer = f"{lines[-1]}, {piece}" if lines[-1] else piece
+        if lines[-1] and len(longer) >= width:
+            lines[-1] += ","
+            lines.append(piece)
+        else:
+            lines[-1] = longer
+    return lines
+
+
 def _in_braces(body: Body, remarks: list[str]) -> str | None:
     """Return a mapping as `{key: value, …}`, or None if it is none for one line.
 
@@ -236,10 +266,12 @@ def _in_braces(body: Body, remarks: list[str]) -> str | None:
     """
     if len(body.entries) > MOST_IN_BRACES or not body.entries:
         return None
-    pieces = []
+    pieces: list[str] = []
     keys = set()
     for entry in body:
         if entry.key in keys or (entry.value is None and len(body.entries) > 1):
+            return None
+        if entry.comment and pieces:  # it stands better right above its key
             return None
         remarks += filter(None, [entry.comment])
         keys.add(entry.key)

@@ -32,13 +32,13 @@ class Item:
         self.is_joint_first = True
 
 
-def pair(robot: Element) -> tuple[list[Item], list[Loose]]:
-    """Return what a robot holds, joints together with their links, and the comments at its end.
+def pair(nodes: list[Node]) -> tuple[list[Item], list[Loose]]:
+    """Return what stands in a robot, joints together with their links, and the comments at its end.
 
     URDF gives the order of joints among links no meaning; links keep their order among themselves,
     and so do joints and all the rest. A pair that would change that is left as two elements.
     """
-    items, loose = _items(robot.children)
+    items, loose = _items(nodes)
     links = [item for item in items if item.element.name == "link"]
     joints = [item for item in items if item.element.name == "joint"]
     pairs = _pairs_in_order(links, joints)

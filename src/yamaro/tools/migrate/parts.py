@@ -3,18 +3,16 @@
 from __future__ import annotations
 
 from ...robot.mesh import MESH_ENDINGS, mesh_ending
-from ...robot.shapes import Box, Cylinder, Sphere
 from ...xmltree import Comment, Element, Text, format_value
 from .compare import same_words, values_of
-from .document import RECORD_WIDTH, Body, Entry, Value, without_expressions, words_of
+from .document import RECORD_WIDTH, Body, Entry, joined, without_expressions, words_of
 from .elements import ElementWriter, add_loose
 from .pairing import has_text, name_of
+from .solids import is_inertia_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable
-
-    from ...robot.shapes import Shape
 
 RECORDS = ("limit", "dynamics", "mimic", "safety_controller", "calibration")
 MOMENTS = ("ixx", "ixy", "ixz", "iyy", "iyz", "izz")
@@ -59,19 +57,9 @@ class Geometry:
             entries.append(Entry("scale", self.scale))
         return entries
 
-    def solid(self) -> Shape | None:
-        """Return the body, if it is one whose inertia a formula gives."""
-        try:
-            numbers = [float(word) for word in (self.scale or "").split()]
-        except ValueError:
-            return None
-        if self.kind == "box" and len(numbers) == 3:
-            return Box(*numbers)
-        if self.kind == "cylinder" and len(numbers) == 2:
-            return Cylinder(*numbers)
-        if self.kind == "sphere" and len(numbers) == 1:
-            return Sphere(*numbers)
-        return None
+    def sizes(self) -> list[str]:
+        """Return the numbers of the scale, each as a word."""
+        return words_of(self.scale or "")
 
 
 class Names:
@@ -79,10 +67,10 @@ class Names:
 
     __slots__ = ("joints", "links", "of_joints", "of_links")
 
-    def __init__(self, robot: Element) -> None:
-        """Take the names of a robot."""
-        self.links = {name_of(e) for e in robot.elements() if e.name == "link"}
-        self.joints = {name_of(e) for e in robot.elements() if e.name == "joint"}
+    def __init__(self, elements: list[Element]) -> None:
+        """Take the names of what stands in a robot."""
+        self.links = {name_of(e) for e in elements if e.name == "link"}
+        self.joints = {name_of(e) for e in elements if e.name == "joint"}
         self.of_links: dict[str, str] = {}
         self.of_joints: dict[str, str] = {}
 
@@ -113,7 +101,7 @@ class PartWriter:
         self,
         elements: ElementWriter,
         names: Names,
-        material: Callable[[Element], Value | None],
+        material: Callable[[Element], Entry | None],
         *,
         resolves: bool = False,
     ) -> None:
@@ -167,17 +155,21 @@ class PartWriter:
         body.add("type", kind)
         rest = Body()
         seen: dict[str, Element] = {}
-        for child in joint.children:
-            if not isinstance(child, Element):
-                add_loose(child, rest)
-            elif child.name in ("parent", "child", "origin"):
+        remarks: dict[str, str] = {}
+
+        def write(child: Element, out: Body) -> None:
+            if child.name in ("parent", "child", "origin"):
                 if child.name in seen:
                     raise NoPart
                 seen[child.name] = child
+                _take_remark(child, out, remarks)
             else:
-                rest.append(self._joint_child(child, kind, seen))
+                out.append(self._joint_child(child, kind, joint, seen))
+
+        self._write_all(joint, rest, write)
         self._add_ends(seen, body)
-        self._add_pose(seen.get("origin"), body)
+        self._add_pose(joint, seen.get("origin"), body)
+        _add_remarks(remarks, body)
         body.extend(rest)
         return Entry(self._elements.key("joint", attributes), body)
 
@@ -192,9 +184,11 @@ class PartWriter:
                 return
         body.entries.append(self._elements.entry(parent, bracketed=True))
 
-    def _joint_child(self, child: Element, kind: str, seen: dict[str, Element]) -> Entry:
+    def _joint_child(
+        self, child: Element, kind: str, joint: Element, seen: dict[str, Element]
+    ) -> Entry:
         attributes = values_of(child)
-        is_first = child.name not in seen
+        is_first = self._is_first(child, joint, seen)
         seen[child.name] = child
         if child.children or not attributes or not is_first:
             return self._element(child)
@@ -217,24 +211,49 @@ class PartWriter:
     def _link(self, link: Element) -> Body | None:
         if has_text(link):
             raise NoPart
-        plan = _LinkPlan(link, self._elements.file_name)
+        plan = self._plan(link)
         body = Body()
         if plan.geometry is not None:
             body.entries += plan.geometry.entries()
         if plan.pose is not None:
-            self._add_pose(plan.pose.origin, body)
-        for child in link.children:
-            if not isinstance(child, Element):
-                add_loose(child, body)
-            elif child is plan.inertial:
-                body.append(self._inertial(child, plan))
+            self._add_pose(link, plan.pose.origin, body)
+
+        def write(child: Element, out: Body) -> None:
+            if child.name == "inertial" and self._is_short_inertial(child, plan):
+                out.append(self._inertial(child, plan))
             elif child.name in SECTIONS:
-                body.append(self._section(child, plan))
+                out.append(self._section(child, plan))
             else:
-                body.append(self._element(child))
+                out.append(self._element(child))
+
+        self._write_all(link, body, write)
         return body or None
 
-    def _section(self, section: Element, plan: _LinkPlan) -> Entry:
+    def _plan(self, link: Element) -> LinkPlan:
+        return LinkPlan(link, self._elements.file_name, self._has_form, self._is_solid)
+
+    def _has_form(self, section: Element) -> bool:
+        """Tell whether a section has what the short form of one says, each once."""
+        if section.name == "inertial":
+            return _has_mass_form(section)
+        return _has_section_form(section)
+
+    def _is_solid(self, inertial: Element, geometry: Geometry) -> bool:
+        """Tell whether an inertia is the one that a geometry has with its mass."""
+        moments = values_of(child_named(inertial, "inertia"))
+        mass = values_of(child_named(inertial, "mass"))["value"]
+        rows = [moments[name] for name in MOMENTS]
+        return is_inertia_of(geometry.kind, geometry.sizes(), mass, rows)
+
+    def _inertia(self, inertial: Element) -> list[Entry]:
+        """Return the entries that give an inertia."""
+        moments = values_of(child_named(inertial, "inertia"))
+        return [Entry("inertia", _numbers(" ".join(moments[name] for name in MOMENTS), 6))]
+
+    def _is_short_inertial(self, inertial: Element, plan: LinkPlan) -> bool:
+        return inertial is plan.inertial
+
+    def _section(self, section: Element, plan: LinkPlan) -> Entry:
         """Return a visual or collision, or what stands for the second inertial of a link."""
         if id(section) not in plan.sections:
             return self._elements.entry(section, bracketed=True)
@@ -243,50 +262,75 @@ class PartWriter:
         if own is not None and (plan.geometry is None or own.key() != plan.geometry.key()):
             body.entries += own.entries()
         if plan.pose is None:
-            self._add_pose(optional_child(section, "origin"), body)
+            self._add_pose(section, optional_child(section, "origin"), body)
         rest = Body()
-        for child in section.children:
-            if not isinstance(child, Element):
-                add_loose(child, rest)
-            elif child.name == "origin":
-                continue
+        remarks: dict[str, str] = {}
+
+        def write(child: Element, out: Body) -> None:
+            if child.name not in ("geometry", "origin"):
+                out.append(self._section_child(child))
+                return
+            if child.name == "geometry" and own is not None:
+                add_comments(child, out)
             elif child.name == "geometry":
-                if own is not None:
-                    add_comments(child, rest)
-                else:
-                    body.entries.append(self._elements.entry(child, bracketed=True))
-            else:
-                material = self._material(child) if child.name == "material" else None
-                rest.append(Entry("material", material) if material else self._element(child))
+                body.entries.append(self._elements.entry(child, bracketed=True))
+            _take_remark(child, out, remarks)
+
+        self._write_all(section, rest, write)
+        _add_remarks(remarks, body)
         body.extend(rest)
+        if all(isinstance(entry.value, str) for entry in body):
+            body.width = RECORD_WIDTH
         return Entry(self._elements.key(section.name, values_of(section)), body or None)
 
-    def _inertial(self, inertial: Element, plan: _LinkPlan) -> Entry:
+    def _section_child(self, child: Element) -> Entry:
+        material = self._material(child) if child.name == "material" else None
+        return material or self._element(child)
+
+    def _inertial(self, inertial: Element, plan: LinkPlan) -> Entry:
         mass = values_of(child_named(inertial, "mass"))["value"]
-        moments = values_of(child_named(inertial, "inertia"))
-        body = Body([Entry("mass", mass)], in_braces=True)
+        body = Body([Entry("mass", mass)], in_braces=True, width=RECORD_WIDTH)
         if not plan.has_computed_inertia:
-            body.add("inertia", _numbers(" ".join(moments[name] for name in MOMENTS), 6))
+            body.entries += self._inertia(inertial)
         if plan.pose is None:
             pose = Body()
-            self._add_pose(optional_child(inertial, "origin"), pose)
+            self._add_pose(inertial, optional_child(inertial, "origin"), pose)
             body.entries[1:1] = pose.entries
-        for child in inertial.children:
-            if not isinstance(child, Element):
-                add_loose(child, body)
-            elif child.name not in ("origin", "mass", "inertia"):
-                body.append(self._element(child))
+        remarks: dict[str, str] = {}
+
+        def write(child: Element, out: Body) -> None:
+            if child.name in ("origin", "mass", "inertia"):
+                _take_remark(child, out, remarks)
+            else:
+                out.append(self._element(child))
+
+        self._write_all(inertial, body, write)
+        _add_remarks(remarks, body)
         if plan.has_computed_inertia and len(body.entries) == 1 and not body.remark:
             return body.entries[0]
         return Entry("inertial", body)
 
     # --- both -----------------------------------------------------------------------------------
 
+    def _write_all(
+        self, owner: Element, body: Body, write: Callable[[Element, Body], None]
+    ) -> None:
+        """Write each element in a joint, link or section by `write`, and what is beside them."""
+        for child in owner.children:
+            if isinstance(child, Element):
+                write(child, body)
+            else:
+                add_loose(child, body)
+
+    def _is_first(self, child: Element, owner: Element, seen: dict[str, Element]) -> bool:
+        """Tell whether an element is no second one of its name, for which there is no key."""
+        return child.name not in seen
+
     def _element(self, element: Element) -> Entry:
         return self._elements.entry(element, bracketed=element.name in PART_KEYS)
 
-    def _add_pose(self, origin: Element | None, body: Body) -> None:
-        """Add the entries that give an origin, or say that there is none."""
+    def _add_pose(self, owner: Element, origin: Element | None, body: Body) -> None:
+        """Add the entries that give the origin of what has it, or say that there is none."""
         if origin is None:
             body.add("origin", "none")
             return
@@ -300,6 +344,26 @@ class PartWriter:
                 body.add(name, words)
 
 
+_KEYS_OF = {"origin": ("xyz", "rpy", "origin")}
+"""The keys that an element becomes, where these are not its name."""
+
+
+def _take_remark(child: Element, out: Body, remarks: dict[str, str]) -> None:
+    """Take what is remarked above an element that is put in other words."""
+    remarks[child.name], out.remark = out.remark, ""
+
+
+def _add_remarks(remarks: dict[str, str], body: Body) -> None:
+    """Put what was remarked above elements above the keys that they became, or else on top."""
+    for name, remark in remarks.items():
+        keys = _KEYS_OF.get(name, (name,))
+        made = [own for own in body if own.key.strip("<>").partition("/")[0] in keys]
+        for entry in (made or body.entries)[:1]:
+            entry.comment = joined(entry.comment, remark)
+        if not body.entries:
+            body.note(remark)
+
+
 class _CommonPose:
     """The origin that all sections of a link have, or that none of them has."""
 
@@ -307,7 +371,7 @@ class _CommonPose:
         self.origin = origin
 
 
-class _LinkPlan:
+class LinkPlan:
     """What the sections of a link share, and so stands in the link.
 
     Attributes:
@@ -319,7 +383,22 @@ class _LinkPlan:
         has_computed_inertia: whether the inertia is that of the geometry.
     """
 
-    def __init__(self, link: Element, file_name: Callable[[str], str]) -> None:
+    def __init__(
+        self,
+        link: Element,
+        file_name: Callable[[str], str],
+        has_form: Callable[[Element], bool],
+        is_solid: Callable[[Element, Geometry], bool],
+    ) -> None:
+        """Look at a link.
+
+        Args:
+            link: to look at.
+            file_name: spells the names of mesh files.
+            has_form: tells which of its sections have a short form.
+            is_solid: tells whether an inertial has the inertia of a geometry.
+        """
+        self._is_solid = is_solid
         self.sections: dict[int, Geometry | None] = {}
         self.geometry: Geometry | None = None
         self.pose: _CommonPose | None = None
@@ -327,10 +406,10 @@ class _LinkPlan:
         self.has_computed_inertia = False
         posed: list[Element] = []
         for child in link.elements():
-            if child.name in ("visual", "collision") and _has_section_form(child):
+            if child.name in ("visual", "collision") and has_form(child):
                 self.sections[id(child)] = read_geometry(child, file_name)
                 posed.append(child)
-            elif child.name == "inertial" and self.inertial is None and _has_mass_form(child):
+            elif child.name == "inertial" and self.inertial is None and has_form(child):
                 self.inertial = child
                 posed.append(child)
         self._choose_geometry()
@@ -344,7 +423,7 @@ class _LinkPlan:
                 known.setdefault(geometry.key(), geometry)
                 counts[geometry.key()] = counts.get(geometry.key(), 0) + 1
         for key, geometry in known.items():
-            if self.inertial is not None and _is_solid(self.inertial, geometry):
+            if self.inertial is not None and self._is_solid(self.inertial, geometry):
                 self.geometry = geometry
                 self.has_computed_inertia = True
                 return
@@ -417,6 +496,23 @@ def is_short_material(material: Element) -> bool:
     )
 
 
+def material_entry(material: Element) -> Entry | None:
+    """Return a material in short: its name, with its colour and texture; None for any other."""
+    if not is_short_material(material):
+        return None
+    name = values_of(material)["name"]
+    looks = [
+        Entry(look.name, " ".join(words_of(format_value(value))))
+        for look in material.elements()
+        for value in values_of(look).values()
+    ]
+    if not looks:
+        return Entry("material", name) if name else None
+    if not name:
+        return Entry("material/name=", Body(looks, in_braces=True))
+    return Entry("material", Body([Entry("name", name), *looks], in_braces=True))
+
+
 def child_named(element: Element, name: str) -> Element:
     """Return the child of a name, which there is."""
     return next(child for child in element.elements() if child.name == name)
@@ -461,26 +557,13 @@ def _once(element: Element, names: Iterable[str], optional: Iterable[str]) -> bo
     )
 
 
-def _is_solid(inertial: Element, geometry: Geometry) -> bool:
-    """Tell whether the inertia is the one that the geometry has with this mass."""
-    shape = geometry.solid()
-    if shape is None:
-        return False
-    moments = values_of(child_named(inertial, "inertia"))
-    try:
-        mass = float(values_of(child_named(inertial, "mass"))["value"])
-        computed = shape.inertia(mass)
-    except (ValueError, OverflowError):
-        return False
-    return mass > 0 and all(
-        same_words(moments[name], format_value(value))
-        for name, value in zip(MOMENTS, computed, strict=True)
-    )
-
-
 def _is_whole(limit: dict[str, str], kind: str) -> bool:
     """Tell whether a limit has all that would else be filled in."""
-    has_range = kind not in ("revolute", "prismatic") or "lower" in limit or "upper" in limit
+    has_range = (
+        (kind not in ("revolute", "prismatic") and "$(" not in kind)
+        or "lower" in limit
+        or "upper" in limit
+    )
     return has_range and "effort" in limit and "velocity" in limit
 
 

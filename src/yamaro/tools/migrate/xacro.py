@@ -4,13 +4,16 @@ from __future__ import annotations
 
 import os
 
-from .document import write_document
+from .document import Body, write_document
+from .xacro_contents import Contents
+from .xacro_includes import source_name
+from .xacro_inertia import Solids
 from .xacro_program import Program, common_folder
 from .xacro_writer import FileWriter
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Mapping
+    from collections.abc import Iterator, Mapping
 
     from ...diagnostics import Diagnostic
     from ...source import Source, Span
@@ -28,7 +31,7 @@ class XacroMigration:
         root: what xacro makes of the robot.
         differences: in what the robot that the sources make differs from it.
         origins: the paths of the files by those of the xacro files they were made of.
-        lost: what could not be carried over, with its place.
+        lost: what could not be carried over: its place, why, and a hint.
         is_compared_with_xacro: whether the package xacro made what it was compared with.
         faults: the errors of the sources, if they cannot be built.
     """
@@ -40,7 +43,7 @@ class XacroMigration:
         self.root = root
         self.origins: dict[str, str] = {}
         self.differences: list[Difference] = []
-        self.lost: list[tuple[Span, str]] = []
+        self.lost: list[tuple[Span, str, str]] = []
         self.is_compared_with_xacro = False
         self.faults: list[Diagnostic] = []
 
@@ -53,16 +56,25 @@ def migrate_xacro(source: Source, host: Host, arguments: Mapping[str, str]) -> X
     """
     program = Program(source, host, arguments)
     folder = common_folder(list(program.roots))
+    contents = Contents(program)
     outputs: dict[str, str] = {}
     for path in program.roots:
         outputs[path] = _output(os.path.relpath(path, folder), set(outputs.values()))
     migration = XacroMigration({}, outputs[source.path], program.result)
     migration.origins = outputs
+    solids = Solids(program)
+    written: dict[str, tuple[Body, str]] = {}
     for path, output in outputs.items():
-        writer = FileWriter(program, path, outputs.__getitem__)
-        sections = writer.sections(is_main=path == source.path)
-        migration.files[output] = write_document(sections)
+        writer = FileWriter(program, contents, solids, path, outputs.__getitem__)
+        is_main = path == source.path
+        written[output] = writer.sections(is_main=is_main), writer.header(is_main=is_main)
         migration.lost += writer.lost
+    _drop_functions(
+        {program.macros[name].function for name in solids.replaced},
+        [sections for sections, _ in written.values()],
+    )
+    for output, (sections, header) in written.items():
+        migration.files[output] = write_document(sections, header)
     for path, text in program.data.items():
         relative = os.path.relpath(path, folder)
         if not relative.startswith(".."):  # what lies elsewhere is found through its package
@@ -70,11 +82,60 @@ def migrate_xacro(source: Source, host: Host, arguments: Mapping[str, str]) -> X
     return migration
 
 
+def _drop_functions(names: set[str], files: list[Body]) -> None:
+    """Leave out functions that were called, and are not any more, with the comments on them.
+
+    Args:
+        names: of the functions.
+        files: the sections of all files.
+    """
+    for sections in files:
+        for key in _keys_in(sections):
+            names.discard(key.rpartition(".")[2])  # it may be in a namespace
+            if key.startswith("$("):  # a call whose function is computed
+                names -= {name for name in names if repr(name) in key}
+    for sections in files:
+        for section in [entry for entry in sections if entry.key == "functions"]:
+            functions = section.value
+            assert isinstance(functions, Body)
+            _drop_entries(names, functions)
+            if not functions:
+                sections.entries.remove(section)
+        if not sections:
+            sections.add("model")
+
+
+def _drop_entries(names: set[str], functions: Body) -> None:
+    """Leave out functions; the terms of a licence above one are kept, above what comes next."""
+    entries, last = functions.entries, functions.remark
+    functions.entries, functions.remark = [], ""
+    for entry in entries:
+        if entry.key.partition("/")[0] not in names:
+            functions.append(entry)
+        elif any(word in entry.comment.lower() for word in _WORDS_OF_LICENCES):
+            functions.note(entry.comment)
+    functions.note(last)
+
+
+_WORDS_OF_LICENCES = ("copyright", "license", "licence")
+
+
+def _keys_in(body: Body) -> Iterator[str]:
+    """Return all keys in a body, but for those of functions that are defined in it."""
+    for entry in body:
+        if not isinstance(entry.value, Body):
+            yield entry.key
+        elif entry.key == "functions":
+            for function in entry.value:
+                assert isinstance(function.value, Body)
+                yield from _keys_in(function.value)
+        else:
+            yield entry.key
+            yield from _keys_in(entry.value)
+
+
 def _output(path: str, taken: set[str]) -> str:
-    stem = path
-    for ending in (".xacro", ".urdf", ".xml"):
-        stem = stem.removesuffix(ending)
-    unique, number = f"{stem}.yaml", 2
+    unique, number = source_name(path), 2
     while unique in taken:
-        unique, number = f"{stem}_{number}.yaml", number + 1
+        unique, number = f"{source_name(path).removesuffix('.yaml')}_{number}.yaml", number + 1
     return unique

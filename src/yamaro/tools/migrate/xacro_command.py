@@ -168,10 +168,10 @@ def warnings_of(migration: XacroMigration) -> list[Diagnostic]:
             "not-migrated",
             why,
             span,
-            hint="the sources have a comment there",
+            hint=hint,
             severity=WARNING,
         )
-        for span, why in migration.lost
+        for span, why, hint in migration.lost
     ]
 
 

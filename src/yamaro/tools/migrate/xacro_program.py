@@ -15,16 +15,22 @@ from ...xacro.expansion import Expansion
 from ...xacro.literals import guess_value
 from ...xacro.parameters import Parameter, parse_parameters
 from ...xacro.python import Python
-from ...xmltree import Element, format_value
-from .elements import walk
+from ...xmltree import Comment, Element, format_value
+from .elements import tidy_text, walk
+from .xacro_arguments import HiddenArguments
+from .xacro_data import with_plain_units
+from .xacro_includes import folder_meant
+from .xacro_namespaces import Namespaces
+from .xacro_truths import Truths
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Mapping
+    from collections.abc import Container, Iterable, Iterator, Mapping
     from typing import Any
 
     from ...source import Source, Span
     from ...xacro.host import Host
+    from ...xmlreader import XmlDocument
 
 _NAME = re.compile(r"[A-Za-z_]\w*")
 
@@ -53,9 +59,50 @@ class Macro:
         """Return the names of the parameters that are values."""
         return [own.name for own in self.parameters if not own.is_block]
 
+    def is_default_of_caller(self, own: Parameter) -> bool:
+        """Tell whether a default reads the caller's property of a parameter's name."""
+        return bool(names_in(own.default or "") & set(self.values()))
+
     def blocks(self) -> list[str]:
         """Return the names of the parameters that are blocks, with their stars."""
         return [own.name for own in self.parameters if own.is_block]
+
+
+class Argument:
+    """An argument of a robot.
+
+    Attributes:
+        span: where it is declared first.
+        remark: the comments above that.
+        defaults: what it is if it is not given; several, if it is not known which counts.
+        made_of: the names that its defaults read.
+    """
+
+    __slots__ = ("defaults", "made_of", "remark", "span")
+
+    def __init__(self, span: Span, remark: str) -> None:
+        """Hold what its first declaration says."""
+        self.span = span
+        self.remark = remark
+        self.defaults: list[str] = []
+        self.made_of: set[str] = set()
+
+    def add(self, default: str) -> None:
+        """Note a default."""
+        if default not in self.defaults:
+            self.defaults.append(default)
+            self.made_of |= names_in(default)
+
+    def settle(self, default: object) -> None:
+        """Say which default counts, if the first declaration has one."""
+        if default is not None:
+            self.defaults = [format_value(default)]
+            self.made_of = names_in(self.defaults[0])
+
+    @property
+    def default(self) -> str:
+        """Return the default, if there is one that counts."""
+        return self.defaults[0] if self.defaults else ""
 
 
 class Program:
@@ -63,13 +110,19 @@ class Program:
 
     Attributes:
         main: the path of the main file.
-        roots: the root elements of the files, by path.
+        documents: the files, by path.
+        roots: their root elements.
         data: the texts of other files that were read, by path.
         included: the paths that an include means, by the place of its `filename`.
+        truth_arguments: the arguments that are true or false.
         truths: expressions that were truth values or lists, which Python shows in its own way.
         numbers: expressions that gave a text which xacro takes for a number: `float` or `int`.
+        floats: expressions that gave a float.
         macros: by name.
-        arguments: the defaults of the arguments, by name.
+        namespaces: which files are in one.
+        arguments: by name.
+        assigned_from_inside: the properties that macros define for those who call them.
+        hidden: the arguments that something of the same name hides.
         result: what the robot expands to.
     """
 
@@ -80,43 +133,74 @@ class Program:
             YamaroError: it cannot be expanded.
         """
         self.main = source.path
-        self.given = dict(arguments)
+        self._host = host
         watch = _Watch(host)
         python = _WatchedPython(host.limits)
         reporter = Reporter()
         evaluator = Evaluator(watch, reporter, python, dict(arguments))
         expansion = Expansion(watch, reporter, evaluator)
         self.result = expansion.expand(source)
+        names = evaluator.names
         self.values_of_arguments = evaluator.arguments
-        self.roots: dict[str, Element] = {source.path: _read(source, host)}
-        self.roots.update(expansion.documents)
+        self.documents: dict[str, XmlDocument] = {source.path: _read(source, host)}
+        for path, root in expansion.documents.items():
+            self.documents.setdefault(path, _read(root.span.source, host))
         self.included = expansion.included
-        self.data = {path: text for path, text in watch.texts.items() if path not in self.roots}
         self._read_the_rest(host)
+        self.roots = {path: document.root for path, document in self.documents.items()}
+        self.data = {
+            path: with_plain_units(text, lambda python_text: python.evaluate(python_text, names))
+            for path, text in watch.texts.items()
+            if path not in self.roots
+        }
         self.truths = python.truths
+        self._evaluated = python.evaluated
         self.numbers = {text: kind for text, kind in python.numbers.items() if kind != "text"}
+        self.floats = python.floats
         self.macros: dict[str, Macro] = {}
         self.definitions: dict[tuple[str, int], Macro] = {}
-        self.arguments: dict[str, str] = {}
-        self.ambiguous: set[str] = set()
+        self._macros_of_name: dict[str, list[Macro]] = {}
+        self._in_a_row: set[str] = set()
+        self.arguments: dict[str, Argument] = {}
+        self.assigned_from_inside: set[str] = set()
         self.properties: dict[str, set[str]] = {}
         self.blocks: set[str] = set()
         self._names: dict[str, set[str]] = {}
         self._has_computed_calls = False
+        self.namespaces = Namespaces(self.main, self.roots, self.included)
         for path, root in self.roots.items():
             self._gather(path, root)
+        self._number_versions()
+        self._settle_arguments()
+        self.truth_arguments = {
+            name
+            for name, value in self.values_of_arguments.items()
+            if value.lower() in ("true", "false")
+        }
+        self._maybe_truths = Truths(self.roots.values(), self.truth_arguments)
         for path, root in self.roots.items():
             self._names[path] |= self._forwarded_in(root)
         self.at_top: set[str] = set()
         self.read: set[str] = set()
         self.inherited = self._names_of_callers()
+        self.hidden = HiddenArguments(
+            self.roots.values(), self.definitions.values(), self.inherited
+        )
+        self._declare_given(arguments)
+
+    def _declare_given(self, given: Iterable[str]) -> None:
+        """Note the given arguments that the files read and do not declare."""
+        root = self.roots[self.main]
+        for name in given:
+            if name not in self.arguments and any(name in names for names in self._names.values()):
+                self.arguments[name] = Argument(root.span, "to be given: it has no default")
 
     def _read_the_rest(self, host: Host) -> None:
         """Read the files that these arguments do not reach, where their names are plain."""
-        pending = list(self.roots.items())
+        pending = list(self.documents)
         while pending:
-            path, root = pending.pop()
-            for element in walk(root):
+            path = pending.pop()
+            for element in walk(self.documents[path].root):
                 if element.name != "xacro:include" or "filename" not in element.attributes:
                     continue
                 span = element.value_span("filename")
@@ -127,13 +211,13 @@ class Program:
                 if found is None:
                     continue
                 self.included[key] = [found]
-                if found not in self.roots:
+                if found not in self.documents:
                     try:
-                        self.roots[found] = _read(host.read(found, span), host)
+                        self.documents[found] = _read(host.read(found, span), host)
                     except YamaroError:
                         del self.included[key]
                         continue
-                    pending.append((found, self.roots[found]))
+                    pending.append(found)
 
     def _gather(self, path: str, root: Element) -> None:
         names = self._names[path] = set()
@@ -143,7 +227,7 @@ class Program:
                 if "$" in text or element.name in ("xacro:if", "xacro:unless"):
                     names.update(_NAME.findall(text))
             if element.name.startswith("xacro:"):
-                names.add(element.name)
+                names.add(f"xacro:{element.name.removeprefix('xacro:').rpartition('.')[2]}")
             if element.name == "xacro:call" and "$" in given.get("macro", ""):
                 self._has_computed_calls = True
             if element.name == "xacro:insert_block":
@@ -155,12 +239,50 @@ class Program:
                 macro = Macro(element, path, function)
                 self.macros.setdefault(name, macro)
                 self.definitions[path, element.span.start] = macro
-            elif element.name == "xacro:arg" and "name" in given:
-                self._add_argument(given["name"], given.get("default", ""))
+                self._macros_of_name.setdefault(name, []).append(macro)
             elif element.name == "xacro:property" and "name" in given:
                 self.properties.setdefault(given["name"], set()).add(path)
+                if given.get("scope") in ("parent", "global"):
+                    self.assigned_from_inside.add(given["name"])
                 if "value" not in given and "default" not in given and "remove" not in given:
                     self.blocks.add(given["name"])
+            self._gather_arguments(element)
+
+    def _gather_arguments(self, element: Element) -> None:
+        """Note the arguments that are declared in an element, with the comments above them."""
+        remarks: list[str] = []
+        for child in element.children:
+            if isinstance(child, Comment):
+                remarks.append(tidy_text(child.text))
+            elif isinstance(child, Element):
+                if child.name == "xacro:arg" and "name" in child.attributes:
+                    self._add_argument(child, "\n".join(remarks))
+                remarks = []
+
+    def _number_versions(self) -> None:
+        """Give a function of its own to each definition of a macro that is redefined in a row.
+
+        That is where all definitions stand at the top of one file, and all calls outside of
+        macros: the last definition above a call is meant.
+        """
+        for name, versions in self._macros_of_name.items():
+            if len(versions) < 2 or len({own.file for own in versions}) > 1:
+                continue
+            root = self.roots[versions[0].file]
+            top = {id(element) for element in root.elements()}
+            tag = f"xacro:{name}"
+            calls = [own for other in self.roots.values() for own in walk(other) if own.name == tag]
+            inside = [own for own in walk(root) if own.name == "xacro:macro"]
+            if (
+                self._has_computed_calls
+                or not all(id(own.element) in top for own in versions)
+                or any(own.span.source.path != versions[0].file for own in calls)
+                or any(own.name == tag for macro in inside for own in walk(macro))
+            ):
+                continue
+            self._in_a_row.add(name)
+            for own in versions[1:]:
+                own.function = self._function_name(name)
 
     def _names_of_callers(self) -> set[str]:
         """Return the names that macros read of those who call them."""
@@ -169,27 +291,49 @@ class Program:
             at_top |= defined_in(root)
         free: set[str] = set()
         own: set[str] = set()
-        for macro in self.definitions.values():
-            local = defined_in(macro.element, nested=True) | set(macro.values())
-            own |= local
-            local |= self._handed_to(macro.element)
-            free |= used_in(macro.element) - local
-            free |= {p.name for p in macro.parameters if p.is_forwarded and p.default is None}
+        for path, root in self.roots.items():
+            for macro in self._macros_in(path, root):
+                free |= self._unbound_in(macro, set(), own)
         self.at_top = at_top
         self.read = set().union(*map(used_in, self.roots.values()))
         return (free - at_top) & own
 
-    def _forwarded_in(self, root: Element) -> set[str]:
-        """Return the names that calls in a file forward to macros without saying so."""
-        return {
-            own.name
-            for called in walk(root)
-            if called.name.startswith("xacro:")
-            for macro in [self.macros.get(called.name.removeprefix("xacro:"))]
-            if macro is not None
-            for own in macro.parameters
-            if own.is_forwarded
-        }
+    def _macros_in(self, path: str, element: Element) -> list[Macro]:
+        """Return the macros defined in an element, but for those in other macros."""
+        found = []
+        pending = element.elements()
+        while pending:
+            inner = pending.pop()
+            macro = self.definitions.get((path, inner.span.start))
+            if macro is not None and macro.element.name == inner.name:
+                found.append(macro)
+            else:
+                pending += inner.elements()
+        return found
+
+    def _unbound_in(self, macro: Macro, around: set[str], own: set[str]) -> set[str]:
+        """Return the names that a macro reads and nothing around it in the text defines.
+
+        What is defined in it, and in macros in it, is added to `own`.
+        """
+        element = macro.element
+        local = defined_in(element) | set(macro.values())
+        own |= local
+        bound = around | local | self.handed_to(element)
+        nested = self._macros_in(macro.file, element)
+        inside = {id(other.element) for other in nested}
+        free = (used_in(element, without=inside) | self._forwarded_in(element, inside)) - bound
+        return free.union(*(self._unbound_in(other, bound, own) for other in nested))
+
+    def _forwarded_in(self, root: Element, without: Container[int] = ()) -> set[str]:
+        """Return the names that calls in an element forward to macros without saying so."""
+        names: set[str] = set()
+        for called in walk(root, without):
+            macro = self.macro_called(called)
+            if macro is not None:
+                own = {each.name for each in macro.parameters if each.is_forwarded}
+                names |= own - set(called.attributes)
+        return names
 
     def visible_in(self, macro: Macro) -> set[str]:
         """Return the names that a macro may see: its own, and those of all who may call it."""
@@ -204,17 +348,17 @@ class Program:
             for own in self.definitions.values():
                 if own.name == name:
                     visible |= set(own.values()) | defined_in(own.element, nested=True)
-                    visible |= self._handed_to(own.element)
+                    visible |= self.handed_to(own.element)
                 elif any(called.name == f"xacro:{name}" for called in walk(own.element)):
                     pending.append(own.name)
         return visible
 
-    def _handed_to(self, element: Element) -> set[str]:
+    def handed_to(self, element: Element) -> set[str]:
         """Return the properties that the macros called in an element hand to it."""
         handed: set[str] = set()
         for called in walk(element):
-            macro = self.macros.get(called.name.removeprefix("xacro:"))
-            if macro is not None and called.name.startswith("xacro:"):
+            macro = self.macro_called(called)
+            if macro is not None:
                 handed |= {
                     format_value(own.attributes.get("name"))
                     for own in walk(macro.element)
@@ -222,24 +366,91 @@ class Program:
                 }
         return handed
 
-    def _add_argument(self, name: str, default: str) -> None:
-        """Note an argument; where it has several defaults, the one that counts for this robot."""
-        if self.arguments.setdefault(name, default) == default or name in self.given:
-            return
-        self.ambiguous.add(name)
-        self.arguments[name] = self.values_of_arguments.get(name, default)
+    def macro_called(self, element: Element) -> Macro | None:
+        """Return the macro that a tag calls: of the namespace it names, its file, or another."""
+        if not element.name.startswith("xacro:"):
+            return None
+        *namespaces, name = element.name.removeprefix("xacro:").split(".")
+        path = element.span.source.path
+        near = self.namespaces.files(path, namespaces) if namespaces else [path]
+        versions = self._macros_of_name.get(name, [])
+        if name in self._in_a_row:
+            above = [own for own in versions if own.element.span.start < element.span.start]
+            return above[-1] if above else None
+        for macro in versions:
+            if macro.file in near:
+                return macro
+        return None if namespaces else self.macros.get(name)
+
+    def _add_argument(self, element: Element, remark: str) -> None:
+        """Note the declaration of an argument."""
+        name = format_value(element.attributes["name"])
+        known = self.arguments.setdefault(name, Argument(element.span, remark))
+        if "default" in element.attributes:
+            known.add(format_value(element.attributes["default"]))
+
+    def _settle_arguments(self) -> None:
+        """Find the default of each argument that has several: that of the first declaration.
+
+        Where the main file does not come first whatever the arguments are, it is not known.
+        """
+        for name, argument in self.arguments.items():
+            if len(argument.defaults) < 2:
+                continue
+            for element in self.roots[self.main].elements():
+                if element.name == "xacro:arg" and element.attributes.get("name") == name:
+                    argument.settle(element.attributes.get("default"))
+                    break
+                if self._may_declare(element, name):
+                    break
+
+    def _may_declare(self, element: Element, name: str) -> bool:
+        """Tell whether an argument may be declared by an element, or what it includes or calls."""
+        if any(element is macro.element for macro in self.definitions.values()):
+            return False
+        inside = list(walk(element))
+        files = self.namespaces.reached_by([own for own in inside if own.name == "xacro:include"])
+        places = [*inside, *(own for path in files for own in walk(self.roots[path]))]
+        if any(self.macro_called(own) is not None for own in places):
+            places += [own for macro in self.definitions.values() for own in walk(macro.element)]
+        return any(own.name == "xacro:arg" and own.attributes.get("name") == name for own in places)
+
+    def folder_meant(self, start: str, element: Element) -> str | None:
+        """Return the folder that the start of a file's name means where an element stands."""
+        return folder_meant(start, element.span.source.path, self._host, element.span)
+
+    def is_python(self, name: str) -> bool:
+        """Tell whether an argument is a list or the like that is put into expressions only."""
+        import ast
+
+        try:
+            value = ast.literal_eval(self.arguments[name].default.strip())
+        except (SyntaxError, ValueError):
+            return False
+        if not isinstance(value, (list, tuple, dict)):
+            return False
+        used = f"$(arg {name})"
+        texts = [text for root in self.roots.values() for text in _texts_in(root) if used in text]
+        return all(_outside_expressions(text).count(used) == 0 for text in texts)
 
     def _function_name(self, name: str) -> str:
         stem = camel(name)
-        taken = {macro.function for macro in self.macros.values()}
+        taken = {macro.function for macro in self.definitions.values()}
         unique, number = stem, 2
         while unique in taken:
             unique, number = f"{stem}{number}", number + 1
         return unique
 
+    def is_shown_as_truth(self, expression: str) -> bool:
+        """Tell whether an expression gives a truth value or list, or may, if it was not reached."""
+        own = expression.strip()
+        if own in self._evaluated:
+            return own in self.truths
+        return self._maybe_truths.may_give(own)
+
     def is_defined_again(self, macro: Macro) -> bool:
-        """Tell whether a macro of a file is defined once more further down in it."""
-        return any(
+        """Tell whether a macro of a file is replaced by one further down in it."""
+        return macro.name not in self._in_a_row and any(
             other.name == macro.name and path == macro.file and start > macro.element.span.start
             for (path, start), other in self.definitions.items()
         )
@@ -283,10 +494,24 @@ def defined_in(root: Element, *, nested: bool = False) -> set[str]:
     return names
 
 
-def used_in(root: Element) -> set[str]:
-    """Return the names in the expressions of an element."""
-    names: set[str] = set()
+def _texts_in(root: Element) -> Iterator[str]:
+    """Return the values of attributes in an element, and its texts."""
     for element in walk(root):
+        yield from map(format_value, element.attributes.values())
+        yield element.text()
+
+
+def _outside_expressions(text: str) -> str:
+    """Return what of a text is none of Python's: without `${…}`, but with the texts in it."""
+    return re.sub(
+        r"\$\{([^}]*)\}", lambda found: " ".join(re.findall(r"'[^']*'|\"[^\"]*\"", found[1])), text
+    )
+
+
+def used_in(root: Element, without: Container[int] = ()) -> set[str]:
+    """Return the names in the expressions of an element, but for elements of some identities."""
+    names: set[str] = set()
+    for element in walk(root, without):
         for text in (*map(format_value, element.attributes.values()), element.text()):
             names |= names_in(text)
     return names
@@ -309,10 +534,10 @@ def names_in(text: str) -> set[str]:
     return names
 
 
-def _read(source: Source, host: Host) -> Element:
+def _read(source: Source, host: Host) -> XmlDocument:
     from ...xmlreader import read_xml
 
-    return read_xml(source, host.limits, exact=True).root
+    return read_xml(source, host.limits, exact=True)
 
 
 class _Watch:
@@ -345,19 +570,24 @@ class _Watch:
 
 
 class _WatchedPython(Python):
-    """Python that notes which expressions are truth values."""
+    """Python that notes which expressions are truth values, or numbers of some kind."""
 
-    __slots__ = ("numbers", "truths")
+    __slots__ = ("evaluated", "floats", "numbers", "truths")
 
     def __init__(self, limits: Any) -> None:
         super().__init__(limits)
+        self.evaluated: set[str] = set()
         self.truths: set[str] = set()
+        self.floats: set[str] = set()
         self.numbers: dict[str, str] = {}
 
     def evaluate(self, text: str, names: dict[str, Any]) -> Any:
         value = super().evaluate(text, names)
+        self.evaluated.add(text.strip())
         if isinstance(value, (bool, list, tuple)):
             self.truths.add(text.strip())
+        elif isinstance(value, float):
+            self.floats.add(text.strip())
         elif isinstance(value, str):
             self._note_kind(text.strip(), guess_value(value))
         return value

@@ -22,6 +22,8 @@ METHODS = frozenset(
     for name in dir(kind)
     if name[0] != "_"
 )
+MESSAGES = ("message", "warning", "error")
+"""Functions of xacro that say something to the user, and give an empty text."""
 _PIECE = re.compile(r"""\$\((?P<command>[^()]*)\)|\$\{(?P<inner>[^{}]*)\}|(?P<quote>['"])""")
 
 
@@ -35,13 +37,14 @@ class Translator:
     Attributes:
         imports: the modules that they need.
         used: the names they read.
+        argument: gives the name of the variable for an argument.
     """
 
     def __init__(
         self,
         rename: Callable[[str], str],
         is_namespace: Callable[[str], bool],
-        shown_truths: frozenset[str] | set[str],
+        is_shown_as_truth: Callable[[str], bool],
         truth_arguments: set[str],
         numbers: Mapping[str, str],
     ) -> None:
@@ -50,13 +53,14 @@ class Translator:
         Args:
             rename: gives the name of the variable for a property or argument.
             is_namespace: tells names of namespaces.
-            shown_truths: the expressions that were True or False when they were put in a text.
+            is_shown_as_truth: tells expressions that are True or False when put in a text.
             truth_arguments: the arguments that are true or false.
             numbers: the expressions that give a text which is taken for a number, with its kind.
         """
         self._rename = rename
+        self.argument = rename
         self._is_namespace = is_namespace
-        self._shown_truths = shown_truths
+        self._is_shown_as_truth = is_shown_as_truth
         self._truth_arguments = truth_arguments
         self._numbers = numbers
         self.imports: set[str] = set()
@@ -74,7 +78,7 @@ class Translator:
                 pieces.append(f"$({self._substitution(part.text)})")
             else:
                 python = self.expression(part.text)
-                if part.text.strip() in self._shown_truths:
+                if self._is_shown_as_truth(part.text):
                     python = f"str({python})"
                 pieces.append(f"$({python})")
         return "".join(pieces)
@@ -87,12 +91,26 @@ class Translator:
         if len(template.parts) == 1 and isinstance(template.parts[0], Expression):
             own = template.parts[0].text
             kind = self._numbers.get(own.strip())
-            python = self.expression(own)
+            python = _without_parentheses(self.expression(own))
             return f"$({kind}({python}))" if kind else f"$({python})"
         plain = template.plain()
         if plain is not None:
             return typed(plain)
+        if len(template.parts) == 1 and isinstance(template.parts[0], Substitution):
+            return self._typed_environment(template.parts[0].text) or self.text(text)
         return self.text(text)
+
+    def _typed_environment(self, content: str) -> str | None:
+        """Return a variable of the environment as what its default is: a number or truth value."""
+        command, *words = content.split()
+        if command != "optenv" or len(words) != 2 or "$" in content:
+            return None
+        python = self._command(content)
+        meant = guess_value(words[1])
+        if isinstance(meant, bool):
+            return f"$({python}.lower() in ('true', '1'))"
+        kind = {int: "int", float: "float"}.get(type(meant))
+        return f"$({kind}({python}))" if kind else None
 
     def condition(self, text: str) -> str:
         """Return a condition as Python."""
@@ -107,7 +125,7 @@ class Translator:
         if isinstance(part, Substitution):
             python = self._command(part.text)
             return f"{python}.lower() in ('true', '1')" if python.startswith("env(") else python
-        return self.expression(part.text)
+        return _without_parentheses(self.expression(part.text))
 
     # --- Python ---------------------------------------------------------------------------------
 
@@ -162,14 +180,40 @@ class Translator:
         if not isinstance(func.value, ast.Name) or func.value.id != "xacro":
             return False
         if func.attr == "arg" and len(node.args) == 1 and isinstance(node.args[0], ast.Constant):
-            edits.replace(node, self._rename(str(node.args[0].value)))
+            edits.replace(node, self.argument(str(node.args[0].value)))
             return True
-        if func.attr != "load_yaml":
+        names = {"load_yaml": "load_yaml", "dotify": "", **dict.fromkeys(MESSAGES, "(print")}
+        if func.attr not in names or (node.keywords and func.attr in MESSAGES):
             raise CannotMigrate(f"there is no counterpart of xacro.{func.attr}")
-        edits.replace(func, "load_yaml")
+        edits.replace(func, names[func.attr])
+        if func.attr in MESSAGES:
+            edits.insert_after(node, " or '')")
         for argument in (*node.args, *node.keywords):
             self._look_at(argument, edits, bound)
         return True
+
+    def message(self, text: str) -> str | None:
+        """Return what a text says to the user that is a call of `xacro.message` and no more."""
+        import ast
+
+        parts = _parsed(text).parts
+        if len(parts) != 1 or not isinstance(parts[0], Expression):
+            return None
+        try:
+            call = ast.parse(self._without_templates(parts[0].text).strip(), mode="eval").body
+        except (SyntaxError, ValueError):
+            return None
+        if not isinstance(call, ast.Call) or call.keywords:
+            return None
+        if ast.unparse(call.func) not in {f"xacro.{name}" for name in MESSAGES}:
+            return None
+        words = [
+            literal(str(argument.value))
+            if isinstance(argument, ast.Constant)
+            else f"$({self.expression(ast.unparse(argument))})"
+            for argument in call.args
+        ]
+        return " ".join(words)
 
     def _attribute(self, node: ast.Attribute, edits: _Edits, bound: frozenset[str]) -> None:
         import ast
@@ -225,7 +269,11 @@ class Translator:
     def _as_text(self, python: str) -> str:
         if python.startswith("find("):
             return python
-        return f"str({python}).lower()" if python in self._truth_arguments else f"str({python})"
+        return (
+            f"str({python}).lower()"
+            if python.removeprefix("arg_") in self._truth_arguments
+            else f"str({python})"
+        )
 
     def _substitution(self, content: str) -> str:
         """Return what stands in a `$(…)` of a text: a package as ROS names it, or Python."""
@@ -239,9 +287,11 @@ class Translator:
         command, *words = content.split()
         if "$" in content and command in ("find", "env") and len(words) == 1:
             return f"{command}({self.joined(words[0])})"
+        if command == "arg" and "$" in content:
+            raise CannotMigrate(f"the name of the argument in $({content}) is computed")
         if command == "arg" and len(words) == 1:
             self.used.add(words[0])
-            return self._rename(words[0])
+            return self.argument(words[0])
         if command == "find" and len(words) == 1:
             return f"find('{words[0]}')"
         if command == "env" and len(words) == 1:
@@ -272,6 +322,49 @@ class Translator:
         return self.expression(text)
 
 
+_OPPOSITES = {"==": "!=", "!=": "==", "in": "not in", "not in": "in"}
+
+
+def negated(condition: str) -> str:
+    """Return the condition that is true where this one is false."""
+    import ast
+
+    try:
+        tree = ast.parse(condition, mode="eval").body
+    except (SyntaxError, ValueError):
+        return f"not ({condition})"
+    if isinstance(tree, ast.UnaryOp) and isinstance(tree.op, ast.Not):
+        return _without_parentheses(condition.removeprefix("not").strip())
+    if isinstance(tree, ast.Compare) and len(tree.ops) == 1:
+        left = ast.get_source_segment(condition, tree.left) or ""
+        right = ast.get_source_segment(condition, tree.comparators[0]) or ""
+        between = condition.removeprefix(left).removesuffix(right)
+        opposite = _OPPOSITES.get(" ".join(between.split()))
+        if left + between + right == condition and opposite is not None:
+            return f"{left} {opposite} {right}"
+    if isinstance(tree, (ast.Name, ast.Call, ast.Attribute, ast.Subscript, ast.Constant)):
+        return f"not {condition}"
+    return f"not ({condition})"
+
+
+def _without_parentheses(python: str) -> str:
+    """Return an expression without parentheses around the whole."""
+    import ast
+
+    while python.startswith("(") and python.endswith(")"):
+        inner = python[1:-1].strip()
+        try:
+            same = ast.dump(ast.parse(inner, mode="eval")) == ast.dump(
+                ast.parse(python, mode="eval")
+            )
+        except (SyntaxError, ValueError):
+            return python
+        if not same:
+            return python
+        python = inner
+    return python
+
+
 class _Edits:
     """Changes of a text at the places of its syntax."""
 
@@ -289,6 +382,10 @@ class _Edits:
     def replace_after(self, inner: ast.expr, node: ast.expr, new: str) -> None:
         """Put a text in the place of what stands behind `inner` in a node."""
         self._edits.append((self._end(inner), self._end(node), new))
+
+    def insert_after(self, node: ast.expr, new: str) -> None:
+        """Put a text behind a node."""
+        self._edits.append((self._end(node), self._end(node), new))
 
     def text(self) -> str:
         """Return the text with all changes."""
@@ -322,6 +419,13 @@ def typed(text: str) -> str:
     if isinstance(meant, float) and meant - meant != 0:
         return f"$(float({text!r}))"
     return repr(meant)
+
+
+def is_typed(text: str) -> bool:
+    """Tell whether YAML takes a text for something else than a text where it is not quoted."""
+    from ...syntax.scalars import type_plain
+
+    return not isinstance(type_plain(text), str)
 
 
 def _parsed(text: str) -> Template:

@@ -3,28 +3,40 @@
 from __future__ import annotations
 
 import os
-import re
-from itertools import pairwise
+from contextlib import contextmanager
 
 from ...runtime.predefined import CONSTANTS
 from ...syntax.names import is_identifier
 from ...xacro.parameters import Parameter
 from ...xmltree import Comment, Element, Text, format_value
-from .document import Body, Entry, Value, literal, without_expressions
-from .elements import ElementWriter, is_short, needs_brackets, spelled, tidy_text, walk
-from .pairing import child_of, has_text, name_of
-from .parts import Names, NoPart, PartWriter, is_short_material
+from .document import Body, Entry, Quoted, Row, Value, joined, literal, without_expressions
+from .elements import (
+    ElementWriter,
+    header_of,
+    is_short,
+    needs_brackets,
+    tidy_text,
+    tidy_value,
+    walk,
+)
+from .pairing import has_text
+from .xacro_arguments import is_argument
+from .xacro_includes import computed_name
+from .xacro_loops import find_loop
+from .xacro_parts import Step, XacroPartWriter, in_steps, is_statement, stands_as_key
 from .xacro_program import Macro, Program, camel, defined_in, names_in, used_in
-from .xacro_python import CannotMigrate, Translator
+from .xacro_python import CannotMigrate, Translator, is_typed, negated
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Iterable, Iterator
 
     from ...source import Span
     from ...xmltree import Node
+    from .xacro_contents import Contents
+    from .xacro_inertia import Solids
+    from .xacro_parts import Write
 
-_MESSAGE = re.compile(r"\$\{xacro\.(?:message|warning|error)\(([^,}]*)\)\}")
 PREDEFINED = frozenset(CONSTANTS) | {"load_yaml", "find", "math", "xacro", "python", "arg"}
 SCOPES = {"global": "/global", "parent": "/parent"}
 
@@ -33,29 +45,47 @@ class FileWriter(ElementWriter):
     """Writes one file.
 
     Attributes:
-        lost: what could not be carried over: where, and why.
+        lost: what could not be carried over: where, why, and what is said below that.
     """
 
     __slots__ = (
+        "_around",
         "_blocks",
+        "_contents",
         "_functions",
+        "_hides",
+        "_is_in_element",
         "_is_top",
         "_locals",
         "_made_of",
         "_output_of",
         "_parameters",
         "_path",
+        "_place",
         "_program",
         "_read",
+        "_solids",
         "_visible",
         "lost",
         "translator",
     )
 
-    def __init__(self, program: Program, path: str, output_of: Callable[[str], str]) -> None:
+    def __init__(
+        self,
+        program: Program,
+        contents: Contents,
+        solids: Solids,
+        path: str,
+        output_of: Callable[[str], str],
+    ) -> None:
         """Take the program, the file, and what gives the path of a migrated file."""
         super().__init__(lambda file: file)
         self._program = program
+        self._contents = contents
+        self._solids = solids
+        self._around: Macro | None = None
+        self._place: Write | None = None
+        self._is_in_element = program.result.name != "robot"
         self._path = path
         self._output_of = output_of
         self._functions = Body()
@@ -63,21 +93,36 @@ class FileWriter(ElementWriter):
         self._blocks: dict[str, str] = {}
         self._parameters: set[str] = set()
         self._locals: set[str] = set()
+        self._hides: set[str] = set()
         self._read: set[str] = set()
         self._made_of: dict[int, set[str]] = {}
         self._visible = program.at_top
-        self.lost: list[tuple[Span, str]] = []
-        truths = {
-            name
-            for name, value in program.values_of_arguments.items()
-            if value.lower() in ("true", "false")
-        }
+        self.lost: list[tuple[Span, str, str]] = []
         self.translator = Translator(
-            self._variable, lambda name: False, program.truths, truths, program.numbers
+            self._variable,
+            self._is_namespace,
+            program.is_shown_as_truth,
+            program.truth_arguments,
+            program.numbers,
         )
+        self.translator.argument = self._argument_name
+
+    def _is_namespace(self, name: str) -> bool:
+        return name in self._program.namespaces.names(self._path)
+
+    def _shared(self, name: str) -> str:
+        """Return the scope of something at the top of the file: that of what others use."""
+        if not self._program.is_used_elsewhere(name, self._path):
+            return ""
+        return "/parent" if self._path in self._program.namespaces.inside else "/global"
 
     def _variable(self, name: str) -> str:
         return name if is_identifier(name) else name.replace("-", "_")
+
+    def _argument_name(self, name: str) -> str:
+        """Return the variable of an argument, which something else of its name may hide here."""
+        own = self._variable(name)
+        return f"arg_{own}" if name in self._hides else own
 
     # --- the file -------------------------------------------------------------------------------
 
@@ -86,12 +131,9 @@ class FileWriter(ElementWriter):
         root = self._program.roots[self._path]
         sections = Body()
         declared = self._arguments() if is_main else Body()
+        self._hides = self._program.hidden.everywhere
         model = self.statements(root.children)
-        first = model.entries[0] if model.entries else None
-        if first is not None and first.key == "variables" and isinstance(first.value, Body):
-            declared.note(first.comment)
-            declared.extend(first.value)
-            del model.entries[0]
+        self._take_variables(model, declared)
         if self.translator.imports:
             sections.add("import", f"[{', '.join(sorted(self.translator.imports))}]")
         if declared:
@@ -104,12 +146,53 @@ class FileWriter(ElementWriter):
             sections.add("model", model or None)
         return sections
 
+    def header(self, *, is_main: bool) -> str:
+        """Return the comment above the file."""
+        header = header_of(self._program.documents[self._path])
+        root = self._program.roots[self._path]
+        if is_main or all(element.name != "xacro:arg" for element in walk(root)):
+            return header
+        folder = os.path.dirname(self._output_of(self._path))
+        main = os.path.relpath(self._output_of(self._program.main), folder)
+        return joined(header, f"the arguments are declared in {main}")
+
+    def _take_variables(self, model: Body, declared: Body) -> None:
+        """Take the first variables of a model to those declared for the file, if that is the same.
+
+        They may stand behind includes if these define none of them, and nothing that they read.
+        """
+        for index, entry in enumerate(model.entries):
+            if entry.key == "variables":
+                assert isinstance(entry.value, Body)
+                if index and not self._is_independent(entry.value, declared):
+                    return
+                if _names_of(entry.value) & _names_of(declared):
+                    return
+                declared.note(entry.comment)
+                declared.extend(entry.value)
+                del model.entries[index]
+                return
+            if entry.key != "include":
+                return
+
+    def _is_independent(self, variables: Body, declared: Body) -> bool:
+        """Tell whether no other file defines variables, nor what they are made of."""
+        names = _names_of(variables)
+        known = names | _names_of(declared) | PREDEFINED
+        made_of = set().union(*(self._made_of.get(id(entry), set()) for entry in variables))
+        return made_of <= known and all(
+            len(self._program.properties.get(name, ())) <= 1 for name in names
+        )
+
     def _add_root(self, root: Element, sections: Body, model: Body) -> None:
         attributes = {
             name: self.translator.text(format_value(value))
             for name, value in root.attributes.items()
             if not name.startswith(("xmlns:xacro", "xacro:"))
         }
+        for name, value in self._program.result.attributes.items():
+            if name.startswith("xmlns:"):  # other files may declare prefixes
+                attributes.setdefault(name, literal(format_value(value)))
         namespace = root.attributes.get("xacro:targetNamespace")
         if namespace:
             attributes["xmlns"] = self.translator.text(format_value(namespace))
@@ -123,29 +206,38 @@ class FileWriter(ElementWriter):
     def _arguments(self) -> Body:
         """Return the arguments of all files, which the main file declares."""
         body = Body()
-        for name, default in self._program.arguments.items():
-            if name in self._program.ambiguous:
-                span = self._program.roots[self._path].span
-                self._lose(span, f"the argument '{name}' has several defaults; one is taken")
-            try:
-                value = self.translator.value(default)
-            except CannotMigrate as error:
-                self._lose(self._program.roots[self._path].span, str(error))
+        for name, argument in self._program.arguments.items():
+            if self._is_late(name):
+                body.note(argument.remark)
+                body.add(f"{self._variable(name)}/global")
                 continue
-            is_shared = self._program.is_used_elsewhere(name, self._path)
-            body.add(self._variable(name) + ("/global" if is_shared else ""), value or "")
+            try:
+                default = argument.default
+                is_python = self._program.is_python(name)
+                value = f"$({default.strip()})" if is_python else self.translator.value(default)
+            except CannotMigrate as error:
+                self._lose(argument.span, str(error))
+                continue
+            body.note(argument.remark)
+            body.add(self._variable(name) + self._shared(name), value or "")
+        for name in self._program.arguments:
+            if name in self._program.hidden.used:
+                own = self._variable(name)
+                body.add(f"arg_{own}{self._shared(name)}", f"$({own})")
         return body
 
-    def _lose(self, span: Span, why: str) -> None:
-        self.lost.append((span, why))
+    def _lose(self, span: Span, why: str, hint: str = "the sources have a comment there") -> None:
+        self.lost.append((span, why, hint))
 
     # --- bodies ---------------------------------------------------------------------------------
 
     def body(self, nodes: list[Node]) -> Body | None:
         """Return what stands in an element."""
         was_top, self._is_top = self._is_top, False
-        body = self.statements(nodes)
-        self._is_top = was_top
+        try:
+            body = self.statements(nodes)
+        finally:
+            self._is_top = was_top
         if not any(isinstance(node, Element) and node.name.startswith("xacro:") for node in nodes):
             body.in_braces = is_short(body)
         return body or None
@@ -153,46 +245,75 @@ class FileWriter(ElementWriter):
     def statements(self, nodes: list[Node]) -> Body:
         """Return statements for what stands in a file, a macro or an element."""
         body = Body()
-        position = 0
-        links = _links_of_joints(nodes)
-        skipped: set[int] = set()
-        while position < len(nodes):
-            node = nodes[position]
-            position += 1
-            if id(node) in skipped:
-                continue
+        for step in self._steps(nodes):
+            node = step.node
             if isinstance(node, Comment):
                 body.note(tidy_text(node.text))
             elif isinstance(node, Text):
                 text = tidy_text(format_value(node.value))
-                message = _MESSAGE.fullmatch(text)
-                if message:
-                    body.add("print", self._text(f"${{{message[1]}}}", node.span))
+                message = self._message(text)
+                if message is not None:
+                    body.add("print", message)
                 elif text:
                     body.add("<#text>", self._text(text, node.span))
             elif isinstance(node, Element):
                 try:
-                    self._statement(node, body, links.get(id(node)), skipped)
+                    self._statement(node, step, body)
                 except CannotMigrate as error:
                     self._lose(node.span, str(error))
                     body.note(f"not migrated: <{node.name}>: {error}")
         return body
 
-    def _statement(
-        self, node: Element, body: Body, link: Element | None, skipped: set[int]
-    ) -> None:
-        if node.name.startswith("xacro:"):
+    def _steps(self, nodes: list[Node]) -> Iterable[Step]:
+        """Return what is written one after the other: links with their joints, where they stand."""
+        if self._is_in_element or self._place is not None:
+            return map(Step, nodes)
+        return in_steps(nodes, self._contents)
+
+    def _statement(self, node: Element, step: Step, body: Body) -> None:
+        if is_statement(node):
             handler = _HANDLERS.get(node.name, FileWriter._call)
             handler(self, node, body)
-            return
-        if link is not None or node.name == "link":
-            part = self._part(link or node, node if link is not None else None)
-            if part is not None:
-                body.append(part)
-                if link is not None:
-                    skipped.add(id(link))
-                return
-        body.append(self.entry(node))
+        elif self._place is not None:
+            self._place(node, body)
+        elif node.name != "link" or self._is_in_element:
+            body.append(self.entry(node))
+        else:
+            for entry in self._part(node, step):
+                body.append(entry)
+
+    def _part(self, link: Element, step: Step) -> list[Entry]:
+        """Return a link and its joint as a part, or as the elements that they are."""
+        known = len(self.lost)
+        parts = XacroPartWriter(self, self._translate, self._contents, self._solids, self._around)
+        part = parts.entry(link, step.joint, joint_first=step.is_joint_first)
+        if part is not None:
+            return [part]
+        del self.lost[known:]
+        both = [link] if step.joint is None else [step.joint, link]
+        return [self.entry(each) for each in (both if step.is_joint_first else both[::-1])]
+
+    def write_statement(self, node: Element, body: Body, place: Write) -> None:
+        """Write a statement, and the elements in it by `place`."""
+        with self._within(place):
+            self._statement(node, Step(node), body)
+
+    @contextmanager
+    def _within(self, place: Write | None, *, is_in_element: bool = False) -> Iterator[None]:
+        """Write the elements of a body by `place`, or else as the elements they are."""
+        before = self._place, self._is_in_element
+        self._place, self._is_in_element = place, is_in_element
+        try:
+            yield
+        finally:
+            self._place, self._is_in_element = before
+
+    def _write_for_parts(self, node: Element, body: Body) -> None:
+        """Write an element that may come to stand in a part, where it is to mean the same."""
+        own = XacroPartWriter(
+            self, self._translate, self._contents, self._solids, self._around
+        ).spelled(node)
+        body.append(self.entry(node, bracketed=not stands_as_key(own)))
 
     def entry(self, element: Element, *, bracketed: bool = False) -> Entry:
         """Return an element, with its values translated."""
@@ -206,7 +327,7 @@ class FileWriter(ElementWriter):
 
     def _values(self, element: Element) -> dict[str, str]:
         return {
-            name: self.translator.text(_tidied(format_value(value)))
+            name: tidy_value(name, self._translate(format_value(value)))
             for name, value in element.attributes.items()
             if not name.startswith(("xacro:", "xmlns:xacro"))
         }
@@ -214,11 +335,22 @@ class FileWriter(ElementWriter):
     def _content(self, element: Element, children: list[Node]) -> Value:
         if (
             has_text(element)
-            and not _MESSAGE.fullmatch(element.text().strip())
+            and self._message(element.text().strip()) is None
             and all(isinstance(child, (Text, Comment)) for child in children)
         ):
             return self._text(tidy_text(element.text()), element.span)
-        return self.body(children)
+        with self._within(None, is_in_element=True):
+            return self.body(children)
+
+    def _translate(self, text: str) -> str:
+        return self.translator.text(_tidied(text))
+
+    def _message(self, text: str) -> str | None:
+        """Return what a text says to the user, if it does nothing else."""
+        try:
+            return self.translator.message(text) if "xacro." in text else None
+        except CannotMigrate:
+            return None
 
     def _text(self, text: str, span: Span) -> str:
         try:
@@ -232,37 +364,37 @@ class FileWriter(ElementWriter):
         rest: list[Node] = []
         for child in element.children:
             if isinstance(child, Element) and child.name == "xacro:attribute":
-                name = format_value(child.attributes.get("name"))
+                name = self.translator.text(format_value(child.attributes.get("name")))
                 attributes[name] = self.translator.text(format_value(child.attributes.get("value")))
             else:
                 rest.append(child)
         return rest
 
-    # --- parts ----------------------------------------------------------------------------------
-
-    def _part(self, link: Element, joint: Element | None) -> Entry | None:
-        """Return a joint and a link as a part, or None if they are more than a part can say."""
-        if _has_statements(link) or (joint is not None and _has_statements(joint)):
-            return None
-        try:
-            own = spelled(link, lambda text: self.translator.text(_tidied(text)))
-            around = None
-            if joint is not None:
-                around = spelled(joint, lambda text: self.translator.text(_tidied(text)))
-                if not _may_be_part(around):
-                    return None
-            robot = Element("robot", link.span, {}, [own])
-            writer = PartWriter(
-                ElementWriter(lambda file: file), Names(robot), _material, resolves=True
-            )
-            return writer.part(own, around, joint_first=True)
-        except NoPart:
-            return None
-
     # --- xacro's tags ---------------------------------------------------------------------------
 
     def _argument(self, node: Element, body: Body) -> None:
-        """Leave out an argument, which the main file declares."""
+        """Leave out an argument, which the main file declares, and the comments above it.
+
+        A default that is made of properties, or is one of several that may come first, is given
+        where it stands, if there is no value yet.
+        """
+        body.remark = ""
+        name = format_value(node.attributes.get("name"))
+        if not self._is_late(name) or "default" not in node.attributes:
+            return
+        own = self._variable(name)
+        default = self.translator.value(format_value(node.attributes["default"]))
+        value = Body([Entry(f"{own}/global", default)], in_braces=True)
+        given = Body([Entry("variables", value)], in_braces=True)
+        body.add("if", Body([Entry("condition", f"{own} is None"), Entry("body", given)]))
+
+    def _is_late(self, name: str) -> bool:
+        """Tell whether the default of an argument is known only where it is declared."""
+        argument = self._program.arguments.get(name)
+        if argument is None:
+            return False
+        known = PREDEFINED | self._program.arguments.keys()
+        return len(argument.defaults) > 1 or not argument.made_of <= known
 
     def _property(self, node: Element, body: Body) -> None:
         given = {name: format_value(value) for name, value in node.attributes.items()}
@@ -272,10 +404,10 @@ class FileWriter(ElementWriter):
         if not is_identifier(name):
             raise CannotMigrate(f"the name of the property '{name}' is computed, or no name")
         if "value" not in given and "default" not in given:
-            self._define_block(node, name)
+            self._define_block(node, name, body)
             return
         text = given.get("value", given.get("default", ""))
-        if text.strip() == f"$(arg {name})":
+        if is_argument(text, name) and name not in self._hides:
             return
         if not self._may_be_evaluated(text):
             body.note(f"not evaluated: {name}: {text}")
@@ -291,8 +423,10 @@ class FileWriter(ElementWriter):
             ):
                 raise CannotMigrate(f"the property '{name}' may have a value already")
         scope = SCOPES.get(given.get("scope", ""), "")
-        if self._is_top and not scope and self._program.is_used_elsewhere(name, self._path):
-            scope = "/global"
+        if self._is_top and scope == "/parent" and self._path in self._program.namespaces.inside:
+            raise CannotMigrate(f"the property '{name}' is handed out of a namespace")
+        if self._is_top and not scope:
+            scope = self._shared(name)
         elif not self._is_top and name in self._program.inherited:
             scope = {"": "/child", "/parent": "/bridge"}.get(scope, scope)
         value = self.translator.value(text)
@@ -302,7 +436,7 @@ class FileWriter(ElementWriter):
             last is None
             or last.key != "variables"
             or not isinstance(last.value, Body)
-            or any(entry.key.partition("/")[0] == name for entry in last.value)
+            or name in _names_of(last.value)
         ):
             last = Entry("variables", Body())
             body.append(last)
@@ -323,14 +457,26 @@ class FileWriter(ElementWriter):
                 entries.insert(index, entries.pop())
                 return
 
+    def _body_of_last(self, body: Body, key: str) -> Body:
+        """Return the body of the last entry if it has this key, else of one that is added."""
+        last = body.entries[-1] if body.entries else None
+        if last is None or last.key != key:
+            last = Entry(key, Body())
+            body.append(last)
+        assert isinstance(last.value, Body)
+        return last.value
+
     def _may_be_evaluated(self, text: str) -> bool:
         """Tell whether all names of a value are known: xacro evaluates only what is read."""
         return names_in(text) <= self._visible | PREDEFINED
 
-    def _define_block(self, node: Element, name: str) -> None:
-        function = Body([Entry("body", self.body(node.children))])
-        scope = "/global" if self._program.is_used_elsewhere(name, self._path) else ""
-        self._functions.add(camel(name) + scope, function)
+    def _define_block(self, node: Element, name: str, body: Body) -> None:
+        with self._within(self._place_of_block(None, name)):
+            function = Body([Entry("body", self.body(node.children))])
+        scope = self._shared(name)
+        self._functions.note(body.remark)
+        body.remark = ""
+        self._functions.add(self._block_name(name) + scope, function)
 
     def _macro(self, node: Element, body: Body) -> None:
         name = format_value(node.attributes.get("name")).removeprefix("xacro:")
@@ -338,10 +484,13 @@ class FileWriter(ElementWriter):
         if macro is None:
             raise CannotMigrate("the macro has no name")
         if self._is_top and self._program.is_defined_again(macro):
-            body.note(f"the first definition of {name} is left out: there is another one below")
+            why = f"this definition of '{name}' is left out: there is another one below"
+            self._lose(node.span, why)
+            body.note(why)
             return
         function = Body()
         before = self._blocks, self._parameters, self._is_top, self._locals, self._visible
+        around, self._around = self._around, macro
         self._locals = defined_in(node, nested=True)
         self._read = used_in(node)
         self._visible = self._program.visible_in(macro)
@@ -350,23 +499,32 @@ class FileWriter(ElementWriter):
         self._parameters = set(macro.values())
         inputs = self._inputs(macro)
         if inputs:
-            function.add("input", ", ".join(inputs))
-        content = self.statements(node.children)
+            function.add("input", Row(inputs))
+        hides, self._hides = self._hides, self._hides | self._program.hidden.in_macro(macro)
+        is_in_part = self._contents.may_be_in_part(macro)
+        with self._within(self._write_for_parts if is_in_part else None):
+            content = self._loop(macro) or self.statements(node.children)
+        self._around, self._hides = around, hides
         shared = [own for own in macro.values() if own in self._program.inherited]
         if shared:
-            entries = [Entry(f"{own}/child", f"$({own})") for own in shared]
-            content.entries.insert(0, Entry("variables", Body(entries)))
+            _declare_first(content, [Entry(f"{own}/child", f"$({own})") for own in shared])
         self._blocks, self._parameters, self._is_top, self._locals, self._visible = before
         function.add("body", content or None)
-        is_shared = self._program.is_used_elsewhere(f"xacro:{name}", self._path)
-        key = macro.function + ("/global" if is_shared else "")
+        key = macro.function + self._shared(f"xacro:{name}")
         target = self._functions
         if not self._is_top:
-            target = Body()
-            body.add("functions", target)
+            target = self._body_of_last(body, "functions")
         target.note(body.remark)
         body.remark = ""
         target.add(key, function)
+
+    def _loop(self, macro: Macro) -> Body | None:
+        """Return the content of a macro that calls itself as a loop, if it can be one."""
+        loop = find_loop(macro, self._program, self.translator)
+        if loop is None:
+            return None
+        self._visible = self._visible | {loop.iterator}
+        return loop.body(self.statements, self.translator.value)
 
     def _inputs(self, macro: Macro) -> list[str]:
         required: list[str] = []
@@ -375,7 +533,7 @@ class FileWriter(ElementWriter):
         for own in macro.parameters:
             if own.is_block:
                 blocks.append("**" + self._block_name(own.name.lstrip("*")))
-            elif own.is_forwarded and own.default is None:
+            elif (own.is_forwarded and own.default is None) or macro.is_default_of_caller(own):
                 required.append(own.name)
             elif own.default is not None:
                 optional.append(f"{own.name}={self._default(own)}")
@@ -391,7 +549,8 @@ class FileWriter(ElementWriter):
             return "''"
         outside = without_expressions(value)
         if (
-            any(char in outside for char in ",[]{}#'\"&*!|>%@`")
+            (isinstance(value, Quoted) and is_typed(value))
+            or any(char in outside for char in ",[]{}#'\"&*!|>%@`")
             or ": " in outside
             or " " in outside
         ):
@@ -400,37 +559,49 @@ class FileWriter(ElementWriter):
 
     def _block_name(self, name: str) -> str:
         stem = camel(name)
-        taken = {macro.function for macro in self._program.macros.values()}
+        taken = {macro.function for macro in self._program.definitions.values()}
         return f"{stem}Block" if stem in taken else stem
 
     def _insert(self, node: Element, body: Body) -> None:
         name = format_value(node.attributes.get("name"))
-        if name in self._blocks:
+        if name in self._blocks or name in self._program.blocks:
             body.add(self._block_name(name))
-        elif name in self._program.blocks:
-            body.add(camel(name))
         else:
             raise CannotMigrate(f"there is no block '{name}'")
 
     def _call(self, node: Element, body: Body) -> None:
         name = node.name.removeprefix("xacro:")
-        macro = self._program.macros.get(name)
-        if macro is None:
-            raise CannotMigrate(f"there is no macro '{name}'")
+        macro = self._program.macro_called(node)
         arguments = Body(in_braces=True)
         for key, value in node.attributes.items():
             arguments.add(key, self.translator.value(format_value(value)))
+        if macro is None:
+            if node.elements() or "." in name or not is_identifier(camel(name)):
+                raise CannotMigrate(f"there is no macro '{name}'")
+            hint = "the sources call it too, which is an error where it is reached, as in xacro"
+            self._lose(node.span, f"there is no macro '{name}'", hint)
+            body.add(camel(name), arguments or None)
+            return
         visible = self._parameters | self._locals | self._program.at_top
         for own in macro.parameters:
-            if not own.is_forwarded or own.name in node.attributes:
+            if own.name in node.attributes:
                 continue
-            if own.name in visible or (own.default is None and own.name in self._program.inherited):
+            is_seen = own.name in visible or (
+                own.default is None and own.name in self._program.inherited
+            )
+            if own.is_forwarded and is_seen:
                 arguments.add(own.name, f"$({own.name})")
+            elif own.default is not None and macro.is_default_of_caller(own):
+                arguments.add(own.name, self.translator.value(own.default))
         blocks = macro.blocks()
         if blocks:
             arguments.in_braces = False
             self._add_blocks(node, macro, arguments)
-        body.add(macro.function, arguments or None)
+        namespace = name.rpartition(".")[0]
+        if namespace and not self._is_namespace(namespace):
+            raise CannotMigrate(f"the namespace '{namespace}' is made in another file")
+        function = f"{namespace}.{macro.function}" if namespace else macro.function
+        body.add(function, arguments or None)
 
     def _add_blocks(self, node: Element, macro: Macro, arguments: Body) -> None:
         given = [child for child in node.children if isinstance(child, Element)]
@@ -438,40 +609,43 @@ class FileWriter(ElementWriter):
         if len(blocks) != len(given):
             if len(blocks) != 1 or blocks[0].startswith("**"):
                 raise CannotMigrate(f"the blocks of '{macro.name}' are computed")
-            arguments.add(self._block_name(blocks[0].lstrip("*")), self.body(node.children))
+            own = blocks[0].lstrip("*")
+            with self._within(self._place_of_block(macro, own), is_in_element=self._is_in_element):
+                arguments.add(self._block_name(own), self.body(node.children))
             return
         for block, child in zip(blocks, given, strict=True):
             name = self._block_name(block.lstrip("*"))
-            if block.startswith("**"):
-                if child.name.startswith("xacro:"):
-                    raise CannotMigrate(f"the block '{block}' of '{macro.name}' is computed")
-                arguments.add(name, self.body(child.children))
-            else:
-                content = self.body([child])
-                if content is not None:
-                    content.in_braces = False
-                arguments.add(name, content)
+            is_content = block.startswith("**")
+            if is_content and is_statement(child):
+                raise CannotMigrate(f"the block '{block}' of '{macro.name}' is computed")
+            place = self._place_of_block(macro, block.lstrip("*"))
+            with self._within(place, is_in_element=self._is_in_element):
+                content = self.body(child.children if is_content else [child])
+            if content is not None and not is_content:
+                content.in_braces = False
+            arguments.add(name, content)
+
+    def _place_of_block(self, macro: Macro | None, name: str) -> Write | None:
+        """Return what writes the elements of a block."""
+        is_in_part = self._contents.may_block_be_in_part(macro, name)
+        return self._write_for_parts if is_in_part else None
 
     def _condition(self, node: Element, body: Body) -> None:
         text = format_value(node.attributes.get("value"))
         condition = self.translator.condition(text)
-        is_unless = node.name == "xacro:unless"
+        if node.name == "xacro:unless":
+            condition = negated(condition)
         content = self.body(node.children)
         if content is not None:
             content.in_braces = False
         last = body.entries[-1] if body.entries else None
-        if (
-            is_unless
-            and last is not None
-            and last.key == "if"
-            and isinstance(last.value, Body)
-            and last.value.entries[0].value == condition
-            and not body.remark
-        ):
-            body.add("else", content)
-            return
-        if is_unless:
-            condition = f"not ({condition})" if not condition.isidentifier() else f"not {condition}"
+        if last is not None and last.key == "if" and not body.remark:
+            assert isinstance(last.value, Body)
+            if last.value.entries[0].value == negated(condition) and not (
+                names_in(text) & (_declared_in(last.value) | self._program.assigned_from_inside)
+            ):
+                body.add("else", content)
+                return
         body.add("if", Body([Entry("condition", condition), Entry("body", content)]))
 
     def _include(self, node: Element, body: Body) -> None:
@@ -482,11 +656,33 @@ class FileWriter(ElementWriter):
             name = format_value(node.attributes.get("filename"))
             raise CannotMigrate(f"the file '{name}' is not included for these arguments")
         folder = os.path.dirname(self._output_of(self._path))
-        for path in paths:
-            relative = os.path.relpath(self._output_of(path), folder)
-            if "ns" in node.attributes:
-                raise CannotMigrate("a file is included with a namespace")
-            body.add("include", literal(relative))
+        names = [literal(os.path.relpath(self._output_of(path), folder)) for path in paths]
+        computed = self._computed_name(node, dict(zip(paths, names, strict=True)))
+        for path, name in [(paths[0], computed)] if computed else zip(paths, names, strict=True):
+            body.add("include", self._in_namespace(node, path, name) or name)
+
+    def _computed_name(self, node: Element, known: dict[str, str]) -> str | None:
+        """Return the name of an included source if it depends on arguments, or None."""
+        filename = format_value(node.attributes.get("filename"))
+        computed = computed_name(filename)
+        if computed is None:
+            return None
+        folder = self._program.folder_meant(computed.start, node)
+        name = folder and computed.source(folder, known, self.translator.text)
+        if not name and len(known) > 1 and not any(char in filename for char in "*?["):
+            raise CannotMigrate(f"which file '{filename}' means is computed")
+        return name or None
+
+    def _in_namespace(self, node: Element, path: str, file: str) -> Body | None:
+        """Return what an include says that puts a file's names in a namespace, if it does."""
+        if "ns" not in node.attributes:
+            return None
+        name = format_value(node.attributes["ns"])
+        if not is_identifier(name):
+            raise CannotMigrate(f"the namespace '{name}' is computed, or no name")
+        if path in self._program.namespaces.mixed:
+            raise CannotMigrate("the file is included without a namespace as well")
+        return Body([Entry("path", file), Entry("namespace", name)], in_braces=True)
 
     def _element(self, node: Element, body: Body) -> None:
         name = self.translator.text(format_value(node.attributes.get("xacro:name")))
@@ -531,45 +727,31 @@ _HANDLERS = {
 }
 
 
-def _material(material: Element) -> Value | None:
-    if not is_short_material(material) or not format_value(material.attributes["name"]):
-        return None
-    details = material.elements()
-    name = format_value(material.attributes["name"])
-    if not details:
-        return name
-    entries = [Entry(e.name, format_value(next(iter(e.attributes.values())))) for e in details]
-    return Body([Entry("name", name), *entries], in_braces=True)
+def _declare_first(content: Body, variables: list[Entry]) -> None:
+    """Declare variables in front of all that stands in a body."""
+    first = content.entries[0] if content.entries else None
+    if first is not None and first.key == "variables" and not first.comment:
+        assert isinstance(first.value, Body)
+        own = _names_of(first.value)
+        first.value.entries[:0] = [each for each in variables if not _names_of([each]) & own]
+        return
+    content.entries.insert(0, Entry("variables", Body(variables)))
 
 
-def _links_of_joints(nodes: list[Node]) -> dict[int, Element]:
-    """Return the link beside each joint whose child it is, by the joint's identity."""
-    elements = [node for node in nodes if isinstance(node, Element)]
-    found: dict[int, Element] = {}
-    taken: set[int] = set()
-    for first, second in pairwise(elements):
-        joint, link = (first, second) if first.name == "joint" else (second, first)
-        if joint.name != "joint" or link.name != "link" or id(link) in taken or id(joint) in found:
-            continue
-        if first is joint and child_of(joint) == name_of(link):
-            found[id(joint)] = link
-            taken.add(id(link))
-    return found
+def _names_of(variables: Iterable[Entry]) -> set[str]:
+    """Return the names of the variables that entries declare."""
+    return {entry.key.partition("/")[0] for entry in variables}
 
 
-def _may_be_part(joint: Element) -> bool:
-    """Tell whether a joint's limit would not be filled in."""
-    kind = format_value(joint.attributes.get("type"))
-    if kind in ("fixed", "continuous", "floating", "planar"):
-        return True
-    limits = [child for child in joint.elements() if child.name == "limit"]
-    return len(limits) == 1 and {"lower", "upper", "effort", "velocity"} <= set(
-        limits[0].attributes
-    )
-
-
-def _has_statements(element: Element) -> bool:
-    return any(inner.name.startswith("xacro:") for inner in walk(element))
+def _declared_in(body: Body) -> set[str]:
+    """Return the names of the variables declared in a body, however deep."""
+    names: set[str] = set()
+    for entry in body:
+        if isinstance(entry.value, Body):
+            if entry.key == "variables":
+                names |= _names_of(entry.value)
+            names |= _declared_in(entry.value)
+    return names
 
 
 def _has_empty_default(macro: Macro, own: Parameter) -> bool:

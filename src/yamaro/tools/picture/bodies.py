@@ -13,7 +13,7 @@ from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkCleanPolyData, vtkPo
 from vtkmodules.vtkFiltersGeneral import vtkTransformPolyDataFilter
 from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkCylinderSource, vtkSphereSource
 
-from ..scene.robot import BOX, CAPSULE, CYLINDER, SPHERE
+from ..scene.robot import BOX, CAPSULE, CYLINDER, LARGEST, SPHERE
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -115,7 +115,7 @@ def inertia_box(inertial: Inertial) -> tuple[Floats, Floats] | None:
 
     Returns:
         The edges in metres, and their directions as columns in the frame of the inertial; None
-        without mass.
+        without mass, or of a size that nothing has.
     """
     if not inertial.mass > 0:
         return None
@@ -123,8 +123,8 @@ def inertia_box(inertial: Inertial) -> tuple[Floats, Floats] | None:
     moments, axes = np.linalg.eigh([[ixx, ixy, ixz], [ixy, iyy, iyz], [ixz, iyz, izz]])
     if np.linalg.det(axes) < 0:
         axes[:, 2] *= -1
-    squares = 6 / inertial.mass * (moments.sum() - 2 * moments)
-    return np.sqrt(np.maximum(squares, 0)), axes
+    edges = np.sqrt(np.maximum(6 / inertial.mass * (moments.sum() - 2 * moments), 0))
+    return (edges, axes) if edges.max() <= LARGEST else None
 
 
 def axes_bodies(length: float) -> list[tuple[vtkPolyData, tuple[float, float, float]]]:

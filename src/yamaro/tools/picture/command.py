@@ -10,6 +10,8 @@ if TYPE_CHECKING:
     from ...diagnostics import Diagnostic
     from .request import Request
 
+OLDEST_VTK = (9, 6)
+"""Older ones end the process where there is no display."""
 HINT = "pip install 'yamaro[picture]'"
 
 
@@ -41,6 +43,24 @@ def check_packages(name: str, request: Request) -> None:
         if find_spec(module) is None:
             message = f"a picture needs yamaro[picture]: the Python package '{package}' is missing"
             raise failure_of_all("missing-extra", message, name, HINT)
+    found = _version_of("vtk")
+    if found < OLDEST_VTK:
+        message = f"a picture needs vtk {_shown(OLDEST_VTK)} or newer, and this is {_shown(found)}"
+        raise failure_of_all("missing-extra", message, name, f"{HINT} --upgrade")
+
+
+def _version_of(package: str) -> tuple[int, ...]:
+    """Return the first two numbers of a package's version; of one that tells none, large ones."""
+    from importlib.metadata import PackageNotFoundError, version
+
+    try:
+        return tuple(int(part) for part in version(package).split(".")[:2])
+    except (PackageNotFoundError, ValueError):
+        return (1000, 0)
+
+
+def _shown(version: tuple[int, ...]) -> str:
+    return ".".join(map(str, version))
 
 
 def draw(build: Build, name: str, request: Request) -> Result:

@@ -32,6 +32,9 @@ if TYPE_CHECKING:
 SHARPNESS = 2
 """How many times as wide and high pictures are drawn before they are made small."""
 
+MOST_SHARP_PIXELS = 1 << 22
+"""Larger pictures are drawn as they are: drawing takes some 100 bytes for each pixel."""
+
 
 class Drawing:
     """The pictures of a robot that were asked for.
@@ -59,7 +62,9 @@ class Drawing:
         self.remarks: list[str] = []
         self._moments = moments(request, self._robot, read_positions(request, self._robot))
         shows = self._shows()
-        self._stage = Stage(request.width, request.height, sharpness=SHARPNESS)
+        is_large = request.width * request.height > MOST_SHARP_PIXELS
+        sharpness = 1 if is_large else SHARPNESS
+        self._stage = Stage(request.width, request.height, sharpness=sharpness)
         self._figure = Figure(self._robot, self._stage, shows, build.finder.allows)
 
     @property

@@ -7,10 +7,6 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
-from ...diagnostics import WARNING, Diagnostic
-from ...robot.check_context import label
-from ...robot.check_files import is_local
-from ...robot.mesh import MeshFileError, MissingLibraryError
 from ..scene.kinematics import link_poses
 from ..scene.robot import MESH
 from .bodies import (
@@ -23,17 +19,18 @@ from .bodies import (
     surface_body,
 )
 from .floor import Shadow, surface_samples
+from .meshes import Meshes
 from .stage import make_matrix, make_texture
-from .surfaces import read_surfaces
 from .words import COLLISION, FRAMES, GRID, INERTIA, VISUAL
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Collection, Mapping
+    from collections.abc import Callable, Collection, Mapping, Sequence
 
     from numpy.typing import NDArray
     from vtkmodules.vtkCommonDataModel import vtkPolyData
     from vtkmodules.vtkRenderingCore import vtkActor
 
+    from ...diagnostics import Diagnostic
     from ...robot.transforms import Vector
     from ..scene.robot import Inertial, Link, Robot, Shape
     from .stage import Color, Stage
@@ -82,11 +79,7 @@ class Body:
 
 
 class Figure:
-    """A robot on a stage.
-
-    Attributes:
-        warnings: what was said of meshes that cannot be drawn.
-    """
+    """A robot on a stage."""
 
     def __init__(
         self,
@@ -105,12 +98,9 @@ class Figure:
         """
         self.robot = robot
         self.stage = stage
-        self.warnings: list[Diagnostic] = []
-        self._allows = allows
+        self._meshes = Meshes(allows)
         self._bodies: list[Body] = []
         self._bones: vtkActor | None = None
-        self._surfaces: dict[str, list[Surface]] = {}
-        self._told: set[str] = set()
         self._poses: dict[str, Floats] = {}
         self._has_bones = FRAMES in shows
         self._has_grid = GRID in shows
@@ -141,6 +131,11 @@ class Figure:
         self._sample_shadow()
         self.stage.shade_corners(size)
 
+    @property
+    def warnings(self) -> list[Diagnostic]:
+        """Return what was said of meshes that cannot be drawn."""
+        return self._meshes.warnings
+
     # --- bodies ---
 
     def _add(
@@ -153,68 +148,27 @@ class Figure:
 
     def _add_shape(self, link: Link, shape: Shape, opacity: float) -> bool:
         """Add a shape, or return that it cannot be drawn."""
-        place = np.array(shape.pose.matrix())
-        color, alpha = PLAIN if shape.is_visual else COLLIDING, 1.0
-        if shape.color is not None:
-            color, alpha = shape.color[:3], shape.color[3]
         if shape.kind != MESH:
+            color, alpha = _look_of(shape, shape.color)
+            place = np.array(shape.pose.matrix())
             self._add(link, shape_body(shape), place, color, alpha * opacity)
             return True
-        surfaces = self._surfaces_of(link, shape)
+        surfaces = self._meshes.surfaces_of(link, shape)
         for surface in surfaces:
-            self._add_surface(link, shape, surface, place, opacity)
+            self._add_surface(link, shape, surface, opacity)
         return bool(surfaces)
 
-    def _add_surface(
-        self, link: Link, shape: Shape, surface: Surface, place: Floats, opacity: float
-    ) -> None:
+    def _add_surface(self, link: Link, shape: Shape, surface: Surface, opacity: float) -> None:
         """Add a surface of a mesh; a colour that the robot gives it goes before its file's."""
-        color, alpha = PLAIN if shape.is_visual else COLLIDING, 1.0
-        body = surface_body(surface, shape.size)
         is_own = shape.is_visual and shape.color is None
-        given = surface.color if is_own else shape.color
-        if given is not None:
-            color, alpha = (given[0], given[1], given[2]), given[3]
-        added = self._add(link, body, place, color, alpha * opacity)
+        color, alpha = _look_of(shape, surface.color if is_own else shape.color)
+        body = surface_body(surface, shape.size)
+        actor = self._add(link, body, np.array(shape.pose.matrix()), color, alpha * opacity).actor
         if not is_own:
-            added.actor.GetMapper().ScalarVisibilityOff()
+            actor.GetMapper().ScalarVisibilityOff()
         elif surface.texture is not None:
-            added.actor.GetProperty().SetColor(1, 1, 1)
-            added.actor.SetTexture(make_texture(surface.texture[::-1]))
-
-    def _surfaces_of(self, link: Link, shape: Shape) -> list[Surface]:
-        if shape.path is None:
-            if shape.filename and not is_local(shape.filename):
-                self._warn("missing-mesh-file", link, shape, "is not found")
-            return []
-        if shape.path not in self._surfaces:
-            try:
-                self._surfaces[shape.path] = read_surfaces(shape.path, self._allows)
-            except MissingLibraryError as error:
-                self._surfaces[shape.path] = []
-                reason = f"needs the Python package '{error}'"
-                self._warn("missing-extra", link, shape, reason, 'pip install "yamaro[picture]"')
-            except MeshFileError as error:
-                self._surfaces[shape.path] = []
-                self._warn("bad-mesh", link, shape, f"cannot be read: {error}")
-        return self._surfaces[shape.path]
-
-    def _warn(
-        self, code: str, link: Link, shape: Shape, reason: str, hint: str | None = None
-    ) -> None:
-        if shape.filename in self._told:
-            return
-        self._told.add(shape.filename)
-        self.warnings.append(
-            Diagnostic(
-                code,
-                f"the mesh '{shape.filename}' of {label(link.element)} {reason}",
-                shape.geometry.value_span("filename"),
-                hint=hint or "a box stands for it in the picture",
-                severity=WARNING,
-                trace=shape.geometry.trace,
-            )
-        )
+            actor.GetProperty().SetColor(1, 1, 1)
+            actor.SetTexture(make_texture(surface.texture[::-1]))
 
     def _add_missing(self, link: Link, shape: Shape, size: float) -> None:
         """Add a box in place of a mesh that cannot be drawn."""
@@ -276,19 +230,22 @@ class Figure:
     def outline(self) -> Floats:
         """Return the outermost points, which have to be in a picture, N×3."""
         found = [_moved(body.outline, self._poses[body.link] @ body.place) for body in self._bodies]
-        if not any(map(len, found)):
-            found = [np.array([pose[:3, 3] for pose in self._poses.values()] or np.zeros((1, 3)))]
+        if self._has_bones or not any(map(len, found)):
+            found.append(self._origins())
         return np.concatenate(found)
+
+    def _origins(self) -> Floats:
+        """Return the origins of all links, N×3; that of the world if there are none."""
+        return np.array([pose[:3, 3] for pose in self._poses.values()] or np.zeros((1, 3)))
 
     def _size(self, marks: list[tuple[str, Vector]]) -> float:
         """Return how large the robot is: the longest edge of the box around it, in metres.
 
         Its links count even where there is nothing to see, and so do marks, points on links.
         """
-        origins = [pose[:3, 3] for pose in self._poses.values()]
-        marked = [self._poses[name] @ [*position, 1.0] for name, position in marks]
-        around = np.array([*origins, *(mark[:3] for mark in marked), np.zeros(3)])
-        extent = float(np.ptp(np.concatenate([self.outline(), around]), axis=0).max())
+        around = [self.outline(), self._origins()]
+        around += [_moved(np.array([position]), self._poses[name]) for name, position in marks]
+        extent = float(np.ptp(np.concatenate(around), axis=0).max())
         return extent if extent > 1e-6 else 1.0
 
     def lay_floor(self, level: float, size: float) -> None:
@@ -297,6 +254,14 @@ class Figure:
         if any(map(len, samples)):
             shadow = Shadow(np.concatenate(samples), level, size)
             self.stage.lay_floor(shadow, level, size=size, has_grid=self._has_grid)
+
+
+def _look_of(shape: Shape, given: Sequence[float] | None) -> tuple[Color, float]:
+    """Return color and opacity of a shape, which may have been given some."""
+    if given is None:
+        return PLAIN if shape.is_visual else COLLIDING, 1.0
+    red, green, blue, alpha = given
+    return (red, green, blue), alpha
 
 
 def _moved(points: Floats, place: Floats) -> Floats:

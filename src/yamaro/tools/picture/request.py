@@ -7,6 +7,7 @@ from math import isfinite
 
 from ...compiler import UsageError
 from ...diagnostics import did_you_mean, shortened
+from ..scene.robot import LARGEST
 from .words import NAMED_VIEWS, SHOWN, VISUAL
 
 TYPE_CHECKING = False
@@ -17,7 +18,7 @@ if TYPE_CHECKING:
 
 STILLS = (".png", ".jpg", ".jpeg")
 FILMS = (".gif", ".mp4")
-SMALLEST, LARGEST = 16, 4096
+LEAST_PIXELS, MOST_PIXELS = 16, 4096
 """Pixels along a side of a picture."""
 
 STILL_SIZE = (800, 600)
@@ -125,7 +126,7 @@ def read_positions(request: Request, robot: Robot) -> dict[str, float]:
             position = float(text)
         except ValueError:
             position = float("nan")
-        if not isfinite(position):
+        if not abs(position) <= LARGEST:
             unit = "metres" if joint.kind == "prismatic" else "radians"
             wrong = shortened(text)
             raise UsageError(f"the joint '{name}' needs a number of {unit}, not '{wrong}'")
@@ -171,8 +172,8 @@ def _size(text: str) -> tuple[int, int]:
     except ValueError:
         wrong = shortened(text)
         raise UsageError(f"'--size' takes WIDTHxHEIGHT, as in 800x600, not '{wrong}'") from None
-    if not all(SMALLEST <= each <= LARGEST for each in size):
-        raise UsageError(f"'--size' takes {SMALLEST} to {LARGEST} pixels along a side")
+    if not all(LEAST_PIXELS <= each <= MOST_PIXELS for each in size):
+        raise UsageError(f"'--size' takes {LEAST_PIXELS} to {MOST_PIXELS} pixels along a side")
     return size
 
 

@@ -22,6 +22,7 @@ from ...robot.mesh import (
     metres,
     read_mesh,
 )
+from ..scene.robot import LARGEST
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -87,8 +88,8 @@ def read_surfaces(path: str, allows: Callable[[str], bool]) -> list[Surface]:
     found = [surface for surface in found if len(surface.triangles)]
     if not found:
         raise MeshFileError("it has no triangles")
-    if not all(np.isfinite(surface.points).all() for surface in found):
-        raise MeshFileError("a coordinate is not a finite number")
+    if not all((abs(surface.points) <= LARGEST).all() for surface in found):
+        raise MeshFileError("a coordinate is no number, or too large for one")
     return found
 
 

@@ -1,0 +1,286 @@
+"""Joints and links of xacro become parts, with the conditions, calls and blocks in them."""
+
+from __future__ import annotations
+
+import textwrap
+from pathlib import Path
+
+import pytest
+
+from tests.migrate.against_xacro import migrated_for, model_of
+
+N = '<xacro:arg name="n" default="1"/>'
+BASE = '<link name="base"/>'
+ENDS = '<parent link="base"/><child link="a_link"/>'
+LIMIT = '<limit lower="-1" upper="1" effort="2" velocity="3"/>'
+MANY = '<xacro:if value="${$(arg n) > 1}">'
+FEW = '<xacro:unless value="${$(arg n) > 1}">'
+BOX = '<geometry><box size="1 1 1"/></geometry>'
+MASS = '<mass value="2"/><inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/>'
+
+
+def part(folder: Path, text: str) -> str:
+    """Return the last part of a robot, which is the one of xacro for several arguments."""
+    made = migrated_for(folder, N + text, "1", "2", "3")
+    lines = model_of(made)
+    start = max(index for index, line in enumerate(lines) if line.endswith("part:"))
+    return textwrap.dedent("\n".join(lines[start + 1 :])) + "\n"
+
+
+def test_the_origin_of_a_joint_may_be_a_block(tmp_path: Path) -> None:
+    made = migrated_for(
+        tmp_path,
+        """\
+        <xacro:macro name="arm" params="name *origin">
+          <joint name="${name}_joint" type="fixed">
+            <xacro:insert_block name="origin"/>
+            <parent link="base"/>
+            <child link="${name}_link"/>
+          </joint>
+          <link name="${name}_link"/>
+        </xacro:macro>
+        <link name="base"/>
+        <xacro:arm name="a"><origin xyz="0 0 1" rpy="0 0 0"/></xacro:arm>
+        <xacro:arm name="b"><origin xyz="0 0 2"/></xacro:arm>
+        """,
+    )
+    assert made == textwrap.dedent("""\
+        robot: r
+        functions:
+          Arm:
+            input: name, **Origin
+            body:
+              part:
+                name: $(name)
+                joint:
+                  type: fixed
+                  parent: base
+                  Origin:
+        model:
+          - link/name=base:
+          - Arm:
+              name: a
+              Origin:
+                origin/xyz=0 0 1, rpy=0 0 0:
+          - Arm:
+              name: b
+              Origin:
+                <origin/xyz=0 0 2>:
+        """)
+
+
+def test_where_there_may_be_no_origin_none_is_written_but_for_it(tmp_path: Path) -> None:
+    made = migrated_for(
+        tmp_path,
+        f"""\
+        {N}
+        <xacro:macro name="arm" params="name **at">
+          <link name="${{name}}_link"/>
+          <joint name="${{name}}_joint" type="fixed">
+            <parent link="base"/><child link="${{name}}_link"/><xacro:insert_block name="at"/>
+          </joint>
+        </xacro:macro>
+        {BASE}
+        <xacro:arm name="a"><at><origin xyz="0 0 1" rpy="0 0 0"/></at></xacro:arm>
+        <xacro:arm name="b"><at>{MANY}<origin xyz="0 0 2"/></xacro:if></at></xacro:arm>
+        """,
+        "1",
+        "2",
+    )
+    assert "          origin: none\n          At:\n" in made
+    assert "            <origin/xyz=0 0 2>:\n" in made
+
+
+def test_keys_stand_in_conditions_of_which_one_holds(tmp_path: Path) -> None:
+    joint = f"""{BASE}<joint name="a_joint" type="revolute">{ENDS}
+        {MANY}<origin xyz="0 0 $(arg n)" rpy="0 0 0"/>{LIMIT}</xacro:if>
+        {FEW}<origin xyz="0 1 0" rpy="0 0 1"/><limit effort="2" velocity="3"/></xacro:unless>
+        </joint><link name="a_link"/>"""
+    assert part(tmp_path, joint) == textwrap.dedent("""\
+        name: a
+        joint:
+          type: revolute
+          parent: base
+          if:
+            condition: n > 1
+            body:
+              xyz: 0 0 $(n)
+              limit: {lower: -1, upper: 1, effort: 2, velocity: 3}
+          else:
+            xyz: 0 1 0
+            rpy: 0 0 1
+            <limit/effort=2, velocity=3>:
+        """)
+
+
+def test_an_origin_in_a_condition_stands_in_for_none(tmp_path: Path) -> None:
+    joint = f"""{BASE}<joint name="a_joint" type="fixed">{ENDS}
+        {MANY}<origin xyz="0 0 $(arg n)" rpy="0 0 0"/></xacro:if></joint><link name="a_link"/>"""
+    assert part(tmp_path, joint).splitlines()[4:] == [
+        "  origin: none",
+        "  if:",
+        "    condition: n > 1",
+        "    body:",
+        "      origin/xyz=0 0 $(n), rpy=0 0 0:",
+    ]
+
+
+def test_statements_stand_among_the_sections_of_a_link(tmp_path: Path) -> None:
+    link = f"""\
+        <xacro:macro name="red" params=""><material name="red"><color rgba="1 0 0 1"/></material>
+        </xacro:macro>
+        <xacro:macro name="shell" params="size">
+          <collision><geometry><box size="${{size}}"/></geometry></collision>
+        </xacro:macro>
+        <link name="a_link">
+          <visual><origin xyz="0 0 1" rpy="0 0 0"/>{BOX}<xacro:red/></visual>
+          {MANY}<visual>{BOX}</visual><inertial>{MASS}</inertial></xacro:if>
+          <xacro:shell size="1 2 3"/>
+          <visual>{MANY}<origin xyz="0 0 1"/></xacro:if>{BOX}</visual>
+        </link>"""
+    assert part(tmp_path, link) == textwrap.dedent("""\
+        name: a
+        link:
+          - geometry: box
+          - scale: 1 1 1
+          - visual:
+              xyz: 0 0 1
+              Red:
+          - if:
+              condition: n > 1
+              body:
+                visual: {origin: none}
+                inertial: {mass: 2, origin: none, inertia: 1 0 0 1 0 1}
+          - Shell: {size: 1 2 3}
+          - visual:
+              origin: none
+              if:
+                condition: n > 1
+                body:
+                  <origin/xyz=0 0 1>:
+        """)
+    assert "<collision>: {geometry: {box/size=$(size): }}" in (tmp_path / "out/r.yaml").read_text()
+
+
+def test_a_geometry_that_a_call_makes_is_an_element(tmp_path: Path) -> None:
+    link = """\
+        <xacro:macro name="mesh" params="file"><mesh filename="${file}.stl"/></xacro:macro>
+        <xacro:macro name="ball" params=""><geometry><sphere radius="1"/></geometry></xacro:macro>
+        <link name="a_link">
+          <visual><geometry><xacro:mesh file="a"/></geometry></visual>
+          <collision><xacro:ball/></collision>
+        </link>"""
+    assert part(tmp_path, link) == textwrap.dedent("""\
+        name: a
+        link:
+          visual:
+            origin: none
+            <geometry>:
+              Mesh: {file: a}
+          <collision>:
+            Ball:
+        """)
+
+
+@pytest.mark.parametrize(
+    ("inertial", "key"),
+    [
+        (MASS, "<inertial>"),
+        (f'<origin xyz="0 0 1"/>{MASS}', "<inertial>"),
+        (f'<origin xyz="0 0 1" rpy="0 0 0"/>{MASS}', "inertial"),
+        (f'<origin xyz="0 0 1" rpy="0 0 0"/>{MASS}<more/>', "<inertial>"),
+    ],
+)
+def test_an_inertial_that_a_call_makes_is_not_moved_with_its_link(
+    tmp_path: Path, inertial: str, key: str
+) -> None:
+    pose = '<origin xyz="1 2 3" rpy="0 0 0"/>'
+    link = f"""\
+        <xacro:macro name="heavy" params=""><inertial>{inertial}</inertial></xacro:macro>
+        <link name="a_link">
+          <visual>{pose}{BOX}</visual><collision>{pose}{BOX}</collision><xacro:heavy/>
+        </link>"""
+    assert part(tmp_path, link).splitlines()[2:] == [
+        "  geometry: box",
+        "  scale: 1 1 1",
+        "  visual: {xyz: 1 2 3}",
+        "  collision: {xyz: 1 2 3}",
+        "  Heavy:",
+    ]
+    assert f"\n      {key}:\n" in (tmp_path / "out/r.yaml").read_text()
+
+
+def test_a_joint_moves_to_its_link_past_other_elements(tmp_path: Path) -> None:
+    made = migrated_for(
+        tmp_path,
+        """\
+        <link name="base"/><link name="a_link"/>
+        <!-- rubber -->
+        <gazebo reference="a_link"/>
+        <joint name="a_joint" type="fixed"><parent link="base"/><child link="a_link"/></joint>
+        <link name="b_link"/><link name="c_link"/>
+        <joint name="b_joint" type="fixed"><parent link="a_link"/><child link="b_link"/></joint>
+        <joint name="c_joint" type="fixed"><parent link="a_link"/><child link="c_link"/></joint>
+        """,
+    )
+    assert model_of(made) == [
+        "  - link/name=base:",
+        "  - part: {name: a, joint: {type: fixed, parent: base, origin: none}}",
+        "  # rubber",
+        "  - gazebo/reference=a_link:",
+        "  - part: {name: b, joint: {type: fixed, parent: a_link, origin: none}}",
+        "  - part: {name: c, joint: {type: fixed, parent: a_link, origin: none}}",
+    ]
+
+
+@pytest.mark.parametrize(
+    "robot",
+    [
+        # what an expression reads is set in between
+        f"""<link name="a_link"/><xacro:property name="l" value="2"/>
+        <joint name="a_joint" type="fixed">{ENDS}</joint>""",
+        f"""<xacro:property name="l" value="1"/><link name="a_link">
+        <gazebo><xacro:property name="l" value="3"/></gazebo></link>
+        <joint name="a_joint" type="fixed">{ENDS}<origin xyz="0 0 ${{l}}" rpy="0 0 0"/></joint>""",
+        f"""<xacro:macro name="set" params=""><xacro:property name="l" value="3" scope="parent"/>
+        <a/></xacro:macro><xacro:property name="l" value="1"/>
+        <link name="a_link"><gazebo><xacro:set/></gazebo></link>
+        <joint name="a_joint" type="fixed">{ENDS}<origin xyz="0 0 ${{l}}" rpy="0 0 0"/></joint>""",
+        # there may be no limit
+        f"""<joint name="a_joint" type="revolute">{ENDS}{MANY}{LIMIT}</xacro:if></joint>
+        <link name="a_link"/>""",
+        f"""<xacro:property name="kind" value="fixed"/>
+        <joint name="a_joint" type="${{kind}}">{ENDS}</joint><link name="a_link"/>""",
+        # the parent is a matter of conditions
+        f"""<joint name="a_joint" type="fixed"><child link="a_link"/>
+        {MANY}<parent link="base"/></xacro:if>{FEW}<parent link="base"/></xacro:unless>
+        </joint><link name="a_link"/>""",
+        # there may be two origins
+        f"""<joint name="a_joint" type="fixed">{ENDS}
+        {MANY}<origin xyz="0 0 1" rpy="0 0 0"/></xacro:if>
+        <xacro:if value="${{$(arg n) &lt; 3}}"><origin xyz="0 0 2" rpy="0 0 0"/></xacro:if>
+        </joint><link name="a_link"/>""",
+        # a link that has an origin
+        f"""<xacro:macro name="at" params="*o"><joint name="a_joint" type="fixed">{ENDS}</joint>
+        <link name="a_link"><xacro:insert_block name="o"/></link></xacro:macro>
+        <xacro:at><origin xyz="0 0 1" rpy="0 0 0"/></xacro:at>""",
+        # a property in the link
+        f"""<joint name="a_joint" type="fixed">{ENDS}</joint><link name="a_link">
+        <xacro:property name="m" value="2"/><visual name="${{m}}">{BOX}</visual></link>""",
+        # it is not known what the call makes
+        f"""<xacro:macro name="any" params=""><xacro:element xacro:name="axis" xyz="0 0 1"/>
+        </xacro:macro><joint name="a_joint" type="fixed">{ENDS}<xacro:any/></joint>
+        <link name="a_link"/>""",
+    ],
+)
+def test_a_joint_that_may_come_out_in_another_way_stays_an_element(
+    tmp_path: Path, robot: str
+) -> None:
+    made = migrated_for(tmp_path, N + BASE + robot, "1", "2", "3")
+    assert "part:" not in made
+    assert "joint/name=a_joint" in made
+
+
+def test_links_in_other_elements_are_no_parts(tmp_path: Path) -> None:
+    made = migrated_for(tmp_path, f'<gazebo><link name="x"><visual>{BOX}</visual></link></gazebo>')
+    assert "part" not in made

@@ -1,0 +1,278 @@
+"""Robots that come over from xacro read as if a person had written them."""
+
+from __future__ import annotations
+
+import textwrap
+from pathlib import Path
+
+import pytest
+
+from tests.migrate.test_xacro_migration import HEAD, migrated
+from yamaro.cli import main
+from yamaro.tools.migrate.document import Body, Row, write_document
+from yamaro.tools.migrate.xacro_python import negated
+
+
+def test_comments_above_arguments_and_blocks_go_with_them(tmp_path: Path) -> None:
+    made = migrated(
+        tmp_path,
+        """\
+        <!-- how long it is -->
+        <xacro:arg name="length" default="2"/>
+        <xacro:include filename="lib.xacro"/>
+        <a l="$(arg length)" c="$(arg colour)"><xacro:insert_block name="paint"/></a>
+        """,
+        lib="""\
+        <!-- what colour it has -->
+        <xacro:arg name="colour" default="red"/>
+        <!-- the paint -->
+        <xacro:property name="paint"><p/></xacro:property>
+        """,
+    )
+    assert made["r.yaml"].splitlines()[:6] == [
+        "robot: r",
+        "variables:",
+        "  # how long it is",
+        "  length: 2",
+        "  # what colour it has",
+        "  colour: red",
+    ]
+    assert made["lib.yaml"] == textwrap.dedent("""\
+        # the arguments are declared in r.yaml
+        functions:
+          # the paint
+          Paint/global:
+            body: {p: }
+        """)
+
+
+def test_the_comment_above_a_file_stays(tmp_path: Path) -> None:
+    made = migrated(tmp_path, '<xacro:include filename="lib.xacro"/>', lib="<a/>")
+    assert made["lib.yaml"] == "model:\n  a:\n"
+    text = (tmp_path / "lib.xacro").read_text()
+    (tmp_path / "lib.xacro").write_text(f"<!-- Copyright:\n     its makers -->\n{text}")
+    (tmp_path / "r.urdf.xacro").unlink()
+    made = migrated(tmp_path, '<xacro:include filename="lib.xacro"/>')
+    assert made["lib.yaml"] == "# Copyright:\n# its makers\nmodel:\n  a:\n"
+
+
+def test_conditions_are_turned_round_and_opposite_ones_joined(tmp_path: Path) -> None:
+    made = migrated(
+        tmp_path,
+        """\
+        <xacro:property name="side" value="left"/>
+        <xacro:property name="has_arm" value="true"/>
+        <xacro:unless value="${side == 'left'}"><a/></xacro:unless>
+        <xacro:if value="${side == 'left'}"><b/></xacro:if>
+        <xacro:if value="${(not has_arm)}"><c/></xacro:if>
+        <xacro:unless value="${not has_arm}"><d/></xacro:unless>
+        """,
+    )
+    assert made["r.yaml"].partition("model:\n")[2] == (
+        "  - if:\n"
+        "      condition: side != 'left'\n"
+        "      body:\n"
+        "        a:\n"
+        "  - else:\n"
+        "      b:\n"
+        "  - if:\n"
+        "      condition: not has_arm\n"
+        "      body:\n"
+        "        c:\n"
+        "  - else:\n"
+        "      d:\n"
+    )
+
+
+def test_opposite_conditions_stay_two_where_the_first_changes_what_they_read(
+    tmp_path: Path,
+) -> None:
+    made = migrated(
+        tmp_path,
+        """\
+        <xacro:property name="is_first" value="true"/>
+        <xacro:if value="${is_first}"><xacro:property name="is_first" value="false"/><a/></xacro:if>
+        <xacro:unless value="${is_first}"><b/></xacro:unless>
+        """,
+    )
+    assert "else" not in made["r.yaml"]
+    assert made["r.yaml"].count("if:") == 2
+
+
+@pytest.mark.parametrize(
+    ("condition", "opposite"),
+    [
+        ("a", "not a"),
+        ("not a", "a"),
+        ("not (a or b)", "a or b"),
+        ("a or b", "not (a or b)"),
+        ("a == b", "a != b"),
+        ("x in xs", "x not in xs"),
+        ("x not in f(xs)", "x in f(xs)"),
+        ("a < b", "not (a < b)"),
+        ("0 < a < b", "not (0 < a < b)"),
+        ("(a + b) == c", "not ((a + b) == c)"),
+        ("n['k']", "not n['k']"),
+        ("not a and b", "not (not a and b)"),
+    ],
+)
+def test_the_opposite_of_a_condition(condition: str, opposite: str) -> None:
+    assert negated(condition) == opposite
+
+
+def test_variables_behind_includes_stand_at_the_top_if_the_includes_leave_them_alone(
+    tmp_path: Path,
+) -> None:
+    text = """\
+        <xacro:include filename="lib.xacro"/>
+        <!-- metres -->
+        <xacro:property name="length" value="2"/>
+        <xacro:property name="half" value="${length / 2}"/>
+        <a l="${half}"/>
+        """
+    assert migrated(tmp_path, text, lib="<b/>")["r.yaml"].splitlines()[1:5] == [
+        "variables:",
+        "  # metres",
+        "  length: 2",
+        "  half: $(length / 2)",
+    ]
+    own = '<xacro:property name="length" value="9"/><b l="${length}"/>'
+    made = migrated(tmp_path, text, lib=own)["r.yaml"]
+    assert made.index("include") < made.index("length")
+
+
+def test_macros_in_a_macro_see_its_names_without_more_ado(tmp_path: Path) -> None:
+    made = migrated(
+        tmp_path,
+        """\
+        <xacro:macro name="arm" params="prefix">
+          <xacro:macro name="joint_of" params="name"><j n="${prefix}${name}"/></xacro:macro>
+          <xacro:macro name="link_of" params="name"><l n="${prefix}${name}"/></xacro:macro>
+          <xacro:joint_of name="a"/>
+          <xacro:link_of name="b"/>
+        </xacro:macro>
+        <xacro:arm prefix="left_"/>
+        """,
+    )
+    assert made["r.yaml"] == textwrap.dedent("""\
+        robot: r
+        functions:
+          Arm:
+            input: prefix
+            body:
+              functions:
+                JointOf:
+                  input: name
+                  body:
+                    j/n=$(prefix)$(name):
+                LinkOf:
+                  input: name
+                  body:
+                    l/n=$(prefix)$(name):
+              JointOf: {name: a}
+              LinkOf: {name: b}
+        model:
+          Arm: {prefix: left_}
+        """)
+
+
+def test_what_a_macro_hands_down_is_declared_with_its_own_variables(tmp_path: Path) -> None:
+    made = migrated(
+        tmp_path,
+        """\
+        <xacro:macro name="inner" params=""><i v="${depth}" w="${wide}"/></xacro:macro>
+        <xacro:macro name="outer" params="depth">
+          <xacro:property name="wide" value="${depth * 2}"/>
+          <xacro:inner/>
+        </xacro:macro>
+        <xacro:outer depth="4"/>
+        """,
+    )
+    assert made["r.yaml"].partition("input: depth\n")[2].partition("model:")[0] == (
+        "    body:\n"
+        "      variables:\n"
+        "        depth/child: $(depth)\n"
+        "        wide/child: $(depth * 2)\n"
+        "      Inner:\n"
+    )
+
+
+def test_many_inputs_go_on_several_lines_and_are_read_as_one(tmp_path: Path) -> None:
+    names = [f"parameter_{number}" for number in range(12)]
+    made = migrated(
+        tmp_path,
+        f"""\
+        <xacro:macro name="m" params="{" ".join(names)}"><a v="${{parameter_11}}"/></xacro:macro>
+        <xacro:m {" ".join(f'{name}="{name}"' for name in names)}/>
+        """,
+    )
+    lines = made["r.yaml"].partition("input:")[2].partition("    body:")[0].splitlines()
+    assert lines[0] == ""
+    assert len(lines) == 3
+    assert all(len(line) <= 100 for line in lines)
+    assert " ".join(line.strip() for line in lines).strip() == ", ".join(names)
+
+
+def test_a_row_that_needs_quotes_stays_on_one_line() -> None:
+    row = Row(["*a"] + ["b" * 30] * 4)
+    assert write_document(Body([])) == ""
+    body = Body()
+    body.add("input", row)
+    assert write_document(body) == f"input: '{row}'\n"
+
+
+def test_numbers_have_one_space_between_them(tmp_path: Path) -> None:
+    made = migrated(
+        tmp_path,
+        """\
+        <xacro:property name="x" value="1"/>
+        <joint name="j"><origin xyz="${x}     ${x + 1}  0" rpy=" 0 0 ${x} "/></joint>
+        """,
+    )
+    assert "origin/xyz=$(x) $(x + 1) 0, rpy=0 0 $(x):" in made["r.yaml"]
+
+
+def test_of_several_defaults_of_an_argument_that_of_the_main_file_counts_if_it_is_first(
+    tmp_path: Path,
+) -> None:
+    made = migrated(
+        tmp_path,
+        """\
+        <xacro:arg name="n" default="1"/>
+        <xacro:include filename="lib.xacro"/>
+        <xacro:arg name="n" default="3"/>
+        <a n="$(arg n)"/>
+        """,
+        lib='<xacro:arg name="n" default="2"/><b n="$(arg n)"/>',
+    )
+    assert "  n/global: 1\n" in made["r.yaml"]
+    assert "is None" not in made["r.yaml"] + made["lib.yaml"]
+
+
+def test_a_material_without_a_name_is_short(tmp_path: Path) -> None:
+    made = migrated(
+        tmp_path,
+        """\
+        <link name="a_link"><visual><geometry><sphere radius="1"/></geometry>
+        <material name=""><color rgba="1 0 0 1"/></material></visual></link>
+        """,
+    )
+    assert "material/name=: {color: 1 0 0 1}" in made["r.yaml"]
+
+
+def test_a_macro_that_is_nowhere_is_called_all_the_same(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    Path("r.xacro").write_text(
+        f'{HEAD}\n  <xacro:arg name="n" default="1"/>\n'
+        '  <xacro:property name="n" value="$(arg n)"/>\n'
+        '  <xacro:if value="${n > 1}"><xacro:ERROR_too_many/></xacro:if>\n</robot>\n'
+    )
+    assert main(["migrate", "r.xacro", "-o", "out"]) == 0
+    told = capsys.readouterr().err
+    assert told.startswith("warning[not-migrated]: there is no macro 'ERROR_too_many'\n --> r.xac")
+    assert "the sources call it too, which is an error where it is reached" in told
+    assert main(["out/r.yaml", "-q"]) == 0
+    assert main(["out/r.yaml", "-q", "n:=2"]) == 1
+    assert "ERRORTooMany" in capsys.readouterr().err
