@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from .policy import Limits, Policy
     from .source import Source
     from .tools.picture.request import Request
+    from .tools.rebuilding import Rebuilder
 
 MOST_SECONDS = 1e9
 """The longest time-out, some thirty years: what the system's clocks can count."""
@@ -618,7 +619,7 @@ def _repeat(arguments: Arguments, streams: Streams) -> int:
         with warnings.catch_warnings():
             if not sys.warnoptions:  # user code's warnings, unless asked for with -W
                 warnings.simplefilter("ignore")
-            run(arguments, streams, policy)
+            run(arguments, streams, _rebuilder(arguments, streams, policy))
     except compiler.UsageError as error:
         raise WrongUsage(str(error)) from None
     except KeyboardInterrupt:
@@ -628,7 +629,24 @@ def _repeat(arguments: Arguments, streams: Streams) -> int:
     return DONE
 
 
-def _view(arguments: Arguments, streams: Streams, policy: Policy) -> None:
+def _rebuilder(arguments: Arguments, streams: Streams, policy: Policy) -> Rebuilder:
+    from .tools.rebuilding import Rebuilder
+
+    looks = arguments.command == "view"
+    return Rebuilder(
+        arguments.words[0],
+        policy=policy,
+        packages=_read_packages(arguments),
+        command_line=arguments.assignments,
+        on_message=_drop if streams.quiet else streams.say,
+        strict=arguments.has("strict"),
+        advice=looks,
+        has_root=looks,
+        takes_xml=looks,
+    )
+
+
+def _view(arguments: Arguments, streams: Streams, rebuilder: Rebuilder) -> None:
     from .tools.view.command import ViewOptions, view
 
     def tell_url(url: str) -> None:
@@ -640,23 +658,13 @@ def _view(arguments: Arguments, streams: Streams, policy: Policy) -> None:
         has_browser=not arguments.has("no-browser"),
         editor=arguments.options.get("editor"),
     )
-    try:
-        view(
-            arguments.words[0],
-            options,
-            policy=policy,
-            packages=_read_packages(arguments),
-            command_line=arguments.assignments,
-            say=_drop if streams.quiet else streams.say,
-            show=lambda turn: _show(turn.diagnostics, arguments, streams),
-            tell_url=tell_url,
-            strict=arguments.has("strict"),
-        )
-    except ValueError as error:
-        raise WrongUsage(f"'--editor' takes a command: {error}") from None
-    except OSError as error:
-        reason = error.strerror or error
-        raise WrongUsage(f"the port {options.port} cannot be had: {reason}") from None
+    view(
+        rebuilder,
+        options,
+        say=_drop if streams.quiet else streams.say,
+        show=lambda turn: _show(turn.diagnostics, arguments, streams),
+        tell_url=tell_url,
+    )
 
 
 def _read_port(arguments: Arguments) -> int:
@@ -666,20 +674,11 @@ def _read_port(arguments: Arguments) -> int:
     return int(text)
 
 
-def _watch(arguments: Arguments, streams: Streams, policy: Policy) -> None:
-    from .tools.rebuilding import Rebuilder
+def _watch(arguments: Arguments, streams: Streams, rebuilder: Rebuilder) -> None:
     from .tools.watch import watch
 
     if arguments.options.get("output", "-") in STANDARD_OUTPUT:
         raise WrongUsage("'yamaro watch' needs a file to write, as in '-o robot.urdf'")
-    rebuilder = Rebuilder(
-        arguments.words[0],
-        policy=policy,
-        packages=_read_packages(arguments),
-        command_line=arguments.assignments,
-        on_message=_drop if streams.quiet else streams.say,
-        strict=arguments.has("strict"),
-    )
 
     def write(build: Build) -> bool:
         _refuse_overwriting(arguments, lambda: [*build.files, *build.meshes])

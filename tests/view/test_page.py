@@ -238,6 +238,18 @@ def test_a_value_that_fails_is_shown_as_an_error_and_can_be_taken_back(lamp: Pag
     assert lamp.text("#fault") == ""
 
 
+def test_a_field_keeps_its_value_while_the_file_has_an_error(lamp: Page) -> None:
+    lamp.press("#variables [data-variable=height] input.number")
+    lamp.run("document.activeElement.select()")
+    lamp.after(lambda: lamp.type("0.7"))
+    lamp.run("document.activeElement.blur()")
+    lamp.save(LAMP.replace("model:", "model: [", 1))
+    assert "error[" in lamp.text("#fault")
+    lamp.save(LAMP)
+    assert lamp.text("#fault") == "" and lamp.text("#assignments") == "height:=0.7"
+    assert lamp.run("yamaro.robot.bounds().max.z") == pytest.approx(0.05 + 0.7)
+
+
 def test_a_default_that_is_changed_in_the_file_wins_over_the_field(lamp: Page) -> None:
     lamp.press("#variables [data-variable=height] input.number")
     lamp.run("document.activeElement.select()")

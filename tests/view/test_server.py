@@ -56,10 +56,9 @@ class Served:
     def __init__(self, folder: Path, mode: str = SAFE) -> None:
         self.path = folder / "robot.yaml"
         self.path.write_text(ROBOT, encoding="utf-8")
-        policy = Policy(mode)
         self.rebuilder = Rebuilder(
             str(self.path),
-            policy=policy,
+            policy=Policy(mode),
             packages={},
             command_line=[],
             on_message=print,
@@ -68,14 +67,7 @@ class Served:
             takes_xml=True,
         )
         self.editor = Recorder()
-        self.session = Session(
-            str(self.path),
-            rebuilder=self.rebuilder,
-            policy=policy,
-            packages={},
-            command_line=[],
-            editor="recorder",
-        )
+        self.session = Session(self.rebuilder, editor="recorder")
         self.server = Server(self.session, port=0, editor=self.editor)
         serving.start(self.server)
         self.session.build()

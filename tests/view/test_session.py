@@ -9,13 +9,14 @@ from typing import Any
 import pytest
 
 from yamaro.compiler import build
+from yamaro.diagnostics import YamaroError
 from yamaro.policy import SAFE, Policy
 from yamaro.runtime.meshes import MeshFinder
 from yamaro.runtime.packages import PackageFinder
 from yamaro.runtime.reach import Reach
 from yamaro.tools.view.description import Description
 from yamaro.tools.view.editors import find_editor
-from yamaro.tools.view.fields import WrongValue, fields_of, xacro_fields_of
+from yamaro.tools.view.fields import WrongValue, read_fields
 from yamaro.tools.view.mesh_files import MeshFiles, content_type
 
 
@@ -107,7 +108,7 @@ def test_a_warning_is_of_the_link_in_whose_call_it_arose(tmp_path: Path) -> None
 
 
 def test_variables_with_plain_values_are_fields() -> None:
-    fields = fields_of(
+    fields = read_fields(
         textwrap.dedent(
             """\
             robot: one
@@ -140,7 +141,7 @@ def test_variables_with_plain_values_are_fields() -> None:
 
 
 def test_a_field_takes_values_of_its_kind_only() -> None:
-    fields = fields_of("variables: {n: 3, x: 0.5, b: false, t: a}", "robot.yaml")
+    fields = read_fields("variables: {n: 3, x: 0.5, b: false, t: a}", "robot.yaml")
     assert fields["n"].read(4.0) == 4 and isinstance(fields["n"].read(4.0), int)
     assert fields["n"].read(4.5) == 4.5
     assert isinstance(fields["x"].read(4.0), float)
@@ -151,8 +152,9 @@ def test_a_field_takes_values_of_its_kind_only() -> None:
 
 
 def test_a_file_with_errors_has_no_fields() -> None:
-    assert fields_of("variables: {n: 3", "robot.yaml") == {}
-    assert xacro_fields_of("<robot><xacro:arg", "robot.xacro") == {}
+    for text, name in (("variables: {n: 3", "robot.yaml"), ("<robot><xacro:arg", "robot.xacro")):
+        with pytest.raises(YamaroError):
+            read_fields(text, name)
 
 
 def test_arguments_of_xacro_are_fields() -> None:
@@ -161,7 +163,7 @@ def test_arguments_of_xacro_are_fields() -> None:
         '<xacro:arg name="sim" default="true"/><xacro:arg name="side" default="left"/>'
         '<xacro:arg name="path" default="$(find x)/y"/><xacro:arg name="must"/></robot>'
     )
-    found = {name: field.default for name, field in xacro_fields_of(text, "r.xacro").items()}
+    found = {name: field.default for name, field in read_fields(text, "r.xacro").items()}
     assert found == {"n": 2, "sim": True, "side": "left"}
 
 

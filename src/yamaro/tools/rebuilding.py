@@ -58,7 +58,14 @@ class Turn:
 
 
 class Rebuilder:
-    """A robot whose files are watched."""
+    """A robot whose files are watched.
+
+    Attributes:
+        path: the main file.
+        policy: how far it is trusted.
+        packages: folders of ROS packages by name.
+        command_line: variables as `name:=value`.
+    """
 
     def __init__(
         self,
@@ -75,9 +82,9 @@ class Rebuilder:
     ) -> None:
         """Name the main file; see `yamaro.build`."""
         self.path = path
-        self._policy = policy
-        self._packages = packages
-        self._command_line = command_line
+        self.policy = policy
+        self.packages = packages
+        self.command_line = command_line
         self._on_message = on_message
         self._strict = strict
         self._advice = advice
@@ -110,12 +117,12 @@ class Rebuilder:
 
     def _try(self, variables: Mapping[str, object]) -> Turn:
         program = self._program or Program(
-            self.path, policy=self._policy, packages=self._packages, takes_xml=self._takes_xml
+            self.path, policy=self.policy, packages=self.packages, takes_xml=self._takes_xml
         )
         self._program = program  # another thread may want it forgotten meanwhile
         try:
             build = program.build(
-                command_line=self._command_line,
+                command_line=self.command_line,
                 variables=variables,
                 strict=self._strict,
                 advice=self._advice,

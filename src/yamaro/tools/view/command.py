@@ -6,8 +6,9 @@ import os
 import threading
 import time
 
+from ...compiler import UsageError
 from ...diagnostics import shortened
-from ..rebuilding import Rebuilder, Turn, count_told
+from ..rebuilding import count_told
 from ..watching import INTERVAL
 from . import server
 from .editors import find_editor
@@ -15,9 +16,10 @@ from .session import Session
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Mapping, Sequence
+    from collections.abc import Callable
 
-    from ...policy import Policy
+    from ..rebuilding import Rebuilder, Turn
+    from .editors import Editor
 
 
 class ViewOptions:
@@ -33,55 +35,28 @@ class ViewOptions:
 
 
 def view(
-    path: str,
+    rebuilder: Rebuilder,
     options: ViewOptions,
     *,
-    policy: Policy,
-    packages: Mapping[str, str],
-    command_line: Sequence[str],
     say: Callable[[str], None],
     show: Callable[[Turn], None],
     tell_url: Callable[[str], None],
-    strict: bool = False,
 ) -> None:
     """Show a robot in the browser until Ctrl-C.
 
     Args:
-        path: the main file.
+        rebuilder: builds it, with a tree.
         options: those of this command.
-        policy: how far the file is trusted.
-        packages: folders of ROS packages by name.
-        command_line: variables as `name:=value`.
         say: takes a line for the terminal.
         show: shows what is wrong with a build.
         tell_url: takes the address of the page.
-        strict: take warnings for errors.
 
     Raises:
-        ValueError: the editor's command makes no sense.
-        OSError: the port cannot be had.
+        UsageError: an option makes no sense, or the port or the main file cannot be had.
     """
-    editor = find_editor(options.editor, os.environ)
-    rebuilder = Rebuilder(
-        path,
-        policy=policy,
-        packages=packages,
-        command_line=command_line,
-        on_message=say,
-        strict=strict,
-        advice=True,
-        has_root=True,
-        takes_xml=True,
-    )
-    session = Session(
-        path,
-        rebuilder=rebuilder,
-        policy=policy,
-        packages=packages,
-        command_line=command_line,
-        editor=editor.name if editor is not None else None,
-    )
-    running = server.Server(session, port=options.port, editor=editor)
+    editor = _editor(options)
+    session = Session(rebuilder, editor=editor.name if editor is not None else None)
+    running = _server(session, options, editor)
     server.start(running)
     try:
         last = _build(session, None, say, show)
@@ -93,6 +68,21 @@ def view(
                 last = _build(session, last, say, show)
     finally:
         server.stop(running)
+
+
+def _editor(options: ViewOptions) -> Editor | None:
+    try:
+        return find_editor(options.editor, os.environ)
+    except ValueError as error:
+        raise UsageError(f"'--editor' takes a command: {error}") from None
+
+
+def _server(session: Session, options: ViewOptions, editor: Editor | None) -> server.Server:
+    try:
+        return server.Server(session, port=options.port, editor=editor)
+    except OSError as error:
+        reason = error.strerror or error
+        raise UsageError(f"the port {options.port} cannot be had: {reason}") from None
 
 
 def _build(

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import math
 
-from ...diagnostics import Reporter, YamaroError
+from ...diagnostics import Reporter
 from ...policy import Limits
 from ...source import Source, Span
+from ...syntax.includes import is_xml_file
 from ...syntax.names import python_name
 from ...syntax.scalars import type_plain
 from ...syntax.yaml_nodes import PLAIN, MappingNode, ScalarNode, SequenceNode
@@ -82,24 +83,28 @@ class Field:
             return self.default
 
 
-def fields_of(text: str, name: str) -> dict[str, Field]:
-    """Return the variables of a YAML file that have a plain number, boolean or text as value.
+def read_fields(text: str, name: str) -> dict[str, Field]:
+    """Return the variables that a main file has with a plain number, truth value or text.
 
-    Those that are computed, and lists, are left out. A file with errors has none.
+    Those that are computed, and lists, are left out. Of a xacro file these are its arguments.
 
     Args:
         text: the file.
-        name: what it is called in messages.
+        name: what it is called, which tells what kind of file it is.
 
     Returns:
-        The fields by the names under which expressions know them, in the order of the file.
+        The fields by the names under which a build knows them, in the order of the file.
+
+    Raises:
+        YamaroError: the file cannot be read as YAML or XML.
     """
-    try:
-        root = read(Source(text, name=name), reporter=Reporter())
-    except YamaroError:
-        return {}
+    source = Source(text, name=name)
+    return _xacro_fields(source) if is_xml_file(name) else _yaml_fields(source)
+
+
+def _yaml_fields(source: Source) -> dict[str, Field]:
     fields: dict[str, Field] = {}
-    for section, body in _pairs(root):
+    for section, body in _pairs(read(source, reporter=Reporter())):
         if section.text != "variables":
             continue
         for key, value in _pairs(body):
@@ -111,14 +116,9 @@ def fields_of(text: str, name: str) -> dict[str, Field]:
     return fields
 
 
-def xacro_fields_of(text: str, name: str) -> dict[str, Field]:
-    """Return the arguments of a xacro file that have a plain value as default; see `fields_of`."""
-    try:
-        root = read_xml(Source(text, name=name), Limits()).root
-    except YamaroError:
-        return {}
+def _xacro_fields(source: Source) -> dict[str, Field]:
     fields: dict[str, Field] = {}
-    for element in root.elements():
+    for element in read_xml(source, Limits()).root.elements():
         argument = format_value(element.attributes.get("name"))
         default = format_value(element.attributes.get("default"))
         if element.name == "xacro:arg" and "$" not in default and "default" in element.attributes:

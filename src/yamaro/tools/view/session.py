@@ -13,15 +13,14 @@ from ...runtime.meshes import MeshFinder
 from ...runtime.packages import PackageFinder
 from ...syntax.includes import is_xml_file
 from .description import Description, fault_data
-from .fields import Field, WrongValue, fields_of, xacro_fields_of
+from .fields import Field, WrongValue, read_fields
 from .mesh_files import MeshFiles
 from .origins import Places
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Mapping, Sequence
+    from collections.abc import Mapping
 
-    from ...policy import Policy
     from ..rebuilding import Rebuilder, Turn
     from .fields import Value
 
@@ -38,24 +37,13 @@ class Session:
         wake: is set when a request wants another build.
     """
 
-    def __init__(
-        self,
-        path: str,
-        *,
-        rebuilder: Rebuilder,
-        policy: Policy,
-        packages: Mapping[str, str],
-        command_line: Sequence[str],
-        editor: str | None,
-    ) -> None:
-        """Begin without a robot."""
+    def __init__(self, rebuilder: Rebuilder, *, editor: str | None) -> None:
+        """Begin without a robot; `editor` is what the editor is called, if there is one."""
         self.wake = threading.Event()
-        self._path = path
         self._rebuilder = rebuilder
-        self._reach = reach_of(path, policy, packages)
-        self._loader = FileLoader(policy.limits, self._reach)
-        self._packages = packages
-        self._command_line = command_line
+        self._path = rebuilder.path
+        self._reach = reach_of(rebuilder.path, rebuilder.policy, rebuilder.packages)
+        self._loader = FileLoader(rebuilder.policy.limits, self._reach)
         self._editor = editor
         self._changed = threading.Condition()
         self._is_closed = False
@@ -99,7 +87,7 @@ class Session:
             turn.fault = f"the page shows robots, and this is a <{turn.build.root.name}>"
             turn.build = None
             return None
-        finder = MeshFinder(PackageFinder(given=self._packages), self._reach)
+        finder = MeshFinder(PackageFinder(given=self._rebuilder.packages), self._reach)
         files = MeshFiles(self._reach)
         robot = Description(turn.build, finder, files)
         self._rebuilder.also_watch([*robot.awaited, *files.paths.values()])
@@ -107,24 +95,22 @@ class Session:
         return robot
 
     def _read_fields(self) -> None:
-        """Read which variables the main file has; of those changed in it, its values count."""
+        """Read which variables the main file has; of those changed in it, its values count.
+
+        While it has errors, all stays as it was.
+        """
         try:
-            text = decode(
-                self._loader.read(os.path.abspath(self._path)), name=self._path, path=self._path
-            ).text
+            data = self._loader.read(os.path.abspath(self._path))
+            text = decode(data, name=self._path, path=self._path).text
+            fields = read_fields(text, self._path)
         except (LoadError, YamaroError):
             return
-        if is_xml_file(self._path):
-            fields = xacro_fields_of(text, self._path)
-        else:
-            fields = fields_of(text, self._path)
         with self._changed:
             for name in list(self._values):
                 before, now = self._fields.get(name), fields.get(name)
                 if now is None or before is None or before.default != now.default:
                     del self._values[name]
-            if fields or not self._fields:
-                self._fields = fields
+            self._fields = fields
 
     # --- what requests ask for ------------------------------------------------------------------
 
@@ -164,14 +150,16 @@ class Session:
     def _given(self) -> dict[str, Value]:
         """Return what the command line sets, where it fits the field."""
         if is_xml_file(self._path):
-            texts = dict(word.split(":=", 1) for word in self._command_line if ":=" in word)
+            texts = dict(
+                word.split(":=", 1) for word in self._rebuilder.command_line if ":=" in word
+            )
             return {
                 name: self._fields[name].from_text(text)
                 for name, text in texts.items()
                 if name in self._fields
             }
         try:
-            values = read_command_line(self._command_line)[0]
+            values = read_command_line(self._rebuilder.command_line)[0]
         except UsageError:
             return {}
         found = {}
