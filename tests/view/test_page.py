@@ -379,6 +379,27 @@ def test_links_stand_where_another_program_puts_them(
             assert here == pytest.approx(judge.get_transform(link), abs=1e-6), (path, link)
 
 
+def test_joints_of_several_degrees_of_freedom_move_in_their_own_frame(
+    page: Page, view: Start, tmp_path: Path
+) -> None:
+    joint = (
+        '<joint name="{0}" type="{0}"><parent link="base"/><child link="{0}_link"/>'
+        '<origin xyz="1 2 3" rpy="0 0 1.5707963267948966"/>{1}</joint><link name="{0}_link"/>'
+    )
+    flat, free = joint.format("planar", '<axis xyz="0 0 1"/>'), joint.format("floating", "")
+    path = tmp_path / "loose.urdf"
+    path.write_text(f'<robot name="loose"><link name="base"/>{flat}{free}</robot>')
+    page.show(view(path))
+    page.run("yamaro.setJoint('planar', 0.3, 0.1, 0)")
+    page.run("yamaro.setJoint('floating', 0.3, 0.1, 0.2, 0, 0, 1.5707963267948966)")
+    planar = np.array(page.run("yamaro.pose('planar_link')")).reshape(4, 4)
+    floating = np.array(page.run("yamaro.pose('floating_link')")).reshape(4, 4)
+    # Turned by 90° about z, x of the joint is y of its parent, and y is -x.
+    assert planar[:3, 3] == pytest.approx([1 - 0.1, 2 + 0.3, 3])
+    assert floating[:3, 3] == pytest.approx([1 - 0.1, 2 + 0.3, 3 + 0.2])
+    assert floating[:3, :3] == pytest.approx(np.diag([-1.0, -1.0, 1.0]), abs=1e-9)  # 180° in all
+
+
 # --- other files --------------------------------------------------------------------------------
 
 
@@ -490,6 +511,23 @@ def test_a_robot_in_ruins_is_shown_as_far_as_it_goes(
     assert page.run("yamaro.robot.shapes.length") == 6
     assert sorted(page.run("yamaro.robot.dropped")) == ["loop", "nowhere"]
     assert page.text("#warnings-pane") != "" or page.text("#fault") != ""
+
+
+def test_robots_that_are_gone_leave_nothing_on_the_graphics_card(lamp: Page) -> None:
+    held = (
+        "[yamaro.stage.renderer.info.memory.geometries, yamaro.stage.renderer.info.memory.textures]"
+    )
+    lamp.run(
+        "['collision', 'inertia', 'frames', 'axes'].forEach(kind =>"
+        " document.getElementById(`show-${kind}`).click())"
+    )
+    lamp.press("#tree [data-link=left_link]")
+    found = []
+    for height in (0.5, 0.6, 0.7, 0.8):
+        lamp.save(LAMP.replace("height: 0.4", f"height: {height}"))
+        lamp.stage()
+        found.append(lamp.run(held))
+    assert found[0] == found[-1], found
 
 
 def test_the_page_fits_a_narrow_window(lamp: Page) -> None:

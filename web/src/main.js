@@ -20,7 +20,7 @@ let builtVersion = 0;
 let shownVersion = 0;
 let selection = { link: null, shape: null };
 
-const stage = new Stage(byId("canvas"), {
+const stage = makeStage({
   onHover(object) {
     const shape = object && robot?.shapeOf(object);
     byId("canvas").classList.toggle("pointing", Boolean(shape));
@@ -32,6 +32,17 @@ const stage = new Stage(byId("canvas"), {
     select(shape?.link ?? null, shape ?? null);
   },
 });
+
+/** Make the stage; where the browser cannot draw, say so. */
+function makeStage(told) {
+  try {
+    return new Stage(byId("canvas"), told);
+  } catch (error) {
+    byId("empty").textContent = "This browser cannot draw in 3D: WebGL 2 is missing or turned off.";
+    throw error;
+  }
+}
+
 const tree = new Tree({ onSelect: (link) => select(link), onHover: hover });
 const joints = new Joints({
   onMove: stage.draw,
@@ -63,7 +74,11 @@ async function onState(next) {
   show(byId("empty"), !next.robot && !next.fault);
   if (next.robot && next.robotVersion !== builtVersion) {
     builtVersion = next.robotVersion;
-    await build(next.robot, next.robotVersion);
+    try {
+      await build(next.robot, next.robotVersion);
+    } catch (error) {
+      fault.set({ fault: `this robot cannot be shown: ${error.message}`, diagnostics: [] }, true);
+    }
   }
   shownVersion = Math.max(shownVersion, next.version);
 }

@@ -17,12 +17,12 @@ export class Origin {
    * @param {object|null} shape the body, if one was clicked
    */
   set(robot, link, shape) {
-    const known = robot?.description.links[link];
+    const known = robot?.linksKnown.get(link);
     show(byId("origin"), Boolean(known));
     if (!known) return;
     byId("origin-title").textContent = link;
     const joint = robot.jointAbove.get(link);
-    const jointOrigin = joint && robot.description.joints[joint.name];
+    const jointOrigin = joint && robot.jointsKnown.get(joint.name);
     const rows = [];
     const body = shape && known[shape.kind]?.[shape.index];
     if (body) rows.push(this.row(shape.kind, "", body, robot));

@@ -20,6 +20,8 @@ export class Robot {
    */
   constructor(description, told) {
     this.description = description;
+    this.linksKnown = new Map(Object.entries(description.links));
+    this.jointsKnown = new Map(Object.entries(description.joints));
     const { robot, roots, dropped } = readUrdf(description.urdf);
     this.element = robot;
     this.roots = roots;
@@ -49,7 +51,7 @@ export class Robot {
     const all = { ...told, missingSide: this.missingSide() };
     for (const link of childrenOf(this.element, "link")) {
       const name = link.getAttribute("name");
-      const known = this.description.links[name];
+      const known = this.linksKnown.get(name);
       for (const kind of ["visual", "collision"]) {
         childrenOf(link, kind).forEach((element, index) => {
           const { group, ready } = makeShape(element, known?.[kind]?.[index], this.materials, all);
@@ -193,7 +195,7 @@ export class Robot {
   dispose() {
     this.object.removeFromParent();
     this.object.traverse((node) => {
-      if (node.geometry && !node.geometry.isShared) node.geometry.dispose();
+      node.geometry?.dispose();
       for (const material of [node.material].flat()) material?.dispose();
     });
   }

@@ -83,6 +83,10 @@ export class Stage {
   /** Lay a grid and a floor that takes shadows, in a size that suits the robot. */
   layGround() {
     this.floor?.removeFromParent();
+    for (const part of this.floor?.children ?? []) {
+      part.geometry.dispose();
+      part.material.dispose();
+    }
     this.floor = new THREE.Group();
     const cell = gridCell(this.radius);
     const grid = gridOf(cell, this.theme);

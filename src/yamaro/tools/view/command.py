@@ -59,13 +59,19 @@ def view(
     running = _server(session, options, editor)
     server.start(running)
     try:
-        last = _build(session, None, say, show)
+        last = session.build()
+        _tell(last, None, say, show)
         tell_url(running.url)
         if options.has_browser:
             threading.Thread(target=_open_browser, args=(running.url, say), daemon=True).start()
         while True:
-            if session.wake.wait(INTERVAL) or rebuilder.has_changed():
-                last = _build(session, last, say, show)
+            is_asked = session.wake.wait(INTERVAL)
+            if is_asked or rebuilder.has_changed():
+                turn = session.build()
+                # While somebody drags a slider, only what is new is worth a line.
+                if not (turn.is_told_as(last) if is_asked else turn.fails_as(last)):
+                    _tell(turn, last, say, show)
+                last = turn
     finally:
         server.stop(running)
 
@@ -85,19 +91,16 @@ def _server(session: Session, options: ViewOptions, editor: Editor | None) -> se
         raise UsageError(f"the port {options.port} cannot be had: {reason}") from None
 
 
-def _build(
-    session: Session, last: Turn | None, say: Callable[[str], None], show: Callable[[Turn], None]
-) -> Turn:
-    """Build once, and say in a line what came of it; nothing if it failed just as before."""
-    turn = session.build()
-    if not turn.fails_as(last):
-        say(f"{time.strftime('%H:%M:%S')}  {outcome_of(turn)}")
-        if not turn.is_told_as(last):
-            show(turn)
-    return turn
+def _tell(
+    turn: Turn, last: Turn | None, say: Callable[[str], None], show: Callable[[Turn], None]
+) -> None:
+    """Say in a line what came of a build; show what is wrong unless that is known."""
+    say(f"{time.strftime('%H:%M:%S')}  {_outcome(turn)}")
+    if not turn.is_told_as(last):
+        show(turn)
 
 
-def outcome_of(turn: Turn) -> str:
+def _outcome(turn: Turn) -> str:
     """Return what came of a build, in a few words."""
     told = count_told(turn.diagnostics)
     if turn.build is None:
