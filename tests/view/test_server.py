@@ -229,6 +229,32 @@ def test_a_mesh_that_leads_outside_by_a_link_is_not_given(
     assert served.ask(f"file/{key}")[1] != MESH.encode()
 
 
+def test_a_mesh_that_appears_or_changes_is_seen(served: Served) -> None:
+    def mesh() -> Any:
+        return served.state()["robot"]["links"]["body_link"]["visual"][0]["mesh"]
+
+    path = served.path.parent / "body.obj"
+    path.unlink()
+    until(served.rebuilder.has_changed)
+    served.session.build()
+    assert mesh() is None
+    assert "missing-mesh-file" in str(served.state()["robot"]["diagnostics"])
+    path.write_text(MESH)
+    until(served.rebuilder.has_changed)
+    served.session.build()
+    before = mesh()["key"]
+    path.write_text(MESH + "# changed\n")
+    until(served.rebuilder.has_changed)
+    served.session.build()
+    assert mesh()["key"] != before
+    (path.parent / "body.mtl").write_text("newmtl plain\n")  # the mesh names it; it was not there
+    path.write_text(MESH)
+    until(served.rebuilder.has_changed)
+    served.session.build()
+    (path.parent / "body.mtl").write_text("newmtl other\n")
+    until(served.rebuilder.has_changed)
+
+
 # --- what is asked for --------------------------------------------------------------------------
 
 

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import json
+import os
 import textwrap
+import webbrowser
 from pathlib import Path
 from typing import Any
 
@@ -14,10 +17,13 @@ from yamaro.policy import SAFE, Policy
 from yamaro.runtime.meshes import MeshFinder
 from yamaro.runtime.packages import PackageFinder
 from yamaro.runtime.reach import Reach
+from yamaro.tools.rebuilding import Rebuilder
+from yamaro.tools.view import command
 from yamaro.tools.view.description import Description
 from yamaro.tools.view.editors import find_editor
 from yamaro.tools.view.fields import WrongValue, read_fields
 from yamaro.tools.view.mesh_files import MeshFiles, content_type
+from yamaro.tools.view.session import Session
 
 
 def described(folder: Path, text: str, **files: str) -> Any:
@@ -258,3 +264,100 @@ def test_the_environment_names_an_editor_and_those_in_the_terminal_are_passed_ov
     codium.write_text("#!/bin/sh\n")
     codium.chmod(0o755)
     assert name_of(EDITOR="nano") == "codium"
+
+
+# --- sessions -----------------------------------------------------------------------------------
+
+
+def session_of(path: Path, *command_line: str) -> Session:
+    rebuilder = Rebuilder(
+        str(path),
+        policy=Policy(SAFE),
+        packages={},
+        command_line=command_line,
+        on_message=print,
+        has_root=True,
+        takes_xml=True,
+    )
+    session = Session(rebuilder, editor=None)
+    session.build()
+    return session
+
+
+def state_of(session: Session) -> Any:
+    return json.loads(session.state())
+
+
+@pytest.mark.parametrize(
+    ("name", "text"),
+    [
+        (
+            "robot.yaml",
+            "robot: one\nvariables: {n: 2, word: left, on: true}\nmodel:\n  link/name=l_$(n):\n",
+        ),
+        (
+            "robot.urdf.xacro",
+            """<robot name="one" xmlns:xacro="http://www.ros.org/wiki/xacro">
+            <xacro:arg name="n" default="2"/><xacro:arg name="word" default="left"/>
+            <xacro:arg name="on" default="true"/><link name="l_$(arg n)"/></robot>""",
+        ),
+    ],
+)
+def test_what_the_command_line_sets_is_what_a_field_goes_back_to(
+    tmp_path: Path, name: str, text: str
+) -> None:
+    path = tmp_path / name
+    path.write_text(text)
+    session = session_of(path, "n:=5", "on:=false")
+    fields = {each["name"]: each for each in state_of(session)["variables"]}
+    assert [fields["n"]["value"], fields["n"]["default"]] == [5, 5]
+    assert [fields["on"]["value"], fields["word"]["value"]] == [False, "left"]
+    session.set_variables({"n": 7})
+    session.build()
+    state = state_of(session)
+    assert list(state["robot"]["links"]) == ["l_7"]
+    assert [each["value"] for each in state["variables"] if each["name"] == "n"] == [7]
+    session.set_variables({"n": None})
+    session.build()
+    assert list(state_of(session)["robot"]["links"]) == ["l_5"]
+
+
+def test_what_is_no_robot_is_told(tmp_path: Path) -> None:
+    path = tmp_path / "world.yaml"
+    path.write_text("<sdf>:\n  world/name=empty:\n")
+    fault = state_of(session_of(path))["fault"]
+    assert fault["fault"] == "the page shows robots, and this is a <sdf>"
+
+
+def test_textures_of_materials_are_given(tmp_path: Path) -> None:
+    (tmp_path / "wood.png").write_bytes(b"x")
+    path = tmp_path / "robot.urdf"
+    path.write_text(
+        '<robot name="one"><material name="wood"><texture filename="wood.png"/></material>'
+        '<material name="gone"><texture filename="gone.png"/></material><link name="a"><visual>'
+        '<geometry><box size="1 1 1"/></geometry>'
+        '<material name="own"><texture filename="wood.png"/></material></visual></link></robot>'
+    )
+    session = session_of(path)
+    robot = state_of(session)["robot"]
+    assert list(robot["textures"]) == ["wood"]
+    own = robot["links"]["a"]["visual"][0]["texture"]
+    assert own == robot["textures"]["wood"] and own["ending"] == ".png"
+    found = session.open_file(own["key"])
+    assert found is not None and found[0] == str(tmp_path / "wood.png")
+    os.close(found[1])
+
+
+@pytest.mark.parametrize("outcome", [True, False, webbrowser.Error("none")])
+def test_where_no_browser_opens_the_address_is_left(
+    monkeypatch: pytest.MonkeyPatch, outcome: object
+) -> None:
+    def open_page(url: str) -> object:
+        if isinstance(outcome, Exception):
+            raise outcome
+        return outcome
+
+    monkeypatch.setattr(webbrowser, "open", open_page)
+    said: list[str] = []
+    command.open_browser("http://127.0.0.1:1/", said.append)
+    assert (said == []) is (outcome is True)

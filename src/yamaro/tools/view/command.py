@@ -63,7 +63,7 @@ def view(
         _tell(last, None, say, show)
         tell_url(running.url)
         if options.has_browser:
-            threading.Thread(target=_open_browser, args=(running.url, say), daemon=True).start()
+            threading.Thread(target=open_browser, args=(running.url, say), daemon=True).start()
         while True:
             is_asked = session.wake.wait(INTERVAL)
             if is_asked or rebuilder.has_changed():
@@ -108,7 +108,7 @@ def _outcome(turn: Turn) -> str:
     return f"built in {1000 * turn.seconds:.0f} ms" + (f", {told}" if told else "")
 
 
-def _open_browser(url: str, say: Callable[[str], None]) -> None:
+def open_browser(url: str, say: Callable[[str], None]) -> None:
     """Open the page; that may take as long as a browser runs that runs in the terminal."""
     import webbrowser
 
