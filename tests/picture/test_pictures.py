@@ -383,6 +383,7 @@ def test_a_turn_shows_the_robot_from_all_sides(tmp_path: Path) -> None:
     shots = frames(picture(tmp_path, content, *options, name="turn.gif"))
     assert len(shots) == 8, "20 a second"
     assert {shot.shape for shot in shots} == {(90, 120, 4)}
+    assert all((shot[0, 0] == 255).all() for shot in shots), "on pure white"
     across = [np.nonzero(like(shot, 255, 0, 0))[1] for shot in shots]
     middles = [found.mean() if len(found) else None for found in across]
     assert middles[0] == pytest.approx(60, abs=2)

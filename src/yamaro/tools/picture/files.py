@@ -19,6 +19,8 @@ if TYPE_CHECKING:
 PALETTE_FRAMES = 8
 """Frames of a GIF that its colours are taken from."""
 
+NEARLY_WHITE = 248
+
 COLORS = 255
 """Colours of a GIF; one more is for what is clear."""
 
@@ -61,10 +63,15 @@ def gif(frames: Iterable[Image], rate: float) -> bytes:
 
 
 def _with_white(image: PIL.Image.Image) -> PIL.Image.Image:
-    """Make the brightest colour of a palette white, as the background of pictures is."""
+    """Make the brightest colours of a palette white, as the background of pictures is.
+
+    Pillow takes colours for the same that differ by less than four.
+    """
     colors = np.array(image.getpalette()).reshape(-1, 3)
     colors[colors.sum(axis=1).argmax()] = 255
+    colors[colors.min(axis=1) >= NEARLY_WHITE] = 255
     image.putpalette(colors.ravel().tolist())
+    image.load()  # which is when Pillow takes the palette over
     return image
 
 
