@@ -272,14 +272,15 @@ def test_differences_are_told_and_fail_though_the_sources_are_written(
 ) -> None:
     Path("arm.xacro").write_text(
         '<robot name="arm" xmlns:xacro="http://www.ros.org/wiki/xacro">\n'
-        '  <xacro:macro name="m" params=""><a/></xacro:macro>\n  <xacro:m/>\n'
-        '  <xacro:macro name="m" params=""><b/></xacro:macro>\n  <xacro:m/>\n'
+        '  <xacro:macro name="m" params=""><a/></xacro:macro>\n'
+        '  <xacro:macro name="use" params=""><xacro:m/></xacro:macro>\n  <xacro:use/>\n'
+        '  <xacro:macro name="m" params=""><b/></xacro:macro>\n  <xacro:use/>\n'
         "</robot>\n"
     )
     status, out, err = outcome(capsys, "-q", "arm.xacro", "-o", "arm")
     assert (status, out) == (1, "")
     assert "different: robot 'arm', a: is missing\n" in err
-    assert "b/" not in Path("arm/arm.yaml").read_text()
+    assert "a/" not in Path("arm/arm.yaml").read_text()
 
 
 def test_what_has_no_counterpart_in_a_xacro_file_is_told(

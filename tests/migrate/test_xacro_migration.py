@@ -40,14 +40,16 @@ def migrated(folder: Path, text: str, **files: str) -> dict[str, str]:
     return migration.files
 
 
-def hold_for(folder: Path, *several: list[str]) -> None:
-    """Hold that the sources of a robot make what the package xacro does, for several arguments."""
+def hold_for(folder: Path, *several: list[str]) -> list[str]:
+    """Hold that the sources of a robot make what xacro does for arguments; return what was said."""
     xacro = pytest.importorskip("xacro")
+    said: list[str] = []
     for arguments in several:
         given = dict(argument.split(":=") for argument in arguments)
         expected = xacro.process_file(str(folder / "r.urdf.xacro"), mappings=given).toxml()
-        made = build(folder / "out/r.yaml", command_line=arguments, on_message=lambda line: None)
+        made = build(folder / "out/r.yaml", command_line=arguments, on_message=said.append)
         assert is_same_robot(expected.encode(), made.xml().encode()), arguments
+    return said
 
 
 def test_macros_become_functions_and_properties_variables(tmp_path: Path) -> None:
@@ -182,6 +184,27 @@ def test_an_argument_whose_default_needs_a_property_gets_it_where_that_is_known(
     hold_for(tmp_path, [], ["path:=given"], ["top:=t"])
 
 
+@pytest.mark.parametrize(
+    "text",
+    [
+        """<xacro:arg name="kind" default="x"/>
+        <xacro:if value="${'$(arg kind)' == 'x'}"><xacro:arg name="size" default="1"/></xacro:if>
+        <xacro:arg name="size" default="2"/><a size="$(arg size)"/>""",
+        """<xacro:arg name="kind" default="x"/>
+        <xacro:if value="${'$(arg kind)' == 'x'}"><xacro:include filename="lib.xacro"/></xacro:if>
+        <xacro:arg name="size" default="2"/><a size="$(arg size)"/>""",
+        """<xacro:arg name="kind" default="x"/>
+        <xacro:macro name="first" params="is_first"><xacro:if value="${is_first}">
+        <xacro:arg name="size" default="5"/></xacro:if></xacro:macro>
+        <xacro:first is_first="${'$(arg kind)' == 'y'}"/>
+        <xacro:arg name="size" default="2"/><a size="$(arg size)"/>""",
+    ],
+)
+def test_of_several_defaults_that_counts_which_is_reached_first(tmp_path: Path, text: str) -> None:
+    migrated(tmp_path, text, lib='<xacro:arg name="size" default="3"/>')
+    hold_for(tmp_path, [], ["kind:=y"], ["size:=7"], ["kind:=y", "size:=7"])
+
+
 def test_a_default_that_reads_a_parameter_means_that_of_the_caller(tmp_path: Path) -> None:
     made = migrated(
         tmp_path,
@@ -236,6 +259,29 @@ def test_numbers_with_units_that_are_expressions_become_numbers(tmp_path: Path) 
         "a: !radians 1.5707963267948966  # a quarter\nb: [!degrees 90.0, !degrees 90]\n"
         "c: !meters 1.5\n"
     )
+
+
+def test_truth_values_are_shown_as_xacro_does_where_these_arguments_do_not_lead(
+    tmp_path: Path,
+) -> None:
+    migrated(
+        tmp_path,
+        """\
+        <xacro:arg name="sim" default="false"/>
+        <xacro:arg name="fake" default="true"/>
+        <xacro:property name="n" value="2"/>
+        <xacro:macro name="control" params="sim fake:=^|false n">
+          <xacro:property name="both" value="${sim and fake}"/>
+          <xacro:if value="${sim}">
+            <c sim="${sim}" not="${not sim}" fake="${fake}" both="${both}" n="${n}" is="${n > 1}"/>
+          </xacro:if>
+        </xacro:macro>
+        <xacro:control sim="$(arg sim)" fake="$(arg fake)" n="${n}"/>
+        <xacro:control sim="$(arg sim)" n="3"/>
+        """,
+    )
+    assert "n=$(n)" in (tmp_path / "out/r.yaml").read_text()
+    hold_for(tmp_path, [], ["sim:=true"], ["sim:=true", "fake:=false"])
 
 
 def test_an_argument_may_be_a_list_of_python(tmp_path: Path) -> None:
@@ -464,13 +510,15 @@ def test_the_folder_is_needed_and_what_is_there_stays(
     ],
 )
 def test_an_expression_is_translated(xacro: str, python: str) -> None:
-    translator = Translator(lambda name: name, lambda name: False, set(), {"is_sim"}, {})
+    translator = Translator(
+        lambda name: name, lambda name: False, lambda text: False, {"is_sim"}, {}
+    )
     assert translator.expression(xacro) == python
 
 
 @pytest.mark.parametrize("text", ["1 +", "xacro.tokenize(a)", "$(anon x)", "$(arg ${a})"])
 def test_an_expression_without_counterpart_is_refused(text: str) -> None:
-    translator = Translator(lambda name: name, lambda name: False, set(), set(), {})
+    translator = Translator(lambda name: name, lambda name: False, lambda text: False, set(), {})
     with pytest.raises(CannotMigrate):
         translator.expression(text)
 

@@ -159,7 +159,7 @@ def test_statements_stand_among_the_sections_of_a_link(tmp_path: Path) -> None:
                 body:
                   <origin/xyz=0 0 1>:
         """)
-    assert "<collision>: {geometry: {box/size=$(size): }}" in (tmp_path / "r.yaml").read_text()
+    assert "<collision>: {geometry: {box/size=$(size): }}" in (tmp_path / "out/r.yaml").read_text()
 
 
 def test_a_geometry_that_a_call_makes_is_an_element(tmp_path: Path) -> None:
@@ -207,7 +207,7 @@ def test_an_inertial_that_a_call_makes_is_not_moved_with_its_link(
         "  collision: {xyz: 1 2 3}",
         "  Heavy:",
     ]
-    assert f"\n      {key}:\n" in (tmp_path / "r.yaml").read_text()
+    assert f"\n      {key}:\n" in (tmp_path / "out/r.yaml").read_text()
 
 
 def test_a_joint_moves_to_its_link_past_other_elements(tmp_path: Path) -> None:
@@ -239,6 +239,13 @@ def test_a_joint_moves_to_its_link_past_other_elements(tmp_path: Path) -> None:
         # what an expression reads is set in between
         f"""<link name="a_link"/><xacro:property name="l" value="2"/>
         <joint name="a_joint" type="fixed">{ENDS}</joint>""",
+        f"""<xacro:property name="l" value="1"/><link name="a_link">
+        <gazebo><xacro:property name="l" value="3"/></gazebo></link>
+        <joint name="a_joint" type="fixed">{ENDS}<origin xyz="0 0 ${{l}}" rpy="0 0 0"/></joint>""",
+        f"""<xacro:macro name="set" params=""><xacro:property name="l" value="3" scope="parent"/>
+        <a/></xacro:macro><xacro:property name="l" value="1"/>
+        <link name="a_link"><gazebo><xacro:set/></gazebo></link>
+        <joint name="a_joint" type="fixed">{ENDS}<origin xyz="0 0 ${{l}}" rpy="0 0 0"/></joint>""",
         # there may be no limit
         f"""<joint name="a_joint" type="revolute">{ENDS}{MANY}{LIMIT}</xacro:if></joint>
         <link name="a_link"/>""",

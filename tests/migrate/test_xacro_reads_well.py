@@ -232,20 +232,21 @@ def test_numbers_have_one_space_between_them(tmp_path: Path) -> None:
     assert "origin/xyz=$(x) $(x + 1) 0, rpy=0 0 $(x):" in made["r.yaml"]
 
 
-def test_an_argument_with_several_defaults_is_told_where_it_is_declared(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+def test_of_several_defaults_of_an_argument_that_of_the_main_file_counts_if_it_is_first(
+    tmp_path: Path,
 ) -> None:
-    monkeypatch.chdir(tmp_path)
-    Path("r.xacro").write_text(
-        f'{HEAD}\n  <xacro:arg name="n" default="1"/>\n  <xacro:arg name="n" default="2"/>\n'
-        '  <a n="$(arg n)"/>\n</robot>\n'
+    made = migrated(
+        tmp_path,
+        """\
+        <xacro:arg name="n" default="1"/>
+        <xacro:include filename="lib.xacro"/>
+        <xacro:arg name="n" default="3"/>
+        <a n="$(arg n)"/>
+        """,
+        lib='<xacro:arg name="n" default="2"/><b n="$(arg n)"/>',
     )
-    assert main(["migrate", "r.xacro", "-o", "out"]) == 0
-    told = capsys.readouterr().err
-    assert told.startswith("warning[not-migrated]: the argument 'n' has several defaults; '1' is t")
-    assert " --> r.xacro:2:4\n" in told
-    assert told.count("warning") == 1
-    assert "n: 1\n" in Path("out/r.yaml").read_text()
+    assert "  n/global: 1\n" in made["r.yaml"]
+    assert "is None" not in made["r.yaml"] + made["lib.yaml"]
 
 
 def test_a_material_without_a_name_is_short(tmp_path: Path) -> None:

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 WIDTH = 100
 """Characters that a line with a mapping in braces may have."""
 RECORD_WIDTH = 120
-"""And one with attributes only, such as a limit."""
+"""And one such as a limit, or a section of a link, which is read at a glance."""
 MOST_IN_BRACES = 6
 LONGEST_KEY = 1000
 """Characters that a key may have before YAML wants a `?` in front of it."""
@@ -266,7 +266,7 @@ def _in_braces(body: Body, remarks: list[str]) -> str | None:
     """
     if len(body.entries) > MOST_IN_BRACES or not body.entries:
         return None
-    pieces = []
+    pieces: list[str] = []
     keys = set()
     for entry in body:
         if entry.key in keys or (entry.value is None and len(body.entries) > 1):

@@ -279,6 +279,8 @@ class PartWriter:
         self._write_all(section, rest, write)
         _add_remarks(remarks, body)
         body.extend(rest)
+        if all(isinstance(entry.value, str) for entry in body):
+            body.width = RECORD_WIDTH
         return Entry(self._elements.key(section.name, values_of(section)), body or None)
 
     def _section_child(self, child: Element) -> Entry:

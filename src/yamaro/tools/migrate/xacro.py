@@ -91,9 +91,8 @@ def _drop_functions(names: set[str], files: list[Body]) -> None:
     """
     for sections in files:
         for key in _keys_in(sections):
-            if key in names:
-                names.discard(key)
-            elif key.startswith("$("):  # a call whose function is computed
+            names.discard(key.rpartition(".")[2])  # it may be in a namespace
+            if key.startswith("$("):  # a call whose function is computed
                 names -= {name for name in names if repr(name) in key}
     for sections in files:
         for section in [entry for entry in sections if entry.key == "functions"]:

@@ -7,6 +7,7 @@ a name there may be, whatever the arguments are, the macros and all their calls 
 from __future__ import annotations
 
 from ...xmltree import Element, format_value
+from .elements import walk
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -42,15 +43,15 @@ class Contents:
             self._gather(root, None, by_element)
         for root in program.roots.values():
             self._find_parts(root, None, by_element)
+        self._declaring = self._find_declaring()
 
     def _gather(self, root: Element, around: Macro | None, known: dict[int, Macro]) -> None:
         for element in root.elements():
             if element.name == "xacro:property" and element.elements():
                 self._blocks.setdefault(_name(element), []).append(element)
             elif element.name == "xacro:call":
-                self._calls.setdefault(format_value(element.attributes.get("macro")), []).append(
-                    (element, around)
-                )
+                called = format_value(element.attributes.get("macro"))
+                self._calls.setdefault(called, []).append((element, around))
             elif element.name.startswith("xacro:"):
                 self._calls.setdefault(_called(element), []).append((element, around))
             self._gather(element, known.get(id(element), around), known)
@@ -67,23 +68,22 @@ class Contents:
         Raises:
             UnknownContent: it depends on more than conditions.
         """
-        counts: Counts = {}
-        before: tuple[str, Counts] | None = None
+        rows: list[Counts] = []
+        before: tuple[str, Counts] | None = None  # a condition and what stands under it
         for node in nodes:
             if not isinstance(node, Element):
                 continue
             made = self._made(node, around)
             condition = format_value(node.attributes.get("value"))
-            if node.name == "xacro:unless" and before is not None and before[0] == condition:
-                _add(counts, _either(before[1], made), undo=_maybe(before[1]))
-                before = None
+            is_opposite = node.name == "xacro:unless" and before and before[0] == condition
+            if before is not None and is_opposite:
+                rows[-1] = _either(before[1], made)
             elif node.name in ("xacro:if", "xacro:unless"):
-                _add(counts, _maybe(made))
-                before = (condition, made) if node.name == "xacro:if" else None
+                rows.append(_either(made, {}))
             else:
-                _add(counts, made)
-                before = None
-        return counts
+                rows.append(made)
+            before = (condition, made) if node.name == "xacro:if" else None
+        return _sum(rows)
 
     def _made(self, node: Element, around: Macro | None) -> Counts:
         name = node.name
@@ -98,9 +98,7 @@ class Contents:
         macros = self._macros.get(_called(node))
         if name in _UNKNOWN or macros is None:
             raise UnknownContent
-        return _any_of(
-            [self._once(macro, macro.element.children, macro) for macro in macros],
-        )
+        return _any_of([self._once(macro, macro.element.children, macro) for macro in macros])
 
     def _inserted(self, name: str, around: Macro | None) -> Counts:
         if around is not None and name in {own.lstrip("*") for own in around.blocks()}:
@@ -141,6 +139,30 @@ class Contents:
                 raise UnknownContent
             found.append((call, nodes, around))
         return found
+
+    def _find_declaring(self) -> set[str]:
+        """Return the macros that set what is read outside of them, or call such a macro."""
+        found: set[str] = set()
+        pending = [
+            name
+            for name, macros in self._macros.items()
+            if any("scope" in inner.attributes for macro in macros for inner in walk(macro.element))
+        ]
+        while pending:
+            name = pending.pop()
+            if name not in found:
+                found.add(name)
+                pending += [around.name for _, around in self._calls.get(name, ()) if around]
+        return found
+
+    def sets_variables(self, node: Element) -> bool:
+        """Tell whether an element has statements in it that set what is read after them."""
+        return any(
+            inner.name in ("xacro:property", "xacro:call", "xacro:include")
+            or _called(inner) in self._declaring
+            for inner in walk(node)
+            if inner.name.startswith("xacro:")
+        )
 
     # --- where it stands ------------------------------------------------------------------------
 
@@ -210,26 +232,20 @@ def _name(element: Element) -> str:
     return format_value(element.attributes.get("name"))
 
 
-def _add(counts: Counts, made: Counts, undo: Counts | None = None) -> None:
-    for name, (least, most) in made.items():
-        first, second = counts.get(name, (0, 0))
-        less, more = (undo or {}).get(name, (0, 0))
-        counts[name] = first + least - less, second + most - more
-
-
-def _maybe(made: Counts) -> Counts:
-    return {name: (0, most) for name, (_, most) in made.items()}
+def _sum(rows: list[Counts]) -> Counts:
+    counts: Counts = {}
+    for row in rows:
+        for name, (least, most) in row.items():
+            first, second = counts.get(name, (0, 0))
+            counts[name] = first + least, second + most
+    return counts
 
 
 def _either(first: Counts, second: Counts) -> Counts:
-    names = {**first, **second}
-    return {
-        name: (
-            min(first.get(name, (0, 0))[0], second.get(name, (0, 0))[0]),
-            max(first.get(name, (0, 0))[1], second.get(name, (0, 0))[1]),
-        )
-        for name in names
+    pairs = {
+        name: (first.get(name, (0, 0)), second.get(name, (0, 0))) for name in {**first, **second}
     }
+    return {name: (min(a[0], b[0]), max(a[1], b[1])) for name, (a, b) in pairs.items()}
 
 
 def _any_of(several: list[Counts]) -> Counts:

@@ -16,6 +16,7 @@ from __future__ import annotations
 import ast
 import re
 
+from ...syntax.names import is_identifier
 from ...xacro.literals import guess_value
 from ...xmltree import Comment, Element, Text, format_value
 from .document import Body, Entry
@@ -406,7 +407,7 @@ class _Reader:
         taken = {*program.read, *program.at_top, *program.arguments, *program.properties}
         taken |= self._defined | set(self._macro.values())
         for candidate in (name.removesuffix("s"), "item", f"{name}_item"):
-            if candidate not in taken and candidate.isidentifier():
+            if candidate not in taken and is_identifier(candidate):
                 return candidate
         raise _NoLoop
 

@@ -56,6 +56,18 @@ class Namespaces:
             paths = [own for each in around for own in self._files.get((each, name), ())]
         return sorted(self._reached_from(paths))
 
+    def reached_by(self, includes: list[Element]) -> set[str]:
+        """Return the files that includes bring in, in namespaces or not."""
+        reached: set[str] = set()
+        pending = [path for element in includes for path in self._meant_by(element)]
+        while pending:
+            path = pending.pop()
+            if path not in reached:
+                reached.add(path)
+                inner = _includes_of(self._roots[path])
+                pending += [own for element in inner for own in self._meant_by(element)]
+        return reached
+
     def _meant_by(self, include: Element) -> list[str]:
         span = include.value_span("filename")
         paths = self._included.get((span.source.path, span.start), [])

@@ -71,7 +71,7 @@ class Step:
         self.is_joint_first = is_joint_first
 
 
-def in_steps(nodes: list[Node]) -> Iterator[Step]:
+def in_steps(nodes: list[Node], contents: Contents) -> Iterator[Step]:
     """Return nodes in order, links and joints together that make a part.
 
     A statement may make links and joints, or set what an expression reads, so that nothing is moved
@@ -79,7 +79,7 @@ def in_steps(nodes: list[Node]) -> Iterator[Step]:
     """
     run: list[Node] = []
     for node in nodes:
-        if isinstance(node, Element) and is_statement(node):
+        if isinstance(node, Element) and (is_statement(node) or contents.sets_variables(node)):
             yield from _paired(run)
             yield Step(node)
             run = []
@@ -170,6 +170,7 @@ class XacroPartWriter(PartWriter):
         self._inertias: dict[int, SolidInertia] = {}
         self._around = around
         self._originals: dict[int, tuple[Element, Element]] = {}
+        self._known: dict[int, Counts] = {}
         self._has_one_inertial = False
         elements = _PartElements(host, self._originals)
         super().__init__(elements, Names([]), material_entry, resolves=True)
@@ -209,12 +210,15 @@ class XacroPartWriter(PartWriter):
 
     def _counts(self, owner: Element) -> Counts:
         """Return how many elements of each name stand in an element."""
-        if _declares(owner):
-            raise NoPart
-        try:
-            return self._contents.counts(owner.children, self._around)
-        except UnknownContent:
-            raise NoPart from None
+        if id(owner) not in self._known:
+            if self._contents.sets_variables(owner):
+                raise NoPart  # what reads them may be written before them
+            try:
+                counts = self._contents.counts(owner.children, self._around)
+            except UnknownContent:
+                raise NoPart from None
+            self._known[id(owner)] = counts
+        return self._known[id(owner)]
 
     def _given(self, owner: Element) -> Counts:
         """Return how many of them come from statements."""
@@ -353,15 +357,6 @@ class _PartElements(ElementWriter):
 def is_statement(element: Element) -> bool:
     """Tell whether an element is one of xacro."""
     return element.name.startswith("xacro:")
-
-
-def _declares(owner: Element) -> bool:
-    """Tell whether a property is set in an element, which has to come before what reads it."""
-    return any(
-        child.name == "xacro:property"
-        or (child.name in ("xacro:if", "xacro:unless") and _declares(child))
-        for child in owner.elements()
-    )
 
 
 def _may_repeat(counts: Counts, *names: str) -> bool:

@@ -21,10 +21,11 @@ from .xacro_arguments import HiddenArguments
 from .xacro_data import with_plain_units
 from .xacro_includes import folder_meant
 from .xacro_namespaces import Namespaces
+from .xacro_truths import Truths
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Container, Iterator, Mapping
+    from collections.abc import Container, Iterable, Iterator, Mapping
     from typing import Any
 
     from ...source import Source, Span
@@ -71,22 +72,37 @@ class Argument:
     """An argument of a robot.
 
     Attributes:
-        default: what it is if it is not given; None if it has to be.
-        span: where it is declared.
+        span: where it is declared first.
         remark: the comments above that.
-        is_ambiguous: whether it has another default elsewhere.
+        defaults: what it is if it is not given; several, if it is not known which counts.
         made_of: the names that its defaults read.
     """
 
-    __slots__ = ("default", "is_ambiguous", "made_of", "remark", "span")
+    __slots__ = ("defaults", "made_of", "remark", "span")
 
-    def __init__(self, default: str | None, span: Span, remark: str) -> None:
+    def __init__(self, span: Span, remark: str) -> None:
         """Hold what its first declaration says."""
-        self.default = default
         self.span = span
         self.remark = remark
-        self.is_ambiguous = False
+        self.defaults: list[str] = []
         self.made_of: set[str] = set()
+
+    def add(self, default: str) -> None:
+        """Note a default."""
+        if default not in self.defaults:
+            self.defaults.append(default)
+            self.made_of |= names_in(default)
+
+    def settle(self, default: object) -> None:
+        """Say which default counts, if the first declaration has one."""
+        if default is not None:
+            self.defaults = [format_value(default)]
+            self.made_of = names_in(self.defaults[0])
+
+    @property
+    def default(self) -> str:
+        """Return the default, if there is one that counts."""
+        return self.defaults[0] if self.defaults else ""
 
 
 class Program:
@@ -98,6 +114,7 @@ class Program:
         roots: their root elements.
         data: the texts of other files that were read, by path.
         included: the paths that an include means, by the place of its `filename`.
+        truth_arguments: the arguments that are true or false.
         truths: expressions that were truth values or lists, which Python shows in its own way.
         numbers: expressions that gave a text which xacro takes for a number: `float` or `int`.
         floats: expressions that gave a float.
@@ -116,7 +133,6 @@ class Program:
             YamaroError: it cannot be expanded.
         """
         self.main = source.path
-        self.given = dict(arguments)
         self._host = host
         watch = _Watch(host)
         python = _WatchedPython(host.limits)
@@ -138,6 +154,7 @@ class Program:
             if path not in self.roots
         }
         self.truths = python.truths
+        self._evaluated = python.evaluated
         self.numbers = {text: kind for text, kind in python.numbers.items() if kind != "text"}
         self.floats = python.floats
         self.macros: dict[str, Macro] = {}
@@ -154,6 +171,13 @@ class Program:
         for path, root in self.roots.items():
             self._gather(path, root)
         self._number_versions()
+        self._settle_arguments()
+        self.truth_arguments = {
+            name
+            for name, value in self.values_of_arguments.items()
+            if value.lower() in ("true", "false")
+        }
+        self._maybe_truths = Truths(self.roots.values(), self.truth_arguments)
         for path, root in self.roots.items():
             self._names[path] |= self._forwarded_in(root)
         self.at_top: set[str] = set()
@@ -162,14 +186,14 @@ class Program:
         self.hidden = HiddenArguments(
             self.roots.values(), self.definitions.values(), self.inherited
         )
-        self._declare_given()
+        self._declare_given(arguments)
 
-    def _declare_given(self) -> None:
+    def _declare_given(self, given: Iterable[str]) -> None:
         """Note the given arguments that the files read and do not declare."""
         root = self.roots[self.main]
-        for name in self.given:
+        for name in given:
             if name not in self.arguments and any(name in names for names in self._names.values()):
-                self.arguments[name] = Argument(None, root.span, "to be given: it has no default")
+                self.arguments[name] = Argument(root.span, "to be given: it has no default")
 
     def _read_the_rest(self, host: Host) -> None:
         """Read the files that these arguments do not reach, where their names are plain."""
@@ -359,19 +383,37 @@ class Program:
         return None if namespaces else self.macros.get(name)
 
     def _add_argument(self, element: Element, remark: str) -> None:
-        """Note an argument; where it has several defaults, the one that counts for this robot."""
+        """Note the declaration of an argument."""
         name = format_value(element.attributes["name"])
-        default = element.attributes.get("default")
-        text = None if default is None else format_value(default)
-        known = self.arguments.setdefault(name, Argument(text, element.span, remark))
-        known.made_of |= names_in(text or "")
-        if text is None or text == known.default:
-            return
-        if known.default is None:
-            known.default = text
-        elif name not in self.given:
-            known.is_ambiguous = True
-            known.default = self.values_of_arguments.get(name, known.default)
+        known = self.arguments.setdefault(name, Argument(element.span, remark))
+        if "default" in element.attributes:
+            known.add(format_value(element.attributes["default"]))
+
+    def _settle_arguments(self) -> None:
+        """Find the default of each argument that has several: that of the first declaration.
+
+        Where the main file does not come first whatever the arguments are, it is not known.
+        """
+        for name, argument in self.arguments.items():
+            if len(argument.defaults) < 2:
+                continue
+            for element in self.roots[self.main].elements():
+                if element.name == "xacro:arg" and element.attributes.get("name") == name:
+                    argument.settle(element.attributes.get("default"))
+                    break
+                if self._may_declare(element, name):
+                    break
+
+    def _may_declare(self, element: Element, name: str) -> bool:
+        """Tell whether an argument may be declared by an element, or what it includes or calls."""
+        if any(element is macro.element for macro in self.definitions.values()):
+            return False
+        inside = list(walk(element))
+        files = self.namespaces.reached_by([own for own in inside if own.name == "xacro:include"])
+        places = [*inside, *(own for path in files for own in walk(self.roots[path]))]
+        if any(self.macro_called(own) is not None for own in places):
+            places += [own for macro in self.definitions.values() for own in walk(macro.element)]
+        return any(own.name == "xacro:arg" and own.attributes.get("name") == name for own in places)
 
     def folder_meant(self, start: str, element: Element) -> str | None:
         """Return the folder that the start of a file's name means where an element stands."""
@@ -382,7 +424,7 @@ class Program:
         import ast
 
         try:
-            value = ast.literal_eval((self.arguments[name].default or "").strip())
+            value = ast.literal_eval(self.arguments[name].default.strip())
         except (SyntaxError, ValueError):
             return False
         if not isinstance(value, (list, tuple, dict)):
@@ -398,6 +440,13 @@ class Program:
         while unique in taken:
             unique, number = f"{stem}{number}", number + 1
         return unique
+
+    def is_shown_as_truth(self, expression: str) -> bool:
+        """Tell whether an expression gives a truth value or list, or may, if it was not reached."""
+        own = expression.strip()
+        if own in self._evaluated:
+            return own in self.truths
+        return self._maybe_truths.may_give(own)
 
     def is_defined_again(self, macro: Macro) -> bool:
         """Tell whether a macro of a file is replaced by one further down in it."""
@@ -523,16 +572,18 @@ class _Watch:
 class _WatchedPython(Python):
     """Python that notes which expressions are truth values, or numbers of some kind."""
 
-    __slots__ = ("floats", "numbers", "truths")
+    __slots__ = ("evaluated", "floats", "numbers", "truths")
 
     def __init__(self, limits: Any) -> None:
         super().__init__(limits)
+        self.evaluated: set[str] = set()
         self.truths: set[str] = set()
         self.floats: set[str] = set()
         self.numbers: dict[str, str] = {}
 
     def evaluate(self, text: str, names: dict[str, Any]) -> Any:
         value = super().evaluate(text, names)
+        self.evaluated.add(text.strip())
         if isinstance(value, (bool, list, tuple)):
             self.truths.add(text.strip())
         elif isinstance(value, float):

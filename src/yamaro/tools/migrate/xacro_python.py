@@ -44,7 +44,7 @@ class Translator:
         self,
         rename: Callable[[str], str],
         is_namespace: Callable[[str], bool],
-        shown_truths: frozenset[str] | set[str],
+        is_shown_as_truth: Callable[[str], bool],
         truth_arguments: set[str],
         numbers: Mapping[str, str],
     ) -> None:
@@ -53,14 +53,14 @@ class Translator:
         Args:
             rename: gives the name of the variable for a property or argument.
             is_namespace: tells names of namespaces.
-            shown_truths: the expressions that were True or False when they were put in a text.
+            is_shown_as_truth: tells expressions that are True or False when put in a text.
             truth_arguments: the arguments that are true or false.
             numbers: the expressions that give a text which is taken for a number, with its kind.
         """
         self._rename = rename
         self.argument = rename
         self._is_namespace = is_namespace
-        self._shown_truths = shown_truths
+        self._is_shown_as_truth = is_shown_as_truth
         self._truth_arguments = truth_arguments
         self._numbers = numbers
         self.imports: set[str] = set()
@@ -78,7 +78,7 @@ class Translator:
                 pieces.append(f"$({self._substitution(part.text)})")
             else:
                 python = self.expression(part.text)
-                if part.text.strip() in self._shown_truths:
+                if self._is_shown_as_truth(part.text):
                     python = f"str({python})"
                 pieces.append(f"$({python})")
         return "".join(pieces)

@@ -98,13 +98,12 @@ class FileWriter(ElementWriter):
         self._made_of: dict[int, set[str]] = {}
         self._visible = program.at_top
         self.lost: list[tuple[Span, str, str]] = []
-        truths = {
-            name
-            for name, value in program.values_of_arguments.items()
-            if value.lower() in ("true", "false")
-        }
         self.translator = Translator(
-            self._variable, self._is_namespace, program.truths, truths, program.numbers
+            self._variable,
+            self._is_namespace,
+            program.is_shown_as_truth,
+            program.truth_arguments,
+            program.numbers,
         )
         self.translator.argument = self._argument_name
 
@@ -212,14 +211,8 @@ class FileWriter(ElementWriter):
                 body.note(argument.remark)
                 body.add(f"{self._variable(name)}/global")
                 continue
-            if argument.is_ambiguous:
-                self._lose(
-                    argument.span,
-                    f"the argument '{name}' has several defaults; '{argument.default}' is taken",
-                    "xacro takes the one that it reaches first, which other arguments may change",
-                )
             try:
-                default = argument.default or ""
+                default = argument.default
                 is_python = self._program.is_python(name)
                 value = f"$({default.strip()})" if is_python else self.translator.value(default)
             except CannotMigrate as error:
@@ -275,7 +268,7 @@ class FileWriter(ElementWriter):
         """Return what is written one after the other: links with their joints, where they stand."""
         if self._is_in_element or self._place is not None:
             return map(Step, nodes)
-        return in_steps(nodes)
+        return in_steps(nodes, self._contents)
 
     def _statement(self, node: Element, step: Step, body: Body) -> None:
         if is_statement(node):
@@ -382,7 +375,8 @@ class FileWriter(ElementWriter):
     def _argument(self, node: Element, body: Body) -> None:
         """Leave out an argument, which the main file declares, and the comments above it.
 
-        A default that is made of properties is given where it stands, if there is no value yet.
+        A default that is made of properties, or is one of several that may come first, is given
+        where it stands, if there is no value yet.
         """
         body.remark = ""
         name = format_value(node.attributes.get("name"))
@@ -390,14 +384,17 @@ class FileWriter(ElementWriter):
             return
         own = self._variable(name)
         default = self.translator.value(format_value(node.attributes["default"]))
-        given = Body([Entry("variables", Body([Entry(f"{own}/global", default)]))])
+        value = Body([Entry(f"{own}/global", default)], in_braces=True)
+        given = Body([Entry("variables", value)], in_braces=True)
         body.add("if", Body([Entry("condition", f"{own} is None"), Entry("body", given)]))
 
     def _is_late(self, name: str) -> bool:
-        """Tell whether an argument has a default that is made of properties."""
+        """Tell whether the default of an argument is known only where it is declared."""
         argument = self._program.arguments.get(name)
+        if argument is None:
+            return False
         known = PREDEFINED | self._program.arguments.keys()
-        return argument is not None and not argument.made_of <= known
+        return len(argument.defaults) > 1 or not argument.made_of <= known
 
     def _property(self, node: Element, body: Body) -> None:
         given = {name: format_value(value) for name, value in node.attributes.items()}
