@@ -36,6 +36,7 @@ if TYPE_CHECKING:
     from .xacro_contents import Contents
     from .xacro_inertia import Solids
     from .xacro_parts import Write
+    from .xacro_reach import Reach
 
 PREDEFINED = frozenset(CONSTANTS) | {"load_yaml", "find", "math", "xacro", "python", "arg"}
 SCOPES = {"global": "/global", "parent": "/parent"}
@@ -63,6 +64,7 @@ class FileWriter(ElementWriter):
         "_path",
         "_place",
         "_program",
+        "_reach",
         "_read",
         "_solids",
         "_visible",
@@ -75,6 +77,7 @@ class FileWriter(ElementWriter):
         program: Program,
         contents: Contents,
         solids: Solids,
+        reach: Reach,
         path: str,
         output_of: Callable[[str], str],
     ) -> None:
@@ -83,6 +86,7 @@ class FileWriter(ElementWriter):
         self._program = program
         self._contents = contents
         self._solids = solids
+        self._reach = reach
         self._around: Macro | None = None
         self._place: Write | None = None
         self._is_in_element = program.result.name != "robot"
@@ -385,6 +389,8 @@ class FileWriter(ElementWriter):
         own = self._variable(name)
         default = self.translator.value(format_value(node.attributes["default"]))
         value = Body([Entry(f"{own}/global", default)], in_braces=True)
+        if name in self._program.hidden.used:
+            value.add(f"arg_{own}/global", default)
         given = Body([Entry("variables", value)], in_braces=True)
         body.add("if", Body([Entry("condition", f"{own} is None"), Entry("body", given)]))
 
@@ -425,9 +431,9 @@ class FileWriter(ElementWriter):
         scope = SCOPES.get(given.get("scope", ""), "")
         if self._is_top and scope == "/parent" and self._path in self._program.namespaces.inside:
             raise CannotMigrate(f"the property '{name}' is handed out of a namespace")
-        if self._is_top and not scope:
+        if self._is_top and (not scope or self._path in self._program.included_by_macros):
             scope = self._shared(name)
-        elif not self._is_top and name in self._program.inherited:
+        elif not self._is_top and self._is_handed_down(name, self._around):
             scope = {"": "/child", "/parent": "/bridge"}.get(scope, scope)
         value = self.translator.value(text)
         last = body.entries[-1] if body.entries else None
@@ -447,6 +453,12 @@ class FileWriter(ElementWriter):
         assert isinstance(last.value, Body)
         last.value.add(key, value)
         self._sort(last.value, name, text)
+
+    def _is_handed_down(self, name: str, macro: Macro | None) -> bool:
+        """Tell whether a name of a macro is read by what it calls or includes."""
+        if name in self._program.inherited:
+            return True
+        return macro is not None and name in self._reach.read_below(macro)
 
     def _sort(self, variables: Body, name: str, text: str) -> None:
         """Put the last of variables before the first that reads it: xacro's are evaluated late."""
@@ -505,7 +517,7 @@ class FileWriter(ElementWriter):
         with self._within(self._write_for_parts if is_in_part else None):
             content = self._loop(macro) or self.statements(node.children)
         self._around, self._hides = around, hides
-        shared = [own for own in macro.values() if own in self._program.inherited]
+        shared = [own for own in macro.values() if self._is_handed_down(own, macro)]
         if shared:
             _declare_first(content, [Entry(f"{own}/child", f"$({own})") for own in shared])
         self._blocks, self._parameters, self._is_top, self._locals, self._visible = before
@@ -548,8 +560,10 @@ class FileWriter(ElementWriter):
         if value == "":
             return "''"
         outside = without_expressions(value)
+        is_quoted = (own.default or "").startswith("'")
+        is_misread = isinstance(value, Quoted) and is_typed(value) and not is_quoted
         if (
-            (isinstance(value, Quoted) and is_typed(value))
+            is_misread
             or any(char in outside for char in ",[]{}#'\"&*!|>%@`")
             or ": " in outside
             or " " in outside
@@ -649,9 +663,7 @@ class FileWriter(ElementWriter):
         body.add("if", Body([Entry("condition", condition), Entry("body", content)]))
 
     def _include(self, node: Element, body: Body) -> None:
-        span = node.value_span("filename")
-        paths = self._program.included.get((span.source.path, span.start), [])
-        paths = [path for path in paths if path in self._program.roots]
+        paths = self._program.files_of(node)
         if not paths:
             name = format_value(node.attributes.get("filename"))
             raise CannotMigrate(f"the file '{name}' is not included for these arguments")
