@@ -10,6 +10,7 @@ from .xacro_file import header_of, sections_of
 from .xacro_includes import source_name
 from .xacro_inertia import Solids
 from .xacro_program import Program, common_folder
+from .xacro_reach import Reach
 from .xacro_writer import FileWriter
 
 TYPE_CHECKING = False
@@ -64,9 +65,10 @@ def migrate_xacro(source: Source, host: Host, arguments: Mapping[str, str]) -> X
     migration = XacroMigration({}, outputs[source.path], program.result)
     migration.origins = outputs
     solids = Solids(program)
+    reach = Reach(program)
     written: dict[str, tuple[Body, str]] = {}
     for path, output in outputs.items():
-        writer = FileWriter(program, contents, solids, path, outputs.__getitem__)
+        writer = FileWriter(program, contents, solids, reach, path, outputs.__getitem__)
         is_main = path == source.path
         written[output] = sections_of(writer, is_main=is_main), header_of(writer, is_main=is_main)
         migration.lost += writer.lost

@@ -35,6 +35,8 @@ def write_argument(writer: FileWriter, node: Element, body: Body) -> None:
     own = writer.variable(name)
     default = writer.translator.value(format_value(node.attributes["default"]))
     value = Body([Entry(f"{own}/global", default)], in_braces=True)
+    if name in writer.program.hidden.used:
+        value.add(f"arg_{own}/global", default)
     given = Body([Entry("variables", value)], in_braces=True)
     body.add("if", Body([Entry("condition", f"{own} is None"), Entry("body", given)]))
 
@@ -81,9 +83,9 @@ def write_property(writer: FileWriter, node: Element, body: Body) -> None:
         and writer.path in writer.program.namespaces.inside
     ):
         raise CannotMigrate(f"the property '{name}' is handed out of a namespace")
-    if writer.here.is_top and not scope:
+    if writer.here.is_top and (not scope or writer.path in writer.program.included_by_macros):
         scope = writer.scope_of(name)
-    elif not writer.here.is_top and name in writer.program.inherited:
+    elif not writer.here.is_top and _is_handed_down(writer, name, writer.here.macro):
         scope = {"": "/child", "/parent": "/bridge"}.get(scope, scope)
     value = writer.translator.value(text)
     remark, body.remark = body.remark, ""
@@ -97,6 +99,13 @@ def write_property(writer: FileWriter, node: Element, body: Body) -> None:
         body.entries[-1].comment = remark
     variables.add(name + scope, value)
     _sort(writer, variables, name, text)
+
+
+def _is_handed_down(writer: FileWriter, name: str, macro: Macro | None) -> bool:
+    """Tell whether a name of a macro is read by what it calls or includes."""
+    if name in writer.program.inherited:
+        return True
+    return macro is not None and name in writer.reach.read_below(macro)
 
 
 def _sort(writer: FileWriter, variables: Body, name: str, text: str) -> None:
@@ -141,7 +150,7 @@ def write_macro(writer: FileWriter, node: Element, body: Body) -> None:
     place = writer.write_for_parts if writer.contents.may_be_in_part(macro) else None
     with writer.at(writer.here.in_macro(macro, writer.program, place)):
         content = _loop(writer, macro) or writer.statements(node.children)
-    shared = [own for own in macro.values() if own in writer.program.inherited]
+    shared = [own for own in macro.values() if _is_handed_down(writer, own, macro)]
     if shared:
         _declare_first(content, [Entry(f"{own}/child", f"$({own})") for own in shared])
     function.add("body", content or None)
@@ -184,8 +193,10 @@ def _default(writer: FileWriter, own: Parameter) -> str:
     if value == "":
         return "''"
     outside = without_expressions(value)
+    is_quoted = (own.default or "").startswith("'")
+    is_misread = isinstance(value, Quoted) and is_typed(value) and not is_quoted
     if (
-        (isinstance(value, Quoted) and is_typed(value))
+        is_misread
         or any(char in outside for char in ",[]{}#'\"&*!|>%@`")
         or ": " in outside
         or " " in outside

@@ -97,9 +97,7 @@ def _is_constant(command: str) -> bool:
 
 def write_include(writer: FileWriter, node: Element, body: Body) -> None:
     """Write an include of a file as one of the source that it becomes."""
-    span = node.value_span("filename")
-    paths = writer.program.included.get((span.source.path, span.start), [])
-    paths = [path for path in paths if path in writer.program.roots]
+    paths = writer.program.files_of(node)
     if not paths:
         name = format_value(node.attributes.get("filename"))
         raise CannotMigrate(f"the file '{name}' is not included for these arguments")

@@ -122,6 +122,7 @@ class Program:
         namespaces: which files are in one.
         arguments: by name.
         assigned_from_inside: the properties that macros define for those who call them.
+        included_by_macros: the files that macros include: their properties are the macros' own.
         hidden: the arguments that something of the same name hides.
         result: what the robot expands to.
     """
@@ -187,6 +188,24 @@ class Program:
             self.roots.values(), self.definitions.values(), self.inherited
         )
         self._declare_given(arguments)
+        self.included_by_macros = self._included_by_macros()
+
+    def files_of(self, include: Element) -> list[str]:
+        """Return the paths of the files that an `<xacro:include>` means."""
+        if "filename" not in include.attributes:
+            return []
+        span = include.value_span("filename")
+        paths = self.included.get((span.source.path, span.start), [])
+        return [path for path in paths if path in self.roots]
+
+    def _included_by_macros(self) -> set[str]:
+        return {
+            path
+            for macro in self.definitions.values()
+            for element in walk(macro.element)
+            if element.name == "xacro:include"
+            for path in self.files_of(element)
+        }
 
     def _declare_given(self, given: Iterable[str]) -> None:
         """Note the given arguments that the files read and do not declare."""

@@ -28,6 +28,7 @@ if TYPE_CHECKING:
     from .xacro_inertia import Solids
     from .xacro_parts import Write
     from .xacro_program import Program
+    from .xacro_reach import Reach
 
 
 class FileWriter(ElementWriter):
@@ -37,6 +38,7 @@ class FileWriter(ElementWriter):
         program: the robot that the file belongs to.
         contents: tells what statements make.
         solids: tells which macros compute the inertia of a solid.
+        reach: tells what of a macro is read elsewhere.
         path: of the file.
         output_of: gives the path of the source that a file becomes.
         translator: translates its expressions.
@@ -51,6 +53,7 @@ class FileWriter(ElementWriter):
         program: Program,
         contents: Contents,
         solids: Solids,
+        reach: Reach,
         path: str,
         output_of: Callable[[str], str],
     ) -> None:
@@ -59,6 +62,7 @@ class FileWriter(ElementWriter):
         self.program = program
         self.contents = contents
         self.solids = solids
+        self.reach = reach
         self.path = path
         self.output_of = output_of
         self.here = Surroundings(program)
