@@ -36,6 +36,12 @@ apt_install() {
         { $sudo apt-get update -qq && $sudo apt-get install -y -qq "$@"; } >/dev/null 2>&1
 }
 
+# See to it that pictures can be drawn: OpenGL draws in software, without a display.
+need_opengl() {
+    draws='from yamaro.tools.picture.window import make_window; make_window()'
+    python -c "$draws" >/dev/null 2>&1 || apt_install libegl1 libgl1-mesa-dri
+}
+
 make_venv() {
     "$1" -m venv "$2" >/dev/null 2>&1 && return
     # Debian keeps the venv module in a package of its own.

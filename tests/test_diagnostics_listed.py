@@ -22,6 +22,7 @@ TESTED_ELSEWHERE = {
     "limit-time": "test_policy.py",
     "missing-extra": "test_part.py",
     "no-jail": "test_policy.py",
+    "no-opengl": "picture/test_pictures.py",
     "not-migrated": "migrate/test_migrate_command.py",
     "unknown-package": "test_check.py",
 }

@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from .diagnostics import Diagnostic
     from .policy import Limits, Policy
     from .source import Source
+    from .tools.picture.request import Request
 
 MOST_SECONDS = 1e9
 """The longest time-out, some thirty years: what the system's clocks can count."""
@@ -51,7 +52,7 @@ options, in any place:
       --jail            let it do so in a process that can read its own folder and packages, write
                         nothing, and reach no network (Linux only)
       --safe            let it do nothing but compute: no Python modules, no loops in `process`;
-                        what `yamaro check` and `yamaro tree` do by themselves
+                        what `yamaro check`, `tree` and `picture` do by themselves
       --timeout SECONDS end it after that time (with --jail and --safe, 60 if none is given)
       --allow-path PATH with --jail and --safe, let it read a file or folder; may be given again
       --limit NAME=N    set how much it may use, such as turns=5000000; may be given again
@@ -64,6 +65,8 @@ options, in any place:
 other commands:
   yamaro check FILE [name:=value ...]   look for errors, warnings and doubtful things; write nothing
   yamaro tree FILE [name:=value ...]    show links, joints and masses as a tree
+  yamaro picture FILE -o FILE.png [name:=value ...]
+                                        draw the robot; 'yamaro picture --help' tells more
   yamaro migrate FILE [-o FILE]         write a URDF, or other XML, as a YAML file of Yamaro
   yamaro migrate FILE -o FOLDER [name:=value ...]
                                         write a robot in xacro as YAML files, a file for each
@@ -76,6 +79,34 @@ examples:
   generate_robot | yamaro -
 
 exit status: 0 done, 1 errors in the input or nowhere to write, 2 wrong usage
+"""
+
+PICTURE_HELP = """\
+usage: yamaro picture FILE -o FILE.png [options] [name:=value ...]
+
+Draw a robot: YAML, URDF or xacro. Needs no display and no browser, but yamaro[picture].
+
+  -o, --output FILE     .png or .jpg; .gif or .mp4 for a film; - for a PNG on standard output
+      --size 800x600    width and height of each view in pixels
+      --view VIEW       iso (the default), front, back, left, right, top, bottom, or azimuth and
+                        elevation of the camera in degrees: 30,20; several make a sheet
+      --joints NAME=POSITION,...
+                        where joints stand, in radians or metres
+      --show WHAT       visual (the default), collision, inertia, frames, grid; several with commas
+      --transparent     nothing behind the robot but its shadow; .png and .gif
+      --turn            a film: the camera goes around the robot
+      --sweep JOINTS    a film: joints go through their limits; names with commas, all of them at
+                        once with 'all', or one after the other with 'each'
+      --seconds N       how long a film is
+      --frames-per-second N
+                        20 for a .gif and 25 for an .mp4, if it is not given
+
+The options of 'yamaro check' hold too: --trust, --package and the like ('yamaro --help').
+
+examples:
+  yamaro picture robot.yaml -o robot.png
+  yamaro picture robot.yaml -o sheet.png --view iso,front,left,top --size 400x300
+  yamaro picture robot.urdf -o waving.gif --sweep shoulder,elbow --package my_robot:=../my_robot
 """
 
 OPTIONS = {
@@ -93,6 +124,15 @@ OPTIONS = {
     "--allow-path": "allow-path",
     "--limit": "limit",
     "--package": "package",
+    "--size": "size",
+    "--view": "view",
+    "--joints": "joints",
+    "--show": "show",
+    "--transparent": "transparent",
+    "--turn": "turn",
+    "--sweep": "sweep",
+    "--seconds": "seconds",
+    "--frames-per-second": "frames-per-second",
     "--color": "color",
     "-h": "help",
     "--help": "help",
@@ -106,8 +146,19 @@ TAKES_VALUE = {
     "allow-path": "a file or folder",
     "limit": "NAME=NUMBER",
     "package": "NAME:=FOLDER",
+    "size": "WIDTHxHEIGHT",
+    "view": "the name of a view, or azimuth,elevation",
+    "joints": "NAME=POSITION",
+    "show": "visual, collision, inertia, frames or grid",
+    "sweep": "names of joints, all or each",
+    "seconds": "a number of seconds",
+    "frames-per-second": "a number",
 }
-TAKES_VALUES = ("allow-path", "limit", "package")
+TAKES_VALUES = ("allow-path", "limit", "package", "view", "joints", "show")
+PICTURE_OPTIONS = (
+    "size", "view", "joints", "show", "transparent", "turn", "sweep", "seconds",
+    "frames-per-second",
+)  # fmt: skip
 MODE_OPTIONS = ("trust", "jail", "safe")
 POLICY_OPTIONS = (*MODE_OPTIONS, "timeout", "allow-path", "limit", "package")
 COLORS = ("auto", "always", "never")
@@ -115,11 +166,12 @@ COMMANDS = {
     "build": frozenset(("output", "quiet", "strict", "deps", "color", *POLICY_OPTIONS)),
     "check": frozenset(("quiet", "strict", "color", *POLICY_OPTIONS)),
     "tree": frozenset(("quiet", "strict", "color", *POLICY_OPTIONS)),
+    "picture": frozenset(("output", "quiet", "strict", "color", *POLICY_OPTIONS, *PICTURE_OPTIONS)),
     "migrate": frozenset(("output", "quiet", "color", "limit", "force", "package")),
     "completion": frozenset(),
 }
 
-LOOKING = ("check", "tree")
+LOOKING = ("check", "tree", "picture")
 """The commands that look at robots of any source: URDF and xacro too."""
 
 
@@ -400,7 +452,8 @@ def _quote(text: str) -> str:
 
 def _run(arguments: Arguments, streams: Streams) -> int:
     if arguments.has("help"):
-        return _deliver([HELP.encode()], arguments, streams)
+        text = PICTURE_HELP if arguments.command == "picture" else HELP
+        return _deliver([text.encode()], arguments, streams)
     if arguments.has("version"):
         from . import __version__
 
@@ -420,6 +473,8 @@ def _run_on_file(arguments: Arguments, streams: Streams) -> int:
     _refuse_overwriting(arguments, lambda: arguments.words)
     policy = make_policy(arguments)
     try:
+        if arguments.command == "picture":
+            _picture_request(arguments)  # what is wrong with it shall not have to wait
         if streams.owns_process:
             _bound_process(arguments, streams, policy)
         build, chunks = _build(arguments, streams, policy)
@@ -571,7 +626,7 @@ def _build(arguments: Arguments, streams: Streams, policy: Policy) -> tuple[Buil
                 strict=arguments.has("strict"),
                 on_message=_drop if streams.quiet else streams.say,
                 advice=arguments.command == "check",
-                has_root=arguments.command == "tree",
+                has_root=arguments.command in ("tree", "picture"),
                 takes_xml=arguments.command in LOOKING,
             )
             return build, _result(build, arguments, streams)
@@ -587,6 +642,8 @@ def _result(build: Build, arguments: Arguments, streams: Streams) -> Iterable[by
     """Return what a successful build gives under the command and options asked for."""
     if arguments.command == "tree":
         return [_tree(build, arguments, streams)]
+    if arguments.command == "picture":
+        return [_picture(build, arguments, streams)]
     if arguments.has("deps"):
         names = dict.fromkeys(filter(os.path.isabs, build.files + build.meshes))
         return [os.fsencode(name) + b"\n" for name in names]
@@ -609,6 +666,41 @@ def _tree(build: Build, arguments: Arguments, streams: Streams) -> bytes:
     color = _has_color(arguments, is_terminal=streams.is_terminal(result=True))
     text = render_tree(build.root, ascii=not has_lines, color=color)
     return text.encode(encoding if has_lines else "ascii", "backslashreplace")
+
+
+def _picture_request(arguments: Arguments) -> Request:
+    """Return what to draw; raise WrongUsage if that makes no sense, YamaroError if it cannot be."""
+    from .compiler import UsageError
+    from .tools.picture.command import check_packages
+    from .tools.picture.request import Request
+
+    output = arguments.options.get("output")
+    if output is None:
+        raise WrongUsage("'yamaro picture' needs a file to write: -o robot.png")
+    try:
+        request = Request(output, arguments.options, arguments.lists)
+    except UsageError as error:
+        raise WrongUsage(str(error)) from None
+    check_packages(_display_name(arguments), request)
+    return request
+
+
+def _picture(build: Build, arguments: Arguments, streams: Streams) -> bytes:
+    from .diagnostics import ERROR, YamaroError
+    from .tools.picture.command import draw
+
+    if build.root.name != "robot":
+        raise WrongUsage(f"'yamaro picture' draws robots, and this is a <{build.root.name}>")
+    result = draw(build, _display_name(arguments), _picture_request(arguments))
+    build.warnings.extend(result.warnings)
+    if arguments.has("strict") and result.warnings:
+        for warning in result.warnings:
+            warning.severity = ERROR
+        raise YamaroError(result.warnings)
+    if not streams.quiet:
+        for remark in result.remarks:
+            streams.say(f"{_display_name(arguments)}: {remark}")
+    return result.data
 
 
 def _completion(words: list[str]) -> bytes:

@@ -311,7 +311,7 @@ def _read_with_trimesh(path: str) -> TriangleMesh:
         import trimesh
 
         scene: Any = trimesh.load_scene(path, process=False)
-        factor = _metres(scene)
+        factor = metres(scene)
         body = scene.to_mesh()
     except ImportError as error:
         raise MissingLibraryError(error.name or str(error)) from error
@@ -324,7 +324,7 @@ def _read_with_trimesh(path: str) -> TriangleMesh:
     return _merged(vertices[index] for face in body.faces.tolist() for index in face)
 
 
-def _metres(scene: Any) -> float:
+def metres(scene: Any) -> float:
     """Return the length of the file's unit: COLLADA and 3MF name theirs, others are in metres."""
     units = getattr(scene, "units", None)
     if not units:

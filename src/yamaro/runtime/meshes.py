@@ -65,6 +65,10 @@ class MeshFinder:
             return None
         return self._packages.resolve_uri(filename, _directory(span))
 
+    def allows(self, path: str) -> bool:
+        """Tell whether a file may be read, such as a texture that a mesh names."""
+        return self._reach is None or self._reach.allows(path)
+
     def places_searched(self, package: str, span: Span) -> list[str] | None:
         """Return where a package was looked for, or None if it is known."""
         directory = _directory(span)

@@ -15,6 +15,16 @@ if TYPE_CHECKING:
     from ..syntax.yaml_nodes import YamlNode
 
 SHELLS = ("bash", "zsh", "fish")
+PICTURE_OPTIONS = (
+    "--size", "--view", "--joints", "--show", "--transparent", "--turn", "--sweep", "--seconds",
+    "--frames-per-second",
+)  # fmt: skip
+"""The options of `yamaro picture` alone."""
+VALUED = (
+    "-o", "--output", "--color", "--timeout", "--allow-path", "--limit", "--package", "--size",
+    "--view", "--joints", "--show", "--sweep", "--seconds", "--frames-per-second",
+)  # fmt: skip
+"""The options with a word behind them."""
 MAX_BYTES = 8 << 20
 MAX_DEFAULT = 40
 
@@ -22,9 +32,20 @@ MAX_DEFAULT = 40
 def script(shell: str) -> str:
     """Return the completion script for one of `SHELLS`."""
     from ..policy import limit_names
+    from .picture.words import NAMED_VIEWS, SHOWN
 
     text = {"bash": _BASH, "zsh": _ZSH, "fish": _FISH}[shell]
-    return text.replace("@LIMITS@", " ".join(limit_names()))
+    words = {
+        "@LIMITS@": " ".join(limit_names()),
+        "@PICTURE@": " ".join(PICTURE_OPTIONS),
+        "@SHOWN@": " ".join(SHOWN),
+        "@VALUED@": " | ".join(VALUED),
+        "@VALUED_WORDS@": " ".join(VALUED),
+        "@VIEWS@": " ".join(NAMED_VIEWS),
+    }
+    for mark, replacement in words.items():
+        text = text.replace(mark, replacement)
+    return text
 
 
 def variable_lines(path: str) -> str:
@@ -86,9 +107,9 @@ _yamaro() {
     for word in "${words[@]:1:last-1}"; do
         if [[ $skip ]]; then skip=; continue; fi
         case $word in
-            -o | --output | --color | --timeout | --allow-path | --limit | --package) skip=1 ;;
+            @VALUED@) skip=1 ;;
             -?* | *:=*) ;;
-            check | tree | migrate | completion)
+            check | tree | picture | migrate | completion)
                 if [[ $command$file ]]; then file=${file:-$word}; else command=$word; fi ;;
             *) file=${file:-$word} ;;
         esac
@@ -102,7 +123,9 @@ _yamaro() {
         --color) COMPREPLY=($(compgen -W "auto always never" -- "$current")); return ;;
         -o | --output | --allow-path) _yamaro_files "$current" ""; return ;;
         --package) return ;;
-        --timeout) return ;;
+        --timeout | --size | --joints | --sweep | --seconds | --frames-per-second) return ;;
+        --view) COMPREPLY=($(compgen -W "@VIEWS@" -- "$current")); return ;;
+        --show) COMPREPLY=($(compgen -W "@SHOWN@" -- "$current")); return ;;
         --limit)
             COMPREPLY=($(compgen -W "@LIMITS@" -S = -- "$current"))
             compopt -o nospace 2>/dev/null
@@ -114,6 +137,7 @@ _yamaro() {
         local options="-q --quiet --strict --color"
         options+=" --trust --jail --safe --timeout --allow-path --limit --package"
         [[ $command == migrate ]] && options="-q --quiet --color --limit -o --output --force"
+        [[ $command == picture ]] && options+=" -o --output @PICTURE@"
         [[ $command ]] || options+=" -o --output --deps -h --help -V --version"
         COMPREPLY=($(compgen -W "$options" -- "$current"))
     elif [[ $file ]]; then
@@ -122,9 +146,12 @@ _yamaro() {
         COMPREPLY=($(compgen -W "$names" -- "$current"))
         compopt -o nospace 2>/dev/null
     else
-        [[ $command ]] || COMPREPLY=($(compgen -W "check tree migrate completion" -- "$current"))
+        local commands="check tree picture migrate completion"
+        [[ $command ]] || COMPREPLY=($(compgen -W "$commands" -- "$current"))
         if [[ $command == migrate ]]; then
             _yamaro_files "$current" urdf xml
+        elif [[ $command ]]; then
+            _yamaro_files "$current" yaml yml urdf xacro
         else
             _yamaro_files "$current" yaml yml
         fi
@@ -157,9 +184,9 @@ _yamaro_words() {
     for word in "${(@)words[2,CURRENT-1]}"; do
         if [[ -n $skip ]]; then skip=; continue; fi
         case $word in
-            -o | --output | --color | --timeout | --allow-path | --limit | --package) skip=1 ;;
+            @VALUED@) skip=1 ;;
             -?* | *:=*) ;;
-            check | tree | migrate | completion)
+            check | tree | picture | migrate | completion)
                 if [[ -n $command$file ]]; then file=${file:-$word}; else command=$word; fi ;;
             *) file=${file:-$word} ;;
         esac
@@ -181,6 +208,7 @@ _yamaro_words() {
             local -a commands=(
                 'check:look for errors, warnings and doubtful things'
                 'tree:show links, joints and masses as a tree'
+                'picture:draw the robot'
                 'migrate:write a URDF as a YAML file'
                 'completion:print a completion script'
             )
@@ -188,6 +216,8 @@ _yamaro_words() {
         fi
         if [[ $command == migrate ]]; then
             _files -g '*.(urdf|xml)(-.)'
+        elif [[ -n $command ]]; then
+            _files -g '*.(yaml|yml|urdf|xacro)(-.)'
         else
             _files -g '*.(yaml|yml)(-.)'
         fi
@@ -212,6 +242,15 @@ _yamaro() {
         '*--limit=[set how much it may use]:limit:_yamaro_limits' \
         '*--package=[say where a ROS package is]:name\:=folder: ' \
         '--force[with migrate, replace a file]' \
+        '--size=[with picture, its width and height]:pixels: ' \
+        '*--view=[with picture, from where]:view:(@VIEWS@)' \
+        '*--joints=[with picture, where joints stand]:name=position: ' \
+        '*--show=[with picture, what is shown]:what:(@SHOWN@)' \
+        '--transparent[with picture, nothing behind the robot]' \
+        '--turn[with picture, a film all around the robot]' \
+        '--sweep=[with picture, a film of moving joints]:joints:(all each)' \
+        '--seconds=[with picture, how long a film is]:seconds: ' \
+        '--frames-per-second=[with picture, how quick a film is]:frames: ' \
         '--color=[colour messages]:when:(auto always never)' \
         '(- *)'{-h,--help}'[show help]' \
         '(- *)'{-V,--version}'[show the version]' \
@@ -233,7 +272,7 @@ function __yamaro_words
             continue
         end
         switch $word
-            case -o --output --color --timeout --allow-path --limit --package
+            case @VALUED_WORDS@
                 set skip 1
             case '-?*' '*:=*'
             case '*'
@@ -244,12 +283,12 @@ end
 
 function __yamaro_command
     set -l words (__yamaro_words)
-    contains -- "$words[1]" check tree migrate completion; and echo $words[1]
+    contains -- "$words[1]" check tree picture migrate completion; and echo $words[1]
 end
 
 function __yamaro_file
     set -l words (__yamaro_words)
-    contains -- "$words[1]" check tree migrate completion; and set -e words[1]
+    contains -- "$words[1]" check tree picture migrate completion; and set -e words[1]
     test -n "$words[1]"; and echo -- $words[1]
 end
 
@@ -277,6 +316,7 @@ end
 complete -c yamaro -f
 complete -c yamaro -n '__yamaro_wants command' -a check -d 'look for errors and warnings'
 complete -c yamaro -n '__yamaro_wants command' -a tree -d 'show links, joints and masses'
+complete -c yamaro -n '__yamaro_wants command' -a picture -d 'draw the robot'
 complete -c yamaro -n '__yamaro_wants command' -a migrate -d 'write a URDF as a YAML file'
 complete -c yamaro -n '__yamaro_wants command' -a completion -d 'print a completion script'
 complete -c yamaro -n '__yamaro_wants shell' -a 'bash zsh fish'
@@ -294,6 +334,15 @@ complete -c yamaro -l allow-path -r -F -d 'let it read a file or folder'
 complete -c yamaro -l limit -x -a '(string split " " "@LIMITS@")=' -d 'set how much it may use'
 complete -c yamaro -l package -x -d 'say where a ROS package is: NAME:=FOLDER'
 complete -c yamaro -l force -d 'with migrate, replace a file'
+complete -c yamaro -l size -x -d 'with picture, its width and height'
+complete -c yamaro -l view -x -a '@VIEWS@' -d 'with picture, from where'
+complete -c yamaro -l joints -x -d 'with picture, where joints stand: NAME=POSITION'
+complete -c yamaro -l show -x -a '@SHOWN@' -d 'with picture, what is shown'
+complete -c yamaro -l transparent -d 'with picture, nothing behind the robot'
+complete -c yamaro -l turn -d 'with picture, a film all around the robot'
+complete -c yamaro -l sweep -x -a 'all each' -d 'with picture, a film of moving joints'
+complete -c yamaro -l seconds -x -d 'with picture, how long a film is'
+complete -c yamaro -l frames-per-second -x -d 'with picture, how quick a film is'
 complete -c yamaro -l color -x -a 'auto always never' -d 'colour messages'
 complete -c yamaro -s h -l help -d 'show help'
 complete -c yamaro -s V -l version -d 'show the version'

@@ -149,7 +149,7 @@ def add_loose(node: Comment | Text, body: Body) -> None:
         body.add("<#text>", text)
 
 
-def header_of(document: XmlDocument) -> str:
+def comments_above(document: XmlDocument) -> str:
     """Return what the comments above the root say, but for xacro's word that it made the file."""
     texts = [tidy_text(comment.text) for comment in document.before]
     kept = [text for text in texts if text.strip("=- ") and not any(w in text for w in _BANNER)]

@@ -6,7 +6,7 @@ from ...diagnostics import YamaroError
 from ...xmltree import Element
 from .compare import Difference, compare, values_of
 from .document import RECORD_WIDTH, Body, Entry, Quoted, Value, element_key, literal, write_document
-from .elements import ElementWriter, add_loose, header_of, spelled, tidy_text, walk
+from .elements import ElementWriter, add_loose, comments_above, spelled, tidy_text, walk
 from .pairing import Item, is_bare, name_of, pair
 from .parts import Names, NoPart, PartWriter, is_short_material, material_entry
 
@@ -108,7 +108,7 @@ def _written(document: XmlDocument, root: Element, plain: set[int]) -> str:
         sections.add("model", model or None)
     for comment in document.after:
         sections.note(tidy_text(comment.text))
-    return write_document(sections, header_of(document))
+    return write_document(sections, comments_above(document))
 
 
 def _is_plain_name(name: str) -> bool:

@@ -6,6 +6,7 @@ import os
 
 from .document import Body, write_document
 from .xacro_contents import Contents
+from .xacro_file import header_of, sections_of
 from .xacro_includes import source_name
 from .xacro_inertia import Solids
 from .xacro_program import Program, common_folder
@@ -69,7 +70,7 @@ def migrate_xacro(source: Source, host: Host, arguments: Mapping[str, str]) -> X
     for path, output in outputs.items():
         writer = FileWriter(program, contents, solids, reach, path, outputs.__getitem__)
         is_main = path == source.path
-        written[output] = writer.sections(is_main=is_main), writer.header(is_main=is_main)
+        written[output] = sections_of(writer, is_main=is_main), header_of(writer, is_main=is_main)
         migration.lost += writer.lost
     _drop_functions(
         {program.macros[name].function for name in solids.replaced},

@@ -1,11 +1,15 @@
-"""Names of files: which source a xacro file becomes, also where an include computes its name."""
+"""Includes, and which source a xacro file becomes, also where its name is computed."""
 
 from __future__ import annotations
 
 import os
 
 from ...diagnostics import YamaroError
+from ...syntax.names import is_identifier
 from ...xacro.templates import Substitution, parse_template
+from ...xmltree import Element, format_value
+from .document import Body, Entry, literal
+from .xacro_python import CannotMigrate
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -13,6 +17,7 @@ if TYPE_CHECKING:
 
     from ...source import Span
     from ...xacro.host import Host
+    from .xacro_writer import FileWriter
 
 ENDINGS = (".xacro", ".urdf", ".xml")
 
@@ -88,3 +93,41 @@ def folder_meant(start: str, includer: str, host: Host, span: Span) -> str | Non
 
 def _is_constant(command: str) -> bool:
     return command.startswith("find ") and "$" not in command
+
+
+def write_include(writer: FileWriter, node: Element, body: Body) -> None:
+    """Write an include of a file as one of the source that it becomes."""
+    paths = writer.program.files_of(node)
+    if not paths:
+        name = format_value(node.attributes.get("filename"))
+        raise CannotMigrate(f"the file '{name}' is not included for these arguments")
+    folder = os.path.dirname(writer.output_of(writer.path))
+    names = [literal(os.path.relpath(writer.output_of(path), folder)) for path in paths]
+    computed = _computed_name(writer, node, dict(zip(paths, names, strict=True)))
+    for path, name in [(paths[0], computed)] if computed else zip(paths, names, strict=True):
+        body.add("include", _in_namespace(writer, node, path, name) or name)
+
+
+def _computed_name(writer: FileWriter, node: Element, known: dict[str, str]) -> str | None:
+    """Return the name of an included source if it depends on arguments, or None."""
+    filename = format_value(node.attributes.get("filename"))
+    computed = computed_name(filename)
+    if computed is None:
+        return None
+    folder = writer.program.folder_meant(computed.start, node)
+    name = folder and computed.source(folder, known, writer.translator.text)
+    if not name and len(known) > 1 and not any(char in filename for char in "*?["):
+        raise CannotMigrate(f"which file '{filename}' means is computed")
+    return name or None
+
+
+def _in_namespace(writer: FileWriter, node: Element, path: str, file: str) -> Body | None:
+    """Return what an include says that puts a file's names in a namespace, if it does."""
+    if "ns" not in node.attributes:
+        return None
+    name = format_value(node.attributes["ns"])
+    if not is_identifier(name):
+        raise CannotMigrate(f"the namespace '{name}' is computed, or no name")
+    if path in writer.program.namespaces.mixed:
+        raise CannotMigrate("the file is included without a namespace as well")
+    return Body([Entry("path", file), Entry("namespace", name)], in_braces=True)

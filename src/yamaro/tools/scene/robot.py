@@ -6,7 +6,7 @@ missing or no number takes its default, and the check tells of it.
 
 from __future__ import annotations
 
-from math import isfinite, pi
+from math import pi
 
 from ...robot.check_context import attribute_text, child_named
 from ...robot.transforms import ZERO, rotation_from_rpy
@@ -27,6 +27,9 @@ SHAPES = (BOX, CYLINDER, SPHERE, CAPSULE, MESH)
 REVOLUTE, CONTINUOUS, PRISMATIC, FIXED = "revolute", "continuous", "prismatic", "fixed"
 MOVING = (REVOLUTE, CONTINUOUS, PRISMATIC)
 """The types of joints that have one position; planar and floating ones stay at their origins."""
+
+LARGEST = 1e9
+"""The largest number that is taken for a measure: beyond it, sums of squares overflow."""
 
 
 class Shape:
@@ -211,12 +214,12 @@ class Robot:
 
 
 def read_floats(element: Element | None, attribute: str) -> tuple[float, ...]:
-    """Return the finite numbers of an attribute; none if anything in it is no number."""
+    """Return the numbers of an attribute; none if anything in it is no number or too large."""
     try:
         numbers = tuple(map(float, (attribute_text(element, attribute) or "").split()))
     except ValueError:
         return ()
-    return numbers if all(map(isfinite, numbers)) else ()
+    return numbers if all(abs(number) <= LARGEST for number in numbers) else ()
 
 
 def read_number(element: Element | None, attribute: str, default: float = 0.0) -> float:

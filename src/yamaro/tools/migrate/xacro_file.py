@@ -1,0 +1,124 @@
+"""A source as a whole: its header and its sections."""
+
+from __future__ import annotations
+
+import os
+
+from ...xmltree import format_value
+from .document import Body, Entry, joined, literal
+from .elements import comments_above, walk
+from .xacro_definitions import PREDEFINED, is_late
+from .xacro_python import CannotMigrate
+from .xacro_surroundings import names_of
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from ...xmltree import Element
+    from .xacro_writer import FileWriter
+
+
+def sections_of(writer: FileWriter, *, is_main: bool) -> Body:
+    """Return the sections of the file."""
+    root = writer.program.roots[writer.path]
+    sections = Body()
+    declared = _arguments(writer) if is_main else Body()
+    writer.here.hides = writer.program.hidden.everywhere
+    model = writer.statements(root.children)
+    _take_variables(writer, model, declared)
+    if writer.translator.imports:
+        sections.add("import", f"[{', '.join(sorted(writer.translator.imports))}]")
+    if declared:
+        sections.add("variables", declared)
+    if writer.functions:
+        sections.add("functions", writer.functions)
+    if is_main:
+        _add_root(writer, root, sections, model)
+    elif model or not sections:
+        sections.add("model", model or None)
+    return sections
+
+
+def header_of(writer: FileWriter, *, is_main: bool) -> str:
+    """Return the comment above the file."""
+    header = comments_above(writer.program.documents[writer.path])
+    root = writer.program.roots[writer.path]
+    if is_main or all(element.name != "xacro:arg" for element in walk(root)):
+        return header
+    folder = os.path.dirname(writer.output_of(writer.path))
+    main = os.path.relpath(writer.output_of(writer.program.main), folder)
+    return joined(header, f"the arguments are declared in {main}")
+
+
+def _arguments(writer: FileWriter) -> Body:
+    """Return the arguments of all files, which the main file declares."""
+    body = Body()
+    for name, argument in writer.program.arguments.items():
+        if is_late(writer, name):
+            body.note(argument.remark)
+            body.add(f"{writer.variable(name)}/global")
+            continue
+        try:
+            default = argument.default
+            is_python = writer.program.is_python(name)
+            value = f"$({default.strip()})" if is_python else writer.translator.value(default)
+        except CannotMigrate as error:
+            writer.lose(argument.span, str(error))
+            continue
+        body.note(argument.remark)
+        body.add(writer.variable(name) + writer.scope_of(name), value or "")
+    for name in writer.program.arguments:
+        if name in writer.program.hidden.used:
+            own = writer.variable(name)
+            body.add(f"arg_{own}{writer.scope_of(name)}", f"$({own})")
+    return body
+
+
+def _take_variables(writer: FileWriter, model: Body, declared: Body) -> None:
+    """Take the first variables of a model to those declared for the file, if that is the same.
+
+    They may stand behind includes if these define none of them, and nothing that they read.
+    """
+    for index, entry in enumerate(model.entries):
+        if entry.key == "variables":
+            assert isinstance(entry.value, Body)
+            if index and not _is_independent(writer, entry.value, declared):
+                return
+            if names_of(entry.value) & names_of(declared):
+                return
+            declared.note(entry.comment)
+            declared.extend(entry.value)
+            del model.entries[index]
+            return
+        if entry.key != "include":
+            return
+
+
+def _is_independent(writer: FileWriter, variables: Body, declared: Body) -> bool:
+    """Tell whether no other file defines variables, nor what they are made of."""
+    names = names_of(variables)
+    known = names | names_of(declared) | PREDEFINED
+    made_of = set().union(*(writer.made_of.get(id(entry), set()) for entry in variables))
+    return made_of <= known and all(
+        len(writer.program.properties.get(name, ())) <= 1 for name in names
+    )
+
+
+def _add_root(writer: FileWriter, root: Element, sections: Body, model: Body) -> None:
+    """Add the robot's name and the model, or the root element with what stands in it."""
+    attributes = {
+        name: writer.translator.text(format_value(value))
+        for name, value in root.attributes.items()
+        if not name.startswith(("xmlns:xacro", "xacro:"))
+    }
+    for name, value in writer.program.result.attributes.items():
+        if name.startswith("xmlns:"):  # other files may declare prefixes
+            attributes.setdefault(name, literal(format_value(value)))
+    namespace = root.attributes.get("xacro:targetNamespace")
+    if namespace:
+        attributes["xmlns"] = writer.translator.text(format_value(namespace))
+    if root.name == "robot" and list(attributes) == ["name"]:
+        sections.entries.insert(0, Entry("robot", attributes["name"]))
+        sections.add("model", model or None)
+        return
+    key = writer.key(root.name, attributes, bracketed="name" not in attributes)
+    sections.add(key, model or None)

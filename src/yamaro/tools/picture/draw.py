@@ -1,0 +1,143 @@
+"""Draws a robot as it is asked for: one picture, a sheet of views, or a film."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from vtkmodules.vtkCommonCore import vtkObject
+
+from ..scene.robot import Robot
+from .cameras import fitted, fitted_around
+from .figure import Figure
+from .motion import moments
+from .request import read_positions
+from .stage import Stage
+from .words import COLLISION, FRAMES, GRID, VISUAL
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from numpy.typing import NDArray
+
+    from ...compiler import Build
+    from ...diagnostics import Diagnostic
+    from .cameras import Camera
+    from .motion import Moment
+    from .request import Request
+
+    Floats = NDArray[np.floating[Any]]
+    Image = NDArray[np.uint8]
+
+SHARPNESS = 2
+"""How many times as wide and high pictures are drawn before they are made small."""
+
+MOST_SHARP_PIXELS = 1 << 22
+"""Larger pictures are drawn as they are: drawing takes some 100 bytes for each pixel."""
+
+
+class Drawing:
+    """The pictures of a robot that were asked for.
+
+    Attributes:
+        warnings: what was said of meshes that cannot be drawn.
+        remarks: what else is to be said.
+    """
+
+    def __init__(self, build: Build, request: Request) -> None:
+        """Set the stage.
+
+        Args:
+            build: of a robot.
+            request: what to draw.
+
+        Raises:
+            YamaroError: a mesh lies where it may not be read.
+            UsageError: a joint is named that there is not.
+            NoOpenGLError: nothing can be drawn on this system.
+        """
+        vtkObject.GlobalWarningDisplayOff()
+        self._request = request
+        self._robot = Robot(build.root, build.finder)
+        self.remarks: list[str] = []
+        self._moments = moments(request, self._robot, read_positions(request, self._robot))
+        shows = self._shows()
+        is_large = request.width * request.height > MOST_SHARP_PIXELS
+        sharpness = 1 if is_large else SHARPNESS
+        self._stage = Stage(request.width, request.height, sharpness=sharpness)
+        self._figure = Figure(self._robot, self._stage, shows, build.finder.allows)
+
+    @property
+    def warnings(self) -> list[Diagnostic]:
+        """Return what was said of meshes."""
+        return self._figure.warnings
+
+    def _shows(self) -> set[str]:
+        """Return what to show: something else where all that was asked for is not there."""
+        shows = set(self._request.shows)
+        shapes = list(self._robot.shapes())
+        if shows <= {VISUAL, GRID} and not any(shape.is_visual for shape in shapes):
+            other = COLLISION if shapes else FRAMES
+            what = "collision shapes" if shapes else "frames"
+            self.remarks.append(f"the robot has no visual shapes; its {what} are shown instead")
+            shows.add(other)
+        return shows
+
+    def frames(self) -> Iterator[Image]:
+        """Yield the pictures, height×width×4 from 0 to 255: one, or those of a film."""
+        points = self._points_of_all()
+        low = float(points[:, 2].min())
+        extent = float(np.ptp(points, axis=0).max()) or 1.0
+        cameras = self._cameras(points)
+        before: Moment | None = None
+        for moment, row in zip(self._moments, cameras, strict=True):
+            if before is None or before.positions != moment.positions:
+                self._figure.place(moment.positions)
+                self._figure.lay_floor(low, extent)
+            before = moment
+            yield _sheet([self._shot(camera) for camera in row])
+
+    def _shot(self, camera: Camera) -> Image:
+        return self._stage.picture(
+            camera,
+            is_transparent=self._request.is_transparent,
+            has_floor=bool(camera.position[2] >= camera.target[2]),
+        )
+
+    def _points_of_all(self) -> Floats:
+        """Return all points that the robot has at any time, N×3."""
+        found = []
+        before: Moment | None = None
+        for moment in self._moments:
+            if before is None or before.positions != moment.positions:
+                self._figure.place(moment.positions)
+                found.append(self._figure.outline())
+            before = moment
+        return np.concatenate(found)
+
+    def _cameras(self, points: Floats) -> list[list[Camera]]:
+        """Return the cameras of each moment, one for each view."""
+        aspect = self._request.width / self._request.height
+        columns = []
+        for view in self._request.views:
+            if self._request.turns:
+                views = [view.turned(moment.turn) for moment in self._moments]
+                columns.append(fitted_around(views, points, aspect))
+            else:
+                columns.append([fitted(view, points, aspect)] * len(self._moments))
+        flat = [camera for column in columns for camera in column if camera.is_flat]
+        for camera in flat:  # at one scale, as in drawings
+            camera.height = max(each.height for each in flat)
+        return [list(row) for row in zip(*columns, strict=True)]
+
+
+def _sheet(images: list[Image]) -> Image:
+    """Return pictures of one size side by side, in as many rows as columns or one less."""
+    columns = int(np.ceil(np.sqrt(len(images))))
+    missing = -len(images) % columns
+    blank = np.zeros_like(images[0])
+    if images[0][..., 3].min() == 255:
+        blank[...] = 255
+    cells = [*images, *[blank] * missing]
+    rows = [np.hstack(cells[start : start + columns]) for start in range(0, len(cells), columns)]
+    return np.vstack(rows)

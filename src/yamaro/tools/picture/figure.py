@@ -1,0 +1,294 @@
+"""A robot on a stage: which bodies it is drawn with, and where they are."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+from ..scene.kinematics import link_poses
+from ..scene.robot import MESH
+from .bodies import (
+    axes_bodies,
+    box_body,
+    corners_of,
+    inertia_box,
+    shape_body,
+    sphere_body,
+    surface_body,
+)
+from .floor import Shadow, surface_samples
+from .meshes import Meshes
+from .stage import make_matrix, make_texture
+from .words import COLLISION, FRAMES, GRID, INERTIA, VISUAL
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Collection, Mapping, Sequence
+
+    from numpy.typing import NDArray
+    from vtkmodules.vtkCommonDataModel import vtkPolyData
+    from vtkmodules.vtkRenderingCore import vtkActor
+
+    from ...diagnostics import Diagnostic
+    from ...robot.transforms import Vector
+    from ..scene.robot import Inertial, Link, Robot, Shape
+    from .stage import Color, Stage
+    from .surfaces import Surface
+
+    Floats = NDArray[np.floating[Any]]
+
+PLAIN: Color = (0.74, 0.76, 0.79)
+"""The colour of what has none."""
+COLLIDING: Color = (0.93, 0.60, 0.22)
+WEIGHING: Color = (0.50, 0.34, 0.80)
+MISSING: Color = (0.90, 0.30, 0.25)
+MISSING_EDGE = 0.06
+"""The edge of the box that stands for a mesh, as a part of the robot's size."""
+BONES: Color = (0.30, 0.34, 0.40)
+
+DIRECTIONS = np.array(
+    [(x, y, z) for x in (-1, 0, 1) for y in (-1, 0, 1) for z in (-1, 0, 1) if x or y or z], float
+)
+"""To the middles of the faces and edges of a cube, and to its corners."""
+
+SAMPLES = 60_000
+"""Points on the surface of the robot that its shadow is made of."""
+
+
+class Body:
+    """One body on the stage.
+
+    Attributes:
+        actor: what VTK draws.
+        link: the name of the link it moves with.
+        place: T_link_body, 4×4.
+        outline: its outermost points in its own frame, N×3.
+        samples: points all over its surface, for its shadow; none if it has no shadow.
+    """
+
+    __slots__ = ("actor", "link", "outline", "place", "samples")
+
+    def __init__(self, actor: vtkActor, link: str, place: Floats, outline: Floats) -> None:
+        """Hold a body without a shadow."""
+        self.actor = actor
+        self.link = link
+        self.place = place
+        self.outline = outline
+        self.samples: Floats = np.zeros((0, 3))
+
+
+class Figure:
+    """A robot on a stage."""
+
+    def __init__(
+        self,
+        robot: Robot,
+        stage: Stage,
+        shows: Collection[str],
+        allows: Callable[[str], bool],
+    ) -> None:
+        """Put the robot on the stage; `place` has to say where its joints are.
+
+        Args:
+            robot: the robot.
+            stage: the stage.
+            shows: some of SHOWN.
+            allows: tells whether a file may be read that a mesh names.
+        """
+        self.robot = robot
+        self.stage = stage
+        self._meshes = Meshes(allows)
+        self._bodies: list[Body] = []
+        self._bones: vtkActor | None = None
+        self._poses: dict[str, Floats] = {}
+        self._has_bones = FRAMES in shows
+        self._has_grid = GRID in shows
+        self._build(shows)
+
+    def _build(self, shows: Collection[str]) -> None:
+        missing: list[tuple[Link, Shape]] = []
+        is_veiled = INERTIA in shows or FRAMES in shows
+        opacity = {True: 0.35 if is_veiled else 1.0, False: 0.45 if VISUAL in shows else 1.0}
+        for link in self.robot.links.values():
+            for shape in link.shapes:
+                if (VISUAL if shape.is_visual else COLLISION) not in shows:
+                    continue
+                if not self._add_shape(link, shape, opacity[shape.is_visual]):
+                    missing.append((link, shape))
+            if INERTIA in shows and link.inertial is not None:
+                self._add_inertia(link, link.inertial)
+        self.place({})
+        size = self._size([(link.name, shape.pose.position) for link, shape in missing])
+        for link, shape in missing:
+            self._add_missing(link, shape, size)
+            self._has_bones = True  # to tell what hangs together
+        if FRAMES in shows:
+            for link in self.robot.links.values():
+                for body, color in axes_bodies(0.07 * size):
+                    self._add(link, body, np.eye(4), color)
+        self.place({})
+        self._sample_shadow()
+        self.stage.shade_corners(size)
+
+    @property
+    def warnings(self) -> list[Diagnostic]:
+        """Return what was said of meshes that cannot be drawn."""
+        return self._meshes.warnings
+
+    # --- bodies ---
+
+    def _add(
+        self, link: Link, body: vtkPolyData, place: Floats, color: Color, opacity: float = 1.0
+    ) -> Body:
+        actor = self.stage.add(body, color, opacity)
+        added = Body(actor, link.name, place, outermost(corners_of(body)))
+        self._bodies.append(added)
+        return added
+
+    def _add_shape(self, link: Link, shape: Shape, opacity: float) -> bool:
+        """Add a shape, or return that it cannot be drawn."""
+        if shape.kind != MESH:
+            color, alpha = _look_of(shape, shape.color)
+            place = np.array(shape.pose.matrix())
+            self._add(link, shape_body(shape), place, color, alpha * opacity)
+            return True
+        surfaces = self._meshes.surfaces_of(link, shape)
+        for surface in surfaces:
+            self._add_surface(link, shape, surface, opacity)
+        return bool(surfaces)
+
+    def _add_surface(self, link: Link, shape: Shape, surface: Surface, opacity: float) -> None:
+        """Add a surface of a mesh; a colour that the robot gives it goes before its file's."""
+        is_own = shape.is_visual and shape.color is None
+        color, alpha = _look_of(shape, surface.color if is_own else shape.color)
+        body = surface_body(surface, shape.size)
+        actor = self._add(link, body, np.array(shape.pose.matrix()), color, alpha * opacity).actor
+        if not is_own:
+            actor.GetMapper().ScalarVisibilityOff()
+        elif surface.texture is not None:
+            actor.GetProperty().SetColor(1, 1, 1)
+            actor.SetTexture(make_texture(surface.texture[::-1]))
+
+    def _add_missing(self, link: Link, shape: Shape, size: float) -> None:
+        """Add a box in place of a mesh that cannot be drawn."""
+        edge = MISSING_EDGE * size
+        place = np.array(shape.pose.matrix())
+        body = self._add(link, box_body((edge, edge, edge)), place, MISSING, 0.55)
+        look = body.actor.GetProperty()
+        look.EdgeVisibilityOn()
+        look.SetEdgeColor(*MISSING)
+
+    def _add_inertia(self, link: Link, inertial: Inertial) -> None:
+        found = inertia_box(inertial)
+        if found is None:
+            return
+        edges, axes = found
+        place = np.array(inertial.pose.matrix())
+        turned = place.copy()
+        turned[:3, :3] = place[:3, :3] @ axes
+        self._add(link, box_body(edges.tolist()), turned, WEIGHING, 0.45)
+        ball = sphere_body(0.08 * max(float(edges.max()), 1e-3))
+        self._add(link, ball, place, BONES)
+
+    def _sample_shadow(self) -> None:
+        """Spread the samples of the shadow over the bodies, by the size of their boxes."""
+        bodies = [body for body in self._bodies if len(body.outline)]
+        sizes = [np.ptp(body.outline, axis=0) for body in bodies]
+        areas: Floats = np.array([x * y + y * z + z * x for x, y, z in sizes])
+        for body, share in zip(bodies, areas / max(areas.sum(), 1e-12), strict=True):
+            polygons = body.actor.GetMapper().GetInput()
+            triangles = _triangles_of(polygons)
+            if len(triangles):
+                count = int(SAMPLES * share) + 100
+                body.samples = surface_samples(corners_of(polygons), triangles, count)
+
+    # --- places ---
+
+    def place(self, positions: Mapping[str, float]) -> None:
+        """Move the joints; those that are not named stand at rest."""
+        poses = link_poses(self.robot, positions)
+        self._poses = {name: np.array(pose.matrix()) for name, pose in poses.items()}
+        for body in self._bodies:
+            body.actor.SetUserMatrix(make_matrix(self._poses[body.link] @ body.place))
+        if self._has_bones:
+            self._place_bones()
+
+    def _place_bones(self) -> None:
+        """Draw a line from each link to those that hang on it."""
+        if self._bones is not None:
+            self.stage.remove(self._bones)
+            self._bones = None
+        pairs = [
+            (self._poses[joint.parent][:3, 3], self._poses[joint.child][:3, 3])
+            for joint in self.robot.joints.values()
+            if joint.parent in self._poses and joint.child in self._poses
+        ]
+        if pairs:
+            self._bones = self.stage.add_lines(np.array(pairs), BONES, 1.5)
+
+    def outline(self) -> Floats:
+        """Return the outermost points, which have to be in a picture, N×3."""
+        found = [_moved(body.outline, self._poses[body.link] @ body.place) for body in self._bodies]
+        if self._has_bones or not any(map(len, found)):
+            found.append(self._origins())
+        return np.concatenate(found)
+
+    def _origins(self) -> Floats:
+        """Return the origins of all links, N×3; that of the world if there are none."""
+        return np.array([pose[:3, 3] for pose in self._poses.values()] or np.zeros((1, 3)))
+
+    def _size(self, marks: list[tuple[str, Vector]]) -> float:
+        """Return how large the robot is: the longest edge of the box around it, in metres.
+
+        Its links count even where there is nothing to see, and so do marks, points on links.
+        """
+        around = [self.outline(), self._origins()]
+        around += [_moved(np.array([position]), self._poses[name]) for name, position in marks]
+        extent = float(np.ptp(np.concatenate(around), axis=0).max())
+        return extent if extent > 1e-6 else 1.0
+
+    def lay_floor(self, level: float, size: float) -> None:
+        """Put a floor under the robot as it stands now, at a height in metres."""
+        samples = [_moved(b.samples, self._poses[b.link] @ b.place) for b in self._bodies]
+        if any(map(len, samples)):
+            shadow = Shadow(np.concatenate(samples), level, size)
+            self.stage.lay_floor(shadow, level, size=size, has_grid=self._has_grid)
+
+
+def _look_of(shape: Shape, given: Sequence[float] | None) -> tuple[Color, float]:
+    """Return color and opacity of a shape, which may have been given some."""
+    if given is None:
+        return PLAIN if shape.is_visual else COLLIDING, 1.0
+    red, green, blue, alpha = given
+    return (red, green, blue), alpha
+
+
+def _moved(points: Floats, place: Floats) -> Floats:
+    moved: Floats = points @ place[:3, :3].T + place[:3, 3]
+    return moved
+
+
+def outermost(points: Floats) -> Floats:
+    """Return those of some points that lie furthest out, in directions all around, N×3."""
+    if not len(points):
+        return points
+    found = {int((points @ direction).argmax()) for direction in DIRECTIONS}
+    return points[sorted(found)]
+
+
+def _triangles_of(body: vtkPolyData) -> NDArray[np.integer[Any]]:
+    """Return the triangles of a body; polygons are cut into fans."""
+    cells = body.GetPolys()
+    if not cells.GetNumberOfCells():
+        return np.zeros((0, 3), int)
+    offsets = vtk_to_numpy(cells.GetOffsetsArray())
+    corners = vtk_to_numpy(cells.GetConnectivityArray())
+    counts = np.diff(offsets)
+    fans = []
+    for step in range(1, counts.max() - 1):
+        starts = offsets[:-1][counts > step + 1]
+        fans.append(
+            np.stack([corners[starts], corners[starts + step], corners[starts + step + 1]], 1)
+        )
+    return np.concatenate(fans) if fans else np.zeros((0, 3), int)
