@@ -1269,3 +1269,20 @@ def test_comments_in_joints_and_sections_stand_above_what_they_stood_above() -> 
             # a ball
             visual: {geometry: sphere, scale: 1}
     """)
+
+
+def test_a_tiny_inertia_that_is_not_the_solids_is_kept() -> None:
+    body = """\
+    <link name="tip">
+      <inertial>
+        <origin xyz="0 0 0" rpy="0 0 0"/>
+        <mass value="1e-12"/>
+        <inertia ixx="1e-12" ixy="0" ixz="0" iyy="1e-12" iyz="0" izz="1e-12"/>
+      </inertial>
+      <collision>
+        <origin xyz="0 0 0" rpy="0 0 0"/>
+        <geometry><sphere radius="0.013"/></geometry>
+      </collision>
+    </link>
+    """
+    assert "inertia: 1e-12 0 0 1e-12 0 1e-12" in model_of(body)

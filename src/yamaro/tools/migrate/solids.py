@@ -25,7 +25,7 @@ SAMPLES = 5
 TOLERANCE = 1e-9
 """How far inertias may differ, as a part of them."""
 NEGLIGIBLE = 1e-12
-"""Differences that are rounding, where both are numbers."""
+"""Differences that are rounding, as a part of the largest moment, where both are numbers."""
 _ARGUMENT = re.compile(r"\$\(arg (\w+)\)")
 _NESTED = re.compile(r"\$\{(\w+)\}")
 LEAST, MOST = 0.5, 2.0
@@ -161,8 +161,8 @@ def is_inertia_of(kind: str, sizes: Sequence[str], mass: str, moments: Sequence[
         given = [sample.number(moment) for moment in moments]
         if own_mass <= 0 or min(own_sizes) <= 0:
             return False
-        negligible = 0.0 if sample.values else NEGLIGIBLE
         computed = solid(kind, own_sizes).inertia(own_mass)
+        negligible = 0.0 if sample.values else NEGLIGIBLE * max(computed)
         return all(
             isclose(one, other, rel_tol=TOLERANCE, abs_tol=negligible)
             for one, other in zip(given, computed, strict=True)
