@@ -579,12 +579,12 @@ def test_malformed_variables_are_wrong_usage(capsys: pytest.CaptureFixture[str],
 def test_help_is_short_and_wins(capsys: pytest.CaptureFixture[str]) -> None:
     for words in (["-h"], ["--help"], ["check", "-h"], ["a", "b", "--help"]):
         assert outcome(capsys, *words) == (0, cli.HELP, "")
-    for text in (cli.HELP, cli.PICTURE_HELP):
+    for text in (cli.HELP, cli.PICTURE_HELP, cli.VIEW_HELP):
         lines = text.splitlines()
         assert len(lines) < 50
         assert max(map(len, lines)) <= 100
     for option in cli.OPTIONS:
-        assert option in cli.HELP + cli.PICTURE_HELP
+        assert option in cli.HELP + cli.PICTURE_HELP + cli.VIEW_HELP
     for command in set(cli.COMMANDS) - {"build"}:
         assert f"yamaro {command} " in cli.HELP
 
@@ -1070,7 +1070,11 @@ def on_path() -> dict[str, str]:
 @pytest.mark.parametrize(
     ("line", "words", "expected"),
     [
-        ("yamaro ", ["yamaro", ""], "bin check completion migrate picture robot.yaml tree two.yml"),
+        (
+            "yamaro ",
+            ["yamaro", ""],
+            "bin check completion migrate picture robot.yaml tree two.yml view watch",
+        ),
         ("yamaro ro", ["yamaro", "ro"], "robot.yaml"),
         ("yamaro check ro", ["yamaro", "check", "ro"], "robot.yaml"),
         ("yamaro robot.yaml ", ["yamaro", "robot.yaml", ""], "legs:= length:="),
@@ -1104,6 +1108,10 @@ def on_path() -> dict[str, str]:
             "legs:=",
         ),
         ("yamaro completion z", ["yamaro", "completion", "z"], "zsh"),
+        ("yamaro view a", ["yamaro", "view", "a"], "a.urdf"),
+        ("yamaro view --no", ["yamaro", "view", "--no"], "--no-browser"),
+        ("yamaro view --port 80 ro", ["yamaro", "view", "--port", "80", "ro"], "robot.yaml"),
+        ("yamaro watch --out", ["yamaro", "watch", "--out"], "--output"),
     ],
 )
 def test_bash_completes(line: str, words: list[str], expected: str) -> None:

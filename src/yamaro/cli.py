@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from .policy import Limits, Policy
     from .source import Source
     from .tools.picture.request import Request
+    from .tools.rebuilding import Rebuilder
 
 MOST_SECONDS = 1e9
 """The longest time-out, some thirty years: what the system's clocks can count."""
@@ -52,7 +53,7 @@ options, in any place:
       --jail            let it do so in a process that can read its own folder and packages, write
                         nothing, and reach no network (Linux only)
       --safe            let it do nothing but compute: no Python modules, no loops in `process`;
-                        what `yamaro check`, `tree` and `picture` do by themselves
+                        what `yamaro check`, `tree`, `view` and `picture` do by themselves
       --timeout SECONDS end it after that time (with --jail and --safe, 60 if none is given)
       --allow-path PATH with --jail and --safe, let it read a file or folder; may be given again
       --limit NAME=N    set how much it may use, such as turns=5000000; may be given again
@@ -65,6 +66,8 @@ options, in any place:
 other commands:
   yamaro check FILE [name:=value ...]   look for errors, warnings and doubtful things; write nothing
   yamaro tree FILE [name:=value ...]    show links, joints and masses as a tree
+  yamaro view FILE [name:=value ...]    show the robot in the browser: 'yamaro view --help'
+  yamaro watch FILE -o FILE             compile again at each save, and say what came of it
   yamaro picture FILE -o FILE.png [name:=value ...]
                                         draw the robot; 'yamaro picture --help' tells more
   yamaro migrate FILE [-o FILE]         write a URDF, or other XML, as a YAML file of Yamaro
@@ -81,6 +84,21 @@ examples:
 exit status: 0 done, 1 errors in the input or nowhere to write, 2 wrong usage
 """
 
+VIEW_HELP = """\
+usage: yamaro view [options] FILE [name:=value ...]
+
+Show a robot in the browser, and show it anew whenever one of its files is saved. Ctrl-C ends it.
+FILE may also be a URDF or a xacro file.
+
+options:
+      --port N              serve the page at that port; by default at any that is free
+      --no-browser          open no browser, only print the address of the page
+      --editor COMMAND      open files with that command, as in 'code -g {file}:{line}:{column}';
+                            by default with what VISUAL or EDITOR names, if that has a window
+      --trust               let the file do whatever Python can
+
+The other options of 'yamaro check' hold too: --jail, --package and the like ('yamaro --help').
+"""
 PICTURE_HELP = """\
 usage: yamaro picture FILE -o FILE.png [options] [name:=value ...]
 
@@ -124,6 +142,9 @@ OPTIONS = {
     "--allow-path": "allow-path",
     "--limit": "limit",
     "--package": "package",
+    "--port": "port",
+    "--no-browser": "no-browser",
+    "--editor": "editor",
     "--size": "size",
     "--view": "view",
     "--joints": "joints",
@@ -146,6 +167,8 @@ TAKES_VALUE = {
     "allow-path": "a file or folder",
     "limit": "NAME=NUMBER",
     "package": "NAME:=FOLDER",
+    "port": "a number from 0 to 65535",
+    "editor": "a command",
     "size": "WIDTHxHEIGHT",
     "view": "the name of a view, or azimuth,elevation",
     "joints": "NAME=POSITION",
@@ -168,6 +191,10 @@ COMMANDS = {
     "tree": frozenset(("quiet", "strict", "color", *POLICY_OPTIONS)),
     "picture": frozenset(("output", "quiet", "strict", "color", *POLICY_OPTIONS, *PICTURE_OPTIONS)),
     "migrate": frozenset(("output", "quiet", "color", "limit", "force", "package")),
+    "view": frozenset(
+        ("quiet", "strict", "color", "port", "no-browser", "editor", *POLICY_OPTIONS)
+    ),
+    "watch": frozenset(("output", "quiet", "strict", "color", *POLICY_OPTIONS)),
     "completion": frozenset(),
 }
 
@@ -360,7 +387,7 @@ def make_policy(arguments: Arguments) -> Policy:
     from .policy import JAIL, SAFE, TRUSTED, Policy
 
     modes = {"trust": TRUSTED, "jail": JAIL, "safe": SAFE}
-    mode = TRUSTED if arguments.command == "build" else SAFE
+    mode = TRUSTED if arguments.command in ("build", "watch") else SAFE
     mode = next((modes[name] for name in MODE_OPTIONS if arguments.has(name)), mode)
     allowed = arguments.lists.get("allow-path", [])
     if allowed and mode == TRUSTED:
@@ -452,7 +479,7 @@ def _quote(text: str) -> str:
 
 def _run(arguments: Arguments, streams: Streams) -> int:
     if arguments.has("help"):
-        text = PICTURE_HELP if arguments.command == "picture" else HELP
+        text = {"picture": PICTURE_HELP, "view": VIEW_HELP}.get(arguments.command, HELP)
         return _deliver([text.encode()], arguments, streams)
     if arguments.has("version"):
         from . import __version__
@@ -462,6 +489,8 @@ def _run(arguments: Arguments, streams: Streams) -> int:
         return _deliver([_completion(arguments.words)], arguments, streams)
     if arguments.command == "migrate":
         return _migrate(arguments, streams)
+    if arguments.command in ("view", "watch"):
+        return _repeat(arguments, streams)
     return _run_on_file(arguments, streams)
 
 
@@ -569,6 +598,101 @@ def _refuse_replacing(arguments: Arguments, paths: Sequence[str]) -> None:
         if is_there:
             shown = os.path.relpath(path)
             raise WrongUsage(f"{_quote(shown)} is there already; --force replaces it")
+
+
+def _repeat(arguments: Arguments, streams: Streams) -> int:
+    """Build at each save until Ctrl-C, which is how these commands end."""
+    import warnings
+
+    from . import compiler
+
+    arguments.resolve_output()
+    if arguments.words[0] == STANDARD_INPUT:
+        raise WrongUsage(f"'yamaro {arguments.command}' needs a FILE with a name, to see it change")
+    policy = make_policy(arguments)
+    if streams.owns_process:
+        from . import process
+
+        process.bound_memory(policy.limits.memory)
+    run = _view if arguments.command == "view" else _watch
+    try:
+        with warnings.catch_warnings():
+            if not sys.warnoptions:  # user code's warnings, unless asked for with -W
+                warnings.simplefilter("ignore")
+            run(arguments, streams, _rebuilder(arguments, streams, policy))
+    except compiler.UsageError as error:
+        raise WrongUsage(str(error)) from None
+    except KeyboardInterrupt:
+        return DONE
+    finally:
+        streams.restore()
+    return DONE
+
+
+def _rebuilder(arguments: Arguments, streams: Streams, policy: Policy) -> Rebuilder:
+    from .tools.rebuilding import Rebuilder
+
+    looks = arguments.command == "view"
+    return Rebuilder(
+        arguments.words[0],
+        policy=policy,
+        packages=_read_packages(arguments),
+        command_line=arguments.assignments,
+        on_message=_drop if streams.quiet else streams.say,
+        strict=arguments.has("strict"),
+        advice=looks,
+        has_root=looks,
+        takes_xml=looks,
+    )
+
+
+def _view(arguments: Arguments, streams: Streams, rebuilder: Rebuilder) -> None:
+    from .tools.view.command import ViewOptions, view
+
+    def tell_url(url: str) -> None:
+        streams.write_result([f"{url}\n".encode()])
+        streams.divert()
+
+    options = ViewOptions(
+        port=_read_port(arguments),
+        has_browser=not arguments.has("no-browser"),
+        editor=arguments.options.get("editor"),
+    )
+    view(
+        rebuilder,
+        options,
+        say=_drop if streams.quiet else streams.say,
+        show=lambda turn: _show(turn.diagnostics, arguments, streams),
+        tell_url=tell_url,
+    )
+
+
+def _read_port(arguments: Arguments) -> int:
+    text = arguments.options.get("port", "0")
+    if not (text.isascii() and text.isdigit() and int(text) <= 65535):
+        raise WrongUsage(f"'--port' takes a number from 0 to 65535, not {_quote(text)}")
+    return int(text)
+
+
+def _watch(arguments: Arguments, streams: Streams, rebuilder: Rebuilder) -> None:
+    from .tools.watch import watch
+
+    if arguments.options.get("output", "-") in STANDARD_OUTPUT:
+        raise WrongUsage("'yamaro watch' needs a file to write, as in '-o robot.urdf'")
+
+    def write(build: Build) -> bool:
+        _refuse_overwriting(arguments, lambda: [*build.files, *build.meshes])
+        return _deliver(build.encoded(), arguments, streams) == DONE
+
+    _refuse_overwriting(arguments, lambda: arguments.words)
+    streams.divert()
+    watch(
+        rebuilder,
+        write=write,
+        output=arguments.options["output"],
+        say=_drop if streams.quiet else streams.say,
+        show=lambda turn: _show(turn.diagnostics, arguments, streams),
+    )
 
 
 def _bound_process(arguments: Arguments, streams: Streams, policy: Policy) -> None:

@@ -145,7 +145,7 @@ class Program:
         self._is_xml = takes_xml and is_xml_file(path)
         self._policy = policy or Policy()
         self._packages = dict(packages or {})
-        self._reach = _reach_of(path, self._policy, self._packages)
+        self._reach = reach_of(path, self._policy, self._packages)
         self._library = Library(
             loader or FileLoader(self._policy.limits, self._reach), rules_of(self._policy)
         )
@@ -276,7 +276,7 @@ class Program:
                 return root
 
             return evaluate_xml
-        passed, places = _read_command_line(command_line)
+        passed, places = read_command_line(command_line)
         passed.update(variables)
 
         def evaluate(source: Source, interpreter: Interpreter, reporter: Reporter) -> Element:
@@ -410,7 +410,7 @@ def build(
     )
 
 
-def _reach_of(path: str, policy: Policy, packages: Mapping[str, str]) -> Reach | None:
+def reach_of(path: str, policy: Policy, packages: Mapping[str, str]) -> Reach | None:
     """Return what a main file may read, or None for anything."""
     if policy.is_trusted:
         return None
@@ -644,7 +644,7 @@ def refusal_of_main(name: str, error: LoadError) -> YamaroError:
     return failure_of_all(error.code, f"the file cannot be read: {error}", name, error.hint)
 
 
-def _read_command_line(arguments: Sequence[str]) -> tuple[dict[str, object], dict[str, Span]]:
+def read_command_line(arguments: Sequence[str]) -> tuple[dict[str, object], dict[str, Span]]:
     """Return the variables given as `name:=value`, and where each name stands."""
     values: dict[str, object] = {}
     places: dict[str, Span] = {}

@@ -21,8 +21,9 @@ PICTURE_OPTIONS = (
 )  # fmt: skip
 """The options of `yamaro picture` alone."""
 VALUED = (
-    "-o", "--output", "--color", "--timeout", "--allow-path", "--limit", "--package", "--size",
-    "--view", "--joints", "--show", "--sweep", "--seconds", "--frames-per-second",
+    "-o", "--output", "--color", "--timeout", "--allow-path", "--limit", "--package", "--port",
+    "--editor", "--size", "--view", "--joints", "--show", "--sweep", "--seconds",
+    "--frames-per-second",
 )  # fmt: skip
 """The options with a word behind them."""
 MAX_BYTES = 8 << 20
@@ -109,7 +110,7 @@ _yamaro() {
         case $word in
             @VALUED@) skip=1 ;;
             -?* | *:=*) ;;
-            check | tree | picture | migrate | completion)
+            check | tree | view | watch | picture | migrate | completion)
                 if [[ $command$file ]]; then file=${file:-$word}; else command=$word; fi ;;
             *) file=${file:-$word} ;;
         esac
@@ -122,10 +123,11 @@ _yamaro() {
     case $previous in
         --color) COMPREPLY=($(compgen -W "auto always never" -- "$current")); return ;;
         -o | --output | --allow-path) _yamaro_files "$current" ""; return ;;
-        --package) return ;;
-        --timeout | --size | --joints | --sweep | --seconds | --frames-per-second) return ;;
+        --package | --timeout | --port) return ;;
+        --size | --joints | --sweep | --seconds | --frames-per-second) return ;;
         --view) COMPREPLY=($(compgen -W "@VIEWS@" -- "$current")); return ;;
         --show) COMPREPLY=($(compgen -W "@SHOWN@" -- "$current")); return ;;
+        --editor) COMPREPLY=($(compgen -c -- "$current")); return ;;
         --limit)
             COMPREPLY=($(compgen -W "@LIMITS@" -S = -- "$current"))
             compopt -o nospace 2>/dev/null
@@ -137,6 +139,8 @@ _yamaro() {
         local options="-q --quiet --strict --color"
         options+=" --trust --jail --safe --timeout --allow-path --limit --package"
         [[ $command == migrate ]] && options="-q --quiet --color --limit -o --output --force"
+        [[ $command == view ]] && options+=" --port --no-browser --editor"
+        [[ $command == watch ]] && options+=" -o --output"
         [[ $command == picture ]] && options+=" -o --output @PICTURE@"
         [[ $command ]] || options+=" -o --output --deps -h --help -V --version"
         COMPREPLY=($(compgen -W "$options" -- "$current"))
@@ -146,7 +150,7 @@ _yamaro() {
         COMPREPLY=($(compgen -W "$names" -- "$current"))
         compopt -o nospace 2>/dev/null
     else
-        local commands="check tree picture migrate completion"
+        local commands="check tree view watch picture migrate completion"
         [[ $command ]] || COMPREPLY=($(compgen -W "$commands" -- "$current"))
         if [[ $command == migrate ]]; then
             _yamaro_files "$current" urdf xml
@@ -186,7 +190,7 @@ _yamaro_words() {
         case $word in
             @VALUED@) skip=1 ;;
             -?* | *:=*) ;;
-            check | tree | picture | migrate | completion)
+            check | tree | view | watch | picture | migrate | completion)
                 if [[ -n $command$file ]]; then file=${file:-$word}; else command=$word; fi ;;
             *) file=${file:-$word} ;;
         esac
@@ -208,6 +212,8 @@ _yamaro_words() {
             local -a commands=(
                 'check:look for errors, warnings and doubtful things'
                 'tree:show links, joints and masses as a tree'
+                'view:show the robot in the browser, anew at each save'
+                'watch:compile at each save'
                 'picture:draw the robot'
                 'migrate:write a URDF as a YAML file'
                 'completion:print a completion script'
@@ -242,6 +248,9 @@ _yamaro() {
         '*--limit=[set how much it may use]:limit:_yamaro_limits' \
         '*--package=[say where a ROS package is]:name\:=folder: ' \
         '--force[with migrate, replace a file]' \
+        '--port=[with view, serve the page at that port]:port: ' \
+        '--no-browser[with view, only print the address]' \
+        '--editor=[with view, open files with that command]:command:_command_names -e' \
         '--size=[with picture, its width and height]:pixels: ' \
         '*--view=[with picture, from where]:view:(@VIEWS@)' \
         '*--joints=[with picture, where joints stand]:name=position: ' \
@@ -283,12 +292,12 @@ end
 
 function __yamaro_command
     set -l words (__yamaro_words)
-    contains -- "$words[1]" check tree picture migrate completion; and echo $words[1]
+    contains -- "$words[1]" check tree view watch picture migrate completion; and echo $words[1]
 end
 
 function __yamaro_file
     set -l words (__yamaro_words)
-    contains -- "$words[1]" check tree picture migrate completion; and set -e words[1]
+    contains -- "$words[1]" check tree view watch picture migrate completion; and set -e words[1]
     test -n "$words[1]"; and echo -- $words[1]
 end
 
@@ -316,6 +325,8 @@ end
 complete -c yamaro -f
 complete -c yamaro -n '__yamaro_wants command' -a check -d 'look for errors and warnings'
 complete -c yamaro -n '__yamaro_wants command' -a tree -d 'show links, joints and masses'
+complete -c yamaro -n '__yamaro_wants command' -a view -d 'show the robot in the browser'
+complete -c yamaro -n '__yamaro_wants command' -a watch -d 'compile at each save'
 complete -c yamaro -n '__yamaro_wants command' -a picture -d 'draw the robot'
 complete -c yamaro -n '__yamaro_wants command' -a migrate -d 'write a URDF as a YAML file'
 complete -c yamaro -n '__yamaro_wants command' -a completion -d 'print a completion script'
@@ -334,6 +345,9 @@ complete -c yamaro -l allow-path -r -F -d 'let it read a file or folder'
 complete -c yamaro -l limit -x -a '(string split " " "@LIMITS@")=' -d 'set how much it may use'
 complete -c yamaro -l package -x -d 'say where a ROS package is: NAME:=FOLDER'
 complete -c yamaro -l force -d 'with migrate, replace a file'
+complete -c yamaro -l port -x -d 'with view, serve the page at that port'
+complete -c yamaro -l no-browser -d 'with view, only print the address'
+complete -c yamaro -l editor -x -a '(__fish_complete_command)' -d 'with view, open files with that'
 complete -c yamaro -l size -x -d 'with picture, its width and height'
 complete -c yamaro -l view -x -a '@VIEWS@' -d 'with picture, from where'
 complete -c yamaro -l joints -x -d 'with picture, where joints stand: NAME=POSITION'

@@ -194,8 +194,9 @@ def _default(writer: FileWriter, own: Parameter) -> str:
         return "''"
     outside = without_expressions(value)
     is_quoted = (own.default or "").startswith("'")
+    is_misread = isinstance(value, Quoted) and is_typed(value) and not is_quoted
     if (
-        (isinstance(value, Quoted) and is_typed(value) and not is_quoted)
+        is_misread
         or any(char in outside for char in ",[]{}#'\"&*!|>%@`")
         or ": " in outside
         or " " in outside

@@ -38,7 +38,7 @@ class FileWriter(ElementWriter):
         program: the robot that the file belongs to.
         contents: tells what statements make.
         solids: tells which macros compute the inertia of a solid.
-        reach: tells which names of macros are read elsewhere.
+        reach: tells what of a macro is read elsewhere.
         path: of the file.
         output_of: gives the path of the source that a file becomes.
         translator: translates its expressions.

@@ -1,0 +1,194 @@
+"""Builds a robot again and again, as its files change, and tells what came of each turn."""
+
+from __future__ import annotations
+
+import os
+import time
+
+from ..compiler import Program, UsageError
+from ..diagnostics import ERROR, Diagnostic, YamaroError
+from .watching import INTERVAL, FileWatch, surroundings
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable, Mapping, Sequence
+
+    from ..compiler import Build
+    from ..policy import Policy
+
+
+class Turn:
+    """What came of one build.
+
+    Attributes:
+        build: the finished robot, or None.
+        diagnostics: errors and warnings, in order.
+        fault: why there is no build, where that is at no place of a file.
+        seconds: how long it took.
+    """
+
+    __slots__ = ("build", "diagnostics", "fault", "seconds")
+
+    def __init__(
+        self,
+        build: Build | None,
+        diagnostics: Sequence[Diagnostic],
+        *,
+        fault: str = "",
+        seconds: float = 0.0,
+    ) -> None:
+        """Hold it."""
+        self.build = build
+        self.diagnostics = list(diagnostics)
+        self.fault = fault
+        self.seconds = seconds
+
+    def is_told_as(self, other: Turn | None) -> bool:
+        """Tell whether there is the same to tell of two builds."""
+        return (
+            other is not None
+            and self.fault == other.fault
+            and list(map(_told, self.diagnostics)) == list(map(_told, other.diagnostics))
+        )
+
+    def fails_as(self, other: Turn | None) -> bool:
+        """Tell whether two builds failed in the same way."""
+        is_failure = self.build is None and other is not None and other.build is None
+        return is_failure and self.is_told_as(other)
+
+
+class Rebuilder:
+    """A robot whose files are watched.
+
+    Attributes:
+        path: the main file.
+        policy: how far it is trusted.
+        packages: folders of ROS packages by name.
+        command_line: variables as `name:=value`.
+    """
+
+    def __init__(
+        self,
+        path: str,
+        *,
+        policy: Policy,
+        packages: Mapping[str, str],
+        command_line: Sequence[str],
+        on_message: Callable[[str], None],
+        strict: bool = False,
+        advice: bool = False,
+        has_root: bool = False,
+        takes_xml: bool = False,
+    ) -> None:
+        """Name the main file; see `yamaro.build`."""
+        self.path = path
+        self.policy = policy
+        self.packages = packages
+        self.command_line = command_line
+        self._on_message = on_message
+        self._strict = strict
+        self._advice = advice
+        self._has_root = has_root
+        self._takes_xml = takes_xml
+        self._program: Program | None = None
+        self._watch = FileWatch()
+        self._last: Turn | None = None
+        _import_ahead(policy)
+
+    def build(self, variables: Mapping[str, object] | None = None) -> Turn:
+        """Build with these variables, and watch what took part from now on.
+
+        Raises:
+            UsageError: it is the first build, and the main file cannot be read, or a `name:=value`
+                is malformed. Later on a file that is gone may well come back.
+        """
+        since = time.time_ns()
+        start = time.perf_counter()
+        try:
+            turn = self._try(variables or {})
+        except UsageError as error:
+            if self._last is None:
+                raise
+            turn = Turn(None, [], fault=str(error))
+        turn.seconds = time.perf_counter() - start
+        self._watch.follow(self._taking_part(turn), since=since)
+        self._last = turn
+        return turn
+
+    def _try(self, variables: Mapping[str, object]) -> Turn:
+        program = self._program or Program(
+            self.path, policy=self.policy, packages=self.packages, takes_xml=self._takes_xml
+        )
+        self._program = program  # another thread may want it forgotten meanwhile
+        try:
+            build = program.build(
+                command_line=self.command_line,
+                variables=variables,
+                strict=self._strict,
+                advice=self._advice,
+                on_message=self._on_message,
+                has_root=self._has_root,
+            )
+        except YamaroError as error:
+            return Turn(None, error.diagnostics)
+        return Turn(build, build.warnings)
+
+    def has_changed(self) -> bool:
+        """Tell whether a file has changed since the last build; the next one reads all anew."""
+        if not self._watch.changed():
+            return False
+        self._program = None
+        return True
+
+    def also_watch(self, paths: Sequence[str]) -> None:
+        """Watch further files, such as meshes that are not there."""
+        self._watch.follow(dict.fromkeys([*self._watch.paths, *paths]), since=time.time_ns())
+
+    def forget(self) -> None:
+        """Have the next build read all files anew."""
+        self._program = None
+
+    def wait(self) -> None:
+        """Return when a file has changed."""
+        while not self.has_changed():
+            time.sleep(INTERVAL)
+
+    def _taking_part(self, turn: Turn) -> list[str]:
+        """Return the files whose change calls for another build."""
+        main = os.path.abspath(self.path)
+        if turn.build is not None:
+            return list(dict.fromkeys([main, *turn.build.files, *turn.build.meshes]))
+        told = [path for diagnostic in turn.diagnostics for path in _files_of(diagnostic)]
+        return list(dict.fromkeys([main, *self._watch.paths, *told, *surroundings(main)]))
+
+
+def _import_ahead(policy: Policy) -> None:
+    """Import what conversions import while they run.
+
+    A jail is a copy of this process. What is here already, not each of them has to import anew.
+    """
+    from ..robot import check, part  # noqa: F401
+
+    if policy.is_safe:
+        from ..runtime import safe_code, safe_runtime  # noqa: F401
+
+
+def _files_of(diagnostic: Diagnostic) -> list[str]:
+    """Return the files that a diagnostic leads through."""
+    files = [diagnostic.span.source.path]
+    frame = diagnostic.trace
+    while frame is not None:
+        files.append(frame.span.source.path)
+        frame = frame.parent
+    return [path for path in files if path]
+
+
+def _told(diagnostic: Diagnostic) -> tuple[str, str, object]:
+    return diagnostic.code, diagnostic.message, diagnostic.span.key()
+
+
+def count_told(diagnostics: Sequence[Diagnostic]) -> str:
+    """Return how many errors and warnings there are, as in "1 error, 2 warnings"."""
+    errors = sum(one.severity == ERROR for one in diagnostics)
+    counts = [(errors, "error"), (len(diagnostics) - errors, "warning")]
+    return ", ".join(f"{count} {word}{'s' if count > 1 else ''}" for count, word in counts if count)

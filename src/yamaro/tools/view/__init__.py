@@ -1,0 +1,1 @@
+"""The robot in the browser while it is written: `yamaro view`."""

@@ -1,0 +1,105 @@
+"""Tells where each link, joint and shape of a robot was written, in a form the page can show."""
+
+from __future__ import annotations
+
+import re
+
+from ...diagnostics import INHERITED, trace_lines
+from ...xmltree import Element
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from ...diagnostics import Diagnostic, Frame
+    from ...source import Span
+
+    Json = dict[str, object]
+
+MOST_CALLS = 12
+"""Steps of calls and includes that are told of one place, innermost first."""
+
+_QUOTED_OWNER = re.compile(r"\b(link|joint) '([^']+)'")
+
+
+class Places:
+    """The places a page can ask to open, by number; what it shows of each is their text."""
+
+    __slots__ = ("_numbers", "texts", "where")
+
+    def __init__(self) -> None:
+        """Begin without places."""
+        self._numbers: dict[object, int] = {}
+        self.texts: list[str] = []
+        self.where: list[tuple[str, int, int]] = []
+
+    def number(self, span: Span) -> int:
+        """Return the number of a place."""
+        key = (span.source.path, span.source.name, span.start)
+        number = self._numbers.get(key)
+        if number is None:
+            number = self._numbers[key] = len(self.texts)
+            self.texts.append(span.place())
+            self.where.append((span.source.path, *span.location()))
+        return number
+
+    def origin(self, element: Element) -> Json:
+        """Return where an element was written, and the calls and includes that led there."""
+        return {"place": self.number(element.span), "calls": self.calls(element.trace)}
+
+    def calls(self, trace: Frame | None) -> list[Json]:
+        """Return the steps that led to a place, innermost first."""
+        steps: list[Json] = []
+        frame = None if trace is INHERITED else trace
+        while frame is not None and len(steps) < MOST_CALLS:
+            steps.append({"kind": frame.kind, "name": frame.name, "place": self.number(frame.span)})
+            frame = frame.parent
+        return steps
+
+
+class Owners:
+    """Tells which link or joint a diagnostic is about."""
+
+    __slots__ = ("_by_place", "_names")
+
+    def __init__(self, root: Element) -> None:
+        """Note every place in the links and joints of a robot."""
+        self._by_place: dict[object, list[tuple[list[str], str, str]]] = {}
+        self._names: set[tuple[str, str]] = set()
+        for owner in root.elements():
+            if owner.name in ("link", "joint"):
+                name = str(owner.attributes.get("name", ""))
+                self._names.add((owner.name, name))
+                for span, trace in _places_in(owner):
+                    calls = trace_lines(None if trace is INHERITED else trace)
+                    found = self._by_place.setdefault(span.key(), [])
+                    found.append((calls, owner.name, name))
+
+    def of(self, diagnostic: Diagnostic) -> tuple[str, str] | None:
+        """Return "link" or "joint" and its name; None if it is about neither, or about many.
+
+        A message that names one is believed. Otherwise the place decides, and where a function
+        was called more than once, the calls.
+        """
+        named = _QUOTED_OWNER.search(diagnostic.message)
+        if named and (named[1], named[2]) in self._names:
+            return named[1], named[2]
+        found = self._by_place.get(diagnostic.span.key(), [])
+        if len(found) > 1:
+            calls = trace_lines(diagnostic.trace)
+            found = [each for each in found if each[0] == calls]
+        owners = {(kind, name) for _, kind, name in found}
+        return owners.pop() if len(owners) == 1 else None
+
+
+def _places_in(owner: Element) -> Iterator[tuple[Span, Frame | None]]:
+    """Yield the place of each element and attribute in a link or joint, with what led there."""
+    pending = [owner]
+    while pending:
+        element = pending.pop()
+        yield element.span, element.trace
+        for attribute in element.attributes:
+            span = element.value_span(attribute)
+            if span is not element.span:
+                yield span, element.trace
+        pending += element.elements()

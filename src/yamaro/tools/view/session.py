@@ -1,0 +1,247 @@
+"""What the page shows: the robot as it was last built, its variables, and what went wrong."""
+
+from __future__ import annotations
+
+import json
+import os
+import threading
+
+from ...compiler import UsageError, reach_of, read_command_line
+from ...diagnostics import YamaroError
+from ...runtime.loader import FileLoader, LoadError, decode
+from ...runtime.meshes import MeshFinder
+from ...runtime.packages import PackageFinder
+from ...syntax.includes import is_xml_file
+from .description import Description, fault_data
+from .fields import Field, WrongValue, read_fields
+from .mesh_files import MeshFiles
+from .origins import Places
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from ..rebuilding import Rebuilder, Turn
+    from .fields import Value
+
+    Json = dict[str, object]
+
+_NOT_WAITING = getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0)
+"""For files that requests ask for: a pipe that nobody writes to must not hang one."""
+
+
+class Session:
+    """One robot that is shown, which builds change, and which requests read, in other threads.
+
+    Attributes:
+        wake: is set when a request wants another build.
+    """
+
+    def __init__(self, rebuilder: Rebuilder, *, editor: str | None) -> None:
+        """Begin without a robot; `editor` is what the editor is called, if there is one."""
+        self.wake = threading.Event()
+        self._rebuilder = rebuilder
+        self._path = rebuilder.path
+        self._reach = reach_of(rebuilder.path, rebuilder.policy, rebuilder.packages)
+        self._loader = FileLoader(rebuilder.policy.limits, self._reach)
+        self._editor = editor
+        self._changed = threading.Condition()
+        self._is_closed = False
+        self._version = 0
+        self._robot_version = 0
+        self._robot: Description | None = None
+        self._fault: Json | None = None
+        self._fault_places = Places()
+        self._seconds = 0.0
+        self._fields: dict[str, Field] = {}
+        self._values: dict[str, Value] = {}
+        self._files: list[dict[str, str]] = [{}, {}]  # of this robot, and of the one before it
+        self._encoded: tuple[int, bytes] = (-1, b"")
+
+    # --- builds ---------------------------------------------------------------------------------
+
+    def build(self) -> Turn:
+        """Build the robot anew, and tell all who wait."""
+        self.wake.clear()
+        self._read_fields()
+        with self._changed:
+            values = dict(self._values)
+        turn = self._rebuilder.build(values)
+        robot = self._describe(turn)
+        with self._changed:
+            self._seconds = turn.seconds
+            if robot is not None:
+                self._robot, self._fault = robot, None
+                self._robot_version += 1
+            else:
+                self._fault_places = Places()
+                self._fault = fault_data(turn.diagnostics, turn.fault, self._fault_places)
+            self._version += 1
+            self._changed.notify_all()
+        return turn
+
+    def _describe(self, turn: Turn) -> Description | None:
+        if turn.build is None:
+            return None
+        if turn.build.root.name != "robot":
+            turn.fault = f"the page shows robots, and this is a <{turn.build.root.name}>"
+            turn.build = None
+            return None
+        finder = MeshFinder(PackageFinder(given=self._rebuilder.packages), self._reach)
+        files = MeshFiles(self._reach)
+        robot = Description(turn.build, finder, files)
+        self._rebuilder.also_watch([*robot.awaited, *files.paths.values()])
+        self._files = [files.paths, self._files[0]]
+        return robot
+
+    def _read_fields(self) -> None:
+        """Read which variables the main file has; of those changed in it, its values count.
+
+        While it has errors, all stays as it was.
+        """
+        try:
+            data = self._loader.read(os.path.abspath(self._path))
+            text = decode(data, name=self._path, path=self._path).text
+            fields = read_fields(text, self._path)
+        except (LoadError, YamaroError):
+            return
+        with self._changed:
+            for name in list(self._values):
+                before, now = self._fields.get(name), fields.get(name)
+                if now is None or before is None or before.default != now.default:
+                    del self._values[name]
+            self._fields = fields
+
+    # --- what requests ask for ------------------------------------------------------------------
+
+    def state(self) -> bytes:
+        """Return all that the page shows, as JSON."""
+        with self._changed:
+            if self._encoded[0] != self._version:
+                self._encoded = (self._version, json.dumps(self._state()).encode())
+            return self._encoded[1]
+
+    def _state(self) -> Json:
+        return {
+            "version": self._version,
+            "robotVersion": self._robot_version,
+            "file": self._path,
+            "editor": self._editor,
+            "milliseconds": round(1000 * self._seconds, 1),
+            "robot": self._robot.data if self._robot is not None else None,
+            "fault": self._fault,
+            "variables": self._variables(),
+        }
+
+    def _variables(self) -> list[Json]:
+        given = self._given()
+        return [
+            {
+                "name": field.name,
+                "kind": field.kind,
+                "default": given.get(name, field.default),
+                "isWhole": isinstance(field.default, int),
+                "value": self._values.get(name, given.get(name, field.default)),
+                "line": field.span.location()[0],
+            }
+            for name, field in self._fields.items()
+        ]
+
+    def _given(self) -> dict[str, Value]:
+        """Return what the command line sets, where it fits the field."""
+        if is_xml_file(self._path):
+            texts = dict(
+                word.split(":=", 1) for word in self._rebuilder.command_line if ":=" in word
+            )
+            return {
+                name: self._fields[name].from_text(text)
+                for name, text in texts.items()
+                if name in self._fields
+            }
+        try:
+            values = read_command_line(self._rebuilder.command_line)[0]
+        except UsageError:
+            return {}
+        found = {}
+        for name, value in values.items():
+            try:
+                if name in self._fields:
+                    found[name] = self._fields[name].read(value)
+            except WrongValue:
+                continue
+        return found
+
+    def wait(self, version: int, seconds: float) -> int:
+        """Return the version, once it is another than that, or after some time; -1 at the end."""
+        with self._changed:
+            self._changed.wait_for(lambda: self._is_closed or self._version != version, seconds)
+            return -1 if self._is_closed else self._version
+
+    def open_file(self, key: str) -> tuple[str, int] | None:
+        """Return path and descriptor of a mesh or texture of this robot, or of the one before it.
+
+        Where it lies is looked at again: it may have become a link since the robot was built.
+        """
+        this, before = self._files
+        path = this.get(key) or before.get(key)
+        if path is None:
+            return None
+        try:
+            descriptor = os.open(path, os.O_RDONLY | _NOT_WAITING)
+        except OSError:
+            return None
+        is_file = os.fstat(descriptor).st_mode & 0o170000 == 0o100000
+        if not is_file or (self._reach is not None and not self._reach.is_of(path, descriptor)):
+            os.close(descriptor)
+            return None
+        return path, descriptor
+
+    def place(self, number: int, *, version: int, is_fault: bool) -> tuple[str, int, int] | None:
+        """Return path, line and column of a place the page has from a version of the state."""
+        with self._changed:
+            places = self._fault_places if is_fault else self._robot and self._robot.places
+            is_current = version == (self._version if is_fault else self._robot_version)
+            if not places or not is_current or not 0 <= number < len(places.where):
+                return None
+            return places.where[number]
+
+    def place_of_variable(self, name: str) -> tuple[str, int, int] | None:
+        """Return where a variable is written."""
+        with self._changed:
+            found = next((each for each in self._fields.values() if each.name == name), None)
+            if found is None:
+                return None
+            line, column = found.span.location()
+            return os.path.abspath(self._path), line, column
+
+    def set_variables(self, values: Mapping[str, object]) -> None:
+        """Set variables of the main file, and have the robot built; None takes the file's value.
+
+        Raises:
+            WrongValue: there is no such variable, or it cannot have that value; nothing is set.
+        """
+        with self._changed:
+            names = {field.name: name for name, field in self._fields.items()}
+            settled: dict[str, Value | None] = {}
+            for shown, value in values.items():
+                if shown not in names:
+                    raise WrongValue("there is no such variable")
+                name = names[shown]
+                settled[name] = None if value is None else self._fields[name].read(value)
+            for name, new in settled.items():
+                if new is None:
+                    self._values.pop(name, None)
+                else:
+                    self._values[name] = new
+        self.wake.set()
+
+    def rebuild(self) -> None:
+        """Have the robot built, and all read anew."""
+        self._rebuilder.forget()
+        self.wake.set()
+
+    def close(self) -> None:
+        """Let all who wait go."""
+        with self._changed:
+            self._is_closed = True
+            self._changed.notify_all()

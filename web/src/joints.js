@@ -1,0 +1,181 @@
+// The sliders of the joints. Positions are kept by name while the robot is built again.
+
+import { byId, h, show } from "./dom.js";
+import { childOf } from "./urdf.js";
+
+const FEW = 7;
+const STEPS = 500;
+const PART_NAMES = { planar: ["x", "y", "turn"], floating: ["x", "y", "z", "roll", "pitch", "yaw"] };
+const DEGREES = 180 / Math.PI;
+
+export class Joints {
+  /** @param {object} told `onMove()`, `onHover(link)`, `onSelect(link)` */
+  constructor(told) {
+    this.told = told;
+    this.positions = new Map(); // name → values that the user has set
+    this.rows = new Map();
+    this.search = byId("joint-search");
+    this.search.oninput = () => this.filter();
+    byId("joint-reset").onclick = () => this.reset();
+  }
+
+  /** Show the joints of a robot, in the positions in which those of the same names were. */
+  setRobot(robot, size) {
+    this.robot = robot;
+    this.rows.clear();
+    for (const joint of robot.joints.values()) {
+      if (joint.jointType !== "fixed") this.rows.set(joint.name, this.rowOf(joint, size));
+    }
+    byId("joints").replaceChildren(...[...this.rows.values()].map(({ element }) => element));
+    byId("joint-count").textContent = String(this.rows.size);
+    show(byId("joints-empty"), this.rows.size === 0);
+    show(this.search, this.rows.size > FEW);
+    show(byId("joint-reset"), this.rows.size > 0);
+    this.filter();
+    for (const { joint, parts } of this.rows.values()) {
+      if (joint.mimicJoint) continue;
+      const wanted = this.positions.get(joint.name) ?? [];
+      robot.setJoint(
+        joint.name,
+        parts.map((part, index) => clamp(wanted[index] ?? 0, part)),
+      );
+    }
+    this.showValues();
+  }
+
+  rowOf(joint, size) {
+    const child = childOf(joint.urdfNode, "child").getAttribute("link");
+    const parts = partsOf(joint, size).map((part) => ({ ...part, ...this.inputsOf(joint, part) }));
+    const isFollower = Boolean(joint.mimicJoint);
+    const element = h(
+      "div.joint-row",
+      {
+        data: { joint: joint.name },
+        onmouseenter: () => this.told.onHover(child),
+        onmouseleave: () => this.told.onHover(null),
+      },
+      h(
+        "button.name",
+        { type: "button", title: `${joint.name}: ${joint.jointType}`, onclick: () => this.told.onSelect(child) },
+        joint.name,
+      ),
+      isFollower && h("span.mimic", { title: `mimics ${joint.mimicJoint}` }, `↳ ${joint.mimicJoint}`),
+      ...parts.map((part) =>
+        h(
+          "div.part",
+          {},
+          h("span.label", {}, part.label),
+          h("span.value", {}, part.field, h("span.unit", {}, part.unit)),
+          h("span.limit", {}, part.isFree ? "" : shown(part.lower, part.isAngle)),
+          part.slider,
+          h("span.limit", {}, part.isFree ? "" : shown(part.upper, part.isAngle)),
+        ),
+      ),
+    );
+    element.classList.toggle("follower", isFollower);
+    return { element, joint, child, parts };
+  }
+
+  inputsOf(joint, part) {
+    const factor = part.isAngle ? DEGREES : 1;
+    const isFixed = Boolean(joint.mimicJoint) || !(part.upper > part.lower);
+    const common = { disabled: isFixed, title: joint.name };
+    const slider = h("input", {
+      ...common,
+      type: "range",
+      min: String(part.lower),
+      max: String(part.upper),
+      step: String((part.upper - part.lower) / STEPS || 1),
+      oninput: () => this.move(joint, part.index, Number(slider.value)),
+      ondblclick: () => this.move(joint, part.index, 0),
+    });
+    slider.setAttribute("aria-label", `${joint.name} ${part.label}`.trim());
+    const field = h("input.number", {
+      ...common,
+      type: "number",
+      step: part.isAngle ? "1" : "0.001",
+      onchange: () => this.move(joint, part.index, Number(field.value) / factor),
+    });
+    field.setAttribute("aria-label", `${joint.name} ${part.label} in ${part.unit}`);
+    return { slider, field, factor };
+  }
+
+  /** Move a part of a joint, and remember it. */
+  move(joint, index, value) {
+    const { parts } = this.rows.get(joint.name);
+    const values = [...joint.jointValue];
+    values[index] = clamp(Number.isFinite(value) ? value : 0, parts[index]);
+    this.positions.set(joint.name, values);
+    this.robot.setJoint(joint.name, values);
+    this.showValues();
+    this.told.onMove();
+  }
+
+  /** Put all joints to 0, or as near as their limits let them be. */
+  reset() {
+    this.positions.clear();
+    for (const { joint, parts } of this.rows.values()) {
+      if (!joint.mimicJoint) {
+        this.robot.setJoint(
+          joint.name,
+          parts.map((part) => clamp(0, part)),
+        );
+      }
+    }
+    this.showValues();
+    this.told.onMove();
+  }
+
+  showValues() {
+    for (const { joint, parts } of this.rows.values()) {
+      for (const { index, slider, field, factor } of parts) {
+        const value = joint.jointValue[index] ?? 0;
+        slider.value = String(value);
+        const share = (value - Number(slider.min)) / (Number(slider.max) - Number(slider.min));
+        slider.style.setProperty("--share", `${100 * Math.min(Math.max(share || 0, 0), 1)}%`);
+        if (document.activeElement !== field) {
+          field.value = String(rounded(value * factor, factor === 1 ? 4 : 1));
+        }
+      }
+    }
+  }
+
+  filter() {
+    const wanted = this.search.value.trim().toLowerCase();
+    for (const { element, joint, child } of this.rows.values()) {
+      element.hidden = !`${joint.name} ${child}`.toLowerCase().includes(wanted);
+    }
+  }
+
+  /** Mark the joint that holds a link; null marks none. */
+  mark(link) {
+    for (const { element, child } of this.rows.values()) {
+      element.classList.toggle("selected", child === link);
+      if (child === link) element.scrollIntoView({ block: "nearest" });
+    }
+  }
+}
+
+/** Return what of a joint can be moved: label, range and unit of each degree of freedom. */
+function partsOf(joint, size) {
+  const turn = { lower: -Math.PI, upper: Math.PI, isAngle: true, unit: "°", isFree: true };
+  const slide = { lower: -2 * size, upper: 2 * size, isAngle: false, unit: "m", isFree: true };
+  const { lower, upper } = joint.limit;
+  const names = PART_NAMES[joint.jointType] ?? [""];
+  return names.map((label, index) => {
+    let range = slide;
+    if (joint.jointType === "continuous" || ["turn", "roll", "pitch", "yaw"].includes(label)) {
+      range = turn;
+    } else if (joint.jointType === "revolute") range = { ...turn, lower, upper, isFree: false };
+    else if (joint.jointType === "prismatic") range = { ...slide, lower, upper, isFree: false };
+    return { label, index, ...range };
+  });
+}
+
+const clamp = (value, { lower, upper }) =>
+  upper >= lower ? Math.min(Math.max(value, lower), upper) : value;
+
+const rounded = (value, digits) => Number(value.toFixed(digits)) + 0;
+
+const shown = (value, isAngle) =>
+  isAngle ? `${rounded(value * DEGREES, 1)}°` : `${rounded(value, 3)} m`;

@@ -1,0 +1,243 @@
+// The page of `yamaro view`: puts the parts together.
+
+import { follow, latestPoster, post } from "./connection.js";
+import { byId, show } from "./dom.js";
+import { equivalentBox } from "./inertia.js";
+import { Joints } from "./joints.js";
+import { Fault, Warnings } from "./messages.js";
+import { Origin } from "./origin.js";
+import { Robot } from "./robot.js";
+import { Stage } from "./stage.js";
+import { Tree } from "./tree.js";
+import { Variables } from "./variables.js";
+
+const KINDS = ["visual", "collision", "inertia", "frames", "axes"];
+const shown = { visual: true, collision: false, inertia: false, frames: false, axes: false };
+
+let state = null; // what the server told last
+let robot = null; // what stands on the stage
+let builtVersion = 0;
+let shownVersion = 0;
+let selection = { link: null, shape: null };
+
+const stage = makeStage({
+  onHover(object) {
+    const shape = object && robot?.shapeOf(object);
+    byId("canvas").classList.toggle("pointing", Boolean(shape));
+    hover(shape?.link ?? null);
+    showHint(shape);
+  },
+  onClick(object) {
+    const shape = object && robot?.shapeOf(object);
+    select(shape?.link ?? null, shape ?? null);
+  },
+});
+
+/** Make the stage; where the browser cannot draw, say so. */
+function makeStage(told) {
+  try {
+    return new Stage(byId("canvas"), told);
+  } catch (error) {
+    byId("empty").textContent = "This browser cannot draw in 3D: WebGL 2 is missing or turned off.";
+    throw error;
+  }
+}
+
+const tree = new Tree({ onSelect: (link) => select(link), onHover: hover });
+const joints = new Joints({
+  onMove: stage.draw,
+  onHover: hover,
+  onSelect: (link) => select(link),
+});
+const origin = new Origin({ onOpen: openPlace, onClose: () => select(null) });
+const fault = new Fault({ onOpen: openPlace });
+const warnings = new Warnings({ onSelect: selectOwner, onOpen: openPlace });
+const sendVariables = latestPoster("variables", (refusal) => notify(refusal));
+const variables = new Variables({
+  onChange: sendVariables,
+  onOpen: (name) => openPlace({ variable: name, text: name }),
+  onCopied: () => notify("copied"),
+});
+
+// --- what the server tells ------------------------------------------------------------------------
+
+async function onState(next) {
+  state = next;
+  document.body.dataset.editor = next.editor ?? "";
+  const title = next.file.split(/[\\/]/).pop();
+  document.title = `${next.fault ? "✗ " : ""}${title} · yamaro`;
+  byId("file").textContent = next.file;
+  byId("file").title = next.file;
+  byId("time").textContent = next.fault ? "not built" : `built in ${Math.round(next.milliseconds)} ms`;
+  variables.set(next.variables, title);
+  fault.set(next.fault, Boolean(next.robot));
+  show(byId("empty"), !next.robot && !next.fault);
+  if (next.robot && next.robotVersion !== builtVersion) {
+    builtVersion = next.robotVersion;
+    try {
+      await build(next.robot, next.robotVersion);
+    } catch (error) {
+      fault.set({ fault: `this robot cannot be shown: ${error.message}`, diagnostics: [] }, true);
+    }
+  }
+  shownVersion = Math.max(shownVersion, next.version);
+}
+
+/** Put a robot on the stage once its meshes are there, unless a newer one has come meanwhile. */
+async function build(description, version) {
+  const faults = [];
+  const next = new Robot(description, {
+    onChange: stage.draw,
+    onFault: (mesh, reason) => faults.push([mesh, reason]),
+  });
+  await next.ready;
+  if (version !== builtVersion) {
+    next.dispose();
+    return;
+  }
+  const isFirst = robot === null;
+  robot?.dispose();
+  robot = next;
+  const bounds = robot.bounds();
+  robot.addMarks(bounds.getSize(stage.camera.position.clone()).length() / 2);
+  stage.setRobot(robot, bounds);
+  for (const kind of KINDS) robot.setShown(kind, shown[kind]);
+  if (isFirst) stage.look("iso", bounds);
+  tree.setRobot(robot);
+  joints.setRobot(robot, stage.radius);
+  warnings.set(description.diagnostics, description.places);
+  for (const [mesh, reason] of faults) warnings.addMeshFault(mesh, reason);
+  byId("name").textContent = robot.name || "robot";
+  byId("cell").textContent = `grid ${cellText(stage.cell)}`;
+  select(robot.links.has(selection.link) ? selection.link : null, selection.shape);
+  stage.drawNow();
+}
+
+const cellText = (meters) =>
+  meters >= 1 ? `${meters} m` : meters >= 0.01 ? `${Math.round(100 * meters)} cm` : `${Number((1000 * meters).toPrecision(2))} mm`;
+
+function onConnection(isConnected) {
+  byId("status").classList.toggle("lost", !isConnected);
+  byId("status").title = isConnected ? "shows each save" : "yamaro view has ended";
+  show(byId("lost"), !isConnected);
+}
+
+// --- what the user does ---------------------------------------------------------------------------
+
+function hover(link) {
+  if (!robot || robot.highlighted.hovered === link) return;
+  robot.highlight("hovered", link);
+  tree.mark("hovered", link);
+  stage.draw();
+}
+
+function select(link, shape = null) {
+  const body = shape && robot?.shapes.find(
+    (each) => each.link === shape.link && each.kind === shape.kind && each.index === shape.index,
+  );
+  selection = { link, shape: body ?? null };
+  robot?.highlight("selected", link);
+  tree.mark("selected", link);
+  joints.mark(link);
+  origin.set(robot, link, body);
+  stage.draw();
+}
+
+/** Select the link that a warning is about; of a joint, the link that it moves. */
+function selectOwner({ link, joint }) {
+  const below = [...(robot?.jointAbove ?? [])].find(([, each]) => each.name === joint);
+  select(link ?? below?.[0] ?? null);
+}
+
+async function openPlace({ place, variable, text, isFault = false }) {
+  if (!state.editor) {
+    const plain = variable ? `${state.file} ${variable}` : text;
+    await navigator.clipboard?.writeText(plain).catch(() => {});
+    notify(`copied ${plain}`);
+    return;
+  }
+  const version = isFault ? state.version : state.robotVersion;
+  const refusal = await post("open", variable ? { variable } : { place, version, isFault });
+  if (refusal) notify(refusal);
+}
+
+let noteTimer = 0;
+function notify(text) {
+  byId("note").textContent = text;
+  show(byId("note"), true);
+  clearTimeout(noteTimer);
+  noteTimer = setTimeout(() => show(byId("note"), false), 2500);
+}
+
+function showHint(shape) {
+  const joint = shape && robot.jointAbove.get(shape.link);
+  byId("hint").textContent = shape ? [shape.link, joint?.name].filter(Boolean).join("  ·  ") : "";
+  show(byId("hint"), Boolean(shape));
+}
+
+function toggle(kind) {
+  shown[kind] = !shown[kind];
+  byId(`show-${kind}`).setAttribute("aria-pressed", String(shown[kind]));
+  robot?.setShown(kind, shown[kind]);
+  stage.draw();
+}
+
+function showPane(name) {
+  document.body.dataset.pane = name;
+  for (const tab of document.querySelectorAll("#tabs button")) {
+    tab.setAttribute("aria-selected", String(tab.dataset.pane === name));
+  }
+}
+
+function onKey(event) {
+  if (event.target.closest("input, textarea") || event.ctrlKey || event.metaKey || event.altKey) return;
+  const actions = { f: () => look("iso"), r: () => joints.reset(), Escape: () => select(null) };
+  KINDS.forEach((kind, index) => (actions[String(index + 1)] = () => toggle(kind)));
+  if (event.key === "/") {
+    event.preventDefault();
+    byId("tree-search").focus();
+  }
+  actions[event.key]?.();
+}
+
+const look = (view) => robot && stage.look(view, robot.bounds());
+
+byId("time").onclick = () => post("rebuild", {});
+for (const kind of KINDS) byId(`show-${kind}`).onclick = () => toggle(kind);
+for (const button of document.querySelectorAll("[data-view]")) {
+  button.onclick = () => look(button.dataset.view);
+}
+for (const tab of document.querySelectorAll("#tabs button")) {
+  tab.onclick = () => showPane(tab.dataset.pane);
+}
+document.addEventListener("keydown", onKey);
+showPane("joints");
+
+const dark = window.matchMedia("(prefers-color-scheme: dark)");
+const followTheme = () => {
+  stage.setTheme(dark.matches ? "dark" : "light");
+  stage.draw();
+};
+dark.addEventListener("change", followTheme);
+followTheme();
+follow(onState, onConnection);
+
+// For tests and for the curious: what is shown, in numbers.
+window.yamaro = {
+  get version() {
+    return shownVersion;
+  },
+  get robot() {
+    return robot;
+  },
+  get stage() {
+    return stage;
+  },
+  /** Return the pose of a link in the root's frame, row by row. */
+  pose(link) {
+    robot.object.updateMatrixWorld(true);
+    return robot.links.get(link).matrixWorld.clone().transpose().toArray();
+  },
+  setJoint: (name, ...values) => values.forEach((value, index) => joints.move(robot.joints.get(name), index, value)),
+  equivalentBox,
+};

@@ -1,0 +1,205 @@
+// The variables of the main file as fields. Changing one has the robot built with it; the file
+// stays as it is.
+
+import { byId, h, show } from "./dom.js";
+
+const STEPS = 200;
+const SCRUB_PIXELS = 3; // of the pointer's way for each step
+
+export class Variables {
+  /** @param {object} told `onChange({name: value})`, `onOpen(name)`, `onCopied()` */
+  constructor(told) {
+    this.told = told;
+    this.rows = new Map();
+    this.shape = "";
+    byId("variable-reset").onclick = () => this.reset();
+    byId("assignments").onclick = () => this.copyAssignments();
+  }
+
+  /** Show the variables; a field that is being edited is left alone. */
+  set(variables, file) {
+    this.file = file;
+    const shape = JSON.stringify(variables.map(({ value, line, ...rest }) => rest));
+    if (shape !== this.shape) {
+      this.shape = shape;
+      this.rows.clear();
+      for (const variable of variables) this.rows.set(variable.name, this.rowOf(variable));
+      byId("variables").replaceChildren(...[...this.rows.values()].map(({ element }) => element));
+    }
+    for (const variable of variables) {
+      const row = this.rows.get(variable.name);
+      row.variable = variable;
+      row.showValue(variable.value);
+      row.element.classList.toggle("changed", variable.value !== variable.default);
+      row.element.querySelector(".name").title = `${this.file}:${variable.line}`;
+    }
+    byId("variable-count").textContent = String(variables.length);
+    show(byId("variables-pane"), variables.length > 0);
+    document.body.classList.toggle("has-variables", variables.length > 0);
+    this.showAssignments();
+  }
+
+  rowOf(variable) {
+    const { name, kind } = variable;
+    const row = { variable };
+    const send = (value) => {
+      row.variable = { ...row.variable, value };
+      row.element.classList.toggle("changed", value !== row.variable.default);
+      this.showAssignments();
+      this.told.onChange({ [name]: value });
+    };
+    const make = { number: numberInputs, boolean: switchInput, text: textInput }[kind];
+    const { inputs, showValue, scrub } = make(row, send);
+    row.showValue = showValue;
+    const label = h(
+      "button.name",
+      { type: "button", ondblclick: () => this.told.onOpen(name) },
+      name,
+    );
+    if (scrub) followScrub(label, scrub);
+    const undo = h(
+      "button.undo",
+      {
+        type: "button",
+        title: `back to ${variable.default}`,
+        onclick: () => {
+          showValue(variable.default);
+          row.variable = { ...row.variable, value: row.variable.default };
+          row.element.classList.remove("changed");
+          this.showAssignments();
+          this.told.onChange({ [name]: null });
+        },
+      },
+      "↺",
+    );
+    row.element = h(`div.variable-row.${kind}`, { data: { variable: name } }, label, ...inputs, undo);
+    return row;
+  }
+
+  reset() {
+    const values = {};
+    for (const [name, row] of this.rows) {
+      if (row.variable.value !== row.variable.default) values[name] = null;
+    }
+    if (Object.keys(values).length) this.told.onChange(values);
+  }
+
+  /** Return what to write on the command line for the same robot. */
+  assignments() {
+    return [...this.rows.values()]
+      .map(({ variable }) => variable)
+      .filter(({ value, default: own }) => value !== own)
+      .map(({ name, kind, value }) => shellWord(name, kind === "text" ? quoted(value) : value))
+      .join(" ");
+  }
+
+  showAssignments() {
+    const text = this.assignments();
+    byId("assignments").textContent = text;
+    show(byId("assignments"), text !== "");
+    show(byId("variable-reset"), text !== "");
+  }
+
+  async copyAssignments() {
+    await navigator.clipboard?.writeText(this.assignments());
+    this.told.onCopied();
+  }
+}
+
+function numberInputs(row, send) {
+  const { name, default: own, isWhole } = row.variable;
+  const step = stepOf(own, isWhole);
+  const [least, most] = rangeOf(own, isWhole);
+  const slider = h("input", {
+    type: "range",
+    min: String(least),
+    max: String(most),
+    step: String(isWhole && own !== 0 ? 1 : (most - least) / STEPS),
+    oninput: () => change(Number(slider.value)),
+  });
+  slider.setAttribute("aria-label", name);
+  const field = h("input.number", {
+    type: "number",
+    step: "any",
+    oninput: () => field.value !== "" && Number.isFinite(field.valueAsNumber) && change(field.valueAsNumber),
+    onkeydown: (event) => {
+      const direction = { ArrowUp: 1, ArrowDown: -1 }[event.key];
+      if (!direction) return;
+      event.preventDefault();
+      change(tidy(field.valueAsNumber + direction * step * (event.shiftKey ? 10 : 1)));
+      field.value = String(row.variable.value);
+    },
+  });
+  field.setAttribute("aria-label", `${name}, value`);
+
+  function showValue(value) {
+    slider.min = String(Math.min(least, value));
+    slider.max = String(Math.max(most, value));
+    slider.value = String(value);
+    const share = (value - Number(slider.min)) / (Number(slider.max) - Number(slider.min));
+    slider.style.setProperty("--share", `${100 * (share || 0)}%`);
+    if (document.activeElement !== field) field.value = String(value);
+  }
+  function change(value) {
+    const tidied = tidy(value);
+    showValue(tidied);
+    send(tidied);
+  }
+  const scrub = (steps) => change(row.variable.value + steps * step);
+  return { inputs: [slider, field], showValue, scrub };
+}
+
+function switchInput(row, send) {
+  const box = h("input", { type: "checkbox", onchange: () => send(box.checked) });
+  box.setAttribute("aria-label", row.variable.name);
+  const showValue = (value) => (box.checked = value);
+  return { inputs: [h("label.switch", {}, box, h("span", {}))], showValue };
+}
+
+function textInput(row, send) {
+  const field = h("input", { type: "text", spellcheck: false, onchange: () => send(field.value) });
+  field.setAttribute("aria-label", row.variable.name);
+  const showValue = (value) => {
+    if (document.activeElement !== field) field.value = value;
+  };
+  return { inputs: [field], showValue };
+}
+
+/** Let a label be dragged to the left and right to change a number. */
+function followScrub(label, scrub) {
+  label.classList.add("scrub");
+  label.addEventListener("pointerdown", (event) => {
+    let last = event.clientX;
+    label.setPointerCapture(event.pointerId);
+    label.onpointermove = (move) => {
+      const steps = Math.trunc((move.clientX - last) / SCRUB_PIXELS);
+      if (!steps) return;
+      last += steps * SCRUB_PIXELS;
+      scrub(steps);
+    };
+    label.onpointerup = label.onpointercancel = () => (label.onpointermove = null);
+  });
+}
+
+/** Return a step that suits how a number is written: 0.133 goes by 0.001. */
+function stepOf(value, isWhole) {
+  if (isWhole) return value === 0 ? 0.1 : 1;
+  const digits = (String(value).split(".")[1] ?? "").length;
+  return 10 ** -Math.max(Math.min(digits, 6), 1);
+}
+
+function rangeOf(value, isWhole) {
+  if (value === 0) return isWhole ? [0, 1] : [-1, 1];
+  const far = isWhole ? Math.max(2 * Math.abs(value), 10) : 2 * Math.abs(value);
+  return value > 0 ? [0, far] : [-far, 0];
+}
+
+const tidy = (value) => Number(value.toPrecision(6));
+
+/** Return a text as YAML that cannot be taken for a number or anything else. */
+const quoted = (text) => (/^[A-Za-z][\w ./-]*$/.test(text) ? text : JSON.stringify(text));
+
+function shellWord(name, value) {
+  const word = `${name}:=${value}`;
+  return /^[\w.:=+/-]*$/.test(word) ? word : `'${word.replaceAll("'", `'\\''`)}'`;
+}
