@@ -292,6 +292,11 @@ def test_an_element_like_a_statement_may_hold_anything_else() -> None:
     assert warned("out:\n  prat: {x: 1}") == []
 
 
+@pytest.mark.parametrize("word", ["far", "fov", "friction", "pair", "points", "pos", "ros"])
+def test_elements_of_simulators_are_not_taken_for_misspelt_statements(word: str) -> None:
+    assert warned(f"out:\n  {word}: {{name: 1}}") == []
+
+
 def test_a_word_of_two_letters_may_be_a_misspelt_statement() -> None:
     hint = "write for: for the statement, or <fo>: for the element"
     assert warned("out:\n  fo: {in: 1}") == [("misspelt-statement", hint)]

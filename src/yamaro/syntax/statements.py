@@ -175,7 +175,7 @@ def _parse_dynamic(
 # Elements of URDF, SDF, MJCF and others that are near a statement's name.
 _LOOK_MISSPELT = frozenset(
     "dart exclude far farm fog force fov friction included pair parent park parts path pin point "
-    "port pos sort".split()
+    "points port pos ros sort".split()
 )
 
 
