@@ -61,3 +61,20 @@ def test_a_property_for_the_parent_of_a_file_that_a_macro_includes_is_for_its_ca
         """,
     )
     assert hold_for(tmp_path, []) == []
+
+
+def test_a_parameter_hides_a_property_of_the_file_from_what_the_macro_calls(
+    tmp_path: Path,
+) -> None:
+    migrated(
+        tmp_path,
+        """\
+        <xacro:arg name="given" default="small"/>
+        <xacro:property name="size" value="small"/>
+        <xacro:macro name="hand" params=""><link name="${size}_hand"/></xacro:macro>
+        <xacro:macro name="arm" params="size"><xacro:hand/></xacro:macro>
+        <xacro:arm size="$(arg given)"/>
+        <link name="${size}"/>
+        """,
+    )
+    assert hold_for(tmp_path, ["given:=large"]) == []

@@ -85,6 +85,8 @@ def write_property(writer: FileWriter, node: Element, body: Body) -> None:
         raise CannotMigrate(f"the property '{name}' is handed out of a namespace")
     if writer.here.is_top and (not scope or writer.path in writer.program.included_by_macros):
         scope = writer.scope_of(name)
+        if not scope and name in writer.reach.hidden:
+            scope = "/global"  # what callers hand down goes before it, as in xacro
     elif not writer.here.is_top and _is_handed_down(writer, name, writer.here.macro):
         scope = {"": "/child", "/parent": "/bridge"}.get(scope, scope)
     value = writer.translator.value(text)

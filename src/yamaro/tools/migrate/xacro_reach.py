@@ -35,7 +35,11 @@ class _Reads:
 
 
 class Reach:
-    """Tells which names of macros are read elsewhere."""
+    """Tells which names of macros are read elsewhere.
+
+    Attributes:
+        hidden: the properties of files that a macro's own names hide from what it calls.
+    """
 
     def __init__(self, program: Program) -> None:
         """Look at all macros and files."""
@@ -49,6 +53,8 @@ class Reach:
             self._reads[path] = self._reads_of(root, set(), inside)
         self._bind_nested()
         self._hand_on()
+        macros = program.definitions.values()
+        self.hidden = program.at_top & set().union(*map(self.read_below, macros))
 
     def _reads_of(self, element: Element, parameters: set[str], inside: set[int]) -> _Reads:
         program = self._program
