@@ -136,6 +136,10 @@ def test_variables_behind_includes_stand_at_the_top_if_the_includes_leave_them_a
         "  length: 2",
         "  half: $(length / 2)",
     ]
+    materials = '<material name="red"><color rgba="1 0 0 1"/></material>\n'
+    assert migrated(tmp_path, materials + textwrap.dedent(text), lib="<b/>")["r.yaml"].startswith(
+        "robot: r\nvariables:\n"
+    )
     own = '<xacro:property name="length" value="9"/><b l="${length}"/>'
     made = migrated(tmp_path, text, lib=own)["r.yaml"]
     assert made.index("include") < made.index("length")

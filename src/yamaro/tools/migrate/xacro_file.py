@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 
+from ...syntax.names import STATEMENTS
 from ...xmltree import format_value
 from .document import Body, Entry, joined, literal
 from .elements import comments_above, walk
@@ -76,7 +77,8 @@ def _arguments(writer: FileWriter) -> Body:
 def _take_variables(writer: FileWriter, model: Body, declared: Body) -> None:
     """Take the first variables of a model to those declared for the file, if that is the same.
 
-    They may stand behind includes if these define none of them, and nothing that they read.
+    They may stand behind includes if these define none of them, and nothing that they read, and
+    behind elements without statements, such as materials.
     """
     for index, entry in enumerate(model.entries):
         if entry.key == "variables":
@@ -89,8 +91,16 @@ def _take_variables(writer: FileWriter, model: Body, declared: Body) -> None:
             declared.extend(entry.value)
             del model.entries[index]
             return
-        if entry.key != "include":
+        if entry.key != "include" and not _is_constant(entry):
             return
+
+
+def _is_constant(entry: Entry) -> bool:
+    """Tell whether an entry is an element in which nothing is a statement."""
+    name = entry.key.lstrip("<").partition("/")[0].rstrip(">")
+    if name in STATEMENTS or not name[:1].islower():
+        return False
+    return not isinstance(entry.value, Body) or all(map(_is_constant, entry.value))
 
 
 def _is_independent(writer: FileWriter, variables: Body, declared: Body) -> bool:
