@@ -9,10 +9,12 @@ import os
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Sequence
-    from typing import Any
+    from collections.abc import Callable, Iterable, Sequence
+    from typing import Any, TypeVar
 
     from .transforms import Vector
+
+    T = TypeVar("T")
 
 MESH_ENDINGS = (
     "stl", "dae", "obj", "glb", "gltf", "ply", "off", "3mf", "3ds", "fbx", "x3d", "wrl",
@@ -184,20 +186,29 @@ def read_mesh(path: str) -> TriangleMesh:
         MeshFileError: the file cannot be opened, or is not what its ending says.
         MissingLibraryError: the format needs trimesh, or what trimesh needs for it.
     """
+    mesh = read_by(_read, path)
+    if not mesh.triangles:
+        raise MeshFileError("it has no triangles")
+    return mesh if is_closed(mesh) else _snapped(mesh)
+
+
+def read_by(read: Callable[[str, str], T], path: str) -> T:
+    """Return what `read` makes of a mesh file, given its path and ending.
+
+    Raises:
+        MeshFileError: no format has this ending, or the file cannot be opened, or is too large.
+    """
     ending = mesh_ending(path)
     if ending not in ("stl", "obj") and ending not in TRIMESH_ENDINGS:
         raise MeshFileError(f"no reader for '.{ending}' files")
     try:
         if os.path.getsize(path) > LARGEST_FILE:
             raise MeshFileError(f"it is larger than {LARGEST_FILE >> 20} MB")
-        mesh = _read(path, ending)
+        return read(path, ending)
     except OSError as error:
         raise MeshFileError(error.strerror or str(error)) from error
     except MemoryError as error:
         raise MeshFileError("there is not enough memory for it") from error
-    if not mesh.triangles:
-        raise MeshFileError("it has no triangles")
-    return mesh if is_closed(mesh) else _snapped(mesh)
 
 
 def mesh_ending(filename: str) -> str:

@@ -15,11 +15,10 @@ from ...robot.mesh import (
     LARGEST_FILE,
     STL_FACET_BYTES,
     STL_HEADER_BYTES,
-    TRIMESH_ENDINGS,
     MeshFileError,
     MissingLibraryError,
-    mesh_ending,
     metres,
+    read_by,
     read_mesh,
 )
 from ..scene.robot import LARGEST
@@ -74,17 +73,11 @@ def read_surfaces(path: str, allows: Callable[[str], bool]) -> list[Surface]:
         MeshFileError: the file cannot be opened, or is not what its ending says.
         MissingLibraryError: the format needs a library that is not installed.
     """
-    ending = mesh_ending(path)
-    if ending not in ("stl", "obj") and ending not in TRIMESH_ENDINGS:
-        raise MeshFileError(f"no reader for '.{ending}' files")
-    try:
-        if os.path.getsize(path) > LARGEST_FILE:
-            raise MeshFileError(f"it is larger than {LARGEST_FILE >> 20} MB")
-        found = _read_stl(path) if ending == "stl" else _read_with_trimesh(path, allows)
-    except OSError as error:
-        raise MeshFileError(error.strerror or str(error)) from error
-    except MemoryError as error:
-        raise MeshFileError("there is not enough memory for it") from error
+
+    def read(path: str, ending: str) -> list[Surface]:
+        return _read_stl(path) if ending == "stl" else _read_with_trimesh(path, allows)
+
+    found = read_by(read, path)
     found = [surface for surface in found if len(surface.triangles)]
     if not found:
         raise MeshFileError("it has no triangles")
