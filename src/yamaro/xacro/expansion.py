@@ -32,6 +32,7 @@ if TYPE_CHECKING:
 
     from ..diagnostics import Reporter
     from ..source import Source, Span
+    from ..xmlreader import XmlDocument
     from ..xmltree import Node
     from .host import Host
 
@@ -89,7 +90,7 @@ class Expansion:
 
     Attributes:
         frame: the innermost call or include.
-        documents: the root elements of the files that were read, by path.
+        documents: the files that were included, by path.
         included: the paths that each include meant, by the place of its `filename`.
         lost: attributes and prefixes that were meant for a condition, and so for nothing.
     """
@@ -105,7 +106,7 @@ class Expansion:
         self.statements = Statements(reporter)
         self.comments = Comments()
         self.frame = frame
-        self.documents: dict[str, Element] = {}
+        self.documents: dict[str, XmlDocument] = {}
         self.included: dict[tuple[str, int], list[str]] = {}
         self.lost: dict[str, object] = {}
         self.depth = 0

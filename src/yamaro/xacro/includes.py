@@ -18,6 +18,7 @@ from .statements import PREFIX
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from ..source import Source, Span
+    from ..xmlreader import XmlDocument
     from ..xmltree import Node
     from .expansion import Expansion
     from .statements import Include
@@ -103,14 +104,14 @@ def _source(expansion: Expansion, path: str, place: Span) -> Source:
         raise
 
 
-def _parsed(expansion: Expansion, path: str, source: Source) -> Element:
+def _parsed(expansion: Expansion, path: str, source: Source) -> XmlDocument:
     try:
-        root = read_xml(source, expansion.limits, exact=True).root
+        document = read_xml(source, expansion.limits, exact=True)
     except YamaroError as error:
         add_trace(error, expansion.frame)
         raise
-    expansion.documents[path] = root
-    return root
+    expansion.documents[path] = document
+    return document
 
 
 def _read(
@@ -125,8 +126,9 @@ def _read(
     source = _source(expansion, path, place) if known is None else None
     expansion.enter("included", os.path.basename(path), place)
     expansion.evaluator.files.append(path)
-    file = known if source is None else _parsed(expansion, path, source)
-    assert file is not None
+    document = known if source is None else _parsed(expansion, path, source)
+    assert document is not None
+    file = document.root
     attributes: dict[str, object] = {}
     for name, value in file.attributes.items():
         if not name.startswith(PREFIX):

@@ -45,11 +45,9 @@ class HiddenArguments:
             inside = {id(child) for child in walk(root) if child.name == "xacro:macro"}
             self.everywhere |= _redefined(root, without=inside)
         read = set().union(*(_arguments_in(root) for root in roots))
-        own: set[str] = set()
         for macro in macros:
             hides = set(macro.values()) | _redefined(macro.element)
             self._in_macros[id(macro.element)] = hides
-            own |= hides
             self.everywhere |= {name for name in hides if name in inherited}
         self.everywhere &= read
         inside_macros = set().union(

@@ -27,7 +27,7 @@ from .xacro_python import CannotMigrate
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator
+    from collections.abc import Callable
 
     from ...xacro.parameters import Parameter
     from ...xmltree import Node
@@ -228,18 +228,9 @@ class _Reader:
             if not isinstance(node, Element):
                 if name in used_in(Element("", self.call.span, {}, [node])):
                     return True
-            elif name in used_in(node) or name in set(self._forwarded(node)):
+            elif name in used_in(node) or name in self._program.forwarded_in(node):
                 return True
         return False
-
-    def _forwarded(self, element: Element) -> Iterator[str]:
-        """Return the names that the calls in an element forward without saying so."""
-        for called in walk(element):
-            macro = self._program.macro_called(called)
-            if macro is not None:
-                for own in macro.parameters:
-                    if own.is_forwarded and own.name not in called.attributes:
-                        yield own.name
 
     def _ordered(self, changes: dict[str, str]) -> list[tuple[str, str]]:
         """Return changes in an order in which none reads what another has changed."""

@@ -144,8 +144,7 @@ class Program:
         names = evaluator.names
         self.values_of_arguments = evaluator.arguments
         self.documents: dict[str, XmlDocument] = {source.path: _read(source, host)}
-        for path, root in expansion.documents.items():
-            self.documents.setdefault(path, _read(root.span.source, host))
+        self.documents |= expansion.documents
         self.included = expansion.included
         self._read_the_rest(host)
         self.roots = {path: document.root for path, document in self.documents.items()}
@@ -180,7 +179,7 @@ class Program:
         }
         self._maybe_truths = Truths(self.roots.values(), self.truth_arguments)
         for path, root in self.roots.items():
-            self._names[path] |= self._forwarded_in(root)
+            self._names[path] |= self.forwarded_in(root)
         self.at_top: set[str] = set()
         self.read: set[str] = set()
         self.inherited = self._names_of_callers()
@@ -341,10 +340,10 @@ class Program:
         bound = around | local | self.handed_to(element)
         nested = self._macros_in(macro.file, element)
         inside = {id(other.element) for other in nested}
-        free = (used_in(element, without=inside) | self._forwarded_in(element, inside)) - bound
+        free = (used_in(element, without=inside) | self.forwarded_in(element, inside)) - bound
         return free.union(*(self._unbound_in(other, bound, own) for other in nested))
 
-    def _forwarded_in(self, root: Element, without: Container[int] = ()) -> set[str]:
+    def forwarded_in(self, root: Element, without: Container[int] = ()) -> set[str]:
         """Return the names that calls in an element forward to macros without saying so."""
         names: set[str] = set()
         for called in walk(root, without):

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from copy import copy
 
+from .document import Body, Entry
 from .xacro_program import defined_in, used_in
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
-    from .document import Body, Entry
     from .xacro_parts import Write
     from .xacro_program import Macro, Program
 
@@ -75,8 +75,6 @@ def names_of(variables: Iterable[Entry]) -> set[str]:
 
 def body_of_last(body: Body, key: str) -> Body:
     """Return the body of the last entry if it has this key, else of one that is added."""
-    from .document import Body, Entry
-
     last = body.entries[-1] if body.entries else None
     if last is None or last.key != key:
         last = Entry(key, Body())
