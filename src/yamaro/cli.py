@@ -198,7 +198,7 @@ COMMANDS = {
     "completion": frozenset(),
 }
 
-LOOKING = ("check", "tree", "picture")
+LOOKING = ("check", "tree", "picture", "view")
 """The commands that look at robots of any source: URDF and xacro too."""
 
 
@@ -642,7 +642,7 @@ def _rebuilder(arguments: Arguments, streams: Streams, policy: Policy) -> Rebuil
         strict=arguments.has("strict"),
         advice=looks,
         has_root=looks,
-        takes_xml=looks,
+        takes_xml=arguments.command in LOOKING,
     )
 
 

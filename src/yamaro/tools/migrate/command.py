@@ -58,7 +58,7 @@ def migrate_source(source: Source, limits: Limits) -> Migration:
     stem = os.path.splitext(source.path)[0] or "robot"
 
     def build(text: str) -> Element:
-        built = Program(f"{stem}.yaml", text=text).build(on_message=_drop)
+        built = Program(f"{stem}.yaml", text=text).build(on_message=ignore)
         assert built.root is not None
         return built.root
 
@@ -86,5 +86,5 @@ def _counted(count: int, what: str) -> str:
     return f"{count:,} {what}{'' if count == 1 else 's'}"
 
 
-def _drop(message: str) -> None:
+def ignore(message: str) -> None:
     """Take a message of a build."""

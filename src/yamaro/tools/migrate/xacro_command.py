@@ -13,6 +13,7 @@ from ...runtime.loader import FileLoader, LoadError
 from ...runtime.packages import PackageFinder
 from ...source import Source, Span
 from ...xmlreader import decode_xml, read_xml
+from .command import ignore
 from .compare import compare
 from .xacro import XacroMigration, migrate_xacro
 
@@ -128,7 +129,7 @@ def migrate_robot(
     expected = expanded_by_xacro(source.path, given, host) or migration.root
     migration.is_compared_with_xacro = expected is not migration.root
     try:
-        built = program.build(command_line=arguments, on_message=_drop)
+        built = program.build(command_line=arguments, on_message=ignore)
     except YamaroError as error:
         migration.faults = [each for each in error.diagnostics if each.severity != WARNING]
         return migration
@@ -181,7 +182,3 @@ def _shown(path: str) -> str:
     except ValueError:  # on another drive
         return path
     return path if relative.startswith(os.path.join("..", "..")) else relative
-
-
-def _drop(message: str) -> None:
-    """Take a message of a build."""
