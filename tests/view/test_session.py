@@ -14,8 +14,6 @@ import pytest
 from yamaro.compiler import build
 from yamaro.diagnostics import YamaroError
 from yamaro.policy import SAFE, Policy
-from yamaro.runtime.meshes import MeshFinder
-from yamaro.runtime.packages import PackageFinder
 from yamaro.runtime.reach import Reach
 from yamaro.tools.rebuilding import Rebuilder
 from yamaro.tools.view import command
@@ -33,7 +31,7 @@ def described(folder: Path, text: str, **files: str) -> Any:
     path = folder / "robot.yaml"
     path.write_text(textwrap.dedent(text), encoding="utf-8")
     made = build(path, advice=True, policy=Policy(SAFE))
-    return Description(made, MeshFinder(PackageFinder()), MeshFiles(None)).data
+    return Description(made, MeshFiles(None)).data
 
 
 # --- where things were written ------------------------------------------------------------------

@@ -12,7 +12,6 @@ if TYPE_CHECKING:
 
     from ...compiler import Build
     from ...diagnostics import Diagnostic
-    from ...runtime.meshes import MeshFinder
     from .mesh_files import MeshFiles
     from .origins import Json
 
@@ -26,11 +25,11 @@ class Description:
         awaited: the files it refers to that are not there, by the paths where they would be.
     """
 
-    def __init__(self, build: Build, finder: MeshFinder, files: MeshFiles) -> None:
+    def __init__(self, build: Build, files: MeshFiles) -> None:
         """Describe a robot; `files` takes note of what it refers to."""
         self.places = Places()
         self.awaited: list[str] = []
-        self._finder = finder
+        self._finder = build.finder
         self._files = files
         root = build.root
         owners = Owners(root)

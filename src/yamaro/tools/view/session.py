@@ -9,8 +9,6 @@ import threading
 from ...compiler import UsageError, reach_of, read_command_line
 from ...diagnostics import YamaroError
 from ...runtime.loader import FileLoader, LoadError, decode
-from ...runtime.meshes import MeshFinder
-from ...runtime.packages import PackageFinder
 from ...syntax.includes import is_xml_file
 from .description import Description, fault_data
 from .fields import Field, WrongValue, read_fields
@@ -87,9 +85,8 @@ class Session:
             turn.fault = f"the page shows robots, and this is a <{turn.build.root.name}>"
             turn.build = None
             return None
-        finder = MeshFinder(PackageFinder(given=self._rebuilder.packages), self._reach)
         files = MeshFiles(self._reach)
-        robot = Description(turn.build, finder, files)
+        robot = Description(turn.build, files)
         self._rebuilder.also_watch([*robot.awaited, *files.paths.values()])
         self._files = [files.paths, self._files[0]]
         return robot
