@@ -13,12 +13,12 @@ from yamaro.diagnostics import (
     YamaroError,
     did_you_mean,
     failure,
-    printable,
     render,
     suggest,
     trace_lines,
 )
 from yamaro.source import Source, Span
+from yamaro.terminal import printable
 
 
 def span_of(text: str, piece: str, name: str = "t.yaml") -> Span:

@@ -18,7 +18,7 @@ from lxml import etree
 
 from tests.hostile.hostile_inputs import OLD_OUTPUT, HostileInput, Place, read_inputs
 from yamaro.cli import OPTIONS, main
-from yamaro.diagnostics import printable
+from yamaro.terminal import printable
 
 ROOT = Path(__file__).parent.parent
 INPUTS = read_inputs()

@@ -469,7 +469,7 @@ def _near(word: str, candidates: dict[str, str] | dict[str, frozenset[str]]) -> 
 
 
 def _quote(text: str) -> str:
-    from .diagnostics import shortened
+    from .terminal import shortened
 
     return f"'{shortened(text)}'"
 
@@ -903,7 +903,7 @@ def _show(diagnostics: Sequence[Diagnostic], arguments: Arguments, streams: Stre
 
 
 def _display_name(arguments: Arguments) -> str:
-    from .diagnostics import printable
+    from .terminal import printable
 
     path = arguments.words[0]
     return STANDARD_INPUT_NAME if path == STANDARD_INPUT else printable(path)
@@ -927,7 +927,7 @@ def _has_color(arguments: Arguments, *, is_terminal: bool) -> bool:
 
 
 def _report_usage(message: str, streams: Streams | None) -> int:
-    from .diagnostics import shortened
+    from .terminal import shortened
 
     (streams or Streams(quiet=False)).say(f"yamaro: error: {shortened(message)}\n{USAGE}")
     return USAGE_ERROR
@@ -935,7 +935,7 @@ def _report_usage(message: str, streams: Streams | None) -> int:
 
 def _report_fault(error: Exception, streams: Streams) -> int:
     """Tell a fault of Yamaro's apart from a fault of the input."""
-    from .diagnostics import printable
+    from .terminal import printable
 
     trace = error.__traceback__
     while trace is not None and trace.tb_next is not None:

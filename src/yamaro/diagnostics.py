@@ -6,6 +6,7 @@ There is one type for everything Yamaro has to say about an input, and one rende
 from __future__ import annotations
 
 from .source import Source, Span
+from .terminal import BLUE, BOLD, RED, YELLOW, painted, printable, shortened, width
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -16,8 +17,6 @@ WARNING = "warning"
 
 MAX_TRACE_LINES = 12
 MAX_EXCERPT_COLUMNS = 160
-MAX_REMARK = 600
-"""Characters of a message, hint or note to show."""
 MAX_SUGGESTED_LETTERS = 255
 """The longest word that a suggestion is looked for: file names are no longer."""
 
@@ -241,35 +240,30 @@ def did_you_mean(word: str, candidates: Iterable[str]) -> str | None:
 
 # --- rendering --------------------------------------------------------------------------------
 
-_STYLES = {ERROR: "\033[1;31m", WARNING: "\033[1;33m"}
-_BOLD, _BLUE, _RESET = "\033[1m", "\033[1;34m", "\033[0m"
+_STYLES = {ERROR: RED, WARNING: YELLOW}
 
 
 def render(diagnostic: Diagnostic, *, color: bool = False) -> str:
     """Return the diagnostic as text: head, place, excerpt, hint and trace; no final line break."""
-    paint = _paint if color else _plain
+    paint = painted if color else _plain
     style = _STYLES[diagnostic.severity]
     head = f"{diagnostic.severity}[{diagnostic.code}]"
-    lines = [f"{paint(head, style)}{paint(': ' + shortened(diagnostic.message), _BOLD)}"]
-    lines.append(f" {paint('-->', _BLUE)} {printable(diagnostic.span.place())}")
+    lines = [f"{paint(head, style)}{paint(': ' + shortened(diagnostic.message), BOLD)}"]
+    lines.append(f" {paint('-->', BLUE)} {printable(diagnostic.span.place())}")
     line_number, excerpt, underline = _excerpt(diagnostic.span)
     gutter = " " * (len(str(line_number)) + 1)
     if excerpt.strip():
-        bar = paint("|", _BLUE)
+        bar = paint("|", BLUE)
         lines.append(f"{gutter}{bar}")
-        lines.append(f"{paint(f'{line_number} |', _BLUE)} {excerpt}")
+        lines.append(f"{paint(f'{line_number} |', BLUE)} {excerpt}")
         lines.append(f"{gutter}{bar} {paint(underline, style)}")
     for label, text in _remarks(diagnostic):
-        lines.append(f"{gutter}{paint('=', _BLUE)} {paint(label, _BOLD)}{shortened(text)}")
+        lines.append(f"{gutter}{paint('=', BLUE)} {paint(label, BOLD)}{shortened(text)}")
     return "\n".join(lines)
 
 
 def _plain(text: str, style: str) -> str:
     return text
-
-
-def _paint(text: str, style: str) -> str:
-    return f"{style}{text}{_RESET}"
 
 
 def _remarks(diagnostic: Diagnostic) -> list[tuple[str, str]]:
@@ -334,9 +328,11 @@ def _excerpt(span: Span) -> tuple[int, str, str]:
     before = "…" if left > 0 else ""
     after = "…" if right < len(text) else ""
     excerpt = before + printable(text[left:right]) + after
-    pad = "".join("\t" if c == "\t" else " " * _width(c) for c in before + text[left:start])
+    pad = "".join(
+        "\t" if c == "\t" else " " * width(printable(c)) for c in before + text[left:start]
+    )
     marked = text[start : min(end, right)]
-    underline = "^" * max(sum(_width(c) for c in printable(marked)), 1)
+    underline = "^" * max(width(printable(marked)), 1)
     return line_number, excerpt, pad + underline
 
 
@@ -347,41 +343,3 @@ def _window(text: str, start: int, end: int) -> tuple[int, int]:
     room = MAX_EXCERPT_COLUMNS - min(end - start, MAX_EXCERPT_COLUMNS // 2)
     left = max(0, start - room // 2)
     return left, min(len(text), left + MAX_EXCERPT_COLUMNS)
-
-
-def shortened(text: str) -> str:
-    """Return text as `printable` does; of one that quotes a long value, its ends."""
-    if len(text) > MAX_REMARK:
-        text = f"{text[: MAX_REMARK // 2]} … {text[-MAX_REMARK // 2 :]}"
-    return printable(text)
-
-
-def printable(text: str) -> str:
-    """Return text without characters that would steer a terminal or hide what it says."""
-    if text.isascii() and text.isprintable():
-        return text
-    return "".join(c if c == "\t" or not _is_steering(c) else _escape(c) for c in text)
-
-
-def _is_steering(char: str) -> bool:
-    return not char.isprintable() and char != " "
-
-
-def _escape(char: str) -> str:
-    code = ord(char)
-    if code < 0x100:
-        return f"\\x{code:02x}"
-    return f"\\u{code:04x}" if code < 0x10000 else f"\\U{code:08x}"
-
-
-def _width(char: str) -> int:
-    """Return how many terminal cells a character takes."""
-    if char.isascii():
-        return 1 if char == "\t" or char.isprintable() else len(_escape(char))
-    if _is_steering(char):
-        return len(_escape(char))
-    from unicodedata import combining, east_asian_width
-
-    if combining(char):
-        return 0
-    return 2 if east_asian_width(char) in "WF" else 1

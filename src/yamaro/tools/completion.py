@@ -54,9 +54,10 @@ def variable_lines(path: str) -> str:
 
     A file that cannot be read has none: someone who is still typing wants no errors.
     """
-    from ..diagnostics import Reporter, YamaroError, printable
+    from ..diagnostics import Reporter, YamaroError
     from ..source import Source
     from ..syntax.yaml_reader import read
+    from ..terminal import printable
 
     if path.startswith("~"):
         path = os.path.expanduser(path)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from ..terminal import BOLD, CYAN, DIM, RED, painted, printable, width
 from ..xmltree import format_value
 
 TYPE_CHECKING = False
@@ -14,8 +15,6 @@ if TYPE_CHECKING:
 DEGREES_OF_FREEDOM = {"revolute": 1, "continuous": 1, "prismatic": 1, "planar": 3, "floating": 6}
 MAX_INDENTED_DEPTH = 24
 MAX_ALIGNED_WIDTH = 64
-
-_BOLD, _DIM, _CYAN, _RED, _RESET = "\033[1m", "\033[2m", "\033[36m", "\033[1;31m", "\033[0m"
 
 
 class Joint:
@@ -207,27 +206,18 @@ def _aligned(rows: list[list[str]]) -> list[str]:
     if not rows:
         return []
     columns = zip(*rows, strict=True)
-    widths = [min(max(map(_width, column)), MAX_ALIGNED_WIDTH) for column in columns]
+    widths = [min(max(map(width, column)), MAX_ALIGNED_WIDTH) for column in columns]
     return [_joined(row, widths) for row in rows]
 
 
 def _joined(row: list[str], widths: list[int]) -> str:
     """Return a row as text; the column of masses is set to the right."""
     cells = []
-    for number, (cell, width) in enumerate(zip(row, widths, strict=True)):
-        if width:
-            pad = " " * (width - _width(cell))
+    for number, (cell, room) in enumerate(zip(row, widths, strict=True)):
+        if room:
+            pad = " " * (room - width(cell))
             cells.append(pad + cell if number == 1 else cell + pad)
     return "  ".join(cells).rstrip()
-
-
-def _width(text: str) -> int:
-    """Return how many terminal cells a text takes."""
-    if text.isascii():
-        return len(text)
-    from unicodedata import combining, east_asian_width
-
-    return sum(0 if combining(c) else 2 if east_asian_width(c) in "WF" else 1 for c in text)
 
 
 def _painted(line: Line, row: str) -> str:
@@ -236,11 +226,11 @@ def _painted(line: Line, row: str) -> str:
     link, rest = rest[: len(line.link)], rest[len(line.link) :]
     if line.remark:
         head, arrow, remark = rest.rpartition("<- ")
-        rest = f"{head}{_RED}{arrow}{remark}{_RESET}"
+        rest = head + painted(arrow + remark, RED)
     if line.joint is not None and line.joint.kind:
         head, kind, tail = rest.partition(f"  {line.joint.kind}")
-        rest = f"{head}{_CYAN}{kind}{_RESET}{tail}"
-    return f"{_DIM}{branch}{_RESET}{_BOLD}{link}{_RESET}{rest}"
+        rest = head + painted(kind, CYAN) + tail
+    return painted(branch, DIM) + painted(link, BOLD) + rest
 
 
 # --- values -----------------------------------------------------------------------------------
@@ -251,8 +241,6 @@ def _attribute(element: Element, name: str) -> str:
 
 
 def _one_line(text: str) -> str:
-    from ..diagnostics import printable
-
     return printable(text).replace("\t", " ")
 
 

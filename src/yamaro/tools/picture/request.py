@@ -6,7 +6,8 @@ import os
 from math import isfinite
 
 from ...compiler import UsageError
-from ...diagnostics import did_you_mean, shortened
+from ...diagnostics import did_you_mean
+from ...terminal import shortened
 from ..scene.robot import LARGEST
 from .words import NAMED_VIEWS, SHOWN, VISUAL
 

@@ -7,7 +7,7 @@ import threading
 import time
 
 from ...compiler import UsageError
-from ...diagnostics import shortened
+from ...terminal import shortened
 from ..rebuilding import count_told
 from ..watching import INTERVAL
 from . import server
