@@ -10,7 +10,8 @@ xacro makes of it. Three things are tried:
 - each robot in xacro is migrated, its sources built with its arguments;
 - each xacro file is included in a Yamaro file that holds nothing else.
 
-The lines of what was migrated are counted as well.
+The lines of what was migrated are counted as well, and what in them is not as a person would write
+it (bench/reading.py).
 
 Robots are compared by tests/migrate/same_robot.py, which knows lxml and nothing of Yamaro.
 """
@@ -28,6 +29,8 @@ import time
 from collections.abc import Callable, Iterable
 from pathlib import Path
 from xml.dom import minidom
+
+from reading import reading_table
 
 import yamaro
 from yamaro.policy import Limits
@@ -106,9 +109,10 @@ class Corpus:
         return dict(re.findall(r"(\S+?):=(.*?)(?=\s\S+?:=|$)", self.real(row["args"])))
 
 
-def migrates(path: Path, lines: list[float]) -> bool:
+def migrates(path: Path, lines: list[float], texts: dict[str, str]) -> bool:
     """Tell whether a URDF that is migrated and built again is the same; note the share of lines."""
     migration = migrate_file(str(path), Limits())
+    texts[str(path)] = migration.text
     source = path.read_bytes()
     lines.append(len(migration.text.splitlines()) / len(source.splitlines()))
     with tempfile.TemporaryDirectory() as folder:
@@ -118,7 +122,9 @@ def migrates(path: Path, lines: list[float]) -> bool:
     return is_same_robot(source, xml.encode())
 
 
-def migrates_xacro(corpus: Corpus, row: Row, lines: dict[str, tuple[int, int]]) -> bool:
+def migrates_xacro(
+    corpus: Corpus, row: Row, lines: dict[str, tuple[int, int]], texts: dict[str, str]
+) -> bool:
     """Tell whether the migrated sources of a robot make what xacro makes of it."""
     path = corpus.path(row)
     os.chdir(path.parent)
@@ -136,6 +142,7 @@ def migrates_xacro(corpus: Corpus, row: Row, lines: dict[str, tuple[int, int]]) 
             made.write_text(text, encoding="utf-8")
         for origin, name in migration.origins.items():
             count = len(Path(origin).read_bytes().splitlines())
+            texts[origin] = migration.files[name]
             lines[origin] = (count, len(migration.files[name].splitlines()))
         is_told = bool(migration.faults or migration.differences)
         built = yamaro.build(
@@ -184,13 +191,14 @@ def main() -> None:
     corpus = Corpus(options.corpus.resolve(), options.only)
     lines: list[float] = []
     both: dict[str, tuple[int, int]] = {}
+    texts: dict[str, str] = {}
     migrated, included = Tally("URDF migrated"), Tally("xacro included")
     moved = Tally("xacro migrated")
     for row in corpus.rows("urdf.tsv"):
         path = corpus.path(row)
-        migrated.add(row["path"], lambda path=path: migrates(path, lines))
+        migrated.add(row["path"], lambda path=path: migrates(path, lines, texts))
     for row in corpus.rows("xacro.tsv"):
-        moved.add(row["path"], lambda row=row: migrates_xacro(corpus, row, both))
+        moved.add(row["path"], lambda row=row: migrates_xacro(corpus, row, both, texts))
         included.add(row["path"], lambda row=row: includes(corpus, row))
     print("| | robots | same | | median time |\n|---|--:|--:|--:|--:|")
     tallies = (migrated, moved, included)
@@ -201,6 +209,7 @@ def main() -> None:
     if both:
         before, after = (sum(counts) for counts in zip(*both.values(), strict=True))
         print(f"lines of migrated xacro: {after / before:.2f} of the sources' (all of them)")
+    print(f"\n| in migrated sources | |\n|---|--:|\n{reading_table(texts.values())}")
     print("", *(failure for tally in tallies for failure in tally.failures), sep="\n")
     sys.exit(1 if any(tally.failures for tally in tallies) else 0)
 

@@ -12,26 +12,28 @@ from yamaro.xmlreader import read_xml
 from yamaro.xmltree import Element
 
 
-def migration_of(xml: str) -> Migration:
+def migration_of(xml: str, *, exact: bool = False) -> Migration:
     def build_tree(text: str) -> Element:
         root = build("robot.yaml", text=text, on_message=lambda message: None).root
         assert root is not None
         return root
 
-    return migrate_urdf(read_xml(Source(xml, name="robot.urdf", path="")), build_tree)
+    return migrate_urdf(read_xml(Source(xml, name="robot.urdf", path="")), build_tree, exact=exact)
 
 
-def migrated(xml: str) -> str:
+def migrated(xml: str, *, exact: bool = False) -> str:
     """Return the YAML that a document becomes, which makes the same document."""
-    migration = migration_of(xml)
+    migration = migration_of(xml, exact=exact)
     assert migration.differences == []
     made = build("robot.yaml", text=migration.text, on_message=lambda message: None).xml()
-    assert is_same_robot(xml.encode(), made.encode())
+    assert is_same_robot(xml.encode(), made.encode(), exact=exact)
     return migration.text
 
 
-def model_of(body: str) -> str:
+def model_of(body: str, *, exact: bool = False) -> str:
     """Return the model that a robot becomes whose elements are these, at the margin."""
-    text = migrated(f'<robot name="arm">\n{indent(dedent(body).strip(), "  ")}\n</robot>\n')
+    text = migrated(
+        f'<robot name="arm">\n{indent(dedent(body).strip(), "  ")}\n</robot>\n', exact=exact
+    )
     head, model = text.split("model:\n")
     return head.removeprefix("robot: arm\n") + dedent(model)

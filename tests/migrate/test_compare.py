@@ -6,7 +6,7 @@ import pytest
 
 from tests.migrate.same_robot import is_same_robot
 from yamaro.source import Source
-from yamaro.tools.migrate.compare import compare, is_same
+from yamaro.tools.migrate.compare import compare, count_defaults
 from yamaro.xmlreader import read_xml
 from yamaro.xmltree import Element
 
@@ -87,12 +87,84 @@ DIFFERENT = {
 @pytest.mark.parametrize(("first", "second"), SAME.values(), ids=SAME)
 def test_what_means_nothing_makes_no_difference(first: str, second: str) -> None:
     assert differences(first, second) == []
-    assert is_same(tree(second), tree(first))
+    assert differences(second, first) == []
     assert is_same_robot(first.encode(), second.encode())
 
 
 @pytest.mark.parametrize(("expected", "actual", "told"), DIFFERENT.values(), ids=DIFFERENT)
 def test_all_else_does(expected: str, actual: str, told: list[str]) -> None:
     assert differences(expected, actual) == told
-    assert not is_same(tree(actual), tree(expected))
+    assert differences(actual, expected) != []
     assert not is_same_robot(expected.encode(), actual.encode())
+
+
+def robot(joint: str = "", section: str = "") -> str:
+    return (
+        f'<robot name="r"><joint name="j">{joint}</joint>'
+        f'<link name="l"><visual>{section}</visual></link></robot>'
+    )
+
+
+ZEROS = '<origin xyz="0 0 0" rpy="0 0 0"/>'
+
+
+@pytest.mark.parametrize(
+    ("left_out", "defaults"),
+    [("", 1), ("<origin/>", 2), ('<origin xyz="0 0 0"/>', 1), ('<origin rpy="0 0 0.0"/>', 1)],
+)
+def test_a_pose_that_is_left_out_is_zeros(left_out: str, defaults: int) -> None:
+    for short, whole in (
+        (robot(joint=left_out), robot(joint=ZEROS)),
+        (robot(section=left_out), robot(section=ZEROS)),
+    ):
+        assert differences(short, whole) == differences(whole, short) == []
+        assert count_defaults(tree(short), tree(whole)) == defaults
+        assert count_defaults(tree(whole), tree(short)) == 0
+        assert compare(tree(short), tree(whole), exact=True)
+        assert is_same_robot(short.encode(), whole.encode())
+        assert not is_same_robot(short.encode(), whole.encode(), exact=True)
+
+
+@pytest.mark.parametrize(
+    ("first", "second"),
+    [
+        (robot(), robot(joint='<origin xyz="0 0 1" rpy="0 0 0"/>')),
+        (robot(), robot(joint='<origin xyz="0 0 0" rpy="0 0 0" scale="1"/>')),
+        (robot(), robot(joint="<origin><a/></origin>")),
+        (robot(), robot(joint=ZEROS + ZEROS)),
+        (robot(joint='<origin xyz=""/>'), robot(joint=ZEROS)),
+        (robot(joint='<origin xyz="0 0 0" rpyt="1"/>'), robot(joint=ZEROS)),
+        (robot(joint="<limit/>"), robot(joint='<limit lower="0"/>')),
+        (robot(joint='<origin xyz="0 0"/>'), robot(joint=ZEROS)),
+        ("<robot><link/></robot>", f"<robot><link>{ZEROS}</link></robot>"),
+        ("<robot><sensor/></robot>", f"<robot><sensor>{ZEROS}</sensor></robot>"),
+        (
+            "<robot><gazebo><joint/></gazebo></robot>",
+            f"<robot><gazebo><joint>{ZEROS}</joint></gazebo></robot>",
+        ),
+        ("<sdf><joint/></sdf>", f"<sdf><joint>{ZEROS}</joint></sdf>"),
+        ("<joint/>", f"<joint>{ZEROS}</joint>"),
+        ("<robot><visual/></robot>", f"<robot><visual>{ZEROS}</visual></robot>"),
+    ],
+)
+def test_nothing_but_a_pose_of_zeros_may_be_left_out(first: str, second: str) -> None:
+    assert differences(first, second) != []
+    assert differences(second, first) != []
+    assert not is_same_robot(first.encode(), second.encode())
+    assert not is_same_robot(second.encode(), first.encode())
+
+
+def test_a_joint_by_itself_is_compared_as_in_its_robot() -> None:
+    joint, other = tree("<joint/>"), tree(f"<joint>{ZEROS}</joint>")
+    assert compare(joint, other) != []
+    assert compare(joint, other, around=("robot",)) == []
+
+
+def test_a_prefix_that_no_name_has_makes_no_difference() -> None:
+    declared = '<robot xmlns:sensor="http://playerstage.sourceforge.net/gazebo"><a/></robot>'
+    assert differences(declared, "<robot><a/></robot>") == []
+    assert differences("<robot><a/></robot>", declared) == []
+    used = '<robot xmlns:s="uri"><s:a/></robot>'
+    assert differences(used, used.replace("uri", "other")) != []
+    in_attribute = '<robot xmlns:s="uri"><a s:b="1"/></robot>'
+    assert differences(in_attribute, in_attribute.replace("uri", "other")) != []

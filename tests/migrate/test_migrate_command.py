@@ -332,3 +332,16 @@ def test_a_report_counts_links_and_joints() -> None:
 def test_a_report_lists_differences() -> None:
     told = told_of("robot", "link", differences=("one", "two"))
     assert told == "different: robot: one\ndifferent: robot: two"
+
+
+def test_a_report_counts_the_poses_that_only_the_source_writes_out(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    text = URDF.replace(' rpy="0 0 0"', "")
+    Path("arm.urdf").write_text(text)
+    status, _, told = outcome(capsys, "arm.urdf", "-o", "arm.yaml")
+    assert (status, told) == (
+        0,
+        "arm.urdf: identical: 2 links, 1 joint; 1 default written out\n",
+    )
+    assert Path("arm.yaml").read_text() == YAML

@@ -270,10 +270,10 @@ CASES = {
         part:
           name: base
           link:
-            inertial: {mass: 0.5, origin: none, inertia: 0.1 1e-3 0 0.1 0 0.1}
+            inertial: {mass: 0.5, inertia: 0.1 1e-3 0 0.1 0 0.1}
         """,
     ),
-    "where an origin is missing it stays missing": (
+    "a missing origin is not written": (
         """\
         <link name="base"/>
         <joint name="tip_joint" type="fixed">
@@ -292,12 +292,12 @@ CASES = {
         link/name=base:
         part:
           name: tip
-          joint: {type: fixed, parent: base, origin: none}
+          joint: {type: fixed, parent: base}
           link:
-            visual: {geometry: sphere, scale: 0.1, origin: none}
+            visual: {geometry: sphere, scale: 0.1}
         """,
     ),
-    "sections without origins share that": (
+    "sections without origins need none": (
         """\
         <link name="base_link">
           <visual>
@@ -318,12 +318,11 @@ CASES = {
           link:
             geometry: sphere
             scale: 0.1
-            origin: none
             visual:
             collision:
         """,
     ),
-    "an origin with one attribute is an element": (
+    "an origin with one attribute is a pose": (
         """\
         <link name="base"/>
         <joint name="tip_joint" type="fixed">
@@ -335,12 +334,70 @@ CASES = {
         """,
         """\
         link/name=base:
+        part: {name: tip, joint: {type: fixed, parent: base, xyz: 0 0 1}}
+        """,
+    ),
+    "sections that lack different halves of a pose share it": (
+        """\
+        <link name="base_link">
+          <visual>
+            <origin xyz="0 0 0.5"/>
+            <geometry>
+              <box size="1 1 1"/>
+            </geometry>
+          </visual>
+          <collision>
+            <origin rpy="0 0 0" xyz="0 0 0.5"/>
+            <geometry>
+              <box size="1 1 1"/>
+            </geometry>
+          </collision>
+        </link>
+        """,
+        """\
+        part:
+          name: base
+          link:
+            geometry: box
+            scale: 1 1 1
+            xyz: 0 0 0.5
+            visual:
+            collision:
+        """,
+    ),
+    "an origin that says nothing is not written": (
+        """\
+        <link name="base"/>
+        <joint name="tip_joint" type="fixed">
+          <parent link="base"/>
+          <child link="tip_link"/>
+          <origin/>
+        </joint>
+        <link name="tip_link"/>
+        """,
+        """\
+        link/name=base:
+        part: {name: tip, joint: {type: fixed, parent: base}}
+        """,
+    ),
+    "an origin with an attribute that URDF does not have is an element": (
+        """\
+        <link name="base"/>
+        <joint name="tip_joint" type="fixed">
+          <parent link="base"/>
+          <child link="tip_link"/>
+          <origin xyz="0 0 1" frame="base"/>
+        </joint>
+        <link name="tip_link"/>
+        """,
+        """\
+        link/name=base:
         part:
           name: tip
           joint:
             type: fixed
             parent: base
-            <origin/xyz=0 0 1>:
+            <origin/xyz=0 0 1, frame=base>:
         """,
     ),
     "the short forms of a joint": (
@@ -1074,7 +1131,7 @@ CASES = {
         part:
           name: base
           link:
-            inertial: {mass: 1, origin: none, inertia: 1 0 0 1 0 1}
+            inertial: {mass: 1, inertia: 1 0 0 1 0 1}
             <inertial>:
               mass/value=1:
               inertia/ixx=1, ixy=0, ixz=0, iyy=1, iyz=0, izz=1:
@@ -1158,6 +1215,85 @@ CASES = {
 @pytest.mark.parametrize(("urdf", "yaml"), CASES.values(), ids=CASES)
 def test_elements_become(urdf: str, yaml: str) -> None:
     assert model_of(urdf) == dedent(yaml)
+
+
+EXACT = {
+    "where an origin is missing it stays missing": (
+        """\
+        <link name="base"/>
+        <joint name="tip_joint" type="fixed">
+          <parent link="base"/>
+          <child link="tip_link"/>
+        </joint>
+        <link name="tip_link">
+          <visual>
+            <geometry>
+              <sphere radius="0.1"/>
+            </geometry>
+          </visual>
+        </link>
+        """,
+        """\
+        link/name=base:
+        part:
+          name: tip
+          joint: {type: fixed, parent: base, origin: none}
+          link:
+            visual: {geometry: sphere, scale: 0.1, origin: none}
+        """,
+    ),
+    "sections without origins share that": (
+        """\
+        <link name="base_link">
+          <visual>
+            <geometry>
+              <sphere radius="0.1"/>
+            </geometry>
+          </visual>
+          <collision>
+            <geometry>
+              <sphere radius="0.1"/>
+            </geometry>
+          </collision>
+        </link>
+        """,
+        """\
+        part:
+          name: base
+          link:
+            geometry: sphere
+            scale: 0.1
+            origin: none
+            visual:
+            collision:
+        """,
+    ),
+    "an origin with one attribute is an element": (
+        """\
+        <link name="base"/>
+        <joint name="tip_joint" type="fixed">
+          <parent link="base"/>
+          <child link="tip_link"/>
+          <origin xyz="0 0 1"/>
+        </joint>
+        <link name="tip_link"/>
+        """,
+        """\
+        link/name=base:
+        part:
+          name: tip
+          joint:
+            type: fixed
+            parent: base
+            <origin/xyz=0 0 1>:
+        """,
+    ),
+}
+
+
+@pytest.mark.parametrize(("urdf", "yaml"), EXACT.values(), ids=EXACT)
+def test_where_every_letter_counts_elements_become(urdf: str, yaml: str) -> None:
+    assert model_of(urdf, exact=True) == dedent(yaml)
 
 
 # --- the root, and what stands around it ----------------------------------------------------------

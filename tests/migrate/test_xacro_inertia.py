@@ -86,7 +86,7 @@ def test_a_solid_that_is_not_the_geometry_stands_in_the_inertial(tmp_path: Path)
         "  - part:",
         "      name: a",
         "      link:",
-        "        visual: {geometry: a.stl, origin: none}",
+        "        visual: {geometry: a.stl}",
         "        inertial: {mass: 3, xyz: 0 0 $(n/2), geometry: cylinder, scale: 0.1 $(n)}",
         "  - part:",
         "      name: b",
@@ -146,7 +146,6 @@ def test_formulas_that_stand_in_the_link_are_seen_too(tmp_path: Path) -> None:
     assert model_of(made)[3:] == [
         "      geometry: box",
         "      scale: $(s['x']) $(s['x']) $(n)",
-        "      origin: none",
         "      mass: $(s['m'])",
         "      visual:",
     ]

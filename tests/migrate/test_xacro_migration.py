@@ -132,7 +132,7 @@ def test_a_joint_and_its_link_become_a_part(tmp_path: Path) -> None:
         "    name: arm",
         "    joint: {type: fixed, parent: base_link, xyz: 0 0 $(l)}",
         "    link:",
-        "      visual: {geometry: box, scale: $(l) 0.1 0.1, origin: none}",
+        "      visual: {geometry: box, scale: $(l) 0.1 0.1}",
     ]
 
 

@@ -69,7 +69,7 @@ def test_the_origin_of_a_joint_may_be_a_block(tmp_path: Path) -> None:
         """)
 
 
-def test_where_there_may_be_no_origin_none_is_written_but_for_it(tmp_path: Path) -> None:
+def test_a_block_may_give_an_origin_or_none(tmp_path: Path) -> None:
     made = migrated_for(
         tmp_path,
         f"""\
@@ -87,8 +87,7 @@ def test_where_there_may_be_no_origin_none_is_written_but_for_it(tmp_path: Path)
         "1",
         "2",
     )
-    assert "          origin: none\n          At:\n" in made
-    assert "            <origin/xyz=0 0 2>:\n" in made
+    assert "          parent: base\n          At:\n" in made
 
 
 def test_keys_stand_in_conditions_of_which_one_holds(tmp_path: Path) -> None:
@@ -113,15 +112,14 @@ def test_keys_stand_in_conditions_of_which_one_holds(tmp_path: Path) -> None:
         """)
 
 
-def test_an_origin_in_a_condition_stands_in_for_none(tmp_path: Path) -> None:
+def test_an_origin_in_a_condition_is_a_pose_there(tmp_path: Path) -> None:
     joint = f"""{BASE}<joint name="a_joint" type="fixed">{ENDS}
         {MANY}<origin xyz="0 0 $(arg n)" rpy="0 0 0"/></xacro:if></joint><link name="a_link"/>"""
     assert part(tmp_path, joint).splitlines()[4:] == [
-        "  origin: none",
         "  if:",
         "    condition: n > 1",
         "    body:",
-        "      origin/xyz=0 0 $(n), rpy=0 0 0:",
+        "      xyz: 0 0 $(n)",
     ]
 
 
@@ -149,15 +147,14 @@ def test_statements_stand_among_the_sections_of_a_link(tmp_path: Path) -> None:
           - if:
               condition: n > 1
               body:
-                visual: {origin: none}
-                inertial: {mass: 2, origin: none, inertia: 1 0 0 1 0 1}
+                visual:
+                inertial: {mass: 2, inertia: 1 0 0 1 0 1}
           - Shell: {size: 1 2 3}
           - visual:
-              origin: none
               if:
                 condition: n > 1
                 body:
-                  <origin/xyz=0 0 1>:
+                  xyz: 0 0 1
         """)
     assert "<collision>: {geometry: {box/size=$(size): }}" in (tmp_path / "out/r.yaml").read_text()
 
@@ -174,7 +171,6 @@ def test_a_geometry_that_a_call_makes_is_an_element(tmp_path: Path) -> None:
         name: a
         link:
           visual:
-            origin: none
             <geometry>:
               Mesh: {file: a}
           <collision>:
@@ -225,11 +221,11 @@ def test_a_joint_moves_to_its_link_past_other_elements(tmp_path: Path) -> None:
     )
     assert model_of(made) == [
         "  - link/name=base:",
-        "  - part: {name: a, joint: {type: fixed, parent: base, origin: none}}",
+        "  - part: {name: a, joint: {type: fixed, parent: base}}",
         "  # rubber",
         "  - gazebo/reference=a_link:",
-        "  - part: {name: b, joint: {type: fixed, parent: a_link, origin: none}}",
-        "  - part: {name: c, joint: {type: fixed, parent: a_link, origin: none}}",
+        "  - part: {name: b, joint: {type: fixed, parent: a_link}}",
+        "  - part: {name: c, joint: {type: fixed, parent: a_link}}",
     ]
 
 

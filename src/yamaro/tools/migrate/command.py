@@ -44,17 +44,22 @@ def read_file(path: str, limits: Limits, data: bytes | None = None) -> Source:
     return decode_xml(data, name=name, path=absolute)
 
 
-def migrate_file(path: str, limits: Limits, data: bytes | None = None) -> Migration:
+def migrate_file(
+    path: str, limits: Limits, data: bytes | None = None, *, exact: bool = False
+) -> Migration:
     """Return the Yamaro source of a URDF, or of any other XML; raises what `read_file` does.
 
     Raises:
         YamaroError: it is no XML.
     """
-    return migrate_source(read_file(path, limits, data), limits)
+    return migrate_source(read_file(path, limits, data), limits, exact=exact)
 
 
-def migrate_source(source: Source, limits: Limits) -> Migration:
-    """Return the Yamaro source of an XML file that was read; raise YamaroError if it is no XML."""
+def migrate_source(source: Source, limits: Limits, *, exact: bool = False) -> Migration:
+    """Return the Yamaro source of an XML file that was read; raise YamaroError if it is not XML.
+
+    With `exact`, poses that the file leaves out are left out of what the source makes.
+    """
     stem = os.path.splitext(source.path)[0] or "robot"
 
     def build(text: str) -> Element:
@@ -62,7 +67,7 @@ def migrate_source(source: Source, limits: Limits) -> Migration:
         assert built.root is not None
         return built.root
 
-    return migrate_urdf(read_xml(source, limits), build)
+    return migrate_urdf(read_xml(source, limits), build, exact=exact)
 
 
 def is_xacro_file(source: Source, limits: Limits) -> bool:
@@ -72,14 +77,17 @@ def is_xacro_file(source: Source, limits: Limits) -> bool:
 
 def report(migration: Migration | XacroMigration) -> str:
     """Return what is said of a migration: how large the robot is, or in what it differs."""
-    if not migration.differences:
-        if migration.root.name != "robot":
-            return "identical"
-        children = migration.root.elements()
-        links = sum(child.name == "link" for child in children)
-        joints = sum(child.name == "joint" for child in children)
-        return f"identical: {_counted(links, 'link')}, {_counted(joints, 'joint')}"
-    return "\n".join([f"different: {difference}" for difference in migration.differences])
+    if migration.differences:
+        return "\n".join([f"different: {difference}" for difference in migration.differences])
+    if migration.root.name != "robot":
+        return "identical"
+    children = migration.root.elements()
+    links = sum(child.name == "link" for child in children)
+    joints = sum(child.name == "joint" for child in children)
+    counts = f"{_counted(links, 'link')}, {_counted(joints, 'joint')}"
+    if migration.defaults:
+        counts += f"; {_counted(migration.defaults, 'default')} written out"
+    return f"identical: {counts}"
 
 
 def _counted(count: int, what: str) -> str:

@@ -10,6 +10,8 @@ TOLERANCE = 1e-9
 """How far numbers may differ, as a part of them."""
 NEGLIGIBLE = 1e-12
 """Differences of numbers that are rounding, such as -0 and 1e-17, whatever the numbers."""
+POSE = ("xyz", "rpy")
+ZEROS = "0 0 0"
 
 
 class Difference:
@@ -31,59 +33,141 @@ class Difference:
         return f"{', '.join(self.path)}: {self.message}"
 
 
-def compare(expected: Element, actual: Element) -> list[Difference]:
-    """Return in what a robot differs from the one expected; comments and white space aside."""
-    differences: list[Difference] = []
-    _compare(expected, actual, (), differences)
-    return differences
+def compare(
+    expected: Element, actual: Element, *, exact: bool = False, around: tuple[str, ...] = ()
+) -> list[Difference]:
+    """Return the differences between two robots, except for comments and white space.
+
+    Args:
+        expected: the robot, or an element of it.
+        actual: what is compared with it.
+        exact: whether a missing `<origin>`, or a missing `xyz` or `rpy` in one, differs from zeros.
+        around: the names of the elements that an element of a robot is in.
+    """
+    return _compared(expected, actual, exact=exact, around=around).differences
 
 
-def is_same(expected: Element, actual: Element) -> bool:
-    """Tell whether two elements are the same."""
-    return not compare(expected, actual)
+def count_defaults(expected: Element, actual: Element) -> int:
+    """Return how many origins, and values of origins, only the second robot writes out."""
+    return _compared(expected, actual, exact=False).defaults
 
 
-def _compare(
-    expected: Element, actual: Element, path: tuple[str, ...], out: list[Difference]
-) -> None:
-    path = (*path, label(expected))
-    if expected.name != actual.name:
-        out.append(Difference(path, f"<{actual.name}> stands in its place"))
-        return
-    _compare_attributes(expected, actual, path, out)
-    if not same_words(_text(expected), _text(actual)):
-        out.append(Difference(path, f"its text is {_text(actual)!r}, not {_text(expected)!r}"))
-    first, second = expected.elements(), actual.elements()
-    if expected.name not in UNORDERED:
-        _compare_rows(first, second, path, out)
-        return
-    names = dict.fromkeys(element.name for element in (*first, *second))
-    for name in names:
-        of_first = [element for element in first if element.name == name]
-        _compare_rows(of_first, [e for e in second if e.name == name], path, out)
+def _compared(
+    expected: Element, actual: Element, *, exact: bool, around: tuple[str, ...] = ()
+) -> _Comparison:
+    comparison = _Comparison(exact, _prefixes_in(expected) | _prefixes_in(actual), around)
+    comparison.compare(expected, actual, ())
+    return comparison
 
 
-def _compare_rows(
-    first: list[Element], second: list[Element], path: tuple[str, ...], out: list[Difference]
-) -> None:
-    for one, other in zip(first, second, strict=False):
-        _compare(one, other, path, out)
-    missing, new = first[len(second) :], second[len(first) :]
-    out += [Difference((*path, label(element)), "is missing") for element in missing]
-    out += [Difference((*path, label(element)), "should not be there") for element in new]
+class _Comparison:
+    """Compares two trees, and collects what differs."""
+
+    def __init__(self, exact: bool, prefixes: set[str], around: tuple[str, ...]) -> None:
+        self._exact = exact
+        self._prefixes = prefixes
+        self._around = list(around)
+        self.differences: list[Difference] = []
+        self.defaults = 0
+
+    def compare(self, expected: Element, actual: Element, path: tuple[str, ...]) -> None:
+        """Note the differences between two elements and what is in them."""
+        path = (*path, label(expected))
+        if expected.name != actual.name:
+            self._note(path, f"<{actual.name}> stands in its place")
+            return
+        first, second = values_of(expected), values_of(actual)
+        children, others = expected.elements(), actual.elements()
+        if not self._exact and expected.name == "origin" and self._is_posed():
+            first, second = self._with_zeros(first, second)
+        self._around.append(expected.name)
+        self._compare_attributes(first, second, path)
+        if not same_words(_text(expected), _text(actual)):
+            self._note(path, f"its text is {_text(actual)!r}, not {_text(expected)!r}")
+        if not self._exact and self._is_posed():
+            children, others = self._with_origins(expected, children, others)
+        self._compare_children(expected.name, children, others, path)
+        self._around.pop()
+
+    def _is_posed(self) -> bool:
+        """Tell whether the innermost open element has a pose, which is zero by default."""
+        match self._around:
+            case ["robot", "joint"] | ["robot", "link", "visual" | "collision" | "inertial"]:
+                return True
+        return False
+
+    def _with_origins(
+        self, owner: Element, first: list[Element], second: list[Element]
+    ) -> tuple[list[Element], list[Element]]:
+        """Return the children of two elements, each with an origin."""
+        has_first, has_second = (any(e.name == "origin" for e in row) for row in (first, second))
+        if has_first == has_second:
+            return first, second
+        default = Element("origin", owner.span, dict.fromkeys(POSE, ZEROS))
+        if has_second:
+            self.defaults += 1
+            return [default, *first], second
+        return first, [default, *second]
+
+    def _with_zeros(
+        self, first: dict[str, str], second: dict[str, str]
+    ) -> tuple[dict[str, str], dict[str, str]]:
+        """Return the attributes of two origins, each with all that are read."""
+        zeros = dict.fromkeys(POSE, ZEROS)
+        self.defaults += sum(name in second and name not in first for name in POSE)
+        return zeros | first, zeros | second
+
+    def _compare_children(
+        self, name: str, first: list[Element], second: list[Element], path: tuple[str, ...]
+    ) -> None:
+        if name not in UNORDERED:
+            self._compare_rows(first, second, path)
+            return
+        for own in dict.fromkeys(element.name for element in (*first, *second)):
+            of_first = [element for element in first if element.name == own]
+            self._compare_rows(of_first, [e for e in second if e.name == own], path)
+
+    def _compare_rows(
+        self, first: list[Element], second: list[Element], path: tuple[str, ...]
+    ) -> None:
+        for one, other in zip(first, second, strict=False):
+            self.compare(one, other, path)
+        for element in first[len(second) :]:
+            self._note((*path, label(element)), "is missing")
+        for element in second[len(first) :]:
+            self._note((*path, label(element)), "should not be there")
+
+    def _compare_attributes(
+        self, first: dict[str, str], second: dict[str, str], path: tuple[str, ...]
+    ) -> None:
+        for name, value in first.items():
+            if name not in second:
+                if not self._is_unused(name):
+                    self._note(path, f"'{name}' is missing")
+            elif not same_words(value, second[name]):
+                self._note(path, f"'{name}' is {second[name]!r}, not {value!r}")
+        for name in second:
+            if name not in first and not self._is_unused(name):
+                self._note(path, f"'{name}' should not be there")
+
+    def _is_unused(self, attribute: str) -> bool:
+        """Tell whether an attribute declares a prefix of XML that no name has."""
+        return attribute.startswith("xmlns:") and attribute.partition(":")[2] not in self._prefixes
+
+    def _note(self, path: tuple[str, ...], message: str) -> None:
+        self.differences.append(Difference(path, message))
 
 
-def _compare_attributes(
-    expected: Element, actual: Element, path: tuple[str, ...], out: list[Difference]
-) -> None:
-    first, second = values_of(expected), values_of(actual)
-    for name, value in first.items():
-        if name not in second:
-            out.append(Difference(path, f"'{name}' is missing"))
-        elif not same_words(value, second[name]):
-            out.append(Difference(path, f"'{name}' is {second[name]!r}, not {value!r}"))
-    new = [name for name in second if name not in first]
-    out += [Difference(path, f"'{name}' should not be there") for name in new]
+def _prefixes_in(root: Element) -> set[str]:
+    """Return the prefixes of XML that names in a document have."""
+    prefixes: set[str] = set()
+    pending = [root]
+    while pending:
+        element = pending.pop()
+        pending += element.elements()
+        names = [name for name in element.attributes if not name.startswith("xmlns:")]
+        prefixes.update(name.partition(":")[0] for name in (element.name, *names) if ":" in name)
+    return prefixes
 
 
 def values_of(element: Element) -> dict[str, str]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from ...robot.mesh import MESH_ENDINGS, mesh_ending
 from ...xmltree import Comment, Element, Text, format_value
-from .compare import same_words, values_of
+from .compare import POSE, ZEROS, same_words, values_of
 from .document import RECORD_WIDTH, Body, Entry, joined, without_expressions, words_of
 from .elements import ElementWriter, add_loose
 from .pairing import has_text, name_of
@@ -104,12 +104,17 @@ class PartWriter:
         material: Callable[[Element], Entry | None],
         *,
         resolves: bool = False,
+        exact: bool = False,
     ) -> None:
-        """Take what writes elements, the names, and what writes a material in short, or None."""
+        """Take what writes elements, the names, and what writes a material in short, or None.
+
+        With `exact`, an origin, or a value of one, that is missing is kept missing.
+        """
         self._elements = elements
         self._names = names
         self._material = material
         self._resolves = resolves
+        self._exact = exact
 
     def part(self, link: Element, joint: Element | None, *, joint_first: bool) -> Entry:
         """Return a part, or a link that holds nothing as the element that it is.
@@ -230,7 +235,9 @@ class PartWriter:
         return body or None
 
     def _plan(self, link: Element) -> LinkPlan:
-        return LinkPlan(link, self._elements.file_name, self._has_form, self._is_solid)
+        return LinkPlan(
+            link, self._elements.file_name, self._has_form, self._is_solid, exact=self._exact
+        )
 
     def _has_form(self, section: Element) -> bool:
         """Tell whether a section has what the short form of one says, each once."""
@@ -331,17 +338,16 @@ class PartWriter:
 
     def _add_pose(self, owner: Element, origin: Element | None, body: Body) -> None:
         """Add the entries that give the origin of what has it, or say that there is none."""
-        if origin is None:
+        pose = pose_of(origin, exact=self._exact)
+        if pose is not None:
+            for name, row in pose.items():
+                words = _numbers(row, 3)
+                if not same_words(words, ZEROS):
+                    body.add(name, words)
+        elif origin is None:
             body.add("origin", "none")
-            return
-        attributes = values_of(origin)
-        if sorted(attributes) != ["rpy", "xyz"] or origin.children:
+        else:
             body.entries.append(self._elements.entry(origin, bracketed=True))
-            return
-        for name in ("xyz", "rpy"):
-            words = _numbers(attributes[name], 3)
-            if not same_words(words, "0 0 0"):
-                body.add(name, words)
 
 
 _KEYS_OF = {"origin": ("xyz", "rpy", "origin")}
@@ -362,6 +368,19 @@ def _add_remarks(remarks: dict[str, str], body: Body) -> None:
             entry.comment = joined(entry.comment, remark)
         if not body.entries:
             body.note(remark)
+
+
+def pose_of(origin: Element | None, *, exact: bool) -> dict[str, str] | None:
+    """Return `xyz` and `rpy` of an origin, zeros where it says nothing; None if that is not all.
+
+    With `exact`, an origin that says nothing of one of them is not the same as zeros.
+    """
+    attributes = {} if origin is None else values_of(origin)
+    if (origin is not None and origin.children) or attributes.keys() - set(POSE):
+        return None
+    if exact and len(attributes) < len(POSE):
+        return None
+    return dict.fromkeys(POSE, ZEROS) | attributes
 
 
 class _CommonPose:
@@ -389,6 +408,8 @@ class LinkPlan:
         file_name: Callable[[str], str],
         has_form: Callable[[Element], bool],
         is_solid: Callable[[Element, Geometry], bool],
+        *,
+        exact: bool,
     ) -> None:
         """Look at a link.
 
@@ -397,8 +418,10 @@ class LinkPlan:
             file_name: spells the names of mesh files.
             has_form: tells which of its sections have a short form.
             is_solid: tells whether an inertial has the inertia of a geometry.
+            exact: whether an origin that is missing has to stay missing.
         """
         self._is_solid = is_solid
+        self._exact = exact
         self.sections: dict[int, Geometry | None] = {}
         self.geometry: Geometry | None = None
         self.pose: _CommonPose | None = None
@@ -436,18 +459,13 @@ class LinkPlan:
         if len(posed) < 2:
             return
         origins = [optional_child(section, "origin") for section in posed]
-        if not any(origins):
+        if self._exact and not any(origins):
             self.pose = _CommonPose(None)
-        if origins[0] is None or None in origins:
+        first, *others = (pose_of(origin, exact=self._exact) for origin in origins)
+        if first is None or any(pose != first for pose in others):
             return
-        first = values_of(origins[0])
-        if sorted(first) != ["rpy", "xyz"]:
-            return
-        if same_words(first["xyz"], "0 0 0") and same_words(first["rpy"], "0 0 0"):
-            return
-        if any(values_of(origin) != first or origin.children for origin in origins if origin):
-            return
-        self.pose = _CommonPose(origins[0])
+        if not all(same_words(row, ZEROS) for row in first.values()):
+            self.pose = _CommonPose(origins[0])
 
 
 def read_geometry(section: Element, file_name: Callable[[str], str]) -> Geometry | None:

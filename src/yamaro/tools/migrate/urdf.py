@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from ...diagnostics import YamaroError
 from ...xmltree import Element
-from .compare import Difference, compare, values_of
+from .compare import compare, count_defaults, values_of
 from .document import RECORD_WIDTH, Body, Entry, Quoted, Value, element_key, literal, write_document
 from .elements import ElementWriter, add_loose, comments_above, spelled, tidy_text, walk
 from .pairing import Item, is_bare, name_of, pair
@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
     from ...xmlreader import XmlDocument
+    from .compare import Difference
 
 FEWEST_MESHES = 3
 """Meshes of one folder for which the folder becomes a variable."""
@@ -22,18 +23,30 @@ FEWEST_MATERIALS = 2
 
 
 class Migration:
-    """A Yamaro source, and in what the robot it makes differs from the one it was made of."""
+    """A Yamaro source, and in what the robot it makes differs from the one it was made of.
 
-    __slots__ = ("differences", "root", "text")
+    Attributes:
+        text: the source.
+        root: the robot it was made of.
+        differences: what differs.
+        defaults: how many origins, or values of origins, only the source gives.
+    """
 
-    def __init__(self, text: str, root: Element, differences: list[Difference]) -> None:
-        """Hold the source, the robot it was made of, and the differences."""
+    __slots__ = ("defaults", "differences", "root", "text")
+
+    def __init__(
+        self, text: str, root: Element, differences: list[Difference], defaults: int = 0
+    ) -> None:
+        """Hold the source, the robot it was made of, and how they compare."""
         self.text = text
         self.root = root
         self.differences = differences
+        self.defaults = defaults
 
 
-def migrate_urdf(document: XmlDocument, build: Callable[[str], Element]) -> Migration:
+def migrate_urdf(
+    document: XmlDocument, build: Callable[[str], Element], *, exact: bool = False
+) -> Migration:
     """Return a source that makes the same document.
 
     What comes out is built and compared. A joint or link that would not come out the same as a part
@@ -42,6 +55,7 @@ def migrate_urdf(document: XmlDocument, build: Callable[[str], Element]) -> Migr
     Args:
         document: the XML.
         build: returns the tree that a source makes.
+        exact: whether an origin that is missing has to stay missing.
 
     Raises:
         YamaroError: what came out cannot be built, which is a fault of ours.
@@ -50,7 +64,7 @@ def migrate_urdf(document: XmlDocument, build: Callable[[str], Element]) -> Migr
     source = spelled(root, literal)
     plain: set[int] = set()
     while True:
-        text = _write(document, source, plain)
+        text = _write(document, source, plain, exact=exact)
         try:
             built = build(text)
         except YamaroError:
@@ -59,43 +73,46 @@ def migrate_urdf(document: XmlDocument, build: Callable[[str], Element]) -> Migr
                 raise
             plain |= everything
             continue
-        differences = compare(root, built)
+        differences = compare(root, built, exact=exact)
+        migration = Migration(text, root, differences, count_defaults(root, built))
         if not differences or root.name != "robot":
-            return Migration(text, root, differences)
-        different = _different(root, source, built) - plain
+            return migration
+        different = _different(root, source, built, exact=exact) - plain
         if not different:
-            return Migration(text, root, differences)
+            return migration
         plain |= different
 
 
-def _different(expected: Element, source: Element, actual: Element) -> set[int]:
+def _different(expected: Element, source: Element, actual: Element, *, exact: bool) -> set[int]:
     """Return the joints and links of `source` that have not come out as expected, by identity."""
     different = set()
     made = {(e.name, name_of(e)): e for e in actual.elements() if e.name in ("joint", "link")}
     for element, own in zip(expected.elements(), source.elements(), strict=True):
         if element.name in ("joint", "link"):
             other = made.get((element.name, name_of(element)))
-            if other is None or compare(element, other):
+            if other is None or compare(element, other, exact=exact, around=("robot",)):
                 different.add(id(own))
     return different
 
 
-def _write(document: XmlDocument, root: Element, plain: set[int]) -> str:
+def _write(document: XmlDocument, root: Element, plain: set[int], *, exact: bool) -> str:
     """Return a source in which some joints and links are plain elements.
 
     Those that turn out to be no parts are added to them. What names these has to be written anew.
     """
     while True:
         known = len(plain)
-        text = _written(document, root, plain)
+        text = _written(document, root, plain, exact=exact)
         if len(plain) == known:
             return text
 
 
-def _written(document: XmlDocument, root: Element, plain: set[int]) -> str:
+def _written(document: XmlDocument, root: Element, plain: set[int], *, exact: bool) -> str:
     variables = Variables(root)
     elements = ElementWriter(variables.file_name)
-    model = _Model(root, elements, variables, plain).body() if root.name == "robot" else None
+    model = None
+    if root.name == "robot":
+        model = _Model(root, elements, variables, plain, exact=exact).body()
     sections = Body()
     attributes = values_of(root)
     if variables.declared:
@@ -119,13 +136,19 @@ class _Model:
     """The body of a robot."""
 
     def __init__(
-        self, root: Element, elements: ElementWriter, variables: Variables, plain: set[int]
+        self,
+        root: Element,
+        elements: ElementWriter,
+        variables: Variables,
+        plain: set[int],
+        *,
+        exact: bool,
     ) -> None:
         self._root = root
         self._elements = elements
         self._plain = plain
         self._names = Names(root.elements())
-        self._parts = PartWriter(elements, self._names, variables.material)
+        self._parts = PartWriter(elements, self._names, variables.material, exact=exact)
 
     def body(self) -> Body:
         items, loose = pair(self._root.children)

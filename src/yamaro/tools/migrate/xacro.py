@@ -32,6 +32,7 @@ class XacroMigration:
         main: the path of the main file.
         root: what xacro makes of the robot.
         differences: in what the robot that the sources make differs from it.
+        defaults: how many origins, or values of origins, only the sources give.
         origins: the paths of the files by those of the xacro files they were made of.
         lost: what could not be carried over: its place, why, and a hint.
         is_compared_with_xacro: whether the package xacro made what it was compared with.
@@ -45,18 +46,21 @@ class XacroMigration:
         self.root = root
         self.origins: dict[str, str] = {}
         self.differences: list[Difference] = []
+        self.defaults = 0
         self.lost: list[tuple[Span, str, str]] = []
         self.is_compared_with_xacro = False
         self.faults: list[Diagnostic] = []
 
 
-def migrate_xacro(source: Source, host: Host, arguments: Mapping[str, str]) -> XacroMigration:
+def migrate_xacro(
+    source: Source, host: Host, arguments: Mapping[str, str], *, exact: bool = False
+) -> XacroMigration:
     """Return sources that make the same robot, for these arguments at least.
 
     Raises:
         YamaroError: the robot cannot be expanded.
     """
-    program = Program(source, host, arguments)
+    program = Program(source, host, arguments, exact=exact)
     folder = common_folder(list(program.roots))
     contents = Contents(program)
     outputs: dict[str, str] = {}

@@ -14,7 +14,7 @@ from ...runtime.packages import PackageFinder
 from ...source import Source, Span
 from ...xmlreader import decode_xml, read_xml
 from .command import ignore
-from .compare import compare
+from .compare import compare, count_defaults
 from .xacro import XacroMigration, migrate_xacro
 
 TYPE_CHECKING = False
@@ -104,6 +104,7 @@ def migrate_robot(
     arguments: Sequence[str],
     packages: Mapping[str, str],
     limits: Limits,
+    exact: bool = False,
 ) -> XacroMigration:
     """Return the sources of a robot in xacro, compared with what xacro makes of it.
 
@@ -113,13 +114,14 @@ def migrate_robot(
         arguments: the arguments, as `name:=value`.
         packages: folders of packages by name.
         limits: how large the files may be.
+        exact: whether an origin that is missing has to stay missing.
 
     Raises:
         YamaroError: the robot cannot be expanded.
     """
     host = DiskHost(limits, packages)
     given = dict(argument.split(":=", 1) for argument in arguments)
-    migration = run_on_deep_stack(lambda: migrate_xacro(source, host, given))
+    migration = run_on_deep_stack(lambda: migrate_xacro(source, host, given, exact=exact))
     texts = {os.path.join(folder, name): text for name, text in migration.files.items()}
     program = Program(
         os.path.join(folder, migration.main),
@@ -134,7 +136,8 @@ def migrate_robot(
         migration.faults = [each for each in error.diagnostics if each.severity != WARNING]
         return migration
     assert built.root is not None
-    migration.differences = compare(expected, built.root)
+    migration.differences = compare(expected, built.root, exact=exact)
+    migration.defaults = count_defaults(expected, built.root)
     return migration
 
 

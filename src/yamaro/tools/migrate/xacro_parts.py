@@ -153,6 +153,8 @@ class XacroPartWriter(PartWriter):
         contents: Contents,
         solids: Solids,
         around: Macro | None,
+        *,
+        exact: bool,
     ) -> None:
         """Take what the part stands in.
 
@@ -162,6 +164,7 @@ class XacroPartWriter(PartWriter):
             contents: tells what statements make.
             solids: the macros that give the inertia of a solid.
             around: the macro that the part stands in.
+            exact: whether an origin that is missing has to stay missing.
         """
         self._host = host
         self._translate = translate
@@ -173,7 +176,7 @@ class XacroPartWriter(PartWriter):
         self._known: dict[int, Counts] = {}
         self._has_one_inertial = False
         elements = _PartElements(host, self._originals)
-        super().__init__(elements, Names([]), material_entry, resolves=True)
+        super().__init__(elements, Names([]), material_entry, resolves=True, exact=exact)
 
     def entry(self, link: Element, joint: Element | None, *, joint_first: bool) -> Entry | None:
         """Return a joint and a link as a part, or None if they are more than a part can say."""
@@ -264,7 +267,7 @@ class XacroPartWriter(PartWriter):
 
     def _add_given_origin(self, owner: Element, origin: Element, out: Body) -> None:
         """Add an origin that stands in a condition."""
-        if self._is_origin_given(owner):
+        if not self._exact or self._is_origin_given(owner):
             super()._add_pose(owner, origin, out)
         else:
             bracketed = not stands_as_key(origin)

@@ -125,15 +125,19 @@ class Program:
         included_by_macros: the files that macros include: their properties are the macros' own.
         hidden: the arguments that something of the same name hides.
         result: what the robot expands to.
+        exact: whether an origin that is missing has to stay missing.
     """
 
-    def __init__(self, source: Source, host: Host, arguments: Mapping[str, str]) -> None:
+    def __init__(
+        self, source: Source, host: Host, arguments: Mapping[str, str], *, exact: bool = False
+    ) -> None:
         """Expand a robot and look at its files.
 
         Raises:
             YamaroError: it cannot be expanded.
         """
         self.main = source.path
+        self.exact = exact
         self._host = host
         watch = _Watch(host)
         python = _WatchedPython(host.limits)

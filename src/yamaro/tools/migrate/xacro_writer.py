@@ -154,13 +154,23 @@ class FileWriter(ElementWriter):
     def _part(self, link: Element, step: Step) -> list[Entry]:
         """Return a link and its joint as a part, or as the elements that they are."""
         known = len(self.lost)
-        parts = XacroPartWriter(self, self._translate, self.contents, self.solids, self.here.macro)
-        part = parts.entry(link, step.joint, joint_first=step.is_joint_first)
+        part = self.part_writer().entry(link, step.joint, joint_first=step.is_joint_first)
         if part is not None:
             return [part]
         del self.lost[known:]
         both = [link] if step.joint is None else [step.joint, link]
         return [self.entry(each) for each in (both if step.is_joint_first else both[::-1])]
+
+    def part_writer(self) -> XacroPartWriter:
+        """Return what writes parts, or what comes to be in them, at this place."""
+        return XacroPartWriter(
+            self,
+            self._translate,
+            self.contents,
+            self.solids,
+            self.here.macro,
+            exact=self.program.exact,
+        )
 
     def write_statement(self, node: Element, body: Body, place: Write) -> None:
         """Write a statement, and the elements in it by `place`."""
@@ -184,9 +194,7 @@ class FileWriter(ElementWriter):
 
     def write_for_parts(self, node: Element, body: Body) -> None:
         """Write an element that may come to stand in a part, where it is to mean the same."""
-        own = XacroPartWriter(
-            self, self._translate, self.contents, self.solids, self.here.macro
-        ).spelled(node)
+        own = self.part_writer().spelled(node)
         body.append(self.entry(node, bracketed=not stands_as_key(own)))
 
     def entry(self, element: Element, *, bracketed: bool = False) -> Entry:
