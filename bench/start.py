@@ -22,7 +22,7 @@ TINY_XACRO = """\
 WITHOUT_BYTE_CODE = """
 import sys
 sys.path.insert(0, {folder!r})
-from yamaro.cli import main
+from yamaro.commands.main import main
 sys.exit(main())
 """
 

@@ -19,7 +19,7 @@ from lxml import etree
 from packaging.specifiers import SpecifierSet
 
 from yamaro import compiler, jail
-from yamaro.cli import main
+from yamaro.commands.main import main
 from yamaro.runtime.interpreter import Interpreter
 
 CASES = Path(__file__).parent / "cases"

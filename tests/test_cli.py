@@ -14,10 +14,15 @@ from typing import Any
 
 import pytest
 
-from yamaro import cli, compiler, jail
-from yamaro.cli import main, parse_arguments
+from yamaro import compiler, jail
+from yamaro.commands.arguments import parse_arguments
+from yamaro.commands.help import help_of
+from yamaro.commands.main import main
+from yamaro.commands.settings import make_policy
+from yamaro.commands.shells import SHELLS, script
+from yamaro.commands.table import COMMANDS, OPTIONS, SPELLINGS, named_commands, options_of
+from yamaro.commands.usage import USAGE
 from yamaro.policy import Limits, limit_names
-from yamaro.tools import completion
 
 ROBOT = """\
 robot: arm
@@ -417,7 +422,7 @@ def test_the_mode_is_the_one_asked_for_or_that_of_the_command(
 ) -> None:
     words = [word] if word else []
     arguments = parse_arguments([*([] if command == "build" else [command]), *words, "robot.yaml"])
-    policy = cli.make_policy(arguments)
+    policy = make_policy(arguments)
     assert policy.mode == (mode or ("trusted" if command == "build" else "safe"))
     assert policy.timeout == (None if policy.mode == "trusted" else 60)
 
@@ -437,7 +442,7 @@ def test_the_page_on_safety_tells_every_limit_as_it_is() -> None:
 
 def test_options_make_the_policy() -> None:
     words = "--safe r.yaml --timeout 1.5 --allow-path a --allow-path=b --limit xml-depth=7"
-    policy = cli.make_policy(parse_arguments(words.split()))
+    policy = make_policy(parse_arguments(words.split()))
     assert (policy.mode, policy.timeout, policy.allowed_paths) == ("safe", 1.5, ("a", "b"))
     assert policy.limits.xml_depth == 7
     assert policy.limits.turns == Limits("safe").turns
@@ -548,7 +553,7 @@ def test_wrong_usage_is_told_in_one_line(
 ) -> None:
     status, out, err = outcome(capsys, *words.split())
     assert (status, out) == (2, "")
-    assert err == f"yamaro: error: {message}\n{cli.USAGE}\n"
+    assert err == f"yamaro: error: {message}\n{USAGE}\n"
 
 
 def test_an_unknown_limit_that_is_like_none_lists_them_all(
@@ -566,7 +571,7 @@ def test_missing_main_file_is_wrong_usage(capsys: pytest.CaptureFixture[str]) ->
     assert (status, out) == (2, "")
     assert err.startswith("yamaro: error: ")
     assert "'nowhere.yaml'" in err
-    assert err.endswith(cli.USAGE + "\n")
+    assert err.endswith(USAGE + "\n")
 
 
 @pytest.mark.parametrize("word", ["1x:=2", ":=2", "a b:=2", "for:=1"])
@@ -576,17 +581,69 @@ def test_malformed_variables_are_wrong_usage(capsys: pytest.CaptureFixture[str],
     assert err.startswith("yamaro: error: ")
 
 
-def test_help_is_short_and_wins(capsys: pytest.CaptureFixture[str]) -> None:
-    for words in (["-h"], ["--help"], ["check", "-h"], ["a", "b", "--help"]):
-        assert outcome(capsys, *words) == (0, cli.HELP, "")
-    for text in (cli.HELP, cli.PICTURE_HELP, cli.VIEW_HELP):
-        lines = text.splitlines()
-        assert len(lines) < 50
-        assert max(map(len, lines)) <= 100
-    for option in cli.OPTIONS:
-        assert option in cli.HELP + cli.PICTURE_HELP + cli.VIEW_HELP
-    for command in set(cli.COMMANDS) - {"build"}:
-        assert f"yamaro {command} " in cli.HELP
+@pytest.mark.parametrize("words", [["-h"], ["--help"], ["help"], ["a", "b", "--help"]])
+def test_help_lists_the_options_of_a_build_and_the_other_commands(
+    capsys: pytest.CaptureFixture[str], words: list[str]
+) -> None:
+    assert outcome(capsys, *words) == (0, help_of("build"), "")
+    for command in COMMANDS:
+        assert command == "build" or f"  yamaro {command} " in help_of("build")
+
+
+@pytest.mark.parametrize("command", COMMANDS)
+def test_a_command_shows_its_own_help(capsys: pytest.CaptureFixture[str], command: str) -> None:
+    status, out, err = outcome(capsys, command, "--help")
+    assert (status, err) == (0, "")
+    name = "yamaro" if command == "build" else f"yamaro {command}"
+    assert out.startswith(f"usage: {name} ")
+    assert max(map(len, out.splitlines())) <= 100
+    shown = [line.partition("--")[2].split()[0] for line in out.splitlines() if " --" in line[:8]]
+    assert shown == [option.name for option in options_of(command)]
+    for words in ([command, "-h"], ["--help", command], ["help", command], ["-q", command, "-h"]):
+        assert outcome(capsys, *words) == (0, out, "")
+
+
+def test_every_option_belongs_to_a_command_and_is_explained() -> None:
+    for option in OPTIONS.values():
+        assert option.commands
+        assert set(option.commands) <= set(COMMANDS)
+        assert set(option.help_in) <= set(option.commands)
+        assert bool(option.value) == bool(option.wants)
+        assert option.help.isprintable()
+        assert set(option.excludes) <= set(OPTIONS)
+
+
+@pytest.mark.parametrize(
+    ("words", "message"),
+    [
+        ("help chekc", "there is no command 'chekc'; did you mean 'check'?"),
+        (
+            "help robot.yaml",
+            f"there is no command 'robot.yaml'; there are {', '.join(named_commands())}",
+        ),
+        ("help check tree", "'tree' is one COMMAND too many after 'check'"),
+        ("help check --strict", "'--strict' has no meaning for 'yamaro help'"),
+    ],
+)
+def test_help_of_no_command_is_wrong_usage(
+    capsys: pytest.CaptureFixture[str], words: str, message: str
+) -> None:
+    assert outcome(capsys, *words.split()) == (2, "", f"yamaro: error: {message}\n{USAGE}\n")
+
+
+def test_the_page_on_the_command_lists_its_options() -> None:
+    """Each option is in the table of its section, in every spelling and with its value."""
+    page = (Path(__file__).parents[1] / "docs" / "cli.md").read_text(encoding="utf-8")
+    cells = [line.split(" | ")[0] for line in page.splitlines() if line.startswith("| `-")]
+    told = {
+        word.strip("`,| ").split("=")[0].split()[0] for cell in cells for word in cell.split(", ")
+    }
+    assert told == set(SPELLINGS)
+    usage = page.partition("```\n")[2].partition("```")[0].splitlines()
+    for command in COMMANDS.values():
+        name = "yamaro" if command.name == "build" else f"yamaro {command.name}"
+        for form in command.forms:
+            assert any(line.startswith(name + " ") and line.endswith(form) for line in usage), form
 
 
 def test_version_is_that_of_the_package(capsys: pytest.CaptureFixture[str]) -> None:
@@ -930,6 +987,7 @@ def test_module_and_script_are_the_same() -> None:
 HEAVY = {"argparse", "re", "pathlib", "dataclasses", "typing", "logging", "enum", "inspect", "ast"}
 HEAVY |= {"difflib", "signal", "threading", "importlib.metadata", "numpy", "unicodedata", "json"}
 HEAVY |= {"importlib", "collections", "functools", "contextlib", "urllib.parse", "bisect", "yaml"}
+RUN = "from yamaro.commands.main import main; assert main() == 0"
 ARM = """\
 robot: arm
 variables: {length: 1.0}
@@ -971,7 +1029,9 @@ def imported(code: str, *words: str, stdin: str = "") -> set[str]:
 def test_a_conversion_imports_little(words: list[str], text: str) -> None:
     write(text)
     stdin = text if words == ["-"] else ""
-    modules = imported("from yamaro.cli import main; assert main() == 0", *words, stdin=stdin)
+    modules = imported(
+        "from yamaro.commands.main import main; assert main() == 0", *words, stdin=stdin
+    )
     assert HEAVY.isdisjoint(modules), sorted(HEAVY.intersection(modules))
 
 
@@ -986,7 +1046,7 @@ def test_a_conversion_imports_little(words: list[str], text: str) -> None:
 )
 def test_what_a_document_does_not_need_is_not_imported(text: str, unused: str) -> None:
     write(text)
-    modules = imported("from yamaro.cli import main; assert main() == 0", "robot.yaml")
+    modules = imported(RUN, "robot.yaml")
     assert "yamaro.compiler" in modules
     assert unused not in modules
 
@@ -995,8 +1055,8 @@ def test_what_a_document_does_not_need_is_not_imported(text: str, unused: str) -
     ("code", "words"),
     [
         ("import yamaro; yamaro.__version__", []),
-        ("from yamaro.cli import main; main()", ["--version"]),
-        ("from yamaro.cli import main; main()", ["completion", "bash"]),
+        ("from yamaro.commands.main import main; main()", ["--version"]),
+        ("from yamaro.commands.main import main; main()", ["completion", "bash"]),
     ],
     ids=["package", "version", "completion"],
 )
@@ -1042,13 +1102,13 @@ def test_what_is_no_file_lists_no_variables(capsys: pytest.CaptureFixture[str]) 
         assert outcome(capsys, "completion", "variables", name) == (0, "", "")
 
 
-@pytest.mark.parametrize("shell", completion.SHELLS)
+@pytest.mark.parametrize("shell", SHELLS)
 def test_completion_scripts_are_valid_and_name_every_option(
     capsys: pytest.CaptureFixture[str], shell: str
 ) -> None:
     status, out, err = outcome(capsys, "completion", shell)
     assert (status, err) == (0, "")
-    for option in cli.OPTIONS:
+    for option in SPELLINGS:
         if shell == "fish":
             option = f"-l {option[2:]}" if option.startswith("--") else f"-s {option[1:]}"
         assert option in out
@@ -1073,7 +1133,7 @@ def on_path() -> dict[str, str]:
         (
             "yamaro ",
             ["yamaro", ""],
-            "bin check completion migrate picture robot.yaml tree two.yml view watch",
+            "bin check completion help migrate picture robot.yaml tree two.yml view watch",
         ),
         ("yamaro ro", ["yamaro", "ro"], "robot.yaml"),
         ("yamaro check ro", ["yamaro", "check", "ro"], "robot.yaml"),
@@ -1112,13 +1172,16 @@ def on_path() -> dict[str, str]:
         ("yamaro view --no", ["yamaro", "view", "--no"], "--no-browser"),
         ("yamaro view --port 80 ro", ["yamaro", "view", "--port", "80", "ro"], "robot.yaml"),
         ("yamaro watch --out", ["yamaro", "watch", "--out"], "--output"),
+        ("yamaro help pi", ["yamaro", "help", "pi"], "picture"),
+        ("yamaro migrate --fo", ["yamaro", "migrate", "--fo"], "--force"),
+        ("yamaro check --fo", ["yamaro", "check", "--fo"], ""),
     ],
 )
 def test_bash_completes(line: str, words: list[str], expected: str) -> None:
     write("variables: {length: 1, legs: 4}\n")
     write("", "two.yml")
     write("", "a.urdf")
-    write(completion.script("bash"), "script")
+    write(script("bash"), "script")
     program = 'source ./script; COMP_LINE=$1; COMP_POINT=${#1}; shift; COMP_WORDS=("$@")\n'
     program += 'COMP_CWORD=$(($# - 1)); _yamaro; printf "%s\\n" "${COMPREPLY[@]}"'
     result = subprocess.run(
@@ -1153,7 +1216,7 @@ def test_bash_completes(line: str, words: list[str], expected: str) -> None:
 )
 def test_fish_completes(line: str, expected: str) -> None:
     write("variables: {length: 1, legs: 4}\n")
-    write(completion.script("fish"), "script")
+    write(script("fish"), "script")
     result = subprocess.run(
         ["fish", "--no-config", "-c", "source ./script; complete -C $argv[1]", line],
         capture_output=True,

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from tests.fenced import REPOSITORY, Compile, Document, matches, read_blocks
-from yamaro.cli import main
+from yamaro.commands.main import main
 
 DOCUMENTS = [REPOSITORY / "README.md", *sorted((REPOSITORY / "docs").rglob("*.md"))]
 

@@ -17,7 +17,8 @@ import pytest
 from lxml import etree
 
 from tests.hostile.hostile_inputs import OLD_OUTPUT, HostileInput, Place, read_inputs
-from yamaro.cli import OPTIONS, main
+from yamaro.commands.main import main
+from yamaro.commands.table import SPELLINGS as OPTIONS
 from yamaro.terminal import printable
 
 ROOT = Path(__file__).parent.parent
@@ -36,7 +37,7 @@ import resource, sys
 sys.settrace(None)  # with a tool that looks on there is no deep stack
 sys.path.pop(0)  # the folder of the robot, where nothing is to be found by chance
 resource.setrlimit(resource.RLIMIT_AS, (int(sys.argv[1]),) * 2)
-from yamaro.cli import main
+from yamaro.commands.main import main
 sys.argv[:2] = ["yamaro"]
 sys.exit(main())
 """

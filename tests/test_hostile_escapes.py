@@ -13,7 +13,7 @@ import pytest
 from tests.hostile.escape_payloads import Payload, read_payloads
 from tests.hostile.hostile_inputs import OLD_OUTPUT
 from tests.test_hostile import HEAD, PLACE
-from yamaro.cli import main
+from yamaro.commands.main import main
 
 pytest.importorskip("numpy")
 

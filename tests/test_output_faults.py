@@ -26,7 +26,7 @@ import pytest
 import yamaro
 from tests.test_killed import LONG, left_over, long_document
 from yamaro import compiler
-from yamaro.cli import main
+from yamaro.commands.main import main
 from yamaro.output import write_file
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="has other system calls")
@@ -243,7 +243,7 @@ def test_a_folder_that_cannot_be_made_or_looked_at_is_told(
 TOLD = """
 import io, json, os, sys
 from contextlib import redirect_stderr
-from yamaro.cli import main
+from yamaro.commands.main import main
 
 def tell(*words):
     said = io.StringIO()

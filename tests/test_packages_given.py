@@ -7,7 +7,8 @@ from pathlib import Path
 import pytest
 
 import yamaro
-from yamaro.cli import USAGE, main
+from yamaro.commands.main import main
+from yamaro.commands.usage import USAGE
 from yamaro.runtime.packages import PackageFinder
 
 ROBOT = "robot: arm\nmodel:\n  include: $(find('hand'))/hand.yaml\n"

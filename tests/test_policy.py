@@ -13,7 +13,7 @@ import pytest
 
 import yamaro
 from yamaro import Policy, YamaroError, confined, jail
-from yamaro.cli import main
+from yamaro.commands.main import main
 from yamaro.jail import JailLimits
 from yamaro.policy import Limits, limit_names
 

@@ -8,7 +8,7 @@ import pytest
 
 import yamaro
 from yamaro import Policy, YamaroError, jail
-from yamaro.cli import main
+from yamaro.commands.main import main
 from yamaro.diagnostics import Diagnostic
 
 needs_jail = pytest.mark.skipif(jail.check_available() is not None, reason="no jail here")

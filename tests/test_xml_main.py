@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from yamaro import Build, UsageError, YamaroError, build, jail
-from yamaro.cli import main
+from yamaro.commands.main import main
 from yamaro.policy import Policy
 
 needs_jail = pytest.mark.skipif(jail.check_available() is not None, reason="no jail here")

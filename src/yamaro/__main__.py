@@ -14,7 +14,7 @@ except OSError:  # the folder is gone
 if sys.path and sys.path[0] in unwanted:
     del sys.path[0]
 
-from .cli import main
+from .commands.main import main
 
 if __name__ == "__main__":
     sys.exit(main())

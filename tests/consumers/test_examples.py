@@ -14,7 +14,7 @@ from lxml import etree
 
 import yamaro
 from tests.consumers import oracles
-from yamaro.cli import main
+from yamaro.commands.main import main
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 

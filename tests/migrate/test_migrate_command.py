@@ -12,8 +12,9 @@ from pathlib import Path
 import pytest
 
 from tests.migrate.same_robot import is_same_robot
-from yamaro import cli, compiler
-from yamaro.cli import main
+from yamaro import compiler
+from yamaro.commands import usage
+from yamaro.commands.main import main
 from yamaro.tools.migrate.command import report
 from yamaro.tools.migrate.compare import Difference
 from yamaro.tools.migrate.urdf import Migration
@@ -37,7 +38,7 @@ model:
   link/name=base:
   part: {name: tip, joint: {type: fixed, parent: base, xyz: 0 0 1}}
 """
-USAGE = f"{cli.USAGE}\n"
+USAGE = f"{usage.USAGE}\n"
 
 
 @pytest.fixture(autouse=True)

@@ -12,7 +12,7 @@ import pytest
 from tests.migrate.same_robot import is_same_robot
 from tests.test_xacro_corpus import CORPUS, UNKNOWN, real, rows
 from yamaro import build
-from yamaro.cli import main
+from yamaro.commands.main import main
 from yamaro.policy import Limits
 from yamaro.tools.migrate.xacro_command import migrate_robot
 from yamaro.tools.migrate.xacro_python import CannotMigrate, Translator, typed

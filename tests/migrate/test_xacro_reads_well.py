@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from tests.migrate.test_xacro_migration import HEAD, migrated
-from yamaro.cli import main
+from yamaro.commands.main import main
 from yamaro.tools.migrate.document import Body, Row, write_document
 from yamaro.tools.migrate.xacro_python import negated
 

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from tests.consumers.oracles import missing, require_module
-from yamaro.cli import main
+from yamaro.commands.main import main
 
 SIZE = "120x90"
 Image = np.ndarray[Any, Any]

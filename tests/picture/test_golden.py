@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from tests.picture.drawing import needs_drawing, pixels
-from yamaro.cli import main
+from yamaro.commands.main import main
 
 REPOSITORY = Path(__file__).parents[2]
 FOLDER = REPOSITORY / "docs" / "pictures"

@@ -18,7 +18,7 @@ from tests.picture.drawing import (
     picture,
     pixels,
 )
-from yamaro.cli import main
+from yamaro.commands.main import main
 
 pytestmark = needs_drawing
 

@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from tests.scene.robots import JOINTS, robot_of
-from yamaro.cli import main
+from yamaro.commands.main import main
 from yamaro.compiler import UsageError
 from yamaro.tools.picture.motion import moments, swung
 from yamaro.tools.picture.request import Request, read_positions

@@ -14,7 +14,7 @@ from typing import Any
 import pytest
 
 from tests.test_cases import find_cases, read_options
-from yamaro.cli import main
+from yamaro.commands.main import main
 from yamaro.syntax import parser
 from yamaro.syntax.names import is_function_name
 from yamaro.syntax.yaml_nodes import MappingNode, ScalarNode, SequenceNode, YamlNode

@@ -1,0 +1,166 @@
+"""The command line, split by hand: `argparse` takes longer to import than a small build takes."""
+
+from __future__ import annotations
+
+import os
+
+from ..source import STANDARD_INPUT
+from .table import BUILD, COMMANDS, OPTIONS, SPELLINGS, named_commands
+from .usage import WrongUsage, near, quote
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from .table import Option
+
+
+class Arguments:
+    """What the command line asks for.
+
+    Attributes:
+        command: a name of `COMMANDS`.
+        words: what is neither an option nor a variable: the file.
+        assignments: what has the form `name:=value`.
+        options: the values of options by name, "" for those that have none.
+        lists: all values of the options that may be given several times.
+        output_path: where the output goes; `resolve_output` sets it.
+    """
+
+    __slots__ = ("assignments", "command", "lists", "options", "output_path", "words")
+
+    def __init__(self) -> None:
+        """Start with a plain build of nothing."""
+        self.command = BUILD
+        self.words: list[str] = []
+        self.assignments: list[str] = []
+        self.options: dict[str, str] = {}
+        self.lists: dict[str, list[str]] = {}
+        self.output_path = ""
+
+    def has(self, option: str) -> bool:
+        """Tell whether an option is given."""
+        return option in self.options
+
+    def resolve_output(self) -> None:
+        """Settle where the output goes before user code can change the working directory."""
+        try:
+            self.output_path = os.path.join(os.getcwd(), self.options.get("output", ""))
+        except OSError:
+            raise WrongUsage("the working directory does not exist any more") from None
+
+
+def parse_arguments(argv: Sequence[str]) -> Arguments:
+    """Return what a command line asks for; raise WrongUsage if that is not clear."""
+    arguments = Arguments()
+    pending = list(reversed(argv))
+    only_words = False
+    while pending:
+        word = pending.pop()
+        if only_words or word == "-" or not word.startswith("-"):
+            _add_word(arguments, word, is_plain=only_words)
+        elif word == "--":
+            only_words = True
+        elif word.startswith("--"):
+            _add_long_option(arguments, word, pending)
+        else:
+            _add_short_options(arguments, word, pending)
+        if arguments.has("version"):
+            return arguments
+        if arguments.has("help"):
+            if pending:  # `yamaro --help check` is asked as well
+                _add_word(arguments, pending.pop(), is_plain=False)
+            return arguments
+    _check_arguments(arguments)
+    return arguments
+
+
+def _add_word(arguments: Arguments, word: str, *, is_plain: bool) -> None:
+    name, assigns, _ = word.partition(":=")
+    if assigns and os.sep not in name:
+        arguments.assignments.append(word)
+    elif arguments.command == BUILD and not arguments.words and word in COMMANDS and not is_plain:
+        arguments.command = word
+    else:
+        arguments.words.append(STANDARD_INPUT if word == "/dev/stdin" else word)
+
+
+def _add_long_option(arguments: Arguments, word: str, pending: list[str]) -> None:
+    name, has_value, value = word.partition("=")
+    option = SPELLINGS.get(name)
+    if option is None:
+        raise WrongUsage(f"there is no option {quote(name)}{near(name, SPELLINGS)}")
+    if not option.value:
+        if has_value:
+            raise WrongUsage(f"'{name}' takes no value")
+        value = ""
+    elif not has_value:
+        value = _next_value(name, option, pending)
+    _set_option(arguments, name, value)
+
+
+def _add_short_options(arguments: Arguments, word: str, pending: list[str]) -> None:
+    """Add `-q`, `-qo FILE` or `-oFILE`."""
+    if "-" + word in SPELLINGS:
+        raise WrongUsage(f"there is no option {quote(word)}; did you mean '-{word}'?")
+    for position, letter in enumerate(word[1:], start=2):
+        name = "-" + letter
+        option = SPELLINGS.get(name)
+        if option is None:
+            raise WrongUsage(f"there is no option {quote(name)}")
+        if option.value:
+            _set_option(arguments, name, word[position:] or _next_value(name, option, pending))
+            return
+        _set_option(arguments, name, "")
+
+
+def _next_value(name: str, option: Option, pending: list[str]) -> str:
+    if not pending:
+        raise WrongUsage(f"'{name}' needs {option.wants} after it")
+    return pending.pop()
+
+
+def _set_option(arguments: Arguments, name: str, value: str) -> None:
+    option = SPELLINGS[name]
+    if option.is_repeatable:
+        arguments.lists.setdefault(option.name, []).append(value)
+    elif option.value and arguments.has(option.name):
+        raise WrongUsage(f"'{name}' is given twice")
+    if not value and option.completes == "files":
+        raise WrongUsage(f"'{name}' needs {option.wants} after it")
+    if option.choices and value not in option.choices:
+        raise WrongUsage(f"'{name}' takes {option.wants}, not {quote(value)}")
+    arguments.options[option.name] = value
+
+
+def _check_arguments(arguments: Arguments) -> None:
+    command = arguments.command
+    for name in arguments.options:
+        if command not in OPTIONS[name].commands:
+            usage = "yamaro FILE" if command == BUILD else f"yamaro {command}"
+            raise WrongUsage(f"'--{name}' has no meaning for '{usage}'")
+    for name, option in OPTIONS.items():
+        for other in option.excludes:
+            if arguments.has(name) and arguments.has(other):
+                raise WrongUsage(f"'--{name}' and '--{other}' exclude each other")
+    if not COMMANDS[command].words:  # it takes no file
+        return
+    if not arguments.words:
+        raise WrongUsage(_missing_file(command))
+    if len(arguments.words) > 1:
+        raise WrongUsage(_second_file(*arguments.words[:2]))
+
+
+def _missing_file(command: str) -> str:
+    if command == BUILD:
+        return "no FILE is given"
+    aside = f"; for a file of that name write './{command}'" if os.path.isfile(command) else ""
+    return f"'yamaro {command}' needs a FILE{aside}"
+
+
+def _second_file(first: str, second: str) -> str:
+    if not os.path.exists(first) and (hint := near(first, named_commands())):
+        return f"there is no command {quote(first)}{hint}"
+    name, has_value, value = second.partition("=")
+    hint = f"; variables are set like {quote(f'{name}:={value}')}" if has_value else ""
+    return f"{quote(second)} is one FILE too many after {quote(first)}{hint}"

@@ -1,0 +1,27 @@
+"""`yamaro completion SHELL`: prints a completion script, and answers what such scripts ask."""
+
+from __future__ import annotations
+
+from .delivery import deliver
+from .usage import WrongUsage
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from ..output import Streams
+    from .arguments import Arguments
+
+
+def run(arguments: Arguments, streams: Streams) -> int:
+    """Write the script of a shell, or the variables of a file; return the exit status."""
+    from .shells import SHELLS, script
+
+    words = arguments.words
+    if len(words) == 2 and words[0] == "variables":
+        from .variables import variable_lines
+
+        text = variable_lines(words[1])
+    elif len(words) == 1 and words[0] in SHELLS:
+        text = script(words[0])
+    else:
+        raise WrongUsage(f"'yamaro completion' needs a shell: {', '.join(SHELLS)}")
+    return deliver([text.encode("utf-8", "replace")], arguments, streams)

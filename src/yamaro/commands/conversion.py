@@ -1,0 +1,135 @@
+"""Builds one file once, says what there is to say, and writes what a command makes of it."""
+
+from __future__ import annotations
+
+import sys
+
+from .delivery import deliver, refuse_overwriting
+from .inputs import read_pipe
+from .reports import display_name, sayer, show
+from .settings import make_policy, read_packages
+from .usage import INPUT_ERROR, WrongUsage
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterable
+
+    from ..compiler import Build
+    from ..output import Streams
+    from ..policy import Policy
+    from .arguments import Arguments
+
+
+class ProgramEnded(Exception):
+    """User code called sys.exit, which must not pass for success."""
+
+
+def convert_file(
+    arguments: Arguments,
+    streams: Streams,
+    take: Callable[[Build], Iterable[bytes]],
+    *,
+    prepare: Callable[[], object] | None = None,
+    advice: bool = False,
+    has_root: bool = False,
+    takes_xml: bool = True,
+) -> int:
+    """Build the file and write what is taken of the result; return the exit status.
+
+    Args:
+        arguments: the command line.
+        streams: where everything goes.
+        take: gives what to write of a successful build. It is called while standard output is out
+            of reach, since that may run code of the user's too.
+        prepare: is called before the build; raises YamaroError for what shall not have to wait.
+        advice: also warn of what is legal but seldom meant; any warning is then an error.
+        has_root: whether `take` needs the tree.
+        takes_xml: whether the file may also be a URDF or a robot in xacro.
+    """
+    from ..diagnostics import YamaroError
+
+    arguments.resolve_output()
+    refuse_overwriting(arguments, lambda: arguments.words)
+    policy = make_policy(arguments)
+    try:
+        if prepare is not None:
+            prepare()
+        if streams.owns_process:
+            _bound_process(arguments, streams, policy)
+        build, chunks = _build(
+            arguments,
+            streams,
+            policy,
+            take,
+            advice=advice,
+            has_root=has_root,
+            takes_xml=takes_xml,
+        )
+    except YamaroError as error:
+        show(error.diagnostics, arguments, streams)
+        return INPUT_ERROR
+    streams.kept.append(build)
+    show(build.warnings, arguments, streams)
+    if advice and build.warnings:
+        return INPUT_ERROR
+    refuse_overwriting(arguments, lambda: [*build.files, *build.meshes])
+    return deliver(chunks, arguments, streams)
+
+
+def _bound_process(arguments: Arguments, streams: Streams, policy: Policy) -> None:
+    """See to it that this process takes no more memory and time than it may."""
+    from .. import process
+    from ..confined import has_jail, time_is_over
+
+    process.bound_memory(policy.limits.memory)
+    name = display_name(arguments)
+    if policy.timeout is None or has_jail(policy, name):
+        return
+
+    def say_why() -> None:
+        show(time_is_over(name, policy).diagnostics, arguments, streams)
+
+    process.end_after(policy.timeout, say_why)
+
+
+def _build(
+    arguments: Arguments,
+    streams: Streams,
+    policy: Policy,
+    take: Callable[[Build], Iterable[bytes]],
+    *,
+    advice: bool,
+    has_root: bool,
+    takes_xml: bool,
+) -> tuple[Build, Iterable[bytes]]:
+    """Build the file, with standard output out of reach; return the build and what to write."""
+    import warnings
+
+    from .. import compiler
+
+    path = arguments.words[0]
+    text = read_pipe(path, policy.limits)
+    streams.divert()
+    try:
+        with warnings.catch_warnings():
+            if not sys.warnoptions:  # user code's warnings, unless asked for with -W
+                warnings.simplefilter("ignore")
+            build = compiler.build(
+                path,
+                text=text,
+                policy=policy,
+                packages=read_packages(arguments),
+                command_line=arguments.assignments,
+                strict=arguments.has("strict"),
+                on_message=sayer(streams),
+                advice=advice,
+                has_root=has_root,
+                takes_xml=takes_xml,
+            )
+            return build, take(build)
+    except compiler.UsageError as error:
+        raise WrongUsage(str(error)) from None
+    except SystemExit as error:
+        raise ProgramEnded(f"Python code of the file ended the program: {error!r}") from None
+    finally:
+        streams.restore()

@@ -1,0 +1,70 @@
+"""Writes what a command makes to where it is wanted."""
+
+from __future__ import annotations
+
+import os
+
+from ..output import STANDARD_OUTPUT, is_input, write_file
+from .usage import DONE, INPUT_ERROR, WrongUsage, quote
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterable, Sequence
+
+    from ..output import Streams
+    from .arguments import Arguments
+
+
+def goes_to_standard_output(arguments: Arguments) -> bool:
+    """Tell whether no output file is named."""
+    return arguments.options.get("output", "-") in STANDARD_OUTPUT
+
+
+def deliver(chunks: Iterable[bytes], arguments: Arguments, streams: Streams) -> int:
+    """Write the result to where it is wanted; a place that cannot be written to is an error."""
+    try:
+        if goes_to_standard_output(arguments):
+            streams.write_result(chunks)
+        else:
+            write_file(arguments.output_path, chunks)
+    except BrokenPipeError:
+        raise
+    except OSError as error:
+        is_standard = goes_to_standard_output(arguments)
+        name = "to standard output" if is_standard else quote(arguments.options["output"])
+        streams.say(f"yamaro: error: cannot write {name}: {error.strerror or error}")
+        return INPUT_ERROR
+    return DONE
+
+
+def deliver_files(files: dict[str, bytes], streams: Streams) -> int:
+    """Write files by their paths; the first that cannot be written is an error."""
+    for path, data in files.items():
+        try:
+            write_file(path, [data])
+        except OSError as error:
+            streams.say(f"yamaro: error: cannot write {quote(path)}: {error.strerror or error}")
+            return INPUT_ERROR
+    return DONE
+
+
+def refuse_overwriting(arguments: Arguments, inputs: Callable[[], Sequence[str]]) -> None:
+    """Refuse an output that is one of the files read."""
+    if not goes_to_standard_output(arguments) and is_input(arguments.output_path, inputs()):
+        output = quote(arguments.options["output"])
+        raise WrongUsage(f"the output {output} is one of the files that are compiled")
+
+
+def refuse_replacing(arguments: Arguments, paths: Sequence[str]) -> None:
+    """Refuse to replace files without `--force`."""
+    if arguments.has("force") or goes_to_standard_output(arguments):
+        return
+    for path in paths:
+        try:
+            is_there = os.stat(path).st_mode & 0o170000 == 0o100000
+        except OSError:
+            continue
+        if is_there:
+            raise WrongUsage(
+                f"{quote(os.path.relpath(path))} is there already; --force replaces it"
+            )

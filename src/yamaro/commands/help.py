@@ -1,0 +1,85 @@
+"""`yamaro help`, `yamaro COMMAND --help`: what commands do, made from the tables."""
+
+from __future__ import annotations
+
+from .delivery import deliver
+from .table import BUILD, COMMANDS, named_commands, options_of
+from .usage import WrongUsage, near, quote
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from ..output import Streams
+    from .arguments import Arguments
+    from .table import Command, Option
+
+COLUMNS = 100
+MARGIN = 24
+"""Columns before what is said of an option."""
+STATUS = "exit status: 0 done, 1 errors in the input or nowhere to write, 2 wrong usage"
+
+
+def run(arguments: Arguments, streams: Streams) -> int:
+    """Write the help of the command that is named; return the exit status."""
+    topics = arguments.words or [BUILD]
+    if topics[0] not in COMMANDS:
+        hint = near(topics[0], named_commands()) or f"; there are {', '.join(named_commands())}"
+        raise WrongUsage(f"there is no command {quote(topics[0])}{hint}")
+    if len(topics) > 1:
+        raise WrongUsage(f"{quote(topics[1])} is one COMMAND too many after {quote(topics[0])}")
+    return deliver([help_of(topics[0]).encode()], arguments, streams)
+
+
+def help_of(name: str) -> str:
+    """Return the help of a command; that of `yamaro FILE` also lists the others."""
+    command = COMMANDS[name]
+    blocks = [_usage(command), _wrapped(command.about, 0)]
+    if command.words:
+        blocks.append([line for word, text in command.words for line in _row(word, text)])
+    options = [line for option in options_of(name) for line in _option(option, command)]
+    blocks.append(["options, in any place:", *options])
+    if name == BUILD:
+        others = [(other, COMMANDS[other].summary) for other in named_commands()]
+        rows = [line for other, summary in others for line in _row(f"yamaro {other}", summary)]
+        blocks.append(["other commands; 'yamaro COMMAND --help' tells more of each:", *rows])
+    if command.examples:
+        blocks.append(["examples:", *(f"  {example}" for example in command.examples)])
+    if name == BUILD:
+        blocks.append([STATUS])
+    return "\n\n".join("\n".join(block) for block in blocks) + "\n"
+
+
+def _usage(command: Command) -> list[str]:
+    name = "yamaro" if command.name == BUILD else f"yamaro {command.name}"
+    lines = [f"{name} [options] {form}" for form in command.forms]
+    if command.name in ("completion", "help"):  # their only options are those of all
+        lines = [f"{name} {form}" for form in command.forms]
+    return [("usage: " if number == 0 else "       ") + line for number, line in enumerate(lines)]
+
+
+def _option(option: Option, command: Command) -> list[str]:
+    text = option.help_in.get(command.name, option.help)
+    if option.is_repeatable:
+        text += "; may be repeated"
+    if option.name == ("safe" if command.is_safe else "trust"):
+        text += " (the default)"
+    head = f"-{option.short}, " if option.short else "    "
+    head += f"--{option.name}" + (f" {option.value}" if option.value else "")
+    return _row(head, text)
+
+
+def _row(head: str, text: str) -> list[str]:
+    """Return what is said of a word, to the right of it or, if it is long, below."""
+    lines = _wrapped(text, MARGIN)
+    if len(head) + 3 > MARGIN:
+        return [f"  {head}", *lines]
+    return [f"  {head} ".ljust(MARGIN) + lines[0].lstrip(), *lines[1:]]
+
+
+def _wrapped(text: str, margin: int) -> list[str]:
+    """Return text in lines that fit; `textwrap` would import `re`."""
+    lines = [""]
+    for word in text.split(" "):
+        if len(lines[-1]) + 1 + len(word) > COLUMNS - margin:
+            lines.append("")
+        lines[-1] += f" {word}" if lines[-1] else word
+    return [" " * margin + line for line in lines]

@@ -1,0 +1,104 @@
+"""The command: reads its arguments, runs the command asked for, and gives its exit status.
+
+Everything a plain conversion does not need is imported where it is used: start-up time is most of
+what a conversion takes.
+"""
+
+from __future__ import annotations
+
+import sys
+
+from ..output import ProcessStreams, Streams
+from .arguments import parse_arguments
+from .conversion import ProgramEnded
+from .reports import report_fault, report_usage
+from .usage import INPUT_ERROR, INTERRUPTED, PIPE_CLOSED, WrongUsage
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable, Sequence
+
+    from .arguments import Arguments
+
+    Run = Callable[[Arguments, Streams], int]
+
+
+def main(argv: Sequence[str] | None = None) -> int:
+    """Run the command and return its exit status.
+
+    Args:
+        argv: the arguments without the program's name. None takes those of the process, and
+            treats the process as the command's own: its standard output is then kept apart from
+            user code at the level of file descriptors, and for good.
+    """
+    if argv is not None:
+        return _run_safely(argv, Streams)
+    import gc
+
+    from ..runtime.collector import RareCollection
+
+    with RareCollection():  # here and not only in `build`, for what is imported before
+        status = _run_safely(sys.argv[1:], ProcessStreams)
+        gc.freeze()  # all goes with the process: nothing in it need be looked through or freed
+    return status
+
+
+def _run_safely(argv: Sequence[str], stream_class: type[Streams]) -> int:
+    """Run the command and return its exit status, whatever is raised."""
+    streams: Streams | None = None
+    try:
+        arguments = parse_arguments(argv)
+        streams = stream_class(quiet=arguments.has("quiet"))
+        return _run(arguments, streams)
+    except WrongUsage as error:
+        return report_usage(str(error), streams)
+    except ProgramEnded as error:
+        (streams or Streams(quiet=False)).say(f"yamaro: error: {error}")
+        return INPUT_ERROR
+    except BrokenPipeError:
+        return PIPE_CLOSED
+    except KeyboardInterrupt:
+        return INTERRUPTED
+    except MemoryError:
+        (streams or Streams(quiet=False)).say("yamaro: error: out of memory")
+        return INPUT_ERROR
+    except Exception as error:
+        return report_fault(error, streams or Streams(quiet=False))
+
+
+def _run(arguments: Arguments, streams: Streams) -> int:
+    if arguments.has("version"):
+        from .. import __version__
+        from .delivery import deliver
+
+        return deliver([f"yamaro {__version__}\n".encode()], arguments, streams)
+    if arguments.has("help"):
+        from .delivery import deliver
+        from .help import help_of
+
+        return deliver([help_of(arguments.command).encode()], arguments, streams)
+    return _command(arguments.command)(arguments, streams)
+
+
+def _command(name: str) -> Run:
+    """Return what runs a command; its module is imported for that, and no other."""
+    if name == "build":
+        from .build import run
+    elif name == "check":
+        from .check import run
+    elif name == "tree":
+        from .tree import run
+    elif name == "view":
+        from .view import run
+    elif name == "watch":
+        from .watch import run
+    elif name == "picture":
+        from .picture import run
+    elif name == "migrate":
+        from .migrate import run
+    elif name == "completion":
+        from .completion import run
+    else:
+        assert name == "help", name
+        from .help import run
+    return run

@@ -1,0 +1,73 @@
+"""Builds one file at each save, for the commands that go on until Ctrl-C."""
+
+from __future__ import annotations
+
+import sys
+
+from ..source import STANDARD_INPUT
+from .reports import sayer
+from .settings import make_policy, read_packages
+from .usage import DONE, WrongUsage
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from ..output import Streams
+    from ..tools.rebuilding import Rebuilder
+    from .arguments import Arguments
+
+
+def repeat(
+    arguments: Arguments,
+    streams: Streams,
+    run: Callable[[Rebuilder], None],
+    *,
+    looks: bool,
+    takes_xml: bool = True,
+) -> int:
+    """Call `run` with what builds the file; return the exit status.
+
+    Args:
+        arguments: the command line.
+        streams: where everything goes.
+        run: builds until it is interrupted.
+        looks: whether advice and the tree are wanted.
+        takes_xml: whether the file may also be a URDF or a robot in xacro.
+    """
+    import warnings
+
+    from .. import compiler
+    from ..tools.rebuilding import Rebuilder
+
+    arguments.resolve_output()
+    if arguments.words[0] == STANDARD_INPUT:
+        raise WrongUsage(f"'yamaro {arguments.command}' needs a FILE with a name, to see it change")
+    policy = make_policy(arguments)
+    if streams.owns_process:
+        from .. import process
+
+        process.bound_memory(policy.limits.memory)
+    try:
+        with warnings.catch_warnings():
+            if not sys.warnoptions:  # user code's warnings, unless asked for with -W
+                warnings.simplefilter("ignore")
+            rebuilder = Rebuilder(
+                arguments.words[0],
+                policy=policy,
+                packages=read_packages(arguments),
+                command_line=arguments.assignments,
+                on_message=sayer(streams),
+                strict=arguments.has("strict"),
+                advice=looks,
+                has_root=looks,
+                takes_xml=takes_xml,
+            )
+            run(rebuilder)
+    except compiler.UsageError as error:
+        raise WrongUsage(str(error)) from None
+    except KeyboardInterrupt:
+        return DONE
+    finally:
+        streams.restore()
+    return DONE

@@ -1,0 +1,92 @@
+"""What the command says: diagnostics, wrong usage, and faults of our own."""
+
+from __future__ import annotations
+
+import os
+
+from ..output import Streams
+from ..source import STANDARD_INPUT, STANDARD_INPUT_NAME
+from .usage import INTERNAL_ERROR, USAGE, USAGE_ERROR
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable, Sequence
+
+    from ..diagnostics import Diagnostic
+    from .arguments import Arguments
+
+
+def show(diagnostics: Sequence[Diagnostic], arguments: Arguments, streams: Streams) -> None:
+    """Write diagnostics to standard error; a quiet build keeps its warnings to itself."""
+    from ..diagnostics import ERROR, render
+
+    if streams.quiet and arguments.command != "check":
+        diagnostics = [one for one in diagnostics if one.severity == ERROR]
+    if not diagnostics:
+        return
+    color = has_color(arguments, is_terminal=streams.is_terminal())
+    streams.say("\n\n".join(render(one, color=color) for one in diagnostics))
+    if arguments.command == "check":
+        errors = sum(one.severity == ERROR for one in diagnostics)
+        counts = [(errors, "error"), (len(diagnostics) - errors, "warning")]
+        told = [f"{count} {word}{'s' if count > 1 else ''}" for count, word in counts if count]
+        streams.say(f"\n{display_name(arguments)}: {', '.join(told)}")
+
+
+def display_name(arguments: Arguments) -> str:
+    """Return what the main file is called in messages."""
+    from ..terminal import printable
+
+    path = arguments.words[0]
+    return STANDARD_INPUT_NAME if path == STANDARD_INPUT else printable(path)
+
+
+def sayer(streams: Streams) -> Callable[[str], None]:
+    """Return what takes the lines that are not errors: a quiet run drops them."""
+    return _drop if streams.quiet else streams.say
+
+
+def _drop(message: str) -> None:
+    """Take a message of a quiet run."""
+
+
+def has_color(arguments: Arguments, *, is_terminal: bool) -> bool:
+    """Tell whether to colour: the option, then NO_COLOR, FORCE_COLOR, TERM, then the terminal."""
+    when = arguments.options.get("color", "auto")
+    if when != "auto":
+        return when == "always"
+    environ = os.environ
+    if environ.get("NO_COLOR"):
+        return False
+    if environ.get("FORCE_COLOR"):
+        return True
+    return is_terminal and environ.get("TERM") != "dumb"
+
+
+def report_usage(message: str, streams: Streams | None) -> int:
+    """Say what is wrong with the command line; return the exit status."""
+    from ..terminal import shortened
+
+    (streams or Streams(quiet=False)).say(f"yamaro: error: {shortened(message)}\n{USAGE}")
+    return USAGE_ERROR
+
+
+def report_fault(error: Exception, streams: Streams) -> int:
+    """Tell a fault of Yamaro's apart from a fault of the input; return the exit status."""
+    from ..terminal import printable
+
+    trace = error.__traceback__
+    while trace is not None and trace.tb_next is not None:
+        trace = trace.tb_next
+    place = ""
+    if trace is not None:
+        place = f" ({os.path.basename(trace.tb_frame.f_code.co_filename)}:{trace.tb_lineno})"
+    streams.say(
+        f"yamaro: internal error: {type(error).__name__}: {printable(str(error))}{place}\n"
+        "this is a fault in Yamaro, not in your file; please report it with what you ran"
+    )
+    if os.environ.get("YAMARO_TRACEBACK"):
+        import traceback
+
+        streams.say("".join(traceback.format_exception(error)).rstrip())
+    return INTERNAL_ERROR

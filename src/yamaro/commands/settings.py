@@ -1,0 +1,83 @@
+"""What options say about a build: how far its file is trusted, its limits, its packages."""
+
+from __future__ import annotations
+
+import os
+
+from .table import COMMANDS
+from .usage import WrongUsage, near, quote
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from ..policy import Policy
+    from .arguments import Arguments
+
+MOST_SECONDS = 1e9
+"""The longest time-out, some thirty years: what the system's clocks can count."""
+
+
+def make_policy(arguments: Arguments) -> Policy:
+    """Return how far the file is trusted; what only looks at files runs none of their Python.
+
+    Raises:
+        WrongUsage: a limit or the time-out makes no sense.
+    """
+    from ..policy import JAIL, SAFE, TRUSTED, Policy
+
+    mode = SAFE if COMMANDS[arguments.command].is_safe else TRUSTED
+    for option, its_mode in (("trust", TRUSTED), ("jail", JAIL), ("safe", SAFE)):
+        if arguments.has(option):
+            mode = its_mode
+    allowed = arguments.lists.get("allow-path", [])
+    if allowed and mode == TRUSTED:
+        raise WrongUsage("'--allow-path' has a meaning with --jail and --safe only")
+    limits = dict(map(_read_limit, arguments.lists.get("limit", [])))
+    try:
+        return Policy(mode, limits=limits, timeout=_read_timeout(arguments), allowed_paths=allowed)
+    except ValueError as error:
+        raise WrongUsage(f"{error}") from None
+
+
+def _read_limit(text: str) -> tuple[str, int]:
+    """Return name and number of a `--limit`; the number may be written 5000000 or 5_000_000."""
+    from ..policy import limit_names
+
+    name, has_value, value = text.partition("=")
+    names = limit_names()
+    if name not in names:
+        hint = near(name, names) or "; the limits are " + ", ".join(names)
+        raise WrongUsage(f"there is no limit {quote(name)}{hint}")
+    try:
+        return name.replace("-", "_"), int(value)
+    except ValueError:
+        example = f"'--limit {name}=1000'"
+        wrong = f"not {quote(value)}" if has_value else f"as in {example}"
+        raise WrongUsage(f"the limit '{name}' needs a whole number, {wrong}") from None
+
+
+def _read_timeout(arguments: Arguments) -> float | None:
+    text = arguments.options.get("timeout")
+    if text is None:
+        return None
+    try:
+        seconds = float(text)
+    except ValueError:
+        seconds = 0.0
+    if not 0 < seconds <= MOST_SECONDS:
+        raise WrongUsage(f"'--timeout' takes a number of seconds above 0, not {quote(text)}")
+    return seconds
+
+
+def read_packages(arguments: Arguments) -> dict[str, str]:
+    """Return the folders that `--package` gives, by the names of the packages."""
+    packages = {}
+    for text in arguments.lists.get("package", []):
+        name, separator, folder = text.partition(":=")
+        if not (name and separator and folder):
+            raise WrongUsage(f"'--package' takes NAME:=FOLDER, not {quote(text)}")
+        if not os.path.isdir(folder):
+            raise WrongUsage(
+                f"the folder {quote(folder)} of the package {quote(name)} is not there"
+            )
+        packages[name] = folder
+    return packages

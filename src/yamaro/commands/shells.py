@@ -1,0 +1,318 @@
+"""The completion scripts of shells, made from the tables of commands and options.
+
+The scripts ask the command for the variables of the file on the command line.
+"""
+
+from __future__ import annotations
+
+from .table import BUILD, COMMANDS, OPTIONS, named_commands, options_of
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from .table import Option
+
+SHELLS = ("bash", "zsh", "fish")
+
+
+def script(shell: str) -> str:
+    """Return the completion script for one of `SHELLS`."""
+    template, words = {"bash": (_BASH, _bash), "zsh": (_ZSH, _zsh), "fish": (_FISH, _fish)}[shell]
+    valued = [spelling for one in OPTIONS.values() if one.value for spelling in one.spellings]
+    marks = {
+        "@COMMANDS@": " ".join(named_commands()),
+        "@COMMANDS_CASE@": " | ".join(named_commands()),
+        "@SHELLS@": " ".join(SHELLS),
+        "@VALUED@": " | ".join(valued),
+        "@VALUED_WORDS@": " ".join(valued),
+        **words(),
+        "@LIMITS@": _offered(OPTIONS["limit"]),
+    }
+    text = template
+    for mark, replacement in marks.items():
+        text = text.replace(mark, replacement)
+    return text
+
+
+def _offered(option: Option) -> str:
+    """Return the words that a shell offers as the value of an option."""
+    from ..policy import limit_names
+    from ..tools.picture.words import NAMED_VIEWS, SHOWN
+
+    tables = {"limits": limit_names(), "views": NAMED_VIEWS, "shown": SHOWN}
+    return " ".join(tables.get(option.completes, [option.completes]))
+
+
+def _briefly(option: Option) -> str:
+    """Return what an option does in a few words, with the command if that is not the usual one."""
+    text = option.help
+    for mark in (";", ":", " ("):
+        text = text.partition(mark)[0]
+    return text if BUILD in option.commands else f"with {', '.join(option.commands)}, {text}"
+
+
+def _bash() -> dict[str, str]:
+    plain: list[str] = []
+    values = ""
+    for option in OPTIONS.values():
+        spellings = " | ".join(option.spellings)
+        if option.completes == "files":
+            action = '_yamaro_files "$current" ""'
+        elif option.completes == "commands":
+            action = 'COMPREPLY=($(compgen -c -- "$current"))'
+        elif option.completes:
+            action = f'COMPREPLY=($(compgen -W "{_offered(option)}" -- "$current"))'
+        else:
+            plain += option.spellings if option.value else ()
+            continue
+        if option.completes != "limits":  # which have a case of their own
+            values += f"        {spellings}) {action}; return ;;\n"
+    values += f"        {' | '.join(plain)}) return ;;\n"
+    options = endings = ""
+    for name, command in COMMANDS.items():
+        words = " ".join(word for option in options_of(name) for word in option.spellings)
+        options += f'            {name}) options="{words}" ;;\n'
+        if command.endings:
+            endings += (
+                f'            {name}) _yamaro_files "$current" {" ".join(command.endings)} ;;\n'
+            )
+    return {"@VALUES@": values, "@OPTIONS@": options, "@ENDINGS@": endings}
+
+
+def _zsh() -> dict[str, str]:
+    options = described = endings = ""
+    for option in OPTIONS.values():
+        text = _briefly(option).replace("]", "\\]").replace("'", "'\\''")
+        value = option.value.lower().replace(":", "\\:")
+        action = {"": " ", "files": "_files", "commands": "_command_names -e"}.get(
+            option.completes, f"({_offered(option)})"
+        )
+        if option.completes == "limits":
+            action = "_yamaro_limits"
+        end = f"'[{text}]{f':{value}:{action}' if value else ''}'"
+        equals = "=" if value else ""
+        if option.name in ("help", "version"):  # nothing else has a meaning with them
+            start = "'(- *)'"
+        elif option.is_repeatable:
+            start = "'*'"
+        else:
+            others = [f"--{other}" for other in option.excludes]
+            start = f"'({' '.join([*option.spellings, *others])})'"
+        if option.short:
+            start += f"{{-{option.short}{'+' if value else ''},--{option.name}{equals}}}"
+        else:
+            start += f"--{option.name}{equals}"
+        options += f"        {start}{end} \\\n"
+    for name, command in COMMANDS.items():
+        if name != BUILD:
+            described += f"                '{name}:{command.summary}'\n"
+        if command.endings:
+            pattern = "|".join(command.endings)
+            endings += f"            {name}) _files -g '*.({pattern})(-.)' ;;\n"
+    return {"@OPTIONS@": options, "@DESCRIBED@": described, "@ENDINGS@": endings}
+
+
+def _fish() -> dict[str, str]:
+    described = options = ""
+    for name in named_commands():
+        summary = COMMANDS[name].summary
+        described += f"complete -c yamaro -n '__yamaro_wants command' -a {name} -d '{summary}'\n"
+    for option in OPTIONS.values():
+        line = "complete -c yamaro" + (f" -s {option.short}" if option.short else "")
+        line += f" -l {option.name}"
+        if option.completes == "files":
+            line += " -r -F"
+        elif option.completes == "commands":
+            line += " -x -a '(__fish_complete_command)'"
+        elif option.completes == "limits":
+            line += ' -x -a \'(string split " " "@LIMITS@")=\''
+        elif option.completes:
+            line += f" -x -a '{_offered(option)}'"
+        elif option.value:
+            line += " -x"
+        text = _briefly(option).replace("'", "\\'")
+        options += f"{line} -d '{text}'\n"
+    return {"@OPTIONS@": options, "@DESCRIBED@": described}
+
+
+_BASH = r"""# bash completion for yamaro; put this in ~/.bashrc:  eval "$(yamaro completion bash)"
+
+_yamaro() {
+    local IFS=$' \t\n' current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]}
+    local typed=${COMP_LINE:0:COMP_POINT} command= file= skip= word last
+    local -a words
+    read -ra words <<<"$typed"
+    [[ $typed == *[[:space:]] ]] && words+=("")
+    last=$((${#words[@]} - 1))
+    for word in "${words[@]:1:last-1}"; do
+        if [[ $skip ]]; then skip=; continue; fi
+        case $word in
+            @VALUED@) skip=1 ;;
+            -?* | *:=*) ;;
+            @COMMANDS_CASE@)
+                if [[ $command$file ]]; then file=${file:-$word}; else command=$word; fi ;;
+            *) file=${file:-$word} ;;
+        esac
+    done
+    COMPREPLY=()
+    case ${words[last]} in *:=* | --limit=*=*) return ;; esac
+    if [[ ${words[last - 1]} == --limit && ${words[last]} == *=* ]]; then return; fi
+    if [[ $previous == = ]]; then previous=${COMP_WORDS[COMP_CWORD - 2]}; fi
+    if [[ $current == = ]]; then current=; previous=${COMP_WORDS[COMP_CWORD - 1]}; fi
+    case $previous in
+@VALUES@        --limit)
+            COMPREPLY=($(compgen -W "@LIMITS@" -S = -- "$current"))
+            compopt -o nospace 2>/dev/null
+            return ;;
+    esac
+    if [[ $command == completion ]]; then
+        COMPREPLY=($(compgen -W "@SHELLS@" -- "$current"))
+    elif [[ $command == help ]]; then
+        COMPREPLY=($(compgen -W "@COMMANDS@" -- "$current"))
+    elif [[ $current == -* ]]; then
+        local options
+        case ${command:-build} in
+@OPTIONS@        esac
+        COMPREPLY=($(compgen -W "$options" -- "$current"))
+    elif [[ $file ]]; then
+        local names
+        names=$(yamaro completion variables "${file/#\~\//$HOME/}" 2>/dev/null | cut -f 1)
+        COMPREPLY=($(compgen -W "$names" -- "$current"))
+        compopt -o nospace 2>/dev/null
+    else
+        [[ $command ]] || COMPREPLY=($(compgen -W "@COMMANDS@" -- "$current"))
+        case ${command:-build} in
+@ENDINGS@        esac
+    fi
+}
+
+# Add the folders, and the files with one of the endings, that begin with $1.
+_yamaro_files() {
+    local IFS=$'\n' current=$1 ending
+    shift
+    COMPREPLY+=($(compgen -d -- "$current"))
+    for ending in "$@"; do
+        if [[ $ending ]]; then
+            COMPREPLY+=($(compgen -f -X "!*.$ending" -- "$current"))
+        else
+            COMPREPLY=($(compgen -f -- "$current"))
+        fi
+    done
+    compopt -o filenames 2>/dev/null
+}
+
+complete -F _yamaro yamaro
+"""
+
+_ZSH = r"""#compdef yamaro
+# zsh completion for yamaro; put this in ~/.zshrc after compinit:  eval "$(yamaro completion zsh)"
+
+_yamaro_words() {
+    local word skip command file
+    for word in "${(@)words[2,CURRENT-1]}"; do
+        if [[ -n $skip ]]; then skip=; continue; fi
+        case $word in
+            @VALUED@) skip=1 ;;
+            -?* | *:=*) ;;
+            @COMMANDS_CASE@)
+                if [[ -n $command$file ]]; then file=${file:-$word}; else command=$word; fi ;;
+            *) file=${file:-$word} ;;
+        esac
+    done
+    if [[ $command == completion ]]; then
+        compadd @SHELLS@
+    elif [[ $command == help ]]; then
+        compadd @COMMANDS@
+    elif [[ -n $file ]]; then
+        [[ $PREFIX == *:=* ]] && return 1
+        local -a names described
+        local name default
+        yamaro completion variables "${(Q)file/#\~\//$HOME/}" 2>/dev/null |
+            while IFS=$'\t' read -r name default; do
+                names+=("$name")
+                described+=("$name $default")
+            done
+        compadd -S '' -l -d described -a names
+    else
+        if [[ -z $command ]]; then
+            local -a commands=(
+@DESCRIBED@            )
+            _describe -t commands command commands
+        fi
+        case ${command:-build} in
+@ENDINGS@        esac
+    fi
+}
+
+_yamaro_limits() {
+    [[ $PREFIX == *=* ]] || compadd -S = @LIMITS@
+}
+
+_yamaro() {
+    _arguments -s -S \
+@OPTIONS@        '*: :_yamaro_words'
+}
+
+if [[ ${funcstack[1]} == _yamaro ]]; then _yamaro "$@"; else compdef _yamaro yamaro; fi
+"""
+
+_FISH = r"""# fish completion for yamaro; put this in ~/.config/fish/completions/yamaro.fish
+
+# Print the words before the cursor that are neither options nor variables: command and file.
+function __yamaro_words
+    set -l skip 0
+    set -l words (commandline -opc)
+    for word in $words[2..-1]
+        if test $skip = 1
+            set skip 0
+            continue
+        end
+        switch $word
+            case @VALUED_WORDS@
+                set skip 1
+            case '-?*' '*:=*'
+            case '*'
+                echo -- $word
+        end
+    end
+end
+
+function __yamaro_command
+    set -l words (__yamaro_words)
+    contains -- "$words[1]" @COMMANDS@; and echo $words[1]
+end
+
+function __yamaro_file
+    set -l words (__yamaro_words)
+    contains -- "$words[1]" @COMMANDS@; and set -e words[1]
+    test -n "$words[1]"; and echo -- $words[1]
+end
+
+function __yamaro_variables
+    string match -q '*:=*' -- (commandline -ct); and return
+    set -l file (__yamaro_file | string replace -r '^~/' "$HOME/")
+    yamaro completion variables $file 2>/dev/null
+end
+
+function __yamaro_wants
+    set -l command (__yamaro_command)
+    set -l file (__yamaro_file)
+    switch "$argv[1]"
+        case command
+            test -z "$command$file"
+        case shell
+            test "$command" = completion
+        case topic
+            test "$command" = help
+        case file
+            not contains -- "$command" completion help; and test -z "$file"
+        case variable
+            not contains -- "$command" completion help; and test -n "$file"
+    end
+end
+
+complete -c yamaro -f
+@DESCRIBED@complete -c yamaro -n '__yamaro_wants shell' -a '@SHELLS@'
+complete -c yamaro -n '__yamaro_wants topic' -a '@COMMANDS@'
+complete -c yamaro -n '__yamaro_wants file' -k -a '(__fish_complete_suffix .yaml)'
+complete -c yamaro -n '__yamaro_wants variable' -k -a '(__yamaro_variables)'
+@OPTIONS@"""

@@ -1,0 +1,417 @@
+"""The commands and their options, as tables.
+
+Parsing, the help of each command and the completion of shells are made from them. To add an option,
+add an `Option` to `OPTIONS`, and read it with `arguments.has(…)`, `.options` or `.lists` where it
+has an effect.
+"""
+
+from __future__ import annotations
+
+BUILD = "build"
+"""The command that has no name on the command line: `yamaro FILE`."""
+
+FILE_WORDS = (
+    ("FILE", "the YAML file, or - for standard input"),
+    ("name:=value", "set a variable of the file to a YAML value: n:=3, sides:=[left, right]"),
+)
+ANY_FILE_WORDS = (
+    ("FILE", "a YAML file, a URDF (.urdf, .xml) or a xacro file (.xacro); - for standard input"),
+    ("name:=value", "set a variable, or an argument of xacro: n:=3, sides:=[left, right]"),
+)
+YAML_ENDINGS = ("yaml", "yml")
+ROBOT_ENDINGS = ("yaml", "yml", "urdf", "xacro")
+
+
+class Command:
+    """A command.
+
+    Attributes:
+        name: the word on the command line.
+        forms: what may follow it, a usage line for each.
+        summary: what it does, on a short line.
+        about: what it does, as the head of its help.
+        words: what the words of `forms` mean.
+        is_safe: whether files are not trusted by default.
+        endings: of the files that are completed, without the dot.
+        examples: command lines.
+    """
+
+    __slots__ = ("about", "endings", "examples", "forms", "is_safe", "name", "summary", "words")
+
+    def __init__(
+        self,
+        name: str,
+        forms: tuple[str, ...],
+        summary: str,
+        about: str,
+        *,
+        words: tuple[tuple[str, str], ...] = (),
+        is_safe: bool = False,
+        endings: tuple[str, ...] = (),
+        examples: tuple[str, ...] = (),
+    ) -> None:
+        """Describe a command."""
+        self.name = name
+        self.forms = forms
+        self.summary = summary
+        self.about = about
+        self.words = words
+        self.is_safe = is_safe
+        self.endings = endings
+        self.examples = examples
+
+
+class Option:
+    """An option.
+
+    Attributes:
+        name: the long form, without the dashes.
+        short: the letter of its short form, or "".
+        value: what is written after it, as the help shows it; "" for an option without a value.
+        wants: what the value is, for messages.
+        help: what it does; up to the first `;`, `:` or `(` also for shells.
+        help_in: what it does in commands where that is something else.
+        commands: the names of the commands that take it.
+        is_repeatable: whether it may be given several times; `Arguments.lists` holds the values.
+        choices: the values it can have; any if empty.
+        completes: what a shell offers for the value: "files", "commands", or words with spaces in
+            between; "limits", "views" and "shown" stand for the words of those tables.
+        excludes: names of the options that may not be given with it.
+    """
+
+    __slots__ = (
+        "choices", "commands", "completes", "excludes", "help", "help_in", "is_repeatable", "name",
+        "short", "value", "wants",
+    )  # fmt: skip
+
+    def __init__(
+        self,
+        name: str,
+        help: str,
+        commands: tuple[str, ...],
+        *,
+        short: str = "",
+        value: str = "",
+        wants: str = "",
+        is_repeatable: bool = False,
+        choices: tuple[str, ...] = (),
+        completes: str = "",
+        excludes: tuple[str, ...] = (),
+        help_in: dict[str, str] | None = None,
+    ) -> None:
+        """Describe an option."""
+        self.name = name
+        self.short = short
+        self.value = value
+        self.wants = wants
+        self.help = help
+        self.commands = commands
+        self.is_repeatable = is_repeatable
+        self.choices = choices
+        self.completes = completes or " ".join(choices)
+        self.excludes = excludes
+        self.help_in = help_in or {}
+
+    @property
+    def spellings(self) -> tuple[str, ...]:
+        """Return how it is written on the command line, the short form first."""
+        return (f"-{self.short}", f"--{self.name}") if self.short else (f"--{self.name}",)
+
+
+COMMANDS = {
+    command.name: command
+    for command in (
+        Command(
+            BUILD,
+            ("FILE [name:=value ...]",),
+            "compile a robot",
+            "Compile a YAML robot description to URDF, or to any other XML, on standard output.",
+            words=FILE_WORDS,
+            endings=YAML_ENDINGS,
+            examples=(
+                "yamaro robot.yaml > robot.urdf",
+                "yamaro robot.yaml -o build/robot.urdf legs:=6 body_mass:=2.5",
+                "yamaro check robot.yaml && yamaro tree robot.yaml",
+                "generate_robot | yamaro -",
+            ),
+        ),
+        Command(
+            "check",
+            ("FILE [name:=value ...]",),
+            "look for errors, warnings and doubtful things; write nothing",
+            "Look for errors, warnings and doubtful things, and write no XML. Any finding makes it "
+            "exit with 1.",
+            words=ANY_FILE_WORDS,
+            is_safe=True,
+            endings=ROBOT_ENDINGS,
+        ),
+        Command(
+            "tree",
+            ("FILE [name:=value ...]",),
+            "show links, joints and masses as a tree",
+            "Show the links of a robot as a tree, with their masses and joints.",
+            words=ANY_FILE_WORDS,
+            is_safe=True,
+            endings=ROBOT_ENDINGS,
+        ),
+        Command(
+            "view",
+            ("FILE [name:=value ...]",),
+            "show the robot in the browser, and again at each save",
+            "Show a robot in the browser, and show it again whenever one of its files is saved. "
+            "Ctrl-C ends it.",
+            words=ANY_FILE_WORDS,
+            is_safe=True,
+            endings=ROBOT_ENDINGS,
+        ),
+        Command(
+            "watch",
+            ("FILE -o FILE [name:=value ...]",),
+            "compile again at each save, and report each build",
+            "Compile a file now and whenever one of its files is saved. Ctrl-C ends it.",
+            words=FILE_WORDS,
+            endings=YAML_ENDINGS,
+            examples=("yamaro watch robot.yaml -o robot.urdf",),
+        ),
+        Command(
+            "picture",
+            ("FILE -o FILE.png [name:=value ...]",),
+            "draw the robot as a PNG, GIF or MP4",
+            "Draw a robot. Needs no display and no browser, but the Python packages of "
+            "yamaro[picture].",
+            words=ANY_FILE_WORDS,
+            is_safe=True,
+            endings=ROBOT_ENDINGS,
+            examples=(
+                "yamaro picture robot.yaml -o robot.png",
+                "yamaro picture robot.yaml -o sheet.png --view iso,front,left,top --size 400x300",
+                "yamaro picture robot.urdf -o waving.gif --sweep shoulder,elbow",
+            ),
+        ),
+        Command(
+            "migrate",
+            ("FILE [-o FILE]", "FILE -o FOLDER [name:=value ...]"),
+            "write a URDF, a robot in xacro or other XML as YAML",
+            "Write a URDF, or other XML, as a YAML file of Yamaro; write a robot in xacro as a "
+            "folder of YAML files, one for each of its files. Then build the result, and report "
+            "any difference.",
+            words=(
+                ("FILE", "the XML file, or - for standard input"),
+                ("name:=value", "set an argument of xacro for the comparison"),
+            ),
+            is_safe=True,
+            endings=("urdf", "xacro", "xml"),
+        ),
+        Command(
+            "completion",
+            ("bash|zsh|fish",),
+            "print a completion script for a shell",
+            "Print a script with which a shell completes commands, options, files and variables.",
+            examples=('eval "$(yamaro completion bash)"',),
+        ),
+        Command(
+            "help",
+            ("[COMMAND]",),
+            "show the options of a command",
+            "Show what a command does and which options it has.",
+        ),
+    )
+}
+
+ALL = tuple(COMMANDS)
+BUILDING = ("build", "check", "tree", "view", "watch", "picture")
+"""The commands that build a file of the user's."""
+WORKING = (*BUILDING, "migrate")
+"""The commands that say something about a file."""
+PICTURE = ("picture",)
+VIEW = ("view",)
+
+OPTIONS = {
+    option.name: option
+    for option in (
+        Option(
+            "output",
+            "write to FILE instead of standard output; it is replaced in one step if all went "
+            "well, and is left as it was otherwise",
+            ("build", "watch", "picture", "migrate"),
+            short="o",
+            value="FILE",
+            wants="a file name",
+            completes="files",
+            help_in={
+                "picture": ".png or .jpg; .gif or .mp4 for a film; - for a PNG on standard output",
+                "migrate": "write to FILE instead of standard output; for a robot in xacro, the "
+                "folder to write to",
+            },
+        ),
+        Option("force", "replace a file that is there already", ("migrate",)),
+        Option(
+            "deps",
+            "list the files read and the meshes used, one a line, instead of the XML",
+            ("build",),
+        ),
+        Option(
+            "port",
+            "serve the page at that port; by default at any that is free",
+            VIEW,
+            value="N",
+            wants="a number from 0 to 65535",
+        ),
+        Option("no-browser", "open no browser, only print the address of the page", VIEW),
+        Option(
+            "editor",
+            "open files with that command: 'code -g {file}:{line}:{column}'; by default with what "
+            "VISUAL or EDITOR names, if that has a window",
+            VIEW,
+            value="COMMAND",
+            wants="a command",
+            completes="commands",
+        ),
+        Option(
+            "size",
+            "width and height of each view, in pixels; 800x600 by default",
+            PICTURE,
+            value="800x600",
+            wants="WIDTHxHEIGHT",
+        ),
+        Option(
+            "view",
+            "direction to look from: iso (the default), front, back, left, right, top, bottom, or "
+            "azimuth and elevation of the camera in degrees: 30,20; several make a sheet",
+            PICTURE,
+            value="VIEW",
+            wants="the name of a view, or azimuth,elevation",
+            is_repeatable=True,
+            completes="views",
+        ),
+        Option(
+            "joints",
+            "positions of joints, in radians or metres",
+            PICTURE,
+            value="NAME=POSITION,...",
+            wants="NAME=POSITION",
+            is_repeatable=True,
+        ),
+        Option(
+            "show",
+            "what to draw: visual (the default), collision, inertia, frames, grid; several with "
+            "commas",
+            PICTURE,
+            value="WHAT",
+            wants="visual, collision, inertia, frames or grid",
+            is_repeatable=True,
+            completes="shown",
+        ),
+        Option(
+            "transparent",
+            "draw nothing behind the robot but its shadow; .png and .gif",
+            PICTURE,
+        ),
+        Option("turn", "make a film in which the camera goes around the robot", PICTURE),
+        Option(
+            "sweep",
+            "make a film in which joints go through their limits; names with commas, all of them "
+            "at once with 'all', or one after the other with 'each'",
+            PICTURE,
+            value="JOINTS",
+            wants="names of joints, all or each",
+            completes="all each",
+        ),
+        Option(
+            "seconds",
+            "length of a film",
+            PICTURE,
+            value="N",
+            wants="a number of seconds",
+        ),
+        Option(
+            "frames-per-second",
+            "number of pictures in a second of a film; 20 for a .gif and 25 for an .mp4 by default",
+            PICTURE,
+            value="N",
+            wants="a number",
+        ),
+        Option(
+            "quiet",
+            "show errors only: no warnings, nothing that is printed",
+            WORKING,
+            short="q",
+        ),
+        Option("strict", "treat warnings as errors", BUILDING),
+        Option(
+            "trust",
+            "let the file do whatever Python can",
+            BUILDING,
+            excludes=("jail", "safe"),
+        ),
+        Option(
+            "jail",
+            "let it do so in a process that can only read: its own folder and packages; it can "
+            "write nothing, and reach no network (Linux only)",
+            BUILDING,
+            excludes=("trust", "safe"),
+        ),
+        Option(
+            "safe",
+            "let it do nothing but compute: no Python modules, no loops in `process`",
+            BUILDING,
+            excludes=("trust", "jail"),
+        ),
+        Option(
+            "timeout",
+            "end it after that time; with --jail and --safe after 60 by default",
+            BUILDING,
+            value="SECONDS",
+            wants="a number of seconds",
+        ),
+        Option(
+            "allow-path",
+            "with --jail and --safe, let it read a file or folder",
+            BUILDING,
+            value="PATH",
+            wants="a file or folder",
+            is_repeatable=True,
+            completes="files",
+        ),
+        Option(
+            "limit",
+            "set how much it may use, such as turns=5000000",
+            WORKING,
+            value="NAME=N",
+            wants="NAME=NUMBER",
+            is_repeatable=True,
+            completes="limits",
+        ),
+        Option(
+            "package",
+            "say where a ROS package is that is not found",
+            WORKING,
+            value="NAME:=FOLDER",
+            wants="NAME:=FOLDER",
+            is_repeatable=True,
+        ),
+        Option(
+            "color",
+            "colour messages: auto (the default), always or never",
+            WORKING,
+            value="WHEN",
+            wants="auto, always or never",
+            choices=("auto", "always", "never"),
+        ),
+        Option("help", "show this help", ALL, short="h"),
+        Option("version", "show the version", ALL, short="V"),
+    )
+}
+
+SPELLINGS = {spelling: option for option in OPTIONS.values() for spelling in option.spellings}
+"""The options by what is written on the command line: `-o` and `--output`."""
+
+
+def named_commands() -> list[str]:
+    """Return the commands that have a word of their own."""
+    return [name for name in COMMANDS if name != BUILD]
+
+
+def options_of(command: str) -> list[Option]:
+    """Return the options of a command, in the order of the table."""
+    return [option for option in OPTIONS.values() if command in option.commands]

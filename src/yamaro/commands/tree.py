@@ -1,0 +1,36 @@
+"""`yamaro tree FILE`: shows links, joints and masses as a tree."""
+
+from __future__ import annotations
+
+from .conversion import convert_file
+from .reports import has_color
+from .usage import WrongUsage
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from ..compiler import Build
+    from ..output import Streams
+    from .arguments import Arguments
+
+
+def run(arguments: Arguments, streams: Streams) -> int:
+    """Write the tree to standard output; return the exit status."""
+    return convert_file(
+        arguments, streams, lambda build: [_tree(build, arguments, streams)], has_root=True
+    )
+
+
+def _tree(build: Build, arguments: Arguments, streams: Streams) -> bytes:
+    from ..tools.tree import render_tree
+
+    if build.root.name != "robot":
+        raise WrongUsage(f"'yamaro tree' shows robots, and this is a <{build.root.name}>")
+    encoding = streams.result_encoding()
+    try:
+        "└─├│…".encode(encoding)
+        has_lines = True
+    except (UnicodeEncodeError, LookupError):
+        has_lines = False
+    color = has_color(arguments, is_terminal=streams.is_terminal(result=True))
+    text = render_tree(build.root, ascii=not has_lines, color=color)
+    return text.encode(encoding if has_lines else "ascii", "backslashreplace")

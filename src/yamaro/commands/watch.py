@@ -1,0 +1,47 @@
+"""`yamaro watch FILE -o FILE`: compiles again at each save."""
+
+from __future__ import annotations
+
+from .delivery import deliver, goes_to_standard_output, refuse_overwriting
+from .repetition import repeat
+from .reports import sayer, show
+from .usage import DONE, WrongUsage
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from ..compiler import Build
+    from ..output import Streams
+    from ..tools.rebuilding import Rebuilder
+    from .arguments import Arguments
+
+
+def run(arguments: Arguments, streams: Streams) -> int:
+    """Write the XML at each save until Ctrl-C; return the exit status."""
+    return repeat(
+        arguments,
+        streams,
+        lambda rebuilder: _watch(arguments, streams, rebuilder),
+        looks=False,
+        takes_xml=False,
+    )
+
+
+def _watch(arguments: Arguments, streams: Streams, rebuilder: Rebuilder) -> None:
+    from ..tools.watch import watch
+
+    if goes_to_standard_output(arguments):
+        raise WrongUsage("'yamaro watch' needs a file to write, as in '-o robot.urdf'")
+
+    def write(build: Build) -> bool:
+        refuse_overwriting(arguments, lambda: [*build.files, *build.meshes])
+        return deliver(build.encoded(), arguments, streams) == DONE
+
+    refuse_overwriting(arguments, lambda: arguments.words)
+    streams.divert()
+    watch(
+        rebuilder,
+        write=write,
+        output=arguments.options["output"],
+        say=sayer(streams),
+        show=lambda turn: show(turn.diagnostics, arguments, streams),
+    )
