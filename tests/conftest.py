@@ -1,18 +1,27 @@
-"""What all tests share: a clean environment, hypothesis profiles and --update-cases."""
+"""What all tests share: a clean environment, hypothesis profiles, a forecast, --update-cases."""
 
 from __future__ import annotations
 
 import os
+import signal
 import sys
 from collections.abc import Iterator
 
 import pytest
 from hypothesis import HealthCheck, settings
 
+from tests import effort
+from tests.forecast import Forecast
+
 # Tests give the same result on every machine and every run; `--hypothesis-seed` explores further.
-settings.register_profile(
-    "steady", derandomize=True, deadline=None, suppress_health_check=[HealthCheck.too_slow]
-)
+for name, examples in {"steady": effort.USUAL, "quick": effort.QUICK}.items():
+    settings.register_profile(
+        name,
+        max_examples=examples,
+        derandomize=True,
+        deadline=None,
+        suppress_health_check=[HealthCheck.too_slow],
+    )
 settings.load_profile("steady")
 
 # Variables that change what Yamaro finds or how it writes.
@@ -32,6 +41,19 @@ def pytest_addoption(parser: pytest.Parser) -> None:
         action="store_true",
         help="rewrite the expected output in tests/cases; each case rewritten fails once",
     )
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    # A shell lets what it starts with `&` ignore Ctrl-C, and nohup a hang-up. Programs that tests
+    # start would do the same, and never end.
+    for name in ("SIGINT", "SIGHUP"):
+        number = getattr(signal, name, None)
+        if number is not None and signal.getsignal(number) == signal.SIG_IGN:
+            is_interrupt = number == signal.SIGINT
+            signal.signal(number, signal.default_int_handler if is_interrupt else signal.SIG_DFL)
+    is_parallel = config.getoption("numprocesses", None) and not hasattr(config, "workerinput")
+    if is_parallel:
+        config.pluginmanager.register(Forecast(config))
 
 
 @pytest.fixture(autouse=True)

@@ -14,6 +14,8 @@ import sys
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
+from tests.waiting import PATIENCE
+
 REPOSITORY = Path(__file__).parents[1]
 
 DEFAULT_FILE = "robot.yaml"
@@ -254,7 +256,7 @@ class Document:
             stdout=subprocess.PIPE,
             stderr=subprocess.STDOUT,
             encoding="utf-8",
-            timeout=60,
+            timeout=PATIENCE,
             check=False,
         )
 

@@ -9,6 +9,8 @@ from pathlib import Path
 
 import pytest
 
+from tests.waiting import PATIENCE
+
 BENCH = Path(__file__).parents[1] / "bench"
 OTHERS = {"measuring", "robots", "run"}
 """What measures nothing by itself, and what needs a corpus that is not part of the project."""
@@ -23,7 +25,7 @@ pytestmark = [
 def run(script: str, *arguments: str) -> list[str]:
     """Run a script and return the lines it prints."""
     command = [sys.executable, str(BENCH / f"{script}.py"), *arguments]
-    done = subprocess.run(command, capture_output=True, text=True)
+    done = subprocess.run(command, capture_output=True, text=True, timeout=PATIENCE)
     assert (done.returncode, done.stderr) == (0, "")
     return done.stdout.splitlines()
 

@@ -15,6 +15,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from tests.counting import calls_of
+from tests.effort import examples
 from yamaro.diagnostics import WARNING, Diagnostic, Reporter, render
 from yamaro.robot.check import check
 from yamaro.robot.check_advice import stl_extent
@@ -411,7 +412,7 @@ def test_a_link_with_a_mesh_gets_no_advice_on_its_density() -> None:
 # --- numbers ----------------------------------------------------------------------------------
 
 
-@settings(max_examples=200)
+@settings(max_examples=examples(200))
 @given(st.lists(st.floats(-1e6, 1e6), min_size=6, max_size=6))
 def test_principal_moments_are_the_eigenvalues(values: list[float]) -> None:
     ixx, ixy, ixz, iyy, iyz, izz = values

@@ -14,6 +14,7 @@ from typing import Any
 
 import pytest
 
+from tests.waiting import PATIENCE
 from yamaro import compiler, jail
 from yamaro.commands.arguments import parse_arguments
 from yamaro.commands.help import help_of
@@ -67,7 +68,7 @@ def run(*words: str | bytes, python: tuple[str, ...] = (), **options: Any) -> An
     """Run the command as a process of its own."""
     command = [sys.executable, *python, "-m", "yamaro", *words]
     options = {"stdin": subprocess.DEVNULL} | options if "input" not in options else options
-    return subprocess.run(command, capture_output=True, timeout=60, check=False, **options)
+    return subprocess.run(command, capture_output=True, timeout=PATIENCE, check=False, **options)
 
 
 def outcome(capsys: pytest.CaptureFixture[str], *words: str) -> tuple[int, str, str]:
@@ -744,7 +745,7 @@ def test_working_directory_that_is_gone_is_told() -> None:
         ["sh", "-c", program, sys.executable, robot],
         capture_output=True,
         check=False,
-        timeout=60,
+        timeout=PATIENCE,
     )
     assert result.returncode == 2
     assert b"error: the working directory does not exist any more" in result.stderr
@@ -821,7 +822,7 @@ def test_colour_is_for_terminals(term: str, is_colored: bool, stream: str) -> No
         stdout=slave if stream == "stdout" else subprocess.DEVNULL,
         stderr=slave if stream == "stderr" else subprocess.DEVNULL,
         check=False,
-        timeout=60,
+        timeout=PATIENCE,
     )
     os.close(slave)
     shown = os.read(master, 65536)
@@ -869,7 +870,7 @@ def test_quiet_run_silences_user_code_on_every_level() -> None:
 
 
 def test_print_lines_come_as_they_are_made() -> None:
-    write("print: first\nprocess: |\n  import time\n  time.sleep(30)\nmodel:\n")
+    write("print: first\nprocess: |\n  import time\n  time.sleep(600)\nmodel:\n")
     process = subprocess.Popen(
         [sys.executable, "-m", "yamaro", "robot.yaml"],
         stdout=subprocess.PIPE,
@@ -879,7 +880,7 @@ def test_print_lines_come_as_they_are_made() -> None:
     assert process.stderr is not None
     assert process.stderr.readline() == b"first\n"
     process.send_signal(signal.SIGINT)
-    out, err = process.communicate(timeout=20)
+    out, err = process.communicate(timeout=PATIENCE)
     assert (process.returncode, out, err) == (130, b"", b"")
 
 
@@ -901,7 +902,7 @@ def test_closed_pipe_is_quiet() -> None:
         stdout=write_end,
         stderr=subprocess.PIPE,
         check=False,
-        timeout=60,
+        timeout=PATIENCE,
     )
     os.close(write_end)
     assert (process.returncode, process.stderr) == (141, b"")
@@ -914,7 +915,7 @@ def test_head_gets_its_lines_and_no_complaint() -> None:
         ["bash", "-c", f"'{sys.executable}' -m yamaro robot.yaml | head -1"],
         capture_output=True,
         check=False,
-        timeout=60,
+        timeout=PATIENCE,
     )
     assert (result.stdout, result.stderr) == (b'<?xml version="1.0"?>\n', b"")
 
@@ -931,7 +932,7 @@ def test_full_disk_is_one_line(words: list[str], name: str) -> None:
             stdout=full,
             stderr=subprocess.PIPE,
             check=False,
-            timeout=60,
+            timeout=PATIENCE,
         )
     assert process.returncode == 1
     assert process.stderr.decode() == (
@@ -956,7 +957,7 @@ def test_closed_standard_streams_do_no_harm(closed: tuple[int, ...]) -> None:
         ["sh", "-c", f"'{sys.executable}' -m yamaro robot.yaml {closing}"],
         capture_output=True,
         check=False,
-        timeout=60,
+        timeout=PATIENCE,
     )
     assert result.returncode == (1 if 1 in closed else 0)
     if 1 not in closed:
@@ -974,7 +975,7 @@ def test_module_and_script_are_the_same() -> None:
         pytest.skip("the script is not installed beside the interpreter")
     write(PRINTS)
     by_script = subprocess.run(
-        [str(script), "robot.yaml"], capture_output=True, check=False, timeout=60
+        [str(script), "robot.yaml"], capture_output=True, check=False, timeout=PATIENCE
     )
     by_module = run("robot.yaml")
     assert by_script.stdout == by_module.stdout
@@ -1019,7 +1020,7 @@ def imported(code: str, *words: str, stdin: str = "") -> set[str]:
         capture_output=True,
         env={**os.environ, "PYTHONPATH": os.pathsep.join(paths)},
         check=True,
-        timeout=60,
+        timeout=PATIENCE,
     )
     return set(result.stderr.decode().split())
 
@@ -1190,7 +1191,7 @@ def test_bash_completes(line: str, words: list[str], expected: str) -> None:
         env=on_path(),
         text=True,
         check=True,
-        timeout=60,
+        timeout=PATIENCE,
     )
     assert result.stderr == ""
     found = [word for word in result.stdout.split() if word != "script"]
@@ -1223,7 +1224,7 @@ def test_fish_completes(line: str, expected: str) -> None:
         env={**on_path(), "HOME": os.getcwd()},
         text=True,
         check=True,
-        timeout=60,
+        timeout=PATIENCE,
     )
     found = [found.partition("\t")[0] for found in result.stdout.splitlines()]
     assert sorted(found) == expected.split()

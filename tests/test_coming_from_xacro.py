@@ -33,6 +33,7 @@ from tests.fenced import (
     read_blocks,
 )
 from tests.test_docs import compile_in_folder  # noqa: F401 - a fixture
+from tests.waiting import PATIENCE
 
 XACRO_NAMESPACE = 'xmlns:xacro="http://www.ros.org/wiki/xacro"'
 RUN_XACRO = "import xacro; xacro.main()"
@@ -124,7 +125,7 @@ class Comparison(Document):
             env={**os.environ, "PYTHONIOENCODING": "utf-8"},
             capture_output=True,
             encoding="utf-8",
-            timeout=60,
+            timeout=PATIENCE,
             check=False,
         )
         if "text" in expected:

@@ -31,6 +31,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from tests.waiting import PATIENCE, wait_for
 from yamaro import jail
 from yamaro.jail import JailLimits, pack, run_jailed, unpack
 
@@ -43,22 +44,30 @@ WHY_NOT = jail.check_available()
 in_jail = pytest.mark.skipif(WHY_NOT is not None, reason=f"no jail here: {WHY_NOT}")
 
 Attack = Callable[[Path], object]
-QUICK: dict[str, Any] = {"seconds": 20.0, "cpu_seconds": 10, "memory": 1 << 30}
+USUAL: dict[str, Any] = {"seconds": PATIENCE, "cpu_seconds": 120, "memory": 1 << 30}
 REPOSITORY = Path(__file__).parents[1]
 
 
 def run(work: Callable[[], bytes], *readable: Path, **limits: Any) -> bytes:
-    limits = {**QUICK, **limits}
+    limits = {**USUAL, **limits}
     return run_jailed(work, readable=[str(p) for p in readable], limits=JailLimits(**limits))
 
 
 @pytest.fixture(autouse=True)
 def nothing_is_leaked() -> Iterator[None]:
-    before = sorted(os.listdir("/proc/self/fd"))
+    files, had_children = set(os.listdir("/proc/self/fd")), has_children()
     yield
-    assert sorted(os.listdir("/proc/self/fd")) == before
-    with pytest.raises(ChildProcessError):  # no child is left, dead or alive
-        os.waitpid(-1, os.WNOHANG)
+    assert set(os.listdir("/proc/self/fd")) <= files
+    assert has_children() <= had_children  # other tests of this process may keep one
+
+
+def has_children() -> bool:
+    """Tell whether this process has children, dead or alive."""
+    try:
+        os.waitid(os.P_ALL, 0, os.WEXITED | os.WNOHANG | os.WNOWAIT)
+    except ChildProcessError:
+        return False
+    return True
 
 
 def furnish(folder: Path) -> Path:
@@ -786,7 +795,7 @@ def test_the_environment_is_hidden_but_for_a_list(monkeypatch: pytest.MonkeyPatc
         return json.dumps([by_python, by_c]).encode()
 
     assert json.loads(run(work)) == [[None, "/ws", None, None]] * 2
-    limits = JailLimits(**QUICK)
+    limits = JailLimits(**USUAL)
     answer = run_jailed(work, readable=[], limits=limits, environment=["YAMARO_SECRET"])
     assert json.loads(answer) == [["swordfish", None, None, None]] * 2
 
@@ -805,7 +814,7 @@ def test_no_mapping_holds_the_environment() -> None:
         [sys.executable, "-c", program],
         capture_output=True,
         text=True,
-        timeout=60,
+        timeout=PATIENCE,
         env={**os.environ, "YAMARO_SECRET": "swordfish"},
     )
     assert finished.stdout == "b'3' b'0'\n"
@@ -846,7 +855,7 @@ def test_what_was_not_yet_written_is_written_once() -> None:
         "print(answer.decode())\n"
     )
     finished = subprocess.run(
-        [sys.executable, "-c", program], capture_output=True, text=True, timeout=60
+        [sys.executable, "-c", program], capture_output=True, text=True, timeout=PATIENCE
     )
     assert (finished.stdout, finished.stderr) == ("once done\n", "")
 
@@ -899,7 +908,7 @@ def test_modules_can_be_imported() -> None:
         "print(jail.run_jailed(work, readable=[], limits=jail.JailLimits()).decode())\n"
     )
     finished = subprocess.run(
-        [sys.executable, "-c", program], capture_output=True, text=True, timeout=60
+        [sys.executable, "-c", program], capture_output=True, text=True, timeout=PATIENCE
     )
     assert (finished.stdout, finished.stderr) == ("2\n", "")
 
@@ -915,7 +924,7 @@ def test_numpy_can_be_imported() -> None:
         "print(jail.run_jailed(work, readable=[], limits=jail.JailLimits()).decode())\n"
     )
     finished = subprocess.run(
-        [sys.executable, "-c", program], capture_output=True, text=True, timeout=60
+        [sys.executable, "-c", program], capture_output=True, text=True, timeout=PATIENCE
     )
     assert (finished.stdout, finished.stderr) == ("150.0\n", "")
 
@@ -976,7 +985,7 @@ def test_time_can_be_told_and_waited_for() -> None:
         time.sleep(0.02)
         done = threading.Event()
         threading.Timer(0.02, done.set).start()
-        assert done.wait(5)
+        assert done.wait(PATIENCE)
         return b"%d" % (time.perf_counter() - start > 0.03)
 
     assert run(work) == b"1"
@@ -1017,7 +1026,7 @@ interrupted = 0
 for moment in range(100):
     try:
         signal.setitimer(signal.ITIMER_REAL, 0.00005 * (moment + 1))
-        jail.run_jailed(sleep, readable=[], limits=jail.JailLimits(seconds=5))
+        jail.run_jailed(sleep, readable=[], limits=jail.JailLimits(seconds=500))
     except KeyboardInterrupt:
         interrupted += 1
     assert os.listdir("/proc/self/fd") == files, "a descriptor is left"
@@ -1034,7 +1043,9 @@ def test_an_interrupt_at_any_moment_leaves_nothing() -> None:
     # What measures coverage is left with its lock taken if it is interrupted.
     environment = {k: v for k, v in os.environ.items() if not k.startswith("COVERAGE_")}
     command = [sys.executable, "-c", INTERRUPTED]
-    finished = subprocess.run(command, capture_output=True, text=True, timeout=60, env=environment)
+    finished = subprocess.run(
+        command, capture_output=True, text=True, timeout=PATIENCE, env=environment
+    )
     assert (finished.stdout, finished.stderr) == ("100\n", "")
 
 
@@ -1072,7 +1083,7 @@ def test_the_child_ends_with_its_parent() -> None:
         finally:
             process.kill()
     assert len(children) == 1
-    assert wait_for(lambda: not os.path.exists(f"/proc/{children[0]}"))
+    wait_for(lambda: not os.path.exists(f"/proc/{children[0]}"))
 
 
 def children_of(pid: int) -> list[int]:
@@ -1085,13 +1096,6 @@ def children_of(pid: int) -> list[int]:
         if int(fields[1]) == pid:
             found.append(int(entry))
     return found
-
-
-def wait_for(condition: Callable[[], Any]) -> Any:
-    give_up = time.monotonic() + 10
-    while not (value := condition()) and time.monotonic() < give_up:
-        time.sleep(0.01)
-    return value
 
 
 @in_jail
@@ -1170,7 +1174,7 @@ def test_descriptors_of_standard_streams_that_are_closed_do_no_harm() -> None:
         "os.write(report, answer)\n"
     )
     finished = subprocess.run(
-        [sys.executable, "-c", program], capture_output=True, text=True, timeout=60
+        [sys.executable, "-c", program], capture_output=True, text=True, timeout=PATIENCE
     )
     assert finished.stdout == "done"
 

@@ -15,6 +15,7 @@ from typing import Any
 
 import pytest
 
+from tests.waiting import PATIENCE
 from yamaro import output
 from yamaro.output import Streams, is_input, write_all, write_file
 
@@ -140,7 +141,7 @@ def test_devices_and_pipes_are_written_to_directly(tmp_path: Path) -> None:
     reader = threading.Thread(target=lambda: received.append(pipe.read_bytes()))
     reader.start()
     write_file(str(pipe), [NEW])
-    reader.join(10)
+    reader.join(PATIENCE)
     assert received == [NEW]
     assert stat.S_ISFIFO(os.stat(pipe).st_mode)
 
@@ -197,7 +198,7 @@ def test_a_pipe_that_does_not_block_is_waited_for() -> None:
     reader.start()
     write_all(write_end, [content])
     os.close(write_end)
-    reader.join(10)
+    reader.join(PATIENCE)
     os.close(read_end)
     assert b"".join(received) == content
 
@@ -208,7 +209,7 @@ import os, sys, time
 from yamaro import output
 def fsync(descriptor):
     print("writing", flush=True)
-    time.sleep(60)
+    time.sleep(600)
 os.fsync = fsync
 output.write_file(sys.argv[1], [b"new"])
 """
@@ -227,7 +228,7 @@ def test_signal_while_writing_removes_the_temporary_file(tmp_path: Path, number:
     assert process.stdout.readline() == b"writing\n"
     assert len(entries(tmp_path)) == 2
     process.send_signal(number)
-    assert process.wait(10) == -number
+    assert process.wait(PATIENCE) == -number
     process.stdout.close()
     assert target.read_bytes() == OLD
     assert entries(tmp_path) == ["a"]
@@ -240,7 +241,7 @@ def test_kill_while_writing_leaves_the_old_file_whole(tmp_path: Path) -> None:
     assert process.stdout is not None
     process.stdout.readline()
     process.kill()
-    process.wait(10)
+    process.wait(PATIENCE)
     process.stdout.close()
     assert target.read_bytes() == OLD
     write_file(str(target), [NEW])

@@ -25,6 +25,7 @@ import pytest
 
 import yamaro
 from tests.test_killed import LONG, left_over, long_document
+from tests.waiting import PATIENCE
 from yamaro import compiler
 from yamaro.commands.main import main
 from yamaro.output import write_file
@@ -258,7 +259,7 @@ def tell_folder(name):
 
 def told(*command: str) -> Any:
     """Return the JSON that a script behind TOLD prints, or skip where it says that it cannot."""
-    finished = subprocess.run(command, capture_output=True, text=True, timeout=60, check=True)
+    finished = subprocess.run(command, capture_output=True, text=True, timeout=PATIENCE, check=True)
     result = json.loads(finished.stdout)
     if isinstance(result, str):
         pytest.skip(result)
@@ -385,8 +386,10 @@ def test_a_signal_at_any_moment_of_writing_leaves_a_whole_file_and_nothing_else(
     path = folder / "out.xml"
     new = long_document(1)
     moments = random.Random(number)
-    ended = 0
-    for _ in range(4):
+    ended, turns = 0, 0
+    while ended < 3:  # a signal may also come too late
+        turns += 1
+        assert turns < 100
         path.write_text(OLD)
         words = [str(source), "-o", str(path), "version:=1"]
         process = subprocess.Popen(
@@ -396,14 +399,13 @@ def test_a_signal_at_any_moment_of_writing_leaves_a_whole_file_and_nothing_else(
             time.sleep(0.0005)
         time.sleep(moments.uniform(0, 0.02))
         process.send_signal(number)
-        _, said = process.communicate(timeout=60)
+        _, said = process.communicate(timeout=PATIENCE)
         assert process.returncode in (status, 0)
         assert said == ""
         is_ended = process.returncode != 0
         assert path.read_bytes() in ([OLD.encode(), new] if is_ended else [new])
         assert os.listdir(folder) == ["out.xml"]
         ended += is_ended
-    assert ended > 0
 
 
 def test_a_hang_up_that_is_to_be_ignored_is_ignored(tmp_path: Path) -> None:
@@ -416,7 +418,7 @@ def test_a_hang_up_that_is_to_be_ignored_is_ignored(tmp_path: Path) -> None:
     while not left_over(path.parent) and process.poll() is None:
         time.sleep(0.0005)
     process.send_signal(signal.SIGHUP)
-    assert process.wait(60) == 0
+    assert process.wait(PATIENCE) == 0
     assert path.read_bytes() == long_document(0)
 
 

@@ -5,13 +5,13 @@ from __future__ import annotations
 import os
 import subprocess
 import sys
-import time
 from pathlib import Path
 from typing import Any
 
 import pytest
 
 import yamaro
+from tests.waiting import PATIENCE
 from yamaro import Policy, YamaroError, confined, jail
 from yamaro.commands.main import main
 from yamaro.jail import JailLimits
@@ -98,9 +98,7 @@ def test_a_long_call_is_ended_with_its_jail(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(confined, "GRACE", 0.2)
-    began = time.monotonic()
     assert codes(write(tmp_path, LONG_CALL), Policy("jail", timeout=0.2)) == ["limit-time"]
-    assert time.monotonic() - began < 10
 
 
 @pytest.mark.skipif(not sys.platform.startswith("linux"), reason="only there it is promised")
@@ -110,7 +108,7 @@ def test_a_long_call_is_ended_in_trusted_mode_too(tmp_path: Path) -> None:
         [*COMMAND, "--timeout", "0.2", path, "-o", str(tmp_path / "out.urdf")],
         capture_output=True,
         text=True,
-        timeout=60,
+        timeout=PATIENCE,
         check=False,
     )
     assert finished.returncode == -15
@@ -121,10 +119,9 @@ def test_a_long_call_is_ended_in_trusted_mode_too(tmp_path: Path) -> None:
 
 def test_a_time_out_does_not_hold_up_who_reads_the_output(tmp_path: Path) -> None:
     path = write(tmp_path, "out: 1\n")
-    began = time.monotonic()
-    xml = subprocess.check_output([*COMMAND, "--timeout", "30", path], text=True, timeout=60)
+    command = [*COMMAND, "--timeout", str(100 * PATIENCE), path]
+    xml = subprocess.check_output(command, text=True, timeout=PATIENCE)
     assert xml.endswith("<out>1</out>\n")
-    assert time.monotonic() - began < 20
 
 
 # --- memory -------------------------------------------------------------------------------------
@@ -135,7 +132,7 @@ def test_a_time_out_does_not_hold_up_who_reads_the_output(tmp_path: Path) -> Non
 def test_a_text_of_ten_gigabytes_is_an_error_at_its_place(tmp_path: Path, mode: str) -> None:
     path = write(tmp_path, "out:\n  a: $('a' * 10**10)\n")
     finished = subprocess.run(
-        [*COMMAND, mode, path], capture_output=True, text=True, timeout=60, check=False
+        [*COMMAND, mode, path], capture_output=True, text=True, timeout=PATIENCE, check=False
     )
     assert finished.returncode == 1
     lines = finished.stderr.splitlines()

@@ -19,7 +19,9 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from tests.effort import examples
 from tests.hostile.escape_payloads import Payload, read_payloads
+from tests.waiting import PATIENCE
 from yamaro.runtime import safe_code
 from yamaro.runtime.safe_code import classify, compile_safe
 from yamaro.runtime.safe_limits import SafeLimits, SafetyError
@@ -29,7 +31,6 @@ from yamaro.runtime.safe_runtime import SafeRuntime
 from yamaro.runtime.safe_values import Function, Module, OrderedSet
 
 REPOSITORY = Path(__file__).parents[1]
-SECONDS = 60.0
 PAYLOADS = read_payloads()
 
 
@@ -47,10 +48,10 @@ class Runner:
         self.process.stdin.write(json.dumps(payload._asdict()) + "\n")
         self.process.stdin.flush()
         try:
-            answer = self.answers.get(timeout=SECONDS)
+            answer = self.answers.get(timeout=PATIENCE)
         except queue.Empty:
             self.stop()
-            pytest.fail(f"it was not over after {SECONDS} s")
+            pytest.fail(f"it was not over after {PATIENCE} s")
         assert answer, "the process died"
         return json.loads(answer)
 
@@ -312,7 +313,7 @@ EXPRESSIONS = st.recursive(st.one_of(NUMBERS, TEXTS, LISTS), combine, max_leaves
 
 
 @pytest.mark.filterwarnings("ignore")
-@settings(max_examples=400, deadline=None)
+@settings(max_examples=examples(400))
 @given(EXPRESSIONS)
 def test_random_expressions_give_what_python_gives(text: str) -> None:
     try:

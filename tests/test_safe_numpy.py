@@ -18,6 +18,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import yamaro
+from tests.effort import examples
 from yamaro.runtime.safe_code import compile_safe
 from yamaro.runtime.safe_limits import SafetyError
 from yamaro.runtime.safe_methods import CHANGING, READING
@@ -232,7 +233,7 @@ REFUSED_ON_PURPOSE = (
 
 
 @pytest.mark.filterwarnings("ignore")
-@settings(max_examples=300, deadline=None)
+@settings(max_examples=examples(300))
 @given(st.recursive(LEAVES, combine, max_leaves=6))
 def test_random_expressions_give_what_numpy_gives(text: str) -> None:
     try:

@@ -18,6 +18,8 @@ import numpy as np
 import pytest
 from lxml import etree
 
+from tests.waiting import PATIENCE
+
 Matrix = np.ndarray[Any, Any]
 
 
@@ -59,7 +61,7 @@ class CheckUrdf:
             file.write(urdf)
             file.flush()
             run = subprocess.run(
-                [program, file.name], capture_output=True, text=True, timeout=60, check=False
+                [program, file.name], capture_output=True, text=True, timeout=PATIENCE, check=False
             )
         self.output = run.stdout + run.stderr
         # It exits 0 after some errors, such as a mass that is no number, and only prints them.

@@ -12,6 +12,7 @@ from pathlib import Path
 import pytest
 
 from tests.migrate.same_robot import is_same_robot
+from tests.waiting import PATIENCE
 from yamaro import compiler
 from yamaro.commands import usage
 from yamaro.commands.main import main
@@ -305,7 +306,7 @@ def test_it_runs_as_a_process_of_its_own() -> None:
         [sys.executable, "-m", "yamaro", "migrate", "-"],
         input=URDF.encode(),
         capture_output=True,
-        timeout=60,
+        timeout=PATIENCE,
         check=False,
     )
     assert process.returncode == 0

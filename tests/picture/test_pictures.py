@@ -18,6 +18,7 @@ from tests.picture.drawing import (
     picture,
     pixels,
 )
+from tests.waiting import PATIENCE
 from yamaro.commands.main import main
 
 pytestmark = needs_drawing
@@ -522,7 +523,7 @@ def test_a_picture_on_standard_output_is_a_png_and_nothing_else(tmp_path: Path) 
     part = "part: {name: a, link: {geometry: box, scale: 1 1 1, visual: }}"
     source.write_text(f"model: {{print: hello, {part}}}\n")
     command = [sys.executable, "-m", "yamaro", "picture", str(source), "-o", "-", "--size", SIZE]
-    result = subprocess.run(command, capture_output=True, check=True, timeout=60)
+    result = subprocess.run(command, capture_output=True, check=True, timeout=PATIENCE)
     assert result.stdout.startswith(b"\x89PNG")
     (tmp_path / "out.png").write_bytes(result.stdout)
     assert pixels(tmp_path / "out.png").shape == (90, 120, 4)

@@ -7,6 +7,7 @@ from typing import Any
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
+from tests.effort import examples
 from yamaro.diagnostics import INHERITED, Reporter, YamaroError, render
 from yamaro.source import Source
 from yamaro.syntax.context import ParseContext
@@ -79,7 +80,7 @@ def by_the_grammar(key: ScalarNode) -> object:
     return node.name, found
 
 
-@settings(max_examples=500)
+@settings(max_examples=examples(500))
 @given(keys)
 @example("link/name=a, type=b")
 @example("link/name:=a")
@@ -106,7 +107,7 @@ def test_a_plain_key_says_what_the_grammar_says(text: str) -> None:
     assert key.get("no_attribute") is None
 
 
-@settings(max_examples=500)
+@settings(max_examples=examples(500))
 @given(keys)
 def test_a_key_in_a_body_says_what_the_grammar_says(text: str) -> None:
     key = node_of(text)
@@ -130,7 +131,7 @@ def put_out_twice(key: ScalarNode, expected: object) -> list[object]:
     return list(body.statements)
 
 
-@settings(max_examples=500)
+@settings(max_examples=examples(500))
 @given(keys, st.sampled_from(["/", "=,", ",", " ", "'"]), st.integers(0, 9), st.integers(0, 40))
 def test_signs_are_found_as_by_looking_at_each(text: str, signs: str, start: int, end: int) -> None:
     end = min(end, len(text))

@@ -7,6 +7,7 @@ from xml.sax.saxutils import escape, quoteattr
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from tests.effort import examples
 from tests.migrate.same_robot import is_same_robot
 from yamaro import build
 from yamaro.source import Source
@@ -125,7 +126,7 @@ def tree_of(text: str) -> Element:
     return root
 
 
-@settings(max_examples=300, deadline=None)
+@settings(max_examples=examples(300))
 @given(robots)
 def test_a_robot_comes_back_as_it_was(urdf: str) -> None:
     migration = migrate_urdf(read_xml(Source(urdf, name="robot.urdf")), tree_of)

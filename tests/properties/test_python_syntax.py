@@ -8,6 +8,7 @@ import tokenize
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
+from tests.effort import examples
 from yamaro.syntax.python import find_close
 
 CLOSING = {")": "(", "]": "[", "}": "{"}
@@ -48,7 +49,7 @@ pieces = st.sampled_from(
 )  # fmt: skip
 
 
-@settings(max_examples=1500)
+@settings(max_examples=examples(1500))
 @given(st.lists(pieces, max_size=10).map("".join))
 @example("x)")
 @example("')')")

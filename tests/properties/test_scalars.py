@@ -11,6 +11,7 @@ import yaml
 from hypothesis import assume, example, given, settings
 from hypothesis import strategies as st
 
+from tests.effort import examples
 from yamaro.diagnostics import Reporter, YamaroError
 from yamaro.source import Source
 from yamaro.syntax.scalars import type_plain
@@ -48,7 +49,7 @@ def show(value: object) -> str:
     return f"{type(value).__name__} {value!r}"
 
 
-@settings(max_examples=1000)
+@settings(max_examples=examples(1000))
 @given(spelled | likely | st.text(max_size=10))
 @example("0o8")
 @example("0x")
@@ -67,7 +68,7 @@ def test_plain_scalars_are_typed_by_the_core_schema(text: str) -> None:
     assert show(type_plain(text)) == show(type_by_the_schema(text))
 
 
-@settings(max_examples=300)
+@settings(max_examples=examples(300))
 @given(likely)
 def test_plain_scalars_are_typed_as_another_reader_types_them(text: str) -> None:
     ruamel = pytest.importorskip("ruamel.yaml")
@@ -95,7 +96,7 @@ def test_an_integer_too_long_for_python_is_told(text: str) -> None:
 finite = st.floats(allow_nan=False, allow_infinity=False)
 
 
-@settings(max_examples=1000)
+@settings(max_examples=examples(1000))
 @given(finite)
 @example(1.7976931348623157e308)
 @example(5e-324)
@@ -183,7 +184,7 @@ def require_right_offsets(node: ScalarNode) -> None:
         assert span.end <= span.start + length
 
 
-@settings(max_examples=500)
+@settings(max_examples=examples(500))
 @given(texts, st.sampled_from(["", "'", '"', "|", ">"]), st.integers(10, 80), st.booleans())
 def test_every_character_is_traced_to_its_place(
     text: str, style: str, width: int, is_unicode: bool

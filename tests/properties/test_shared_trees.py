@@ -7,6 +7,7 @@ from typing import Any
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from tests.effort import examples
 from tests.test_check import FAULTY, GOOD_ROBOTS, NEWER_ROBOTS, bad_robots, read
 from yamaro.diagnostics import INHERITED, Diagnostic, Frame, Reporter, YamaroError
 from yamaro.robot.check import check
@@ -56,13 +57,13 @@ def written(root: Element, shared: Shared) -> str:
         return str(error)
 
 
-@settings(max_examples=500)
+@settings(max_examples=examples(500))
 @given(trees())
 def test_shared_elements_are_written_as_if_each_place_had_its_own(root: Element) -> None:
     assert written(root, shared_in(root)) == written(unshared(root), {})
 
 
-@settings(max_examples=2000)
+@settings(max_examples=examples(2000))
 @given(st.floats() | st.integers(-(10**18), 10**18).map(float) | st.floats(-1000, 1000))
 def test_a_number_is_the_repr_of_the_float_rounded_to_15_digits(value: float) -> None:
     rounded = float(f"{value:.15g}")
@@ -129,7 +130,7 @@ def findings(root: Element, shared: Shared) -> list[Diagnostic]:
     return faults.diagnostics + advice.diagnostics
 
 
-@settings(max_examples=500)
+@settings(max_examples=examples(500))
 @given(robots())
 def test_shared_elements_are_checked_as_if_each_place_had_its_own(root: Element) -> None:
     expected = [told(finding) for finding in findings(unshared(root), {})]

@@ -9,6 +9,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from tests.effort import examples
 from yamaro.compiler import build
 from yamaro.diagnostics import Diagnostic, Frame, YamaroError, render
 from yamaro.jail import JailAnswerBroken, pack, unpack
@@ -108,7 +109,7 @@ def valid_answer() -> bytes:
 ANSWER = valid_answer()
 
 
-@settings(max_examples=1500)
+@settings(max_examples=examples(1500))
 @given(
     st.lists(
         st.tuples(st.integers(0, len(ANSWER) - 1), st.integers(0, 255)), min_size=1, max_size=6

@@ -10,6 +10,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from tests.effort import examples
 from tests.xacro_host import MemoryHost
 from yamaro.diagnostics import Reporter, YamaroError
 from yamaro.source import Source
@@ -31,7 +32,7 @@ def parameters_of_xacro(text: str) -> list[tuple[str, bool, str | None]]:
     return found
 
 
-@settings(max_examples=3000)
+@settings(max_examples=examples(3000))
 @given(st.text("ab :=^|'\"${}()", max_size=14).filter(lambda text: text.strip() or not text))
 def test_parameters_are_read_alike(text: str) -> None:
     read = [(p.name, p.is_forwarded, p.default) for p in parse_parameters(text)]
@@ -51,13 +52,13 @@ def test_a_long_row_of_quotes_is_read_in_no_time() -> None:
     assert len(parse_parameters("a:=" + "x'" * 201)) == 1
 
 
-@settings(max_examples=1000)
+@settings(max_examples=examples(1000))
 @given(st.one_of(st.text("0123456789.eE+-_ '\"truefalsTFinfa", max_size=8), st.text(max_size=4)))
 def test_literals_are_guessed_alike(text: str) -> None:
     assert repr(guess_value(text)) == repr(xacro.Table._eval_literal(text))
 
 
-@settings(max_examples=500)
+@settings(max_examples=examples(500))
 @given(st.one_of(st.text("ab_1 é.ª", max_size=4), st.sampled_from(["if", "None", "match", "a#"])))
 def test_names_of_properties_are_alike(text: str) -> None:
     assert is_property_name(text) == xacro.is_valid_name(text)
@@ -91,7 +92,7 @@ def value_of_ours(text: str) -> Any:
     return inner.text()
 
 
-@settings(max_examples=2000)
+@settings(max_examples=examples(2000))
 @given(
     st.lists(
         st.sampled_from(

@@ -11,6 +11,7 @@ import pytest
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
+from tests.effort import examples
 from tests.xacro_host import MemoryHost
 from yamaro.diagnostics import Reporter, YamaroError
 from yamaro.runtime.deep_stack import run_on_deep_stack
@@ -189,7 +190,7 @@ def by_us(text: str) -> Any:
         return None
 
 
-@settings(max_examples=300)
+@settings(max_examples=examples(300))
 @given(DOCUMENTS)
 @example(f"{HEAD}<e><!--c-->\n<xacro:property name='a' value='1'/>\n<!--d--></e></r>")
 def test_a_document_comes_out_as_from_xacro(text: str) -> None:

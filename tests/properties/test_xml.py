@@ -10,6 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from lxml import etree
 
+from tests.effort import examples
 from yamaro.compiler import build
 from yamaro.diagnostics import YamaroError
 from yamaro.runtime.loader import MemoryLoader
@@ -135,7 +136,7 @@ def require_same(expected: Any, element: Any) -> None:
             require_same(child, other)
 
 
-@settings(max_examples=400)
+@settings(max_examples=examples(400))
 @given(trees, st.data())
 def test_what_is_written_parses_back_to_the_same_tree(tree: Any, data: st.DataObject) -> None:
     text = to_yaml([{"<root>": [spell(tree, data.draw)]}])

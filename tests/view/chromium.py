@@ -17,6 +17,8 @@ from typing import Any
 import numpy as np
 from PIL import Image
 
+from tests.waiting import PATIENCE, wait_for
+
 NAMES = ("chromium", "chromium-browser", "google-chrome", "chrome")
 OPTIONS = (
     "--headless",
@@ -38,8 +40,6 @@ os.dup2(int(sys.argv[1]), 3)
 os.dup2(int(sys.argv[2]), 4)
 os.execv(sys.argv[3], sys.argv[3:])
 """
-SECONDS = 30.0
-PAUSE = 0.02
 
 
 class Chromium:
@@ -76,7 +76,7 @@ class Chromium:
 
     def close(self) -> None:
         self._process.terminate()
-        self._process.wait(10)
+        self._process.wait(PATIENCE)
         os.close(self._writer)
         os.close(self._reader)
         shutil.rmtree(self._folder, ignore_errors=True)
@@ -98,9 +98,9 @@ class Chromium:
             self._note(answer)
 
     def _read(self) -> Any:
-        deadline = time.monotonic() + SECONDS
+        give_up = time.monotonic() + PATIENCE
         while b"\0" not in self._buffer:
-            ready, _, _ = select.select([self._reader], [], [], deadline - time.monotonic())
+            ready, _, _ = select.select([self._reader], [], [], give_up - time.monotonic())
             chunk = os.read(self._reader, 1 << 16) if ready else b""
             assert chunk, "the browser does not answer"
             self._buffer += chunk
@@ -142,13 +142,10 @@ class Chromium:
 
     def wait_for(self, script: str) -> Any:
         """Return the value of an expression once it is true."""
-        deadline = time.monotonic() + SECONDS
-        while time.monotonic() < deadline:
-            value = self.run(script)
-            if value:
-                return value
-            time.sleep(PAUSE)
-        raise AssertionError(f"never came true: {script}; the page complains of {self.complaints}")
+        try:
+            return wait_for(lambda: self.run(script))
+        except AssertionError as error:
+            raise AssertionError(f"{script}: {error}; complaints: {self.complaints}") from None
 
     def picture(self, box: tuple[int, int, int, int] | None = None) -> np.ndarray[Any, Any]:
         """Return the pixels of the page, or of x, y, width, height of it, as rows of RGB."""

@@ -15,6 +15,7 @@ import pytest
 from tests.consumers.oracles import missing
 from tests.view import chromium
 from tests.view.chromium import Chromium
+from tests.waiting import PATIENCE
 
 ROOT = Path(__file__).parent.parent.parent
 EXAMPLES = ROOT / "examples"
@@ -44,7 +45,7 @@ class Viewer:
         """End it as Ctrl-C does, and return its exit status."""
         if self.process.poll() is None:
             self.process.send_signal(signal.SIGINT)
-        return self.process.wait(20)
+        return self.process.wait(PATIENCE)
 
     def close(self) -> None:
         """End it, and let go of its streams."""

@@ -9,6 +9,7 @@ import subprocess
 import pytest
 
 from tests.view.conftest import ROOT
+from tests.waiting import PATIENCE
 
 WEB = ROOT / "web"
 STATIC = ROOT / "src" / "yamaro" / "tools" / "view" / "static"
@@ -31,7 +32,7 @@ def test_the_bundle_is_what_its_sources_give() -> None:
         cwd=ROOT,
         capture_output=True,
         text=True,
-        timeout=300,
+        timeout=PATIENCE,
         check=False,
     )
     if run.returncode == CANNOT_BE_TOLD:

@@ -6,7 +6,6 @@ import json
 import math
 import random
 import shutil
-import time
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -16,6 +15,7 @@ import pytest
 
 from tests.consumers import oracles
 from tests.view.conftest import EXAMPLES, Page, Viewer
+from tests.waiting import wait_for
 
 Start = Callable[..., Viewer]
 
@@ -203,9 +203,7 @@ def test_what_is_selected_opens_in_the_editor_at_its_line(
     page.press("#tree [data-link=left_link]")
     assert page.text("#origin-open") == "Open in my-editor"
     page.press("#origin-open")
-    deadline = time.monotonic() + 20
-    while not note.exists() and time.monotonic() < deadline:
-        time.sleep(0.02)
+    wait_for(note.exists)
     assert note.read_text().split() == [str(path), str(LINE_OF_LINK), "9"]
 
 

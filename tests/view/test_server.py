@@ -8,7 +8,6 @@ import os
 import random
 import socket
 import threading
-import time
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
@@ -16,6 +15,7 @@ from typing import Any
 import pytest
 
 from tests.view.conftest import Viewer
+from tests.waiting import PATIENCE, wait_for
 from yamaro.policy import SAFE, TRUSTED, Policy
 from yamaro.tools.rebuilding import Rebuilder
 from yamaro.tools.view import server as serving
@@ -84,7 +84,7 @@ class Served:
     def ask_raw(
         self, path: str, method: str = "GET", body: Any = None, headers: Any = None
     ) -> tuple[int, bytes, dict[str, str]]:
-        connection = http.client.HTTPConnection("127.0.0.1", self.port, timeout=20)
+        connection = http.client.HTTPConnection("127.0.0.1", self.port, timeout=PATIENCE)
         sent = {name.replace("_", "-"): value for name, value in (headers or {}).items()}
         if isinstance(body, dict):
             body = json.dumps(body)
@@ -235,24 +235,24 @@ def test_a_mesh_that_appears_or_changes_is_seen(served: Served) -> None:
 
     path = served.path.parent / "body.obj"
     path.unlink()
-    until(served.rebuilder.has_changed)
+    wait_for(served.rebuilder.has_changed)
     served.session.build()
     assert mesh() is None
     assert "missing-mesh-file" in str(served.state()["robot"]["diagnostics"])
     path.write_text(MESH)
-    until(served.rebuilder.has_changed)
+    wait_for(served.rebuilder.has_changed)
     served.session.build()
     before = mesh()["key"]
     path.write_text(MESH + "# changed\n")
-    until(served.rebuilder.has_changed)
+    wait_for(served.rebuilder.has_changed)
     served.session.build()
     assert mesh()["key"] != before
     (path.parent / "body.mtl").write_text("newmtl plain\n")  # the mesh names it; it was not there
     path.write_text(MESH)
-    until(served.rebuilder.has_changed)
+    wait_for(served.rebuilder.has_changed)
     served.session.build()
     (path.parent / "body.mtl").write_text("newmtl other\n")
-    until(served.rebuilder.has_changed)
+    wait_for(served.rebuilder.has_changed)
 
 
 # --- what is asked for --------------------------------------------------------------------------
@@ -317,7 +317,7 @@ def test_an_editor_that_cannot_be_started_is_told(served: Served) -> None:
 
 def events(served: Served) -> socket.socket:
     """Return an open stream of events that has told the version."""
-    stream = socket.create_connection(("127.0.0.1", served.port), timeout=20)
+    stream = socket.create_connection(("127.0.0.1", served.port), timeout=PATIENCE)
     stream.sendall(f"GET {served.base}events HTTP/1.1\r\nHost: {served.host}\r\n\r\n".encode())
     seen = b""
     while b"data: " not in seen:
@@ -333,13 +333,6 @@ def test_a_stream_tells_of_each_build(served: Served) -> None:
         assert b"data: 2" in stream.recv(4096)
 
 
-def until(condition: Callable[[], bool]) -> None:
-    deadline = time.monotonic() + 20
-    while not condition():
-        assert time.monotonic() < deadline
-        time.sleep(0.02)
-
-
 def test_streams_whose_client_vanishes_leave_no_thread(
     served: Served, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -350,7 +343,7 @@ def test_streams_whose_client_vanishes_leave_no_thread(
     for stream in streams:
         stream.setsockopt(socket.SOL_SOCKET, socket.SO_LINGER, b"\1\0\0\0\0\0\0\0")  # reset
         stream.close()
-    until(lambda: threading.active_count() <= before)
+    wait_for(lambda: threading.active_count() <= before)
     assert served.ask("state")[0] == 200
 
 
@@ -361,7 +354,7 @@ def test_more_clients_than_there_are_places_do_not_hang_the_others(
     idle = [socket.create_connection(("127.0.0.1", served.port)) for _ in range(80)]
     for each in idle:
         each.close()
-    until(lambda: served_at_all(served))
+    wait_for(lambda: served_at_all(served))
 
 
 def served_at_all(served: Served) -> bool:
@@ -375,7 +368,7 @@ def test_a_client_that_says_nothing_is_let_go(
     served: Served, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(serving.Handler, "timeout", 0.2)
-    with socket.create_connection(("127.0.0.1", served.port), timeout=20) as client:
+    with socket.create_connection(("127.0.0.1", served.port), timeout=PATIENCE) as client:
         client.sendall(b"GET /")
         assert client.recv(100) == b""
 
@@ -404,7 +397,7 @@ def test_garbage_on_the_socket_does_no_harm(
         *(chance.randbytes(chance.randrange(1, 2000)) for _ in range(30)),
     ]  # fmt: skip
     for piece in pieces:
-        with socket.create_connection(("127.0.0.1", served.port), timeout=20) as client:
+        with socket.create_connection(("127.0.0.1", served.port), timeout=PATIENCE) as client:
             try:
                 client.sendall(piece)
                 client.shutdown(socket.SHUT_WR)
@@ -453,11 +446,11 @@ def test_files_are_not_trusted_unless_that_is_said(
         )
     )
     viewer = view(path)
-    until(lambda: "error" in viewer.said)
+    wait_for(lambda: "error" in viewer.said)
     assert "unsafe-code" in viewer.said
     assert viewer.end() == 0 and not (tmp_path / "made").exists()
     viewer = view(path, "--trust")
-    until((tmp_path / "made").exists)
+    wait_for((tmp_path / "made").exists)
     assert viewer.end() == 0
 
 
@@ -472,10 +465,10 @@ def test_wrong_usage_is_told_at_once(view: Callable[..., Viewer], tmp_path: Path
         ([":=2"], "is not of the form name:=value"),
     ):
         viewer = view(path, *options)
-        assert viewer.process.wait(20) == 2, options
+        assert viewer.process.wait(PATIENCE) == 2, options
         assert said in viewer.said
     viewer = view(tmp_path / "nothing.yaml")
-    assert viewer.process.wait(20) == 2
+    assert viewer.process.wait(PATIENCE) == 2
     assert "cannot read" in viewer.said and "there is no such file" in viewer.said
 
 
@@ -485,5 +478,5 @@ def test_a_port_that_is_taken_is_told(view: Callable[..., Viewer], tmp_path: Pat
     with socket.create_server(("127.0.0.1", 0)) as taken:
         port = str(taken.getsockname()[1])
         viewer = view(path, "--port", port)
-        assert viewer.process.wait(20) == 2
+        assert viewer.process.wait(PATIENCE) == 2
     assert f"the port {port} cannot be had: Address already in use" in viewer.said

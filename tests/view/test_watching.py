@@ -7,12 +7,12 @@ import signal
 import subprocess
 import sys
 import time
-from collections.abc import Callable
 from pathlib import Path
 
 import pytest
 
 from tests.view.conftest import ROOT
+from tests.waiting import PATIENCE, wait_for
 from yamaro.compiler import UsageError
 from yamaro.policy import Policy
 from yamaro.tools.rebuilding import Rebuilder, count_told
@@ -133,13 +133,6 @@ def test_python_that_ends_the_program_does_not_end_the_watch(tmp_path: Path) -> 
 # --- the command --------------------------------------------------------------------------------
 
 
-def until(condition: Callable[[], bool]) -> None:
-    deadline = time.monotonic() + 20
-    while not condition():
-        assert time.monotonic() < deadline
-        time.sleep(0.02)
-
-
 def test_watch_writes_on_each_save_and_tells_in_a_line(tmp_path: Path) -> None:
     path, output, log = tmp_path / "robot.yaml", tmp_path / "out.urdf", tmp_path / "log"
     path.write_text("robot: one\nmodel:\n  link/name=base:\n")
@@ -151,15 +144,15 @@ def test_watch_writes_on_each_save_and_tells_in_a_line(tmp_path: Path) -> None:
             stdout=subprocess.PIPE,
             env={**os.environ, "PYTHONPATH": str(ROOT / "src")},
         )
-        until(lambda: output.exists() and 'name="one"' in output.read_text())
+        wait_for(lambda: output.exists() and 'name="one"' in output.read_text())
         path.write_text("robot: two\nmodle:\n  link/name=base:\n")
-        until(lambda: "did you mean `model`?" in log.read_text())
+        wait_for(lambda: "did you mean `model`?" in log.read_text())
         assert 'name="one"' in output.read_text()
         path.write_text("robot: two\nmodel:\n  link/name=base:\n")
-        until(lambda: 'name="two"' in output.read_text())
-        until(lambda: len(log.read_text().split("out.urdf written")) == 3)
+        wait_for(lambda: 'name="two"' in output.read_text())
+        wait_for(lambda: len(log.read_text().split("out.urdf written")) == 3)
         process.send_signal(signal.SIGINT)
-        printed, _ = process.communicate(timeout=20)
+        printed, _ = process.communicate(timeout=PATIENCE)
     assert process.returncode == 0 and printed == b""
     lines = [line[10:] for line in log.read_text().splitlines() if line[2:3] == line[5:6] == ":"]
     assert [line.partition(",")[0] for line in lines] == [
@@ -186,7 +179,7 @@ def test_watch_tells_wrong_usage_at_once(tmp_path: Path, arguments: list[str], s
         cwd=tmp_path,
         capture_output=True,
         text=True,
-        timeout=30,
+        timeout=PATIENCE,
         check=False,
         env={**os.environ, "PYTHONPATH": str(ROOT / "src")},
     )
