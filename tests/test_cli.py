@@ -1134,7 +1134,7 @@ def on_path() -> dict[str, str]:
         (
             "yamaro ",
             ["yamaro", ""],
-            "bin check completion help migrate picture robot.yaml tree two.yml view watch",
+            "a.urdf bin check completion help migrate picture robot.yaml tree two.yml view watch",
         ),
         ("yamaro ro", ["yamaro", "ro"], "robot.yaml"),
         ("yamaro check ro", ["yamaro", "check", "ro"], "robot.yaml"),

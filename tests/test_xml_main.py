@@ -1,12 +1,15 @@
-"""URDF and xacro as the main file of the commands that look at robots."""
+"""URDF and xacro as the main file."""
 
 from pathlib import Path
 
 import pytest
 
-from yamaro import Build, UsageError, YamaroError, build, jail
+from yamaro import Build, UsageError, YamaroError, build, convert, jail, load
 from yamaro.commands.main import main
 from yamaro.policy import Policy
+from yamaro.source import Source
+from yamaro.xmlreader import _Reader, read_xml
+from yamaro.xmltree import write
 
 needs_jail = pytest.mark.skipif(jail.check_available() is not None, reason="no jail here")
 
@@ -33,7 +36,7 @@ XACRO = """<?xml version="1.0"?>
 
 def opened(path: Path, text: str, *arguments: str, mode: str = "trusted") -> Build:
     path.write_text(text)
-    return build(path, command_line=arguments, policy=Policy(mode), takes_xml=True)
+    return build(path, command_line=arguments, policy=Policy(mode))
 
 
 def links(built: Build) -> list[str]:
@@ -108,13 +111,102 @@ def test_the_tree_of_a_urdf_is_shown(tmp_path: Path, capsys: pytest.CaptureFixtu
     assert "2 links, 1 joint" in capsys.readouterr().out
 
 
-def test_compiling_a_urdf_is_still_refused(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_a_urdf_is_compiled_to_itself(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     path = tmp_path / "robot.urdf"
     path.write_text(URDF)
-    assert main([str(path)]) == 1
-    assert "this looks like XML" in capsys.readouterr().err
+    assert main([str(path)]) == 0
+    captured = capsys.readouterr()
+    first = captured.out
+    assert captured.err == ""
+    assert '<parent link="a"/>' in first
+    path.write_text(first)
+    assert main([str(path), "-o", str(tmp_path / "again.urdf")]) == 0
+    assert (tmp_path / "again.urdf").read_text() == first
+
+
+@pytest.mark.parametrize("words", [[], ["--jail"], ["--safe"]])
+@needs_jail
+def test_a_robot_in_xacro_is_compiled(
+    words: list[str], tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path, output = tmp_path / "robot.urdf.xacro", tmp_path / "robot.urdf"
+    path.write_text(XACRO)
+    assert main([*words, str(path), "-o", str(output), "last:=hand"]) == 0
+    assert capsys.readouterr().err == ""
+    text = output.read_text()
+    assert '<link name="hand"/>' in text
+    assert "xacro" not in text
+
+
+@pytest.mark.parametrize(
+    ("name", "text"),
+    [
+        (
+            "world.sdf",
+            '<sdf version="1.9"><world name="w"><gravity>0 0 -9.8</gravity></world></sdf>',
+        ),
+        ("scene.xml", '<mujoco model="m"><worldbody><body name="b"/></worldbody></mujoco>'),
+        ("UPPER.URDF", '<robot name="r"><link name="a"/></robot>'),
+    ],
+)
+def test_other_xml_is_compiled_to_itself(
+    name: str, text: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / name).write_text(text)
+    assert main([str(tmp_path / name)]) == 0
+    captured = capsys.readouterr()
+    assert (captured.out, captured.err) == (
+        write(read_xml(Source(text, name=name)).root),
+        "",
+    )
+
+
+def test_convert_and_load_take_urdf_and_xacro(tmp_path: Path) -> None:
+    urdf, xacro = tmp_path / "robot.urdf", tmp_path / "robot.xacro"
+    urdf.write_text(URDF)
+    xacro.write_text(XACRO)
+    assert '<child link="b"/>' in convert(urdf)
+    assert '<child link="c"/>' in convert(xacro, "last:=c")
+    assert '<child link="d"/>' in convert(xacro, last="d")
+    program = load(xacro)
+    assert [program.convert(last=name).count(name) for name in ("hand", "foot")] == [3, 3]
+    assert program.build(command_line=["last:=z"]).xml() == program.convert("last:=z")
+
+
+def test_load_tells_what_is_wrong_with_xml(tmp_path: Path) -> None:
+    path = tmp_path / "robot.xacro"
+    path.write_text("<robot>")
+    with pytest.raises(YamaroError, match="no element found"):
+        load(path)
+
+
+@pytest.mark.parametrize("name", ["robot.xacro", "robot.urdf"])
+def test_a_robot_in_xacro_is_parsed_once_a_build(
+    name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    read, texts = _Reader.read, []
+
+    def counted(reader: _Reader) -> object:
+        texts.append(reader._source.text)
+        return read(reader)
+
+    monkeypatch.setattr(_Reader, "read", counted)
+    opened(tmp_path / name, XACRO)
+    assert texts == [XACRO]
+    (tmp_path / "robot.yaml").write_text(f"robot: r\nmodel:\n- include: {name}\n")
+    build(tmp_path / "robot.yaml")
+    assert texts == [XACRO, XACRO]
+
+
+def test_a_urdf_that_only_mentions_xacro_is_read_as_it_is(tmp_path: Path) -> None:
+    text = (
+        '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro"><!-- made by xacro:expand -->'
+        '<link name="a"><note><![CDATA[<b> $5]]></note></link></robot>'
+    )
+    xml = opened(tmp_path / "robot.urdf", text).xml()
+    assert "<note>&lt;b&gt; $5</note>" in xml
+    as_ever = opened(tmp_path / "robot.urdf", text.replace("xacro:", "xacro."))
+    assert as_ever.xml() == xml.replace("xacro:", "xacro.")
 
 
 def test_an_argument_that_a_xacro_file_does_not_know_is_warned_of(tmp_path: Path) -> None:
@@ -123,7 +215,7 @@ def test_an_argument_that_a_xacro_file_does_not_know_is_warned_of(tmp_path: Path
         '<robot xmlns:xacro="http://www.ros.org/wiki/xacro" name="r">'
         '<xacro:arg name="side" default="left"/><link name="$(arg side)"/></robot>'
     )
-    built = build(path, command_line=["side:=right", "sied:=up"], takes_xml=True)
+    built = build(path, command_line=["side:=right", "sied:=up"])
     assert '<link name="right"/>' in built.xml()
     (warning,) = built.warnings
     assert warning.message == "'r.xacro' has no argument 'sied'"

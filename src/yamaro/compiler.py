@@ -137,12 +137,11 @@ class Program:
         loader: Loader | None = None,
         policy: Policy | None = None,
         packages: Mapping[str, str] | None = None,
-        takes_xml: bool = False,
     ) -> None:
         """Name the main file; see `yamaro.build`."""
         self._path = path = os.fspath(path)
         self._text = text
-        self._is_xml = takes_xml and is_xml_file(path)
+        self._is_xml = is_xml_file(path)
         self._policy = policy or Policy()
         self._packages = dict(packages or {})
         self._reach = reach_of(path, self._policy, self._packages)
@@ -164,13 +163,21 @@ class Program:
         if self._has_jail(source):
 
             def parse_there(say: Callable[[str], None]) -> None:
-                self._library.parse(source, reporter=reporter)
+                self._parse(source, reporter)
 
             outcome = self._run_confined(parse_there, reporter, source, has_root=False)
             if outcome.has_errors:
                 raise YamaroError(outcome.diagnostics)
             return
-        self._run(lambda: self._library.parse(source, reporter=reporter), reporter, source)
+        self._run(lambda: self._parse(source, reporter), reporter, source)
+
+    def _parse(self, source: Source, reporter: Reporter) -> None:
+        if self._is_xml:
+            from .runtime.xml_includes import read_included
+
+            read_included(source, self._policy.limits)
+        else:
+            self._library.parse(source, reporter=reporter)
 
     def convert(self, /, *assignments: str, **variables: object) -> str:
         """Return the XML; see `yamaro.convert`.
@@ -375,12 +382,12 @@ def build(
     policy: Policy | None = None,
     packages: Mapping[str, str] | None = None,
     has_root: bool = True,
-    takes_xml: bool = False,
 ) -> Build:
     """Compile a file.
 
     Args:
-        path: the main file; "-" with `text` for a text that is in no file.
+        path: the main file: YAML, or by its ending a URDF, a robot in xacro or other XML; "-" with
+            `text` for a text that is in no file.
         command_line: variables as `name:=value`, the value in YAML.
         variables: variables as Python objects.
         text: what to compile in place of the content of `path`.
@@ -391,15 +398,12 @@ def build(
         policy: how far the file is trusted; in full by default.
         packages: folders of ROS packages by name, before those that are found.
         has_root: without, there may be no tree in the end, which spares taking it out of a jail.
-        takes_xml: the file may also be a URDF, or a robot in xacro; its name tells which it is.
 
     Raises:
         YamaroError: the input has errors; it holds them, and the warnings found before.
         UsageError: the main file cannot be read, or a `name:=value` is malformed.
     """
-    program = Program(
-        path, text=text, loader=loader, policy=policy, packages=packages, takes_xml=takes_xml
-    )
+    program = Program(path, text=text, loader=loader, policy=policy, packages=packages)
     return program.build(
         command_line=command_line,
         variables=variables,
@@ -541,9 +545,10 @@ def convert(path: str | os.PathLike[str], /, *assignments: str, **variables: obj
     What the file prints goes to standard error; warnings are issued as `YamaroWarning`.
 
     Args:
-        path: the main file.
-        assignments: variables of the main file as on the command line: `"length:=2"`.
-        variables: variables of the main file as Python objects: `width=0.3`.
+        path: the main file: YAML, a URDF or a robot in xacro.
+        assignments: variables of the main file, or arguments of xacro, as on the command line:
+            `"length:=2"`.
+        variables: the same as Python objects: `width=0.3`.
 
     Raises:
         YamaroError: the input has errors.

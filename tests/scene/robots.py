@@ -70,5 +70,5 @@ def robot_of(text: str, folder: Path, name: str = "robot.urdf") -> Robot:
 
 
 def robot_at(path: Path) -> Robot:
-    built = build(path, takes_xml=True, on_message=lambda line: None)
+    built = build(path, on_message=lambda line: None)
     return Robot(built.root, built.finder)

@@ -64,7 +64,6 @@ class Served:
             on_message=print,
             advice=True,
             has_root=True,
-            takes_xml=True,
         )
         self.editor = Recorder()
         self.session = Session(self.rebuilder, editor="recorder")

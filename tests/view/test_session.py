@@ -275,7 +275,6 @@ def session_of(path: Path, *command_line: str) -> Session:
         command_line=command_line,
         on_message=print,
         has_root=True,
-        takes_xml=True,
     )
     session = Session(rebuilder, editor=None)
     session.build()

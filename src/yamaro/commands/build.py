@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 def run(arguments: Arguments, streams: Streams) -> int:
     """Write the XML, or with `--deps` the files it is made of; return the exit status."""
     take = _dependencies if arguments.has("deps") else _document
-    return convert_file(arguments, streams, take, takes_xml=False)
+    return convert_file(arguments, streams, take)
 
 
 def _document(build: Build) -> Iterable[bytes]:

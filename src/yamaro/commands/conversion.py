@@ -32,7 +32,6 @@ def convert_file(
     prepare: Callable[[], object] | None = None,
     advice: bool = False,
     has_root: bool = False,
-    takes_xml: bool = True,
 ) -> int:
     """Build the file and write what is taken of the result; return the exit status.
 
@@ -44,7 +43,6 @@ def convert_file(
         prepare: is called before the build; raises YamaroError for what shall not have to wait.
         advice: also warn of what is legal but seldom meant; any warning is then an error.
         has_root: whether `take` needs the tree.
-        takes_xml: whether the file may also be a URDF or a robot in xacro.
     """
     from ..diagnostics import YamaroError
 
@@ -63,7 +61,6 @@ def convert_file(
             take,
             advice=advice,
             has_root=has_root,
-            takes_xml=takes_xml,
         )
     except YamaroError as error:
         show(error.diagnostics, arguments, streams)
@@ -100,7 +97,6 @@ def _build(
     *,
     advice: bool,
     has_root: bool,
-    takes_xml: bool,
 ) -> tuple[Build, Iterable[bytes]]:
     """Build the file, with standard output out of reach; return the build and what to write."""
     import warnings
@@ -124,7 +120,6 @@ def _build(
                 on_message=sayer(streams),
                 advice=advice,
                 has_root=has_root,
-                takes_xml=takes_xml,
             )
             return build, take(build)
     except compiler.UsageError as error:

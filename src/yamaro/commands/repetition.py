@@ -24,7 +24,6 @@ def repeat(
     run: Callable[[Rebuilder], None],
     *,
     looks: bool,
-    takes_xml: bool = True,
 ) -> int:
     """Call `run` with what builds the file; return the exit status.
 
@@ -33,7 +32,6 @@ def repeat(
         streams: where everything goes.
         run: builds until it is interrupted.
         looks: whether advice and the tree are wanted.
-        takes_xml: whether the file may also be a URDF or a robot in xacro.
     """
     import warnings
 
@@ -61,7 +59,6 @@ def repeat(
                 strict=arguments.has("strict"),
                 advice=looks,
                 has_root=looks,
-                takes_xml=takes_xml,
             )
             run(rebuilder)
     except compiler.UsageError as error:

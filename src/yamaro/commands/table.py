@@ -11,15 +11,13 @@ BUILD = "build"
 """The command that has no name on the command line: `yamaro FILE`."""
 
 FILE_WORDS = (
-    ("FILE", "the YAML file, or - for standard input"),
-    ("name:=value", "set a variable of the file to a YAML value: n:=3, sides:=[left, right]"),
+    ("FILE", "a YAML file, a URDF (.urdf, .xml) or a xacro file (.xacro); - for YAML from a pipe"),
+    (
+        "name:=value",
+        "set a variable, n:=3, sides:=[left, right], or an argument of xacro",
+    ),
 )
-ANY_FILE_WORDS = (
-    ("FILE", "a YAML file, a URDF (.urdf, .xml) or a xacro file (.xacro); - for standard input"),
-    ("name:=value", "set a variable, or an argument of xacro: n:=3, sides:=[left, right]"),
-)
-YAML_ENDINGS = ("yaml", "yml")
-ROBOT_ENDINGS = ("yaml", "yml", "urdf", "xacro")
+ENDINGS = ("yaml", "yml", "urdf", "xacro")
 
 
 class Command:
@@ -125,12 +123,13 @@ COMMANDS = {
             BUILD,
             ("FILE [name:=value ...]",),
             "compile a robot",
-            "Compile a YAML robot description to URDF, or to any other XML, on standard output.",
+            "Compile a robot description, in YAML or xacro, to URDF or any other XML.",
             words=FILE_WORDS,
-            endings=YAML_ENDINGS,
+            endings=ENDINGS,
             examples=(
                 "yamaro robot.yaml > robot.urdf",
                 "yamaro robot.yaml -o build/robot.urdf legs:=6 body_mass:=2.5",
+                "yamaro robot.urdf.xacro -o robot.urdf use_sim:=true",
                 "yamaro check robot.yaml && yamaro tree robot.yaml",
                 "generate_robot | yamaro -",
             ),
@@ -141,18 +140,18 @@ COMMANDS = {
             "look for errors, warnings and doubtful things; write nothing",
             "Look for errors, warnings and doubtful things, and write no XML. Any finding makes it "
             "exit with 1.",
-            words=ANY_FILE_WORDS,
+            words=FILE_WORDS,
             is_safe=True,
-            endings=ROBOT_ENDINGS,
+            endings=ENDINGS,
         ),
         Command(
             "tree",
             ("FILE [name:=value ...]",),
             "show links, joints and masses as a tree",
             "Show the links of a robot as a tree, with their masses and joints.",
-            words=ANY_FILE_WORDS,
+            words=FILE_WORDS,
             is_safe=True,
-            endings=ROBOT_ENDINGS,
+            endings=ENDINGS,
         ),
         Command(
             "view",
@@ -160,9 +159,9 @@ COMMANDS = {
             "show the robot in the browser, and again at each save",
             "Show a robot in the browser, and show it again whenever one of its files is saved. "
             "Ctrl-C ends it.",
-            words=ANY_FILE_WORDS,
+            words=FILE_WORDS,
             is_safe=True,
-            endings=ROBOT_ENDINGS,
+            endings=ENDINGS,
         ),
         Command(
             "watch",
@@ -170,7 +169,7 @@ COMMANDS = {
             "compile again at each save, and report each build",
             "Compile a file now and whenever one of its files is saved. Ctrl-C ends it.",
             words=FILE_WORDS,
-            endings=YAML_ENDINGS,
+            endings=ENDINGS,
             examples=("yamaro watch robot.yaml -o robot.urdf",),
         ),
         Command(
@@ -179,9 +178,9 @@ COMMANDS = {
             "draw the robot as a PNG, GIF or MP4",
             "Draw a robot. Needs no display and no browser, but the Python packages of "
             "yamaro[picture].",
-            words=ANY_FILE_WORDS,
+            words=FILE_WORDS,
             is_safe=True,
-            endings=ROBOT_ENDINGS,
+            endings=ENDINGS,
             examples=(
                 "yamaro picture robot.yaml -o robot.png",
                 "yamaro picture robot.yaml -o sheet.png --view iso,front,left,top --size 400x300",

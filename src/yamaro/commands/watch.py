@@ -22,7 +22,6 @@ def run(arguments: Arguments, streams: Streams) -> int:
         streams,
         lambda rebuilder: _watch(arguments, streams, rebuilder),
         looks=False,
-        takes_xml=False,
     )
 
 

@@ -673,7 +673,7 @@ class Interpreter:
         self._enter(frame, node.path_span)
         try:
             if is_xacro:
-                root = self._expanded(source, passed, node, scope, frame)
+                root = self._expanded(root, passed, node, scope, frame)
                 content = root.children
             else:
                 content = xml_content(root, passed.get("prefix"), frame)
@@ -687,16 +687,17 @@ class Interpreter:
 
     def _expanded(
         self,
-        source: Source,
+        root: Element,
         passed: dict[str, Any],
         node: IncludeNode,
         scope: Scope,
         frame: Frame,
     ) -> Element:
-        """Return the root of what a xacro file expands to."""
+        """Return the root of what a xacro file expands to, given its own."""
         from ..xacro.expansion import expand
         from .xacro_host import XacroHost
 
+        source = root.span.source
         host = XacroHost(
             self.files, self.messages, self.limits, main=source, has_environment=self.safety is None
         )
@@ -708,7 +709,7 @@ class Interpreter:
         if node.namespace is not None:
             arguments["namespace"] = str(namespace_of(node, scope, self.values))
         places = {each.name: each.span for each in node.arguments if each.name is not None}
-        return expand(source, host, arguments, self.reporter, frame=frame, places=places)
+        return expand(source, host, arguments, self.reporter, root=root, frame=frame, places=places)
 
     def _trace_into(self, error: YamaroError, node: IncludeNode) -> None:
         """Note the include that led to an error in a file that cannot even be read as text."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 
 from ..diagnostics import INHERITED, did_you_mean, failure
-from ..xmlreader import read_xml
+from ..xmlreader import CData, read_xml
 from ..xmltree import Element, Text, format_value
 
 TYPE_CHECKING = False
@@ -24,14 +24,16 @@ def read_included(source: Source, limits: Limits) -> tuple[Element, bool]:
     """Return the root of an XML file, and whether the file is xacro's.
 
     It is if its name says so, if it has one of xacro's tags, or if it declares them and has one of
-    xacro's expressions: many such files are called `.urdf`.
+    xacro's expressions: many such files are called `.urdf`. The root of such a file is read
+    exactly, as its expansion needs it.
 
     Raises:
         YamaroError: it is no XML.
     """
-    root = read_xml(source, limits).root
-    is_called_xacro = source.path.lower().endswith(".xacro")
-    return root, is_called_xacro or is_xacro(root)
+    if source.path.lower().endswith(".xacro"):
+        return read_xml(source, limits, exact=True).root, True
+    root = read_xml(source, limits, exact="xacro:" in source.text).root
+    return root, is_xacro(root)
 
 
 def is_xacro(root: Element) -> bool:
@@ -138,7 +140,10 @@ def _prefixes_in(element: Element) -> list[str]:
 
 
 def _tidy(root: Element) -> None:
-    """Leave out the white space between elements, and let them inherit what led to the root."""
+    """Leave out the white space between elements, and let them inherit what led to the root.
+
+    CDATA sections become plain text, which the writer knows.
+    """
     pending = [root]
     while pending:
         element = pending.pop()
@@ -146,6 +151,9 @@ def _tidy(root: Element) -> None:
         inner = [child for child in element.children if isinstance(child, Element)]
         if inner or element is root:
             element.children = [child for child in element.children if not _is_space(child)]
+        for index, child in enumerate(element.children):
+            if type(child) is CData:
+                element.children[index] = Text(child.value, child.span)
         pending += inner
 
 

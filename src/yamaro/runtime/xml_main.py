@@ -1,4 +1,4 @@
-"""A URDF or xacro file as the main file, for the tools that look at robots of any source."""
+"""A URDF or xacro file as the main file."""
 
 from __future__ import annotations
 
@@ -48,7 +48,7 @@ def run_xml_main(
             files, interpreter.messages, limits, main=source, has_environment=safety is None
         )
         interpreter.has_frames = True  # those of macros
-        return expand(source, host, arguments, reporter, places=places), True
+        return expand(source, host, arguments, reporter, root=root, places=places), True
     finally:
         interpreter.messages.close()
         files.close()

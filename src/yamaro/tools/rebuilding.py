@@ -78,7 +78,6 @@ class Rebuilder:
         strict: bool = False,
         advice: bool = False,
         has_root: bool = False,
-        takes_xml: bool = False,
     ) -> None:
         """Name the main file; see `yamaro.build`."""
         self.path = path
@@ -89,7 +88,6 @@ class Rebuilder:
         self._strict = strict
         self._advice = advice
         self._has_root = has_root
-        self._takes_xml = takes_xml
         self._program: Program | None = None
         self._watch = FileWatch()
         self._last: Turn | None = None
@@ -116,9 +114,7 @@ class Rebuilder:
         return turn
 
     def _try(self, variables: Mapping[str, object]) -> Turn:
-        program = self._program or Program(
-            self.path, policy=self.policy, packages=self.packages, takes_xml=self._takes_xml
-        )
+        program = self._program or Program(self.path, policy=self.policy, packages=self.packages)
         self._program = program  # another thread may want it forgotten meanwhile
         try:
             build = program.build(

@@ -45,6 +45,7 @@ def expand(
     arguments: Mapping[str, str],
     reporter: Reporter,
     *,
+    root: Element | None = None,
     python: Python | None = None,
     frame: Frame | None = None,
     places: Mapping[str, Span] | None = None,
@@ -58,6 +59,7 @@ def expand(
         host: gives other files, packages and the environment.
         arguments: values for `<xacro:arg>`, by name.
         reporter: collects warnings.
+        root: the root of the file, if it was read before (`read_xml`, exactly).
         python: evaluates expressions, if not as Python does.
         frame: the include that led to the file, if one did.
         places: where arguments are given; those that the file does not know are warned of there.
@@ -66,7 +68,7 @@ def expand(
         YamaroError: the file cannot be expanded; the first fault, with its place.
     """
     evaluator = Evaluator(host, reporter, python or Python(host.limits), arguments)
-    root = Expansion(host, reporter, evaluator, frame).expand(source)
+    result = Expansion(host, reporter, evaluator, frame).expand(source, root)
     known = evaluator.arguments.used
     for name, span in (places or {}).items():
         if name not in known:
@@ -77,7 +79,7 @@ def expand(
                 hint=did_you_mean(name, sorted(known)) or _list_of(known),
                 trace=frame.parent if frame else None,
             )
-    return root
+    return result
 
 
 def _list_of(arguments: Iterable[str]) -> str:
@@ -112,9 +114,10 @@ class Expansion:
         self.depth = 0
         self._walked = 0
 
-    def expand(self, source: Source) -> Element:
-        """Return the root element of the file, expanded."""
-        root = read_xml(source, self.limits, exact=True).root
+    def expand(self, source: Source, root: Element | None = None) -> Element:
+        """Return the root element of the file, expanded; `root` is its own, if it was read."""
+        if root is None:
+            root = read_xml(source, self.limits, exact=True).root
         self.evaluator.files.append(source.path)
         namespace = root.attributes.get("xacro:targetNamespace")
         if namespace:
