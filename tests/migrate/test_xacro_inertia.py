@@ -67,7 +67,8 @@ def test_a_link_whose_collision_is_the_solid_has_a_mass_only(tmp_path: Path) -> 
 def test_a_solid_that_is_not_the_geometry_stands_in_the_inertial(tmp_path: Path) -> None:
     made = migrated_for(
         tmp_path,
-        f"""{N}{CYLINDER}
+        f"""{N}
+        {CYLINDER}
         <link name="a_link">
           <visual><geometry><mesh filename="a.stl"/></geometry></visual>
           <xacro:cylinder radius="0.1" length="$(arg n)" mass="3" xyz="0 0 ${{$(arg n)/2}}"/>
@@ -199,7 +200,9 @@ def test_a_function_that_is_called_elsewhere_stays(tmp_path: Path) -> None:
     origin = '<origin xyz="0 0 0" rpy="0 0 0"/>'
     made = migrated_for(
         tmp_path,
-        f"""{BALL}{BOX}<!-- Copyright: its makers -->{CYLINDER}
+        f"""{BALL}{BOX}
+        <!-- Copyright: its makers -->
+        {CYLINDER}
         <link name="a_link"><xacro:ball m="1" r="2">{origin}</xacro:ball></link>
         <link name="b_link">
           <xacro:property name="r" value="2"/><xacro:ball m="1" r="${{r}}">{origin}</xacro:ball>

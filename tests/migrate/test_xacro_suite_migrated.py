@@ -35,6 +35,7 @@ def test_most_of_what_xacro_is_tested_with_can_be_migrated(tmp_path: Path) -> No
                 arguments=arguments,
                 packages=document.packages,
                 limits=Limits(),
+                exact=True,
             )
         except YamaroError as error:
             is_syntax = error.diagnostics[0].code == "xml-syntax"

@@ -41,7 +41,8 @@ def compare(
     Args:
         expected: the robot, or an element of it.
         actual: what is compared with it.
-        exact: whether a missing `<origin>`, or a missing `xyz` or `rpy` in one, differs from zeros.
+        exact: whether a missing `<origin>`, or a missing `xyz` or `rpy` in one, differs from zeros,
+            and a declared prefix of XML that no name has is a difference.
         around: the names of the elements that an element of a robot is in.
     """
     return _compared(expected, actual, exact=exact, around=around).differences
@@ -55,7 +56,8 @@ def count_defaults(expected: Element, actual: Element) -> int:
 def _compared(
     expected: Element, actual: Element, *, exact: bool, around: tuple[str, ...] = ()
 ) -> _Comparison:
-    comparison = _Comparison(exact, _prefixes_in(expected) | _prefixes_in(actual), around)
+    prefixes = None if exact else prefixes_in(expected) | prefixes_in(actual)
+    comparison = _Comparison(exact, prefixes, around)
     comparison.compare(expected, actual, ())
     return comparison
 
@@ -63,7 +65,7 @@ def _compared(
 class _Comparison:
     """Compares two trees, and collects what differs."""
 
-    def __init__(self, exact: bool, prefixes: set[str], around: tuple[str, ...]) -> None:
+    def __init__(self, exact: bool, prefixes: set[str] | None, around: tuple[str, ...]) -> None:
         self._exact = exact
         self._prefixes = prefixes
         self._around = list(around)
@@ -142,23 +144,19 @@ class _Comparison:
     ) -> None:
         for name, value in first.items():
             if name not in second:
-                if not self._is_unused(name):
+                if is_used(name, self._prefixes):
                     self._note(path, f"'{name}' is missing")
             elif not same_words(value, second[name]):
                 self._note(path, f"'{name}' is {second[name]!r}, not {value!r}")
         for name in second:
-            if name not in first and not self._is_unused(name):
+            if name not in first and is_used(name, self._prefixes):
                 self._note(path, f"'{name}' should not be there")
-
-    def _is_unused(self, attribute: str) -> bool:
-        """Tell whether an attribute declares a prefix of XML that no name has."""
-        return attribute.startswith("xmlns:") and attribute.partition(":")[2] not in self._prefixes
 
     def _note(self, path: tuple[str, ...], message: str) -> None:
         self.differences.append(Difference(path, message))
 
 
-def _prefixes_in(root: Element) -> set[str]:
+def prefixes_in(root: Element) -> set[str]:
     """Return the prefixes of XML that names in a document have."""
     prefixes: set[str] = set()
     pending = [root]
@@ -168,6 +166,16 @@ def _prefixes_in(root: Element) -> set[str]:
         names = [name for name in element.attributes if not name.startswith("xmlns:")]
         prefixes.update(name.partition(":")[0] for name in (element.name, *names) if ":" in name)
     return prefixes
+
+
+def is_used(attribute: str, prefixes: set[str] | None) -> bool:
+    """Tell whether an attribute does more than declare a prefix of XML that no name has.
+
+    If it is not known which prefixes names have, it does.
+    """
+    if prefixes is None or not attribute.startswith("xmlns:"):
+        return True
+    return attribute.removeprefix("xmlns:") in prefixes
 
 
 def values_of(element: Element) -> dict[str, str]:

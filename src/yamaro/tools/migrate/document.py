@@ -28,7 +28,7 @@ _FLOW = frozenset(",[]{}")
 class Body:
     """A mapping of the language: entries in order, whose keys may come again."""
 
-    __slots__ = ("entries", "in_braces", "remark", "width")
+    __slots__ = ("entries", "in_braces", "latest", "opening", "remark", "width")
 
     def __init__(
         self, entries: Iterable[Entry] = (), *, in_braces: bool = False, width: int = WIDTH
@@ -39,6 +39,10 @@ class Body:
         self.width = width
         self.remark = ""
         """A comment for the entry that comes next, or below the last one."""
+        self.opening = ""
+        """A comment at the end of the line whose key the body is below."""
+        self.latest: Entry | None = None
+        """What was written last: a comment at the end of a line belongs to it."""
 
     def add(self, key: str, value: Value = None) -> None:
         """Append an entry."""
@@ -49,16 +53,25 @@ class Body:
         entry.comment = joined(self.remark, entry.comment)
         self.remark = ""
         self.entries.append(entry)
+        self.latest = entry
 
     def note(self, comment: str) -> None:
         """Remark something about what comes next."""
         self.remark = joined(self.remark, comment)
 
+    def note_end(self, comment: str) -> None:
+        """Remark something at the end of the line of what was written last."""
+        if self.latest is not None:
+            self.latest.note_end(comment)
+        else:
+            self.note(comment)
+
     def extend(self, other: Body) -> None:
-        """Append the entries of another body, and what is remarked at its end."""
+        """Append the entries of another body, and what is remarked around them."""
         for entry in other.entries:
             self.append(entry)
         self.note(other.remark)
+        self.opening = spaced(self.opening, other.opening)
 
     def __iter__(self) -> Iterator[Entry]:
         """Run over the entries."""
@@ -66,7 +79,7 @@ class Body:
 
     def __bool__(self) -> bool:
         """Tell whether there is anything in it."""
-        return bool(self.entries or self.remark)
+        return bool(self.entries or self.remark or self.opening)
 
 
 Value = Body | str | None
@@ -92,15 +105,35 @@ class Row(str):
 
 
 class Entry:
-    """A key with its value; `comment` is what YAML comments above it say, line by line."""
+    """A key with its value.
 
-    __slots__ = ("comment", "key", "value")
+    Attributes:
+        key: as it is written.
+        value: a text is in the language's own spelling (see `literal`).
+        comment: what YAML comments above it say, line by line.
+        ending: what the comment at the end of its first line says.
+    """
+
+    __slots__ = ("comment", "ending", "key", "value")
 
     def __init__(self, key: str, value: Value = None, comment: str = "") -> None:
-        """Hold them; a text is in the language's own spelling (see `literal`)."""
+        """Hold them."""
         self.key = key
         self.value = value
         self.comment = comment
+        self.ending = ""
+
+    def note_end(self, comment: str) -> None:
+        """Remark something at the end of the first line, or above it if it takes several."""
+        if "\n" in comment:
+            self.comment = joined(self.comment, comment)
+        else:
+            self.ending = spaced(self.ending, comment)
+
+
+def spaced(*comments: str) -> str:
+    """Return comments one after the other."""
+    return " ".join(filter(None, comments))
 
 
 def joined(*comments: str) -> str:
@@ -211,6 +244,26 @@ def _write_entries(body: Body, margin: str, out: list[str]) -> None:
 
 def _write_entry(entry: Entry, head: str, margin: str, out: list[str]) -> None:
     """Write an entry that begins with `head` and whose further lines stand at `margin`."""
+    lines: list[str] = []
+    remarks: list[str] = []
+    takes_comment = _write_pair(entry, head, margin, lines, remarks)
+    ending = entry.ending
+    if isinstance(entry.value, Body):
+        ending = spaced(entry.value.opening, ending)
+    above = head.removesuffix("- ")
+    _write_comment("\n".join(remarks), above, out)
+    if ending and takes_comment and len(lines[0]) + len(ending) + 4 <= WIDTH:
+        lines[0] += f"  # {ending}"
+    else:
+        _write_comment(ending, above, out)
+    out += lines
+
+
+def _write_pair(entry: Entry, head: str, margin: str, out: list[str], remarks: list[str]) -> bool:
+    """Write key and value, and tell whether a comment may be at the end of the first line.
+
+    What is remarked in a mapping in braces is added to `remarks`.
+    """
     key = _scalar(entry.key, in_flow=False)
     if len(key) > LONGEST_KEY:
         out.append(f"{head}? {key}")
@@ -219,31 +272,33 @@ def _write_entry(entry: Entry, head: str, margin: str, out: list[str]) -> None:
     if value is None:
         out.append(f"{head}{key}:")
     elif isinstance(value, str):
-        _write_text(value, f"{head}{key}:", margin, out)
+        return _write_text(value, f"{head}{key}:", margin, out)
     else:
-        remarks: list[str] = []
         braces = _in_braces(value, remarks) if value.in_braces else None
         line = f"{head}{key}: {braces}"
         if braces is not None and len(line) <= value.width:
-            _write_comment("\n".join(remarks), head.removesuffix("- "), out)
             out.append(line)
-            return
+            return True
+        remarks.clear()
         out.append(f"{head}{key}:")
         _write_entries(value, f"{margin}  ", out)
+    return True
 
 
-def _write_text(text: str, head: str, margin: str, out: list[str]) -> None:
+def _write_text(text: str, head: str, margin: str, out: list[str]) -> bool:
+    """Write a text behind its key, and tell whether a comment may be at the end of that line."""
     if isinstance(text, Row) and len(head) + len(text) >= WIDTH and _is_plain(text, in_flow=False):
         out.append(head)
         out += [f"{margin}  {line}" for line in _wrapped(text.pieces, WIDTH - len(margin) - 2)]
-        return
+        return False
     lines = text.split("\n")
     if len(lines) == 1 or not all(line.isprintable() for line in lines):
         out.append(f"{head} {_scalar(text, in_flow=False)}")
-        return
+        return True
     indicator = "2" if lines[0].startswith(" ") else ""
     out.append(f"{head} |{indicator}-")
     out += [f"{margin}  {line}".rstrip() for line in lines]
+    return True
 
 
 def _wrapped(pieces: list[str], width: int) -> list[str]:
@@ -271,7 +326,9 @@ def _in_braces(body: Body, remarks: list[str]) -> str | None:
     for entry in body:
         if entry.key in keys or (entry.value is None and len(body.entries) > 1):
             return None
-        if entry.comment and pieces:  # it stands better right above its key
+        if entry.ending or (entry.comment and pieces):  # it is better right at its key
+            return None
+        if isinstance(entry.value, Body) and entry.value.opening:
             return None
         remarks += filter(None, [entry.comment])
         keys.add(entry.key)

@@ -2,22 +2,26 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from textwrap import dedent
 
 from ...syntax.names import STATEMENTS
 from ...xmltree import Comment, Element, Text, format_value
 from .compare import values_of
-from .document import Body, Entry, element_key, words_of
+from .document import Body, Entry, element_key, joined, spaced, words_of
 from .pairing import has_text
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Container, Iterator
+    from collections.abc import Callable, Container, Iterable, Iterator
 
     from ...xmlreader import XmlDocument
     from ...xmltree import Node
     from .document import Value
 
+
+Endings = Mapping[int, str]
+NO_ENDINGS: Endings = {}
 
 MOST_TEXTS = 3
 """Elements that hold a text each and stand in one line."""
@@ -40,7 +44,10 @@ class ElementWriter:
         """Return an element as it is, but for the space between numbers."""
         attributes = {name: tidy_value(name, value) for name, value in values_of(element).items()}
         bracketed = bracketed or needs_brackets(element.name, attributes)
-        return Entry(self.key(element.name, attributes, bracketed=bracketed), self.value(element))
+        entry = Entry(self.key(element.name, attributes, bracketed=bracketed), self.value(element))
+        if isinstance(entry.value, str):
+            note_comments(element, entry)
+        return entry
 
     def key(self, name: str, attributes: dict[str, str], *, bracketed: bool = False) -> str:
         """Return the key of an element."""
@@ -52,18 +59,19 @@ class ElementWriter:
         """Return what stands in an element."""
         if not has_text(element):
             return self.body(element.children)
-        if all(isinstance(child, Text) for child in element.children):
+        if not element.elements():
             return tidy_text(element.text())
         return self.body(element.children)
 
     def body(self, nodes: list[Node]) -> Body | None:
         """Return elements, texts and comments as a body, None if there are none."""
         body = Body()
+        endings = comments_at_ends(nodes)
         for node in _texts_joined(nodes):
             if isinstance(node, Element):
                 body.append(self.entry(node))
             else:
-                add_loose(node, body)
+                add_loose(node, body, endings)
         body.in_braces = is_short(body)
         return body or None
 
@@ -141,12 +149,64 @@ def spelled(element: Element, spell: Callable[[str], str]) -> Element:
     return copy
 
 
-def add_loose(node: Comment | Text, body: Body) -> None:
-    """Add a comment, or a text between elements if it is more than white space."""
-    if isinstance(node, Comment):
-        body.note(tidy_text(node.text))
-    elif text := tidy_text(format_value(node.value)):
-        body.add("<#text>", text)
+def add_loose(node: Comment | Text, body: Body, endings: Endings = NO_ENDINGS) -> None:
+    """Add a comment, or a text between elements if it is more than white space.
+
+    Args:
+        node: to add.
+        body: to which it is added.
+        endings: the comments at the ends of lines.
+    """
+    if isinstance(node, Text):
+        if text := tidy_text(format_value(node.value)):
+            body.add("<#text>", text)
+        return
+    text = tidy_text(node.text)
+    match endings.get(id(node)):
+        case None:
+            body.note(text)
+        case "opening" if "\n" not in text:
+            body.opening = spaced(body.opening, text)
+        case _:
+            body.note_end(text)
+
+
+def comments_at_ends(nodes: Iterable[Node]) -> Endings:
+    """Return, by identity, the comments at the ends of lines on which other things are.
+
+    Each is `opening` if it follows the opening tag around the nodes, and else `following`.
+    """
+    found: dict[int, str] = {}
+    pending: list[Comment] = []  # those after which the line may go on
+    kind = "opening"  # what is on the line so far, or nothing
+    for node in nodes:
+        if isinstance(node, Element):
+            kind, pending = "following", []
+        elif isinstance(node, Comment):
+            if kind:
+                pending.append(node)
+        else:
+            before, end, _ = format_value(node.value).partition("\n")
+            after = before if not end else format_value(node.value).rpartition("\n")[2]
+            if end and not before.strip():
+                found |= {id(comment): kind for comment in pending}
+            if end or before.strip():
+                kind, pending = "following" if after.strip() else "", []
+    found |= {id(comment): kind for comment in pending if kind}
+    return found
+
+
+def note_comments(element: Element, entry: Entry) -> None:
+    """Remark at an entry what comments in an element say that is put in other words."""
+    endings = comments_at_ends(element.children)
+    for child in element.children:
+        if not isinstance(child, Comment):
+            continue
+        text = tidy_text(child.text)
+        if id(child) in endings:
+            entry.note_end(text)
+        else:
+            entry.comment = joined(entry.comment, text)
 
 
 def comments_above(document: XmlDocument) -> str:

@@ -6,8 +6,11 @@ from ...xmltree import Comment, Element, Text, format_value
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Mapping
+
     from ...xmltree import Node
 
+    Endings = Mapping[int, str]
     Loose = Comment | Text
 
 
@@ -19,31 +22,36 @@ class Item:
         joint: the joint whose child the link is, or None.
         is_joint_first: whether the joint stands before the link.
         above: the comments, and stray text, that stand above.
+        beside: the comments at the ends of its lines.
     """
 
-    __slots__ = ("above", "element", "is_joint_first", "joint", "position")
+    __slots__ = ("above", "beside", "element", "is_joint_first", "joint", "position")
 
     def __init__(self, element: Element, position: int, above: list[Loose]) -> None:
         """Hold an element and its place among its siblings."""
         self.element = element
         self.position = position
         self.above = above
+        self.beside: list[Loose] = []
         self.joint: Element | None = None
         self.is_joint_first = True
 
 
-def pair(nodes: list[Node]) -> tuple[list[Item], list[Loose]]:
+def pair(nodes: list[Node], endings: Endings) -> tuple[list[Item], list[Loose]]:
     """Return what stands in a robot, joints together with their links, and the comments at its end.
+
+    Of these, `endings` has those at the ends of lines.
 
     URDF gives the order of joints among links no meaning; links keep their order among themselves,
     and so do joints and all the rest. A pair that would change that is left as two elements.
     """
-    items, loose = _items(nodes)
+    items, loose = _items(nodes, endings)
     links = [item for item in items if item.element.name == "link"]
     joints = [item for item in items if item.element.name == "joint"]
     pairs = _pairs_in_order(links, joints)
     for link, joint in pairs:
         link.joint = joint.element
+        link.beside += joint.beside
         link.is_joint_first = joint.position < link.position
         if abs(joint.position - link.position) == 1:
             first, second = (joint, link) if link.is_joint_first else (link, joint)
@@ -54,12 +62,13 @@ def pair(nodes: list[Node]) -> tuple[list[Item], list[Loose]]:
     return _ordered(items, {id(joint): link for link, joint in pairs}), loose
 
 
-def _items(nodes: list[Node]) -> tuple[list[Item], list[Loose]]:
+def _items(nodes: list[Node], endings: Endings) -> tuple[list[Item], list[Loose]]:
     items: list[Item] = []
     above: list[Loose] = []
     for node in nodes:
         if not isinstance(node, Element):
-            above.append(node)
+            is_beside = items and endings.get(id(node)) == "following"
+            (items[-1].beside if is_beside else above).append(node)
         else:
             items.append(Item(node, len(items), above))
             above = []

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from ...robot.mesh import MESH_ENDINGS, mesh_ending
-from ...xmltree import Comment, Element, Text, format_value
+from ...xmltree import Element, Text, format_value
 from .compare import POSE, ZEROS, same_words, values_of
-from .document import RECORD_WIDTH, Body, Entry, joined, without_expressions, words_of
-from .elements import ElementWriter, add_loose
+from .document import RECORD_WIDTH, Body, Entry, joined, spaced, without_expressions, words_of
+from .elements import ElementWriter, add_loose, comments_at_ends, note_comments
 from .pairing import has_text, name_of
 from .solids import is_inertia_of
 
@@ -160,7 +160,7 @@ class PartWriter:
         body.add("type", kind)
         rest = Body()
         seen: dict[str, Element] = {}
-        remarks: dict[str, str] = {}
+        remarks: dict[str, Entry] = {}
 
         def write(child: Element, out: Body) -> None:
             if child.name in ("parent", "child", "origin"):
@@ -271,17 +271,17 @@ class PartWriter:
         if plan.pose is None:
             self._add_pose(section, optional_child(section, "origin"), body)
         rest = Body()
-        remarks: dict[str, str] = {}
+        remarks: dict[str, Entry] = {}
 
         def write(child: Element, out: Body) -> None:
             if child.name not in ("geometry", "origin"):
                 out.append(self._section_child(child))
                 return
-            if child.name == "geometry" and own is not None:
-                add_comments(child, out)
-            elif child.name == "geometry":
+            if child.name == "geometry" and own is None:
                 body.entries.append(self._elements.entry(child, bracketed=True))
-            _take_remark(child, out, remarks)
+                _take_remark(child.with_children([]), out, remarks)
+            else:
+                _take_remark(child, out, remarks)
 
         self._write_all(section, rest, write)
         _add_remarks(remarks, body)
@@ -303,7 +303,7 @@ class PartWriter:
             pose = Body()
             self._add_pose(inertial, optional_child(inertial, "origin"), pose)
             body.entries[1:1] = pose.entries
-        remarks: dict[str, str] = {}
+        remarks: dict[str, Entry] = {}
 
         def write(child: Element, out: Body) -> None:
             if child.name in ("origin", "mass", "inertia"):
@@ -323,11 +323,12 @@ class PartWriter:
         self, owner: Element, body: Body, write: Callable[[Element, Body], None]
     ) -> None:
         """Write each element in a joint, link or section by `write`, and what is beside them."""
+        endings = comments_at_ends(owner.children)
         for child in owner.children:
             if isinstance(child, Element):
                 write(child, body)
             else:
-                add_loose(child, body)
+                add_loose(child, body, endings)
 
     def _is_first(self, child: Element, owner: Element, seen: dict[str, Element]) -> bool:
         """Tell whether an element is no second one of its name, for which there is no key."""
@@ -350,24 +351,36 @@ class PartWriter:
             body.entries.append(self._elements.entry(origin, bracketed=True))
 
 
-_KEYS_OF = {"origin": ("xyz", "rpy", "origin")}
+_KEYS_OF = {
+    "child": ("parent",),
+    "geometry": ("scale", "geometry"),
+    "origin": ("xyz", "rpy", "origin"),
+}
 """The keys that an element becomes, where these are not its name."""
 
 
-def _take_remark(child: Element, out: Body, remarks: dict[str, str]) -> None:
-    """Take what is remarked above an element that is put in other words."""
-    remarks[child.name], out.remark = out.remark, ""
+def _take_remark(child: Element, out: Body, remarks: dict[str, Entry]) -> None:
+    """Take what is remarked at an element that is put in other words."""
+    taken = remarks[child.name] = Entry(child.name, comment=out.remark)
+    note_comments(child, taken)
+    out.remark = ""
+    out.latest = taken
 
 
-def _add_remarks(remarks: dict[str, str], body: Body) -> None:
-    """Put what was remarked above elements above the keys that they became, or else on top."""
+def _add_remarks(remarks: dict[str, Entry], body: Body) -> None:
+    """Put what was remarked at elements at the keys that they became, or else on top."""
     for name, remark in remarks.items():
         keys = _KEYS_OF.get(name, (name,))
         made = [own for own in body if own.key.strip("<>").partition("/")[0] in keys]
-        for entry in (made or body.entries)[:1]:
-            entry.comment = joined(entry.comment, remark)
-        if not body.entries:
-            body.note(remark)
+        if made:
+            made[0].comment = joined(made[0].comment, remark.comment)
+            made[-1].ending = spaced(made[-1].ending, remark.ending)
+            continue
+        homeless = joined(remark.comment, remark.ending)
+        if body.entries:
+            body.entries[0].comment = joined(body.entries[0].comment, homeless)
+        else:
+            body.note(homeless)
 
 
 def pose_of(origin: Element | None, *, exact: bool) -> dict[str, str] | None:
@@ -534,13 +547,6 @@ def material_entry(material: Element) -> Entry | None:
 def child_named(element: Element, name: str) -> Element:
     """Return the child of a name, which there is."""
     return next(child for child in element.elements() if child.name == name)
-
-
-def add_comments(element: Element, body: Body) -> None:
-    """Remark in a body what comments in an element say that is put in other words."""
-    for child in element.children:
-        if isinstance(child, Comment):
-            add_loose(child, body)
 
 
 def optional_child(element: Element, name: str) -> Element | None:

@@ -4,9 +4,17 @@ from __future__ import annotations
 
 from ...diagnostics import YamaroError
 from ...xmltree import Element
-from .compare import compare, count_defaults, values_of
+from .compare import compare, count_defaults, is_used, prefixes_in, values_of
 from .document import RECORD_WIDTH, Body, Entry, Quoted, Value, element_key, literal, write_document
-from .elements import ElementWriter, add_loose, comments_above, spelled, tidy_text, walk
+from .elements import (
+    ElementWriter,
+    add_loose,
+    comments_above,
+    comments_at_ends,
+    spelled,
+    tidy_text,
+    walk,
+)
 from .pairing import Item, is_bare, name_of, pair
 from .parts import Names, NoPart, PartWriter, is_short_material, material_entry
 
@@ -114,14 +122,17 @@ def _written(document: XmlDocument, root: Element, plain: set[int], *, exact: bo
     if root.name == "robot":
         model = _Model(root, elements, variables, plain, exact=exact).body()
     sections = Body()
-    attributes = values_of(root)
+    used = None if exact else prefixes_in(root)
+    attributes = {name: value for name, value in values_of(root).items() if is_used(name, used)}
     if variables.declared:
         sections.add("variables", variables.declared)
     if model is None or list(attributes) != ["name"] or not _is_plain_name(attributes["name"]):
         key = element_key(root.name, attributes, bracketed="name" not in attributes)
         sections.add(key, elements.value(root) if model is None else model or None)
     else:
-        sections.entries.insert(0, Entry("robot", attributes["name"]))
+        robot = Entry("robot", attributes["name"])
+        robot.ending, model.opening = model.opening, ""
+        sections.entries.insert(0, robot)
         sections.add("model", model or None)
     for comment in document.after:
         sections.note(tidy_text(comment.text))
@@ -151,18 +162,21 @@ class _Model:
         self._parts = PartWriter(elements, self._names, variables.material, exact=exact)
 
     def body(self) -> Body:
-        items, loose = pair(self._root.children)
+        endings = comments_at_ends(self._root.children)
+        items, loose = pair(self._root.children, endings)
         for item in items:  # parents and mimics may be named before their parts are written
             if item.element.name == "link" and not (self._is_plain(item) or is_bare(item)):
                 self._names.add(item.element, item.joint)
         body = Body()
         for item in items:
             for node in item.above:
-                add_loose(node, body)
+                add_loose(node, body, endings)
             for entry in self._entries(item):
                 body.append(entry)
+            for node in item.beside:
+                add_loose(node, body, endings)
         for node in loose:
-            add_loose(node, body)
+            add_loose(node, body, endings)
         return body
 
     def _entries(self, item: Item) -> list[Entry]:

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from ...syntax.names import is_identifier
-from ...xmltree import Element, format_value
-from .document import Body
+from ...xmltree import Comment, Element, format_value
+from .document import Body, Entry
+from .elements import add_loose, comments_at_ends
 from .xacro_parts import is_statement
 from .xacro_program import camel
 from .xacro_python import CannotMigrate
@@ -73,6 +74,8 @@ def _add_forwarded(writer: FileWriter, node: Element, macro: Macro, arguments: B
 def _add_blocks(writer: FileWriter, node: Element, macro: Macro, arguments: Body) -> None:
     given = [child for child in node.children if isinstance(child, Element)]
     blocks = macro.blocks()
+    remarks = _remarks_on(node)
+    arguments.opening = remarks.opening
     if len(blocks) != len(given):
         if len(blocks) != 1 or blocks[0].startswith("**"):
             raise CannotMigrate(f"the blocks of '{macro.name}' are computed")
@@ -82,7 +85,7 @@ def _add_blocks(writer: FileWriter, node: Element, macro: Macro, arguments: Body
         ):
             arguments.add(block_name(writer, own), writer.body(node.children))
         return
-    for block, child in zip(blocks, given, strict=True):
+    for block, child, remark in zip(blocks, given, remarks, strict=True):
         name = block_name(writer, block.lstrip("*"))
         is_content = block.startswith("**")
         if is_content and is_statement(child):
@@ -92,7 +95,21 @@ def _add_blocks(writer: FileWriter, node: Element, macro: Macro, arguments: Body
             content = writer.body(child.children if is_content else [child])
         if content is not None and not is_content:
             content.in_braces = False
-        arguments.add(name, content)
+        arguments.append(Entry(name, content, remark.comment))
+        arguments.note_end(remark.ending)
+    arguments.note(remarks.remark)
+
+
+def _remarks_on(node: Element) -> Body:
+    """Return an entry for each child of an element that has no more than the comments on it."""
+    remarks = Body()
+    endings = comments_at_ends(node.children)
+    for child in node.children:
+        if isinstance(child, Element):
+            remarks.add("")
+        elif isinstance(child, Comment):
+            add_loose(child, remarks, endings)
+    return remarks
 
 
 def write_call_by_name(writer: FileWriter, node: Element, body: Body) -> None:

@@ -11,7 +11,7 @@ from .xacro_calls import block_name, place_of_block
 from .xacro_loops import find_loop
 from .xacro_program import Macro, names_in
 from .xacro_python import CannotMigrate, is_typed
-from .xacro_surroundings import body_of_last, names_of
+from .xacro_surroundings import body_of_last, move_opening, names_of
 
 PREDEFINED = frozenset(CONSTANTS) | {"load_yaml", "find", "math", "xacro", "python", "arg"}
 SCOPES = {"global": "/global", "parent": "/parent"}
@@ -29,6 +29,7 @@ def write_argument(writer: FileWriter, node: Element, body: Body) -> None:
     where it stands, if there is no value yet.
     """
     body.remark = ""
+    body.latest = Entry("")  # it takes the comments at the end of the line
     name = format_value(node.attributes.get("name"))
     if not is_late(writer, name) or "default" not in node.attributes:
         return
@@ -100,6 +101,7 @@ def write_property(writer: FileWriter, node: Element, body: Body) -> None:
     else:
         body.entries[-1].comment = remark
     variables.add(name + scope, value)
+    body.latest = variables.latest
     _sort(writer, variables, name, text)
 
 
@@ -132,6 +134,7 @@ def _define_block(writer: FileWriter, node: Element, name: str, body: Body) -> N
     writer.functions.note(body.remark)
     body.remark = ""
     writer.functions.add(block_name(writer, name) + scope, function)
+    body.latest = writer.functions.latest
 
 
 def write_macro(writer: FileWriter, node: Element, body: Body) -> None:
@@ -155,12 +158,14 @@ def write_macro(writer: FileWriter, node: Element, body: Body) -> None:
     shared = [own for own in macro.values() if _is_handed_down(writer, own, macro)]
     if shared:
         _declare_first(content, [Entry(f"{own}/child", f"$({own})") for own in shared])
+    move_opening(content, function)
     function.add("body", content or None)
     key = macro.function + writer.scope_of(f"xacro:{name}")
     target = writer.functions if writer.here.is_top else body_of_last(body, "functions")
     target.note(body.remark)
     body.remark = ""
     target.add(key, function)
+    body.latest = target.latest
 
 
 def _loop(writer: FileWriter, macro: Macro) -> Body | None:

@@ -6,8 +6,9 @@ import os
 
 from ...syntax.names import STATEMENTS
 from ...xmltree import format_value
+from .compare import is_used, prefixes_in
 from .document import Body, Entry, joined, literal
-from .elements import comments_above, walk
+from .elements import comments_above, tidy_text, walk
 from .xacro_definitions import PREDEFINED, is_late
 from .xacro_python import CannotMigrate
 from .xacro_surroundings import names_of
@@ -36,6 +37,8 @@ def sections_of(writer: FileWriter, *, is_main: bool) -> Body:
         _add_root(writer, root, sections, model)
     elif model or not sections:
         sections.add("model", model or None)
+    for comment in writer.program.documents[writer.path].after:
+        sections.note(tidy_text(comment.text))
     return sections
 
 
@@ -57,6 +60,7 @@ def _arguments(writer: FileWriter) -> Body:
         if is_late(writer, name):
             body.note(argument.remark)
             body.add(f"{writer.variable(name)}/global")
+            body.note_end(argument.ending)
             continue
         try:
             default = argument.default
@@ -67,6 +71,7 @@ def _arguments(writer: FileWriter) -> Body:
             continue
         body.note(argument.remark)
         body.add(writer.variable(name) + writer.scope_of(name), value or "")
+        body.note_end(argument.ending)
     for name in writer.program.arguments:
         if name in writer.program.hidden.used:
             own = writer.variable(name)
@@ -120,14 +125,18 @@ def _add_root(writer: FileWriter, root: Element, sections: Body, model: Body) ->
         for name, value in root.attributes.items()
         if not name.startswith(("xmlns:xacro", "xacro:"))
     }
+    used = None if writer.program.exact else prefixes_in(writer.program.result)
     for name, value in writer.program.result.attributes.items():
         if name.startswith("xmlns:"):  # other files may declare prefixes
             attributes.setdefault(name, literal(format_value(value)))
+    attributes = {name: value for name, value in attributes.items() if is_used(name, used)}
     namespace = root.attributes.get("xacro:targetNamespace")
     if namespace:
         attributes["xmlns"] = writer.translator.text(format_value(namespace))
     if root.name == "robot" and list(attributes) == ["name"]:
-        sections.entries.insert(0, Entry("robot", attributes["name"]))
+        robot = Entry("robot", attributes["name"])
+        robot.ending, model.opening = model.opening, ""
+        sections.entries.insert(0, robot)
         sections.add("model", model or None)
         return
     key = writer.key(root.name, attributes, bracketed="name" not in attributes)

@@ -11,7 +11,7 @@ from ...robot.urdf import JOINT_TYPES
 from ...xmltree import Comment, Element, Text, format_value
 from .compare import values_of
 from .document import Body, Entry
-from .elements import ElementWriter, add_loose, walk
+from .elements import ElementWriter, add_loose, comments_at_ends, walk
 from .pairing import has_text, pair
 from .parts import (
     MOMENTS,
@@ -35,6 +35,7 @@ if TYPE_CHECKING:
     from typing import Protocol
 
     from ...xmltree import Node
+    from .elements import Endings
     from .parts import LinkPlan
     from .xacro_contents import Contents, Counts
     from .xacro_inertia import SolidInertia, Solids
@@ -71,8 +72,10 @@ class Step:
         self.is_joint_first = is_joint_first
 
 
-def in_steps(nodes: list[Node], contents: Contents) -> Iterator[Step]:
+def in_steps(nodes: list[Node], endings: Endings, contents: Contents) -> Iterator[Step]:
     """Return nodes in order, links and joints together that make a part.
+
+    Comments at the ends of lines, which `endings` has, stay with what they follow.
 
     A statement may make links and joints, or set what an expression reads, so that nothing is moved
     past one.
@@ -80,24 +83,26 @@ def in_steps(nodes: list[Node], contents: Contents) -> Iterator[Step]:
     run: list[Node] = []
     for node in nodes:
         if isinstance(node, Element) and (is_statement(node) or contents.sets_variables(node)):
-            yield from _paired(run)
+            yield from _paired(run, endings)
             yield Step(node)
             run = []
         else:
             run.append(node)
-    yield from _paired(run)
+    yield from _paired(run, endings)
 
 
-def _paired(run: list[Node]) -> Iterator[Step]:
+def _paired(run: list[Node], endings: Endings) -> Iterator[Step]:
     if not any(isinstance(node, Element) and node.name == "joint" for node in run):
         for node in run:
             yield Step(node)
         return
-    items, loose = pair(run)
+    items, loose = pair(run, endings)
     for item in items:
         for above in item.above:
             yield Step(above)
         yield Step(item.element, item.joint, is_joint_first=item.is_joint_first)
+        for beside in item.beside:
+            yield Step(beside)
     for below in loose:
         yield Step(below)
 
@@ -250,9 +255,11 @@ class XacroPartWriter(PartWriter):
             else:
                 write(child, out)
 
+        original = self._originals[id(owner)][1]  # its texts tell where lines end
+        endings = comments_at_ends(original.children)
         for child in owner.children:
             if not isinstance(child, Element):
-                add_loose(child, body)
+                add_loose(child, body, endings)
             elif is_statement(child):
                 self._host.write_statement(child, body, place)
             else:

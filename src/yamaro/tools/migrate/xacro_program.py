@@ -16,7 +16,8 @@ from ...xacro.literals import guess_value
 from ...xacro.parameters import Parameter, parse_parameters
 from ...xacro.python import Python
 from ...xmltree import Comment, Element, format_value
-from .elements import tidy_text, walk
+from .document import spaced
+from .elements import comments_at_ends, tidy_text, walk
 from .xacro_arguments import HiddenArguments
 from .xacro_data import with_plain_units
 from .xacro_includes import folder_meant
@@ -74,16 +75,18 @@ class Argument:
     Attributes:
         span: where it is declared first.
         remark: the comments above that.
+        ending: those at the end of its line.
         defaults: what it is if it is not given; several, if it is not known which counts.
         made_of: the names that its defaults read.
     """
 
-    __slots__ = ("defaults", "made_of", "remark", "span")
+    __slots__ = ("defaults", "ending", "made_of", "remark", "span")
 
     def __init__(self, span: Span, remark: str) -> None:
         """Hold what its first declaration says."""
         self.span = span
         self.remark = remark
+        self.ending = ""
         self.defaults: list[str] = []
         self.made_of: set[str] = set()
 
@@ -273,13 +276,20 @@ class Program:
     def _gather_arguments(self, element: Element) -> None:
         """Note the arguments that are declared in an element, with the comments above them."""
         remarks: list[str] = []
+        latest: Argument | None = None
+        endings = comments_at_ends(element.children)
         for child in element.children:
-            if isinstance(child, Comment):
-                remarks.append(tidy_text(child.text))
-            elif isinstance(child, Element):
+            if isinstance(child, Element):
+                latest = None
                 if child.name == "xacro:arg" and "name" in child.attributes:
-                    self._add_argument(child, "\n".join(remarks))
+                    latest = self._add_argument(child, "\n".join(remarks))
                 remarks = []
+            elif not isinstance(child, Comment):
+                continue
+            elif id(child) not in endings:
+                remarks.append(tidy_text(child.text))
+            elif latest is not None:
+                latest.ending = spaced(latest.ending, tidy_text(child.text))
 
     def _number_versions(self) -> None:
         """Give a function of its own to each definition of a macro that is redefined in a row.
@@ -404,12 +414,14 @@ class Program:
                 return macro
         return None if namespaces else self.macros.get(name)
 
-    def _add_argument(self, element: Element, remark: str) -> None:
-        """Note the declaration of an argument."""
+    def _add_argument(self, element: Element, remark: str) -> Argument | None:
+        """Note the declaration of an argument, and return it if it is the first one."""
         name = format_value(element.attributes["name"])
+        is_new = name not in self.arguments
         known = self.arguments.setdefault(name, Argument(element.span, remark))
         if "default" in element.attributes:
             known.add(format_value(element.attributes["default"]))
+        return known if is_new else None
 
     def _settle_arguments(self) -> None:
         """Find the default of each argument that has several: that of the first declaration.

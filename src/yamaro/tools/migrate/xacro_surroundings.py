@@ -81,3 +81,9 @@ def body_of_last(body: Body, key: str) -> Body:
         body.append(last)
     assert isinstance(last.value, Body)
     return last.value
+
+
+def move_opening(inner: Body | None, outer: Body) -> None:
+    """Move a comment at the end of an opening tag to the key that stands for the tag."""
+    if inner is not None:
+        outer.opening, inner.opening = inner.opening, ""

@@ -7,7 +7,16 @@ from contextlib import contextmanager
 from ...syntax.names import is_identifier
 from ...xmltree import Comment, Element, Text, format_value
 from .document import Body, Entry, Value, literal
-from .elements import ElementWriter, is_short, needs_brackets, tidy_text, tidy_value
+from .elements import (
+    ElementWriter,
+    add_loose,
+    comments_at_ends,
+    is_short,
+    needs_brackets,
+    note_comments,
+    tidy_text,
+    tidy_value,
+)
 from .pairing import has_text
 from .xacro_calls import write_block, write_call, write_call_by_name
 from .xacro_definitions import write_argument, write_macro, write_property
@@ -15,7 +24,7 @@ from .xacro_includes import write_include
 from .xacro_parts import Step, XacroPartWriter, in_steps, is_statement, stands_as_key
 from .xacro_program import names_in
 from .xacro_python import CannotMigrate, Translator, negated
-from .xacro_surroundings import Surroundings, names_of
+from .xacro_surroundings import Surroundings, move_opening, names_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -24,6 +33,7 @@ if TYPE_CHECKING:
 
     from ...source import Span
     from ...xmltree import Node
+    from .elements import Endings
     from .xacro_contents import Contents
     from .xacro_inertia import Solids
     from .xacro_parts import Write
@@ -114,10 +124,11 @@ class FileWriter(ElementWriter):
     def statements(self, nodes: list[Node]) -> Body:
         """Return statements for what stands in a file, a macro or an element."""
         body = Body()
-        for step in self._steps(nodes):
+        endings = comments_at_ends(nodes)
+        for step in self._steps(nodes, endings):
             node = step.node
             if isinstance(node, Comment):
-                body.note(tidy_text(node.text))
+                add_loose(node, body, endings)
             elif isinstance(node, Text):
                 text = tidy_text(format_value(node.value))
                 message = self._message(text)
@@ -126,6 +137,7 @@ class FileWriter(ElementWriter):
                 elif text:
                     body.add("<#text>", self._text(text, node.span))
             elif isinstance(node, Element):
+                body.latest = None
                 try:
                     self._statement(node, step, body)
                 except CannotMigrate as error:
@@ -133,11 +145,11 @@ class FileWriter(ElementWriter):
                     body.note(f"not migrated: <{node.name}>: {error}")
         return body
 
-    def _steps(self, nodes: list[Node]) -> Iterable[Step]:
+    def _steps(self, nodes: list[Node], endings: Endings) -> Iterable[Step]:
         """Return what is written one after the other: links with their joints, where they stand."""
         if self.here.is_in_element or self.here.place is not None:
             return map(Step, nodes)
-        return in_steps(nodes, self.contents)
+        return in_steps(nodes, endings, self.contents)
 
     def _statement(self, node: Element, step: Step, body: Body) -> None:
         if is_statement(node):
@@ -205,7 +217,10 @@ class FileWriter(ElementWriter):
             children = self.take_attributes(element, attributes)
         bracketed = bracketed or needs_brackets(element.name, attributes)
         key = self.key(element.name, attributes, bracketed=bracketed)
-        return Entry(key, self.content(element, children))
+        entry = Entry(key, self.content(element, children))
+        if isinstance(entry.value, str):
+            note_comments(element, entry)
+        return entry
 
     def values(self, element: Element) -> dict[str, str]:
         """Return the attributes of an element, but for xacro's own."""
@@ -272,7 +287,9 @@ def _write_condition(writer: FileWriter, node: Element, body: Body) -> None:
         ):
             body.add("else", content)
             return
-    body.add("if", Body([Entry("condition", condition), Entry("body", content)]))
+    statement = Body([Entry("condition", condition), Entry("body", content)])
+    move_opening(content, statement)
+    body.add("if", statement)
 
 
 def _write_element(writer: FileWriter, node: Element, body: Body) -> None:
