@@ -50,8 +50,8 @@ class RunningBlock:
     Functions that come back to it are its own: nobody else could name them.
     """
 
-    def __init__(self, host: Context, written: Env) -> None:
-        self.host = host
+    def __init__(self, insertion: Env, written: Env) -> None:
+        self.insertion = insertion  # what is around the place that inserts it
         self.written = written
         self.received: dict[str, Any] = {}
 
@@ -94,11 +94,17 @@ class Model:
     def around(self, env: Env) -> list[Context]:
         """The contexts whose own names are seen by the place something is written at."""
         if isinstance(env, RunningBlock):
-            return [env.host, *self.around(env.written)]
+            return [*self.calls_seen(env.insertion), *self.around(env.written)]
         return [env, *(self.around(env.closure) if env.closure is not None else [])]
 
+    def calls_seen(self, env: Env) -> list[Context]:
+        """The contexts that a place sees because it runs in them, and not by closure."""
+        if isinstance(env, RunningBlock):
+            return [*self.calls_seen(env.insertion), *self.calls_seen(env.written)]
+        return [env]
+
     def context(self, env: Env) -> Context:
-        return env.host if isinstance(env, RunningBlock) else env
+        return self.context(env.insertion) if isinstance(env, RunningBlock) else env
 
     def callers(self, env: Env) -> list[Context]:
         found = []
@@ -250,7 +256,7 @@ class Model:
         block = self.find("Block", env)
         if block is not None and block is not UNDEFINED:
             body, written = block
-            self.run_body(body, RunningBlock(self.context(env), written))
+            self.run_body(body, RunningBlock(env, written))
         elif default is not None:
             self.run_body(default, env)
 
@@ -429,10 +435,42 @@ class Writer:
         return ("call", name, self.pick("name", "name", "name", "namespace"), given, block)
 
 
+class ChainWriter(Writer):
+    """Draws programs whose functions call the next one with a block that inserts their own."""
+
+    def __init__(self, rng: random.Random) -> None:
+        super().__init__(rng)
+        self.homes = dict.fromkeys(FUNCTIONS, "main")
+        self.signatures = {
+            name: {**self.signature(), "has_block": True} for name in FUNCTIONS
+        }
+
+    def program(self) -> dict[str, Any]:
+        program = super().program()
+        model = program["files"]["main"]["model"]
+        given: dict[str, Any] = {}
+        model.append(("call", FUNCTIONS[0], "name", given, [("read", name) for name in NAMES]))
+        return program
+
+    def body(self, unit: str, depth: int) -> Body:
+        if depth > 0 or unit not in FUNCTIONS:
+            return super().body(unit, depth)
+        later = FUNCTIONS[FUNCTIONS.index(unit) + 1 :]
+        insertion = ("insert", [("read", self.pick(*NAMES))])
+        if not later:
+            return [self.declaration(), insertion]
+        given = {key: self.expression() for key, _ in self.signatures[later[0]]["parameters"]}
+        block = [self.pick(self.declaration(), ("read", "x")), insertion, ("read", "y")]
+        return [
+            self.pick(self.declaration(), insertion),
+            ("call", later[0], "name", given, block),
+        ]
+
+
 def make_program(number: int) -> dict[str, Any]:
     """Return a random program; most are without the statements that would end them early."""
     rng = random.Random(number)
-    program = Writer(rng).program()
+    program = (ChainWriter if number % 8 == 7 else Writer)(rng).program()
     if rng.random() < 0.8:
         for _ in range(40):
             stop = outcome_by_the_rules(program)[2]

@@ -503,7 +503,7 @@ class Interpreter:
     ) -> None:
         block = scope.find(function_key(node.name))
         if isinstance(block, Block):
-            self.run_body(block.body, BlockScope(scope.context, block.written), out)
+            self.run_body(block.body, BlockScope(scope, block.written), out)
         elif node.default is not None:
             self.run_body(node.default, scope, out)
 
@@ -512,7 +512,7 @@ class Interpreter:
     ) -> None:
         function = find_function(name, span, scope, self.files.where_declared)
         if isinstance(function, Block):
-            self.run_body(function.body, BlockScope(scope.context, function.written), out)
+            self.run_body(function.body, BlockScope(scope, function.written), out)
             return
         if function is None:  # an optional block that was not given
             return

@@ -180,7 +180,8 @@ class Scope(dict[str, "Any"]):
             yield from scope
             yield from scope.bridged
             if isinstance(scope, BlockScope):
-                yield from scope.host
+                for host in scope.hosts:
+                    yield from host
             scope = scope.closure
         scope = self.dynamic
         while scope is not None:
@@ -282,28 +283,34 @@ class Scope(dict[str, "Any"]):
 
 
 class BlockScope(Scope):
-    """A block being run: sees the call that inserts it, then the place it was written in.
+    """A block being run: sees what its insertion sees of calls, then the place it was written in.
 
-    Variables it declares go to the call. Functions and blocks are looked up only where the block
-    was written; those it defines are its own.
+    Variables it declares go to the call it runs in. Functions and blocks are looked up only where
+    the block was written; those it defines are its own.
+
+    Attributes:
+        host: the call it runs in.
+        hosts: the calls whose parameters and locals it sees, nearest first: the host and, where the
+            insertion itself stands in a block, the calls that one sees and the one it comes from.
     """
 
-    __slots__ = ("host",)
+    __slots__ = ("host", "hosts")
 
-    def __init__(self, host: Scope, written: Scope) -> None:
-        """Run a block written in `written` inside the call `host`."""
-        super().__init__(written.home, host.shared, closure=written, caller=host.caller)
-        self.host = host
-        self.dynamic = host.dynamic
+    def __init__(self, inserting: Scope, written: Scope) -> None:
+        """Run a block written in `written`, which is inserted in `inserting`."""
+        self.host = inserting.context
+        self.hosts = _calls_seen(inserting)
+        super().__init__(written.home, self.host.shared, closure=written, caller=self.host.caller)
+        self.dynamic = self.host.dynamic
 
     def holder(self, name: str) -> Scope | None:
         """Return the context that has the name as its own."""
         if name in self:
             return self
-        host = self.host
         if not name.endswith("()") and name != "__builtins__":
-            if name in host or name in host.bridged:
-                return host
+            for host in self.hosts:
+                if name in host or name in host.bridged:
+                    return host
         return self.closure.holder(name) if self.closure is not None else None
 
     def find(self, name: str) -> Any:
@@ -324,6 +331,16 @@ class BlockScope(Scope):
             dict.__setitem__(self, name, value)
         if not (name.endswith("()") and kind == LOCAL):
             self.host.declare(name, value, kind)
+
+
+def _calls_seen(scope: Scope) -> tuple[Scope, ...]:
+    """Return the calls whose parameters and locals are seen from a scope, nearest first."""
+    if not isinstance(scope, BlockScope):
+        return (scope,)
+    written = scope.closure
+    assert written is not None, "a block is written somewhere"
+    seen = {id(host): host for host in (*scope.hosts, *_calls_seen(written))}
+    return tuple(seen.values())
 
 
 class Namespace:
