@@ -287,7 +287,9 @@ class Program:
         passed.update(variables)
 
         def evaluate(source: Source, interpreter: Interpreter, reporter: Reporter) -> Element:
-            evaluated = interpreter.run_main(source, stem=_stem(self._path), variables=passed)
+            evaluated = interpreter.run_main(
+                source, stem=_stem(self._path), variables=passed, places=places
+            )
             _warn_of_unknown_variables(interpreter, places, reporter)
             return evaluated
 

@@ -14,7 +14,8 @@ from .declared import Declaration, notes_on
 from .expressions import function_names
 from .late import Late
 from .scope import MISSING, BlockScope, Namespace, Scope, function_key
-from .values import Values, count
+from .values import Values
+from .words import count
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -97,10 +98,11 @@ class Match:
             it is a single expression, with that.
         blocks: each block with the key of its parameter.
         is_complete: whether every parameter is given something.
+        places: where each argument stands, or the parameter that has a default for it.
         frame: the frame of the call when it was reached last, which is mostly that of the next.
     """
 
-    __slots__ = ("blocks", "constants", "frame", "is_complete", "node", "values")
+    __slots__ = ("blocks", "constants", "frame", "is_complete", "node", "places", "values")
 
     def __init__(self, node: FunctionNode) -> None:
         """Begin without arguments."""
@@ -109,6 +111,7 @@ class Match:
         self.values: list[tuple[str, Value, PythonCode | None]] = []
         self.blocks: list[tuple[str, Body]] = []
         self.is_complete = False
+        self.places: dict[str, Span] = {}
         self.frame: Frame | None = None
 
 
@@ -176,6 +179,7 @@ def match_arguments(node: FunctionNode, arguments: list[Argument], span: Span, l
         what = f"argument{'s' if len(missing) > 1 else ''} {' and '.join(missing)}"
         raise _bad_call("missing-argument", f"'{node.name}' needs the {what}", span, node)
     match.is_complete = len(spans) == len(parameters)
+    match.places = {parameter.name: parameter.span for parameter in node.parameters} | spans
     return match
 
 
@@ -213,6 +217,7 @@ def evaluate_arguments(match: Match, scope: Scope, values: Values) -> dict[str, 
 
 def bind(match: Match, given: dict[str, Any], callee: Scope, values: Values) -> None:
     """Give the parameters their values; defaults may use the parameters before them."""
+    callee.given_at = match.places
     if match.is_complete:
         dict.update(callee, given)  # the names of a context that has just begun
         return
@@ -222,7 +227,7 @@ def bind(match: Match, given: dict[str, Any], callee: Scope, values: Values) -> 
             value = given[key]
         else:
             value = None if parameter.default is None else values.value(parameter.default, callee)
-        callee.declare(key, value)
+        dict.__setitem__(callee, key, value)
 
 
 def _bad_call(

@@ -17,7 +17,7 @@ from .scope import MISSING, Namespace, Scope
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator
+    from collections.abc import Callable, Iterator, Sequence
     from types import CodeType, TracebackType
     from typing import Any, NoReturn
 
@@ -34,7 +34,11 @@ JAIL_HINT = (
 )
 TIME_HINT = "--timeout SECONDS gives it more time"
 _CONTAINERS = frozenset((list, tuple, dict))
-_YAML_1_1_BOOLEANS = {"yes": "true", "on": "true", "no": "false", "off": "false"}
+YAML_1_1_BOOLEANS = {
+    **dict.fromkeys(("yes", "on", "y", "true"), "true"),
+    **dict.fromkeys(("no", "off", "n", "false"), "false"),
+}
+"""What YAML 1.1 took for a boolean, in lower case, and what to write for it."""
 
 
 def run_module(code: CodeType, names: dict[str, Any]) -> None:
@@ -187,10 +191,18 @@ class Evaluator:
         if type(error) is NameError and error.name:
             name_span = _find_name(place.python, error.name, place.index) or span
             raise self._undefined(error.name, name_span, scope, frame) from None
-        raise self._failure(error, span, frame, place.outside) from None
+        from .origins import notes_on_error
+
+        notes = notes_on_error(error, span.written(), scope, place.code)
+        raise self._failure(error, span, frame, place.outside, notes) from None
 
     def _failure(
-        self, error: BaseException, span: Span, frame: Frame | None, outside: str | None = None
+        self,
+        error: BaseException,
+        span: Span,
+        frame: Frame | None,
+        outside: str | None = None,
+        origins: Sequence[str] = (),
     ) -> YamaroError:
         if isinstance(error, InputFault):
             return failure(error.code, error.message, span, hint=error.hint, trace=frame)
@@ -211,7 +223,7 @@ class Evaluator:
             )
         if isinstance(error, TimeOver):
             return failure("limit-time", TIME_IS_OVER, span, hint=TIME_HINT, trace=frame)
-        notes = [f"raised in {outside}"] if outside else []
+        notes = [*origins, *([f"raised in {outside}"] if outside else [])]
         if isinstance(error, MemoryError):
             return failure(
                 "limit-memory",
@@ -236,8 +248,8 @@ class Evaluator:
         # Where the name is declared says more than what other names look like it.
         notes = notes_on(f"'{name}'", self._where_declared(name), span)
         hint = None if notes else did_you_mean(name, variable_names(scope))
-        if name.lower() in _YAML_1_1_BOOLEANS:
-            meant = _YAML_1_1_BOOLEANS[name.lower()]
+        if name.lower() in YAML_1_1_BOOLEANS and len(name) > 1:  # n is the name of a number
+            meant = YAML_1_1_BOOLEANS[name.lower()]
             hint = f"write {meant}: in YAML 1.2 '{name}' is a word like any other"
         return failure(
             "undefined-name",
@@ -255,7 +267,7 @@ class Evaluator:
         the stack ran out, or a statement `assert` failed.
         """
         traceback = error.__traceback__
-        place = _Place(python, python.span(), None, [])
+        place = _Place(python, python.span(), None, [], python.code)
         own = python.code.co_filename
         while traceback is not None:
             code = traceback.tb_frame.f_code
@@ -268,7 +280,7 @@ class Evaluator:
                 steps = place.steps
                 if code.co_name[0] != "<":  # no <module>, <lambda>, <listcomp>
                     steps.append((code.co_name, place.span if steps else python.span()))
-                place = _Place(found, span, index, steps)
+                place = _Place(found, span, index, steps, code)
             elif not code.co_filename.startswith((_OWN_FOLDER, "<")):
                 place.outside = f"{_base_name(code.co_filename)}:{traceback.tb_lineno}"
             traceback = traceback.tb_next
@@ -377,13 +389,19 @@ def evaluate_bare(python: PythonCode, scope: Scope, evaluator: Evaluator, *, hin
 class _Place:
     """A place in the YAML found in a traceback."""
 
-    __slots__ = ("index", "outside", "python", "span", "steps")
+    __slots__ = ("code", "index", "outside", "python", "span", "steps")
 
     def __init__(
-        self, python: PythonCode, span: Span, index: int | None, steps: list[tuple[str, Span]]
+        self,
+        python: PythonCode,
+        span: Span,
+        index: int | None,
+        steps: list[tuple[str, Span]],
+        code: CodeType,
     ) -> None:
         self.python = python
         self.span = span
+        self.code = code
         self.index = index  # into the Python text, where the failing piece begins
         self.steps = steps  # the user's functions around it, outermost first, and their calls
         self.outside: str | None = None  # the module's line behind it that raised

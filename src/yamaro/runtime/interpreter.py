@@ -24,7 +24,6 @@ from ..syntax.nodes import (
     Body,
     CallNode,
     CommentNode,
-    Constant,
     Content,
     Document,
     DynamicNode,
@@ -42,7 +41,6 @@ from ..syntax.nodes import (
     TextNode,
     VariablesNode,
 )
-from ..syntax.python import PythonCode
 from ..syntax.statements import refuse_second_function
 from ..syntax.template import Template
 from ..syntax.variables import variable_name
@@ -66,8 +64,9 @@ from .calls import (
     find_function,
     match_arguments,
 )
+from .conditions import holds
 from .elements import Builder, evaluate_holes
-from .expressions import Evaluator, SafeEvaluator, add_trace, evaluate_bare
+from .expressions import Evaluator, SafeEvaluator, add_trace
 from .files import Files
 from .includes import namespace_of, passed_by, path_of
 from .loops import iterate, too_many_turns, unpack
@@ -78,7 +77,7 @@ from .values import Values
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Mapping
     from typing import Any
 
     from ..xmltree import Node
@@ -151,22 +150,31 @@ class Interpreter:
 
     # --- files ---
 
-    def run_main(self, source: Source, *, stem: str, variables: dict[str, object]) -> Element:
+    def run_main(
+        self,
+        source: Source,
+        *,
+        stem: str,
+        variables: dict[str, object],
+        places: Mapping[str, Span] | None = None,
+    ) -> Element:
         """Run the main file and return the root element.
 
         Args:
             source: the file.
             stem: the robot's name if the file gives none.
             variables: what is passed in.
+            places: where each of them is set.
 
         Raises:
             YamaroError: the input has errors.
         """
+        places = places or {}
         try:
             document = self.files.parse(source)
             scope = self._begin_file(document, caller=None)
             for name, value in variables.items():
-                scope.declare(name, self._admitted(name, value, source))
+                scope.declare(name, self._admitted(name, value, source), place=places.get(name))
             scope.passed = frozenset(variables)
             return self._run_root(document, scope, stem)
         finally:
@@ -412,19 +420,9 @@ class Interpreter:
 
     def _run_if(self, node: IfNode, scope: Scope, out: list[Node], body: Body | None) -> None:
         for condition, branch in node.branches:
-            if condition is None or self._is_true(condition, scope):
+            if condition is None or holds(condition, scope, self.evaluator):
                 self.run_body(branch, scope, out)
                 return
-
-    def _is_true(self, condition: PythonCode | Constant, scope: Scope) -> bool:
-        if isinstance(condition, Constant):
-            return bool(condition.value)
-        value = evaluate_bare(
-            condition, scope, self.evaluator, hint="a text to compare with needs quotes: '{name}'"
-        )
-        if value is True or value is False:
-            return bool(value)
-        return bool(self.evaluator.guard(bool, value, condition.span()))
 
     def _run_for(self, node: ForNode, scope: Scope, out: list[Node], body: Body | None) -> None:
         context = scope.context
@@ -438,11 +436,11 @@ class Interpreter:
             if self.statements_left < 0:
                 raise self._too_many_statements(node.span)
             if single is not None:
-                context.declare(single, item)
+                context.declare(single, item, place=node.span)
             else:
                 values = unpack(item, index, node, self.evaluator)
                 for name, value in zip(names, values, strict=True):
-                    context.declare(name, value)
+                    context.declare(name, value, place=node.span)
             self.run_body(node.body, scope, out)
 
     # --- declarations ---
@@ -457,15 +455,16 @@ class Interpreter:
                 if not name:
                     continue
                 name = variable_name(name, entry.span)
+            place: Span | None = entry.span
             if node.is_root and scope.is_passed_in(name):
                 if entry.scope == LOCAL and name in self.shared.bridges:
                     continue
-                value = scope.find(name)
+                value, place = scope.find(name), scope.place_of(name)
             elif len(entry.values) == 1:
                 value = self.values.value(entry.values[0], scope)
             else:
                 value = [self.values.value(item, scope) for item in entry.values]
-            scope.declare(name, value, entry.scope)
+            scope.declare(name, value, entry.scope, place)
 
     def _run_functions(
         self, node: FunctionsNode, scope: Scope, out: list[Node], body: Body | None
@@ -537,7 +536,7 @@ class Interpreter:
             self.run_body(function.node.body, callee, out)
             if callee.kinds:
                 for key, value in callee.exported():
-                    self._receive(scope, key, value, span)
+                    self._receive(scope, key, value, span, callee.place_of(key))
         except YamaroError as error:
             add_trace(error, frame)
             raise
@@ -584,10 +583,10 @@ class Interpreter:
             trace=self.frame,
         )
 
-    def _receive(self, scope: Scope, key: str, value: Any, span: Span) -> None:
+    def _receive(self, scope: Scope, key: str, value: Any, span: Span, place: Span | None) -> None:
         """Take a `parent` name to where the call or include stands."""
         self._warn_of_replacement(scope.get(key), value, key, span)
-        scope.declare(key, value)
+        scope.declare(key, value, place=place)
 
     def _warn_of_replacement(self, earlier: Any, value: Any, key: str, span: Span) -> None:
         if (
@@ -630,8 +629,9 @@ class Interpreter:
             document = self.files.parse(source)
             before = len(self.shared.declared)
             inner = self._begin_file(document, caller=context)
-            for name, value in passed.items():
-                inner.declare(name, value)
+            for argument in node.arguments:
+                name = argument.name or ""
+                inner.declare(name, passed[name], place=argument.span)
             inner.passed = frozenset(passed)
             self._run_sections(document, inner)
             self._run_included_model(document, inner, out)
@@ -750,7 +750,7 @@ class Interpreter:
         """Bring the names of an included file to the one that included it."""
         if namespace is None:
             for key, value in inner.exported():
-                self._receive(scope, key, value, span)
+                self._receive(scope, key, value, span, inner.place_of(key))
             return
         context = scope.context
         space = context.find(namespace) if namespace in context else None

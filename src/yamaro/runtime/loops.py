@@ -10,7 +10,8 @@ from ..syntax.nodes import ForNode, ListValue
 from ..syntax.python import PythonCode
 from .expressions import Evaluator, evaluate_bare
 from .scope import MISSING, Scope
-from .values import Values, a_kind_of, count, span_of
+from .values import Values, span_of
+from .words import a_kind_of, count
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

@@ -11,11 +11,11 @@ from ..syntax.nodes import BRIDGE, CHILD, GLOBAL, LOCAL, PARENT
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Iterator, Mapping
     from typing import Any
 
     from ..diagnostics import Frame
-    from ..source import Source
+    from ..source import Source, Span
 
 MISSING: Any = type("Missing", (), {"__repr__": lambda self: "MISSING"})()
 
@@ -24,6 +24,7 @@ MISSING: Any = type("Missing", (), {"__repr__": lambda self: "MISSING"})()
 _NO_KINDS: dict[str, str] = {}
 _NONE_BRIDGED: set[str] = set()
 _NONE_PASSED: frozenset[str] = frozenset()
+_NO_PLACES: dict[str, Span | None] = {}
 
 
 def function_key(name: str) -> str:
@@ -38,9 +39,10 @@ class Shared:
         declared: every such name, in the order of the declarations, repeated ones included.
         children: every name that was ever declared `child`, so that only those are searched for
             among the callers.
+        places: where each of them was set last.
     """
 
-    __slots__ = ("bridges", "children", "declared", "globals")
+    __slots__ = ("bridges", "children", "declared", "globals", "places")
 
     def __init__(self) -> None:
         """Start without names."""
@@ -48,6 +50,7 @@ class Shared:
         self.bridges: dict[str, Any] = {}
         self.declared: list[str] = []
         self.children: set[str] = set()
+        self.places: dict[str, Span | None] = {}
 
     def find(self, name: str) -> Any:
         """Return what a name means everywhere, or MISSING."""
@@ -81,6 +84,10 @@ class Scope(dict[str, "Any"]):
 
     As a dict it holds the names of its own; asking for another one looks it up, and setting one
     assigns as `process` does. `declare` is what `variables:` does.
+
+    Attributes:
+        given_at: where the arguments of a call stand; other calls may share it.
+        places: where the other names were set, None for those that `process` has set.
     """
 
     __slots__ = (
@@ -88,10 +95,12 @@ class Scope(dict[str, "Any"]):
         "caller",
         "closure",
         "dynamic",
+        "given_at",
         "has_children",
         "home",
         "kinds",
         "passed",
+        "places",
         "shared",
     )
 
@@ -113,6 +122,8 @@ class Scope(dict[str, "Any"]):
         self.kinds = _NO_KINDS  # scope of each own name that is not local
         self.bridged = _NONE_BRIDGED  # names that mean the bridge variable here
         self.passed = _NONE_PASSED
+        self.places = _NO_PLACES
+        self.given_at: Mapping[str, Span | None] = _NO_PLACES
         self.has_children = False  # whether a name was ever declared `child` here
         self.dynamic: Scope | None = None  # the nearest caller of which that is true
         if caller is not None:
@@ -167,6 +178,17 @@ class Scope(dict[str, "Any"]):
             scope = scope.dynamic
         return MISSING
 
+    def place_of(self, name: str) -> Span | None:
+        """Return where the value of a name was set, as far as that is known."""
+        holder = self.holder(name)
+        if holder is None:
+            holder = self.dynamic
+            while holder is not None and holder.kinds.get(name) != CHILD:
+                holder = holder.dynamic
+        if holder is None or name not in holder:
+            return self.shared.places.get(name)
+        return holder.places[name] if name in holder.places else holder.given_at.get(name)
+
     def is_passed_in(self, name: str) -> bool:
         """Tell whether a file's own `variables:` entry is only a default for this name."""
         if name in self.passed or self.find_child(name) is not MISSING:
@@ -198,21 +220,25 @@ class Scope(dict[str, "Any"]):
         """Return the context that declarations go to."""
         return self
 
-    def declare(self, name: str, value: Any, kind: str = LOCAL) -> None:
+    def declare(self, name: str, value: Any, kind: str = LOCAL, place: Span | None = None) -> None:
         """Declare a name in this context, as `variables:` does."""
         if kind == LOCAL:
             dict.__setitem__(self, name, value)
+            self._note_place(name, place)
             if self.kinds:
                 self.kinds.pop(name, None)
         elif kind in (PARENT, CHILD):
             dict.__setitem__(self, name, value)
+            self._note_place(name, place)
             self._note_kind(name, kind)
         elif kind == GLOBAL:
             self._forget(name)
             self.shared.globals[name] = value
+            self.shared.places[name] = place
             self.shared.declared.append(name)
         elif kind == BRIDGE:
             self.shared.bridges[name] = value
+            self.shared.places[name] = place
             self.shared.declared.append(name)
             scope: Scope | None = self
             while scope is not None:
@@ -221,6 +247,13 @@ class Scope(dict[str, "Any"]):
                 scope = scope.caller
         else:
             raise AssertionError(f"unknown scope {kind}")
+
+    def _note_place(self, name: str, place: Span | None) -> None:
+        if self.places is _NO_PLACES:
+            if place is None and name not in self.given_at:
+                return
+            self.places = {}
+        self.places[name] = place
 
     def _note_kind(self, name: str, kind: str) -> None:
         if self.kinds is _NO_KINDS:
@@ -250,8 +283,10 @@ class Scope(dict[str, "Any"]):
             self.context.declare(name, value)
         elif name in self.shared.bridges:
             self.shared.bridges[name] = value
+            self.shared.places[name] = None
         elif name in self.shared.globals:
             self.shared.globals[name] = value
+            self.shared.places[name] = None
         else:
             self.context.declare(name, value)
 
@@ -259,8 +294,10 @@ class Scope(dict[str, "Any"]):
         """Change a name that `holder` found here."""
         if name in self:
             dict.__setitem__(self, name, value)
+            self._note_place(name, None)
         else:
             self.shared.bridges[name] = value
+            self.shared.places[name] = None
 
     def __delitem__(self, name: str) -> None:
         holder = self.holder(name)
@@ -324,13 +361,13 @@ class BlockScope(Scope):
         """Return the call that declarations go to."""
         return self.host
 
-    def declare(self, name: str, value: Any, kind: str = LOCAL) -> None:
+    def declare(self, name: str, value: Any, kind: str = LOCAL, place: Span | None = None) -> None:
         """Declare a variable in the call; a function in the block, which is what can name it."""
         is_function = name.endswith("()") and kind in (LOCAL, PARENT, CHILD)
         if is_function or isinstance(value, Namespace):
             dict.__setitem__(self, name, value)
         if not (name.endswith("()") and kind == LOCAL):
-            self.host.declare(name, value, kind)
+            self.host.declare(name, value, kind, place)
 
 
 def _calls_seen(scope: Scope) -> tuple[Scope, ...]:

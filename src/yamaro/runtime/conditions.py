@@ -1,0 +1,68 @@
+"""Decides whether a condition holds, and refuses values that do not say."""
+
+from __future__ import annotations
+
+from ..diagnostics import failure
+from ..syntax.nodes import Constant
+from ..syntax.python import PythonCode
+from .expressions import YAML_1_1_BOOLEANS, Evaluator, evaluate_bare
+from .scope import Scope
+from .words import a_kind_of
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+    from ..diagnostics import YamaroError
+
+
+def holds(condition: PythonCode | Constant, scope: Scope, evaluator: Evaluator) -> bool:
+    """Tell whether a condition is true, by Python's rules for the value it has.
+
+    Raises:
+        YamaroError: it is a text or a function, which Python would mostly take for true.
+    """
+    if isinstance(condition, Constant):
+        return bool(condition.value)
+    hint = "a text to compare with needs quotes: '{name}'"
+    value = evaluate_bare(condition, scope, evaluator, hint=hint)
+    if value is True or value is False:
+        return bool(value)
+    if isinstance(value, (str, bytes, bytearray)) or _is_always_true(value):
+        raise _refusal(value, condition, scope, evaluator)
+    return bool(evaluator.guard(bool, value, condition.span()))
+
+
+def _is_always_true(value: Any) -> bool:
+    """Tell whether a value is a function or class, which is true whatever it would return."""
+    kind = type(value)
+    return callable(value) and not hasattr(kind, "__bool__") and not hasattr(kind, "__len__")
+
+
+def _refusal(value: Any, condition: PythonCode, scope: Scope, evaluator: Evaluator) -> YamaroError:
+    from .origins import names_of_value, notes_on_names
+
+    written = condition.span().written().strip()
+    names = names_of_value(condition, scope, value)
+    asked = names[0] if names else written if " " not in written else "name"
+    return failure(
+        "bad-condition",
+        f"a condition is true, false or a number, and this is {a_kind_of(value)}",
+        condition.span(),
+        hint=_hint(value, asked) if isinstance(value, str) else f"call it: {asked}()",
+        notes=notes_on_names(names, scope),
+        trace=evaluator.frame,
+    )
+
+
+def _hint(text: str, asked: str) -> str:
+    """Return what to write for a text, or for what `asked` names, whose value it is."""
+    word = text.strip()
+    meant = YAML_1_1_BOOLEANS.get(word.lower())
+    if word.isdigit() or word.lower() in ("true", "false"):
+        return f"write {meant or word} without quotes: in quotes it is a text"
+    if meant is not None:
+        return f"write {meant}: in YAML 1.2 '{word}' is a text"
+    if not word:
+        return f"to ask whether there is a text, compare: {asked} != ''"
+    return f"compare the text: {asked} == 'left'"

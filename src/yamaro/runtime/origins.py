@@ -1,0 +1,118 @@
+"""Tells where values come from that an expression or condition failed on."""
+
+from __future__ import annotations
+
+from ..source import Span
+from ..syntax.python import PythonCode
+from .scope import MISSING, Scope
+from .words import a_kind_of
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+    from types import CodeType
+    from typing import Any
+
+MAX_NOTES = 3
+_EXPLAINED = (TypeError, ValueError, AttributeError, LookupError, ArithmeticError)
+
+
+def notes_on_error(error: BaseException, piece: str, scope: Scope, code: CodeType) -> list[str]:
+    """Return notes on the variables in a piece of Python that may be what it failed on.
+
+    Args:
+        error: what it raised.
+        piece: the piece that failed.
+        scope: where it was evaluated.
+        code: the code in which it stands, whose local variables are Python's own.
+    """
+    if not isinstance(error, _EXPLAINED):
+        return []
+    local = {*code.co_varnames, *code.co_cellvars, *code.co_freevars}
+    values = {name: scope.find(name) for name in names_in(piece) if name not in local}
+    suspects = _suspects(
+        values,
+        is_zero_fault=isinstance(error, ZeroDivisionError),
+        has_text="'" in piece or '"' in piece,
+    )
+    return notes_on_names(suspects, scope)
+
+
+def names_of_value(python: PythonCode, scope: Scope, value: Any) -> list[str]:
+    """Return the variables in an expression that have its value."""
+    names = [python.name] if python.name is not None else names_in(python.text)
+    return [name for name in names if scope.find(name) is value]
+
+
+def notes_on_names(names: Iterable[str], scope: Scope) -> list[str]:
+    """Return notes on where the values of variables come from."""
+    places = ((name, scope.place_of(name)) for name in names)
+    notes = [note_on(name, scope.find(name), place) for name, place in places if place is not None]
+    return notes[:MAX_NOTES]
+
+
+def note_on(name: str, value: Any, place: Span) -> str:
+    """Return the note that a value comes from a variable."""
+    kind = "null" if value is None else a_kind_of(value)
+    article, _, rest = kind.partition(" ")
+    if article in ("a", "an"):
+        kind = f"the {rest}"
+    return f"{kind} comes from '{name}', {set_at(place)}"
+
+
+def set_at(place: Span) -> str:
+    """Return where a variable was set, in words."""
+    if place.source.name == COMMAND_LINE:
+        return f"set by {place.source.text} on the command line"
+    if place.source.name == KEYWORD_ARGUMENT:
+        return "set from Python"
+    return f"set at {place.place()}"
+
+
+COMMAND_LINE = "<command line>"
+KEYWORD_ARGUMENT = "<keyword argument>"
+
+
+def names_in(text: str) -> list[str]:
+    """Return the names that a piece of Python reads, each once, in order."""
+    import ast
+
+    text = text.strip().replace("$(", "(")
+    try:
+        tree: ast.AST = ast.parse(f"({text}\n)", mode="eval")
+    except SyntaxError:
+        try:
+            tree = ast.parse(text)
+        except SyntaxError:
+            return []
+    names = [node for node in ast.walk(tree) if isinstance(node, ast.Name)]
+    names.sort(key=lambda node: (node.lineno, node.col_offset))
+    return list(dict.fromkeys(node.id for node in names))
+
+
+def _suspects(values: dict[str, Any], *, is_zero_fault: bool, has_text: bool) -> list[str]:
+    """Return the names of the values that an operation is least likely to be meant for.
+
+    Numbers are suspects only where nothing else is: no other value, and no text in quotes.
+    """
+    known = {
+        name: value
+        for name, value in values.items()
+        if value is not MISSING and not callable(value) and type(value).__name__ != "module"
+    }
+    if is_zero_fault:
+        return [name for name, value in known.items() if _is_number(value) and value == 0]
+    kinds = [_is_text_or_none, lambda value: not _is_number(value), _is_number]
+    for is_suspect in kinds[:2] if has_text else kinds:
+        found = [name for name, value in known.items() if is_suspect(value)]
+        if found:
+            return found
+    return []
+
+
+def _is_text_or_none(value: Any) -> bool:
+    return value is None or isinstance(value, (str, bytes))
+
+
+def _is_number(value: Any) -> bool:
+    return isinstance(value, (int, float))
