@@ -588,3 +588,20 @@ def test_without_the_package_xacro_it_is_compared_with_our_own_expansion(
         "r.xacro: identical: 0 links, 0 joints; 1 file, out/r.yaml\n"
         "compared with Yamaro's own expansion; with yamaro[xacro], with xacro's\n"
     )
+
+
+def test_a_text_in_a_condition_of_xacro_stays_a_condition(tmp_path: Path) -> None:
+    text = """<robot xmlns:xacro="http://www.ros.org/wiki/xacro" name="r">
+      <xacro:property name="loud" value="'true'"/>
+      <xacro:macro name="tool" params="on:=''">
+        <xacro:unless value="${not on}"><joint name="to_${on}"/></xacro:unless>
+        <xacro:if value="${loud}"><link name="after_${on}"/></xacro:if>
+      </xacro:macro>
+      <xacro:tool/>
+      <xacro:tool on="flange"/>
+    </robot>"""
+    source = decode_xml(text.encode(), name="r.xacro", path=str(tmp_path / "r.xacro"))
+    migration = migrate_robot(source, str(tmp_path / "out"), limits=Limits())
+    assert not migration.faults
+    assert not migration.differences
+    assert "condition: bool(on)" in migration.files[migration.main]

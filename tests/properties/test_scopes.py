@@ -441,9 +441,7 @@ class ChainWriter(Writer):
     def __init__(self, rng: random.Random) -> None:
         super().__init__(rng)
         self.homes = dict.fromkeys(FUNCTIONS, "main")
-        self.signatures = {
-            name: {**self.signature(), "has_block": True} for name in FUNCTIONS
-        }
+        self.signatures = {name: {**self.signature(), "has_block": True} for name in FUNCTIONS}
 
     def program(self) -> dict[str, Any]:
         program = super().program()

@@ -125,7 +125,10 @@ class Translator:
         if isinstance(part, Substitution):
             python = self._command(part.text)
             return f"{python}.lower() in ('true', '1')" if python.startswith("env(") else python
-        return _without_parentheses(self.expression(part.text))
+        python = _without_parentheses(self.expression(part.text))
+        if part.text.strip() in self._numbers:  # it gives a text, such as 'true'
+            return f"str({python}).lower() in ('true', '1')"
+        return python
 
     # --- Python ---------------------------------------------------------------------------------
 
@@ -334,7 +337,8 @@ def negated(condition: str) -> str:
     except (SyntaxError, ValueError):
         return f"not ({condition})"
     if isinstance(tree, ast.UnaryOp) and isinstance(tree.op, ast.Not):
-        return _without_parentheses(condition.removeprefix("not").strip())
+        operand = _without_parentheses(condition.removeprefix("not").strip())
+        return operand if _is_truth_value(tree.operand) else f"bool({operand})"
     if isinstance(tree, ast.Compare) and len(tree.ops) == 1:
         left = ast.get_source_segment(condition, tree.left) or ""
         right = ast.get_source_segment(condition, tree.comparators[0]) or ""
@@ -345,6 +349,16 @@ def negated(condition: str) -> str:
     if isinstance(tree, (ast.Name, ast.Call, ast.Attribute, ast.Subscript, ast.Constant)):
         return f"not {condition}"
     return f"not ({condition})"
+
+
+def _is_truth_value(node: ast.expr) -> bool:
+    """Tell whether an expression gives True or False, and no text, which is not a condition."""
+    import ast
+
+    if isinstance(node, ast.BoolOp):
+        return all(map(_is_truth_value, node.values))
+    is_not = isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.Not)
+    return is_not or isinstance(node, ast.Compare)
 
 
 def _without_parentheses(python: str) -> str:

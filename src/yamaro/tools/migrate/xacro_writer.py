@@ -282,7 +282,9 @@ def _write_condition(writer: FileWriter, node: Element, body: Body) -> None:
     last = body.entries[-1] if body.entries else None
     if last is not None and last.key == "if" and not body.remark:
         assert isinstance(last.value, Body)
-        if last.value.entries[0].value == negated(condition) and not (
+        before = str(last.value.entries[0].value)
+        are_opposite = before == negated(condition) or negated(before) == condition
+        if are_opposite and not (
             names_in(text) & (_declared_in(last.value) | writer.program.assigned_from_inside)
         ):
             body.add("else", content)
