@@ -518,7 +518,9 @@ def test_an_expression_is_translated(xacro: str, python: str) -> None:
 
 @pytest.mark.parametrize("text", ["1 +", "xacro.tokenize(a)", "$(anon x)", "$(arg ${a})"])
 def test_an_expression_without_counterpart_is_refused(text: str) -> None:
-    translator = Translator(lambda name: name, lambda name: False, lambda text: False, set(), {})
+    translator = Translator(
+        lambda name: name, lambda name: False, lambda text: False, set(), {}, ()
+    )
     with pytest.raises(CannotMigrate):
         translator.expression(text)
 
@@ -601,7 +603,9 @@ def test_a_text_in_a_condition_of_xacro_stays_a_condition(tmp_path: Path) -> Non
       <xacro:tool on="flange"/>
     </robot>"""
     source = decode_xml(text.encode(), name="r.xacro", path=str(tmp_path / "r.xacro"))
-    migration = migrate_robot(source, str(tmp_path / "out"), limits=Limits())
+    migration = migrate_robot(
+        source, str(tmp_path / "out"), arguments=[], packages={}, limits=Limits()
+    )
     assert not migration.faults
     assert not migration.differences
     assert "condition: bool(on)" in migration.files[migration.main]

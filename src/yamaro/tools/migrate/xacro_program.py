@@ -120,6 +120,7 @@ class Program:
         truth_arguments: the arguments that are true or false.
         truths: expressions that were truth values or lists, which Python shows in its own way.
         numbers: expressions that gave a text which xacro takes for a number: `float` or `int`.
+        truth_texts: expressions that gave only texts which xacro takes for a truth value.
         floats: expressions that gave a float.
         macros: by name.
         namespaces: which files are in one.
@@ -162,6 +163,7 @@ class Program:
         }
         self.truths = python.truths
         self._evaluated = python.evaluated
+        self.truth_texts = python.truth_texts - python.other_texts
         self.numbers = {text: kind for text, kind in python.numbers.items() if kind != "text"}
         self.floats = python.floats
         self.macros: dict[str, Macro] = {}
@@ -603,10 +605,13 @@ class _Watch:
         self._host.say(text, span)
 
 
+_TRUTH_TEXTS = ("true", "True", "1", "false", "False", "0")
+
+
 class _WatchedPython(Python):
     """Python that notes which expressions are truth values, or numbers of some kind."""
 
-    __slots__ = ("evaluated", "floats", "numbers", "truths")
+    __slots__ = ("evaluated", "floats", "numbers", "other_texts", "truth_texts", "truths")
 
     def __init__(self, limits: Any) -> None:
         super().__init__(limits)
@@ -614,6 +619,8 @@ class _WatchedPython(Python):
         self.truths: set[str] = set()
         self.floats: set[str] = set()
         self.numbers: dict[str, str] = {}
+        self.truth_texts: set[str] = set()
+        self.other_texts: set[str] = set()
 
     def evaluate(self, text: str, names: dict[str, Any]) -> Any:
         value = super().evaluate(text, names)
@@ -624,6 +631,8 @@ class _WatchedPython(Python):
             self.floats.add(text.strip())
         elif isinstance(value, str):
             self._note_kind(text.strip(), guess_value(value))
+            is_truth = value in _TRUTH_TEXTS
+            (self.truth_texts if is_truth else self.other_texts).add(text.strip())
         return value
 
     def _note_kind(self, text: str, meant: object) -> None:

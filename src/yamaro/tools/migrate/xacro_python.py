@@ -13,7 +13,7 @@ from .document import Quoted, literal
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     import ast
-    from collections.abc import Callable, Mapping
+    from collections.abc import Callable, Collection, Mapping
     from typing import TypeGuard
 
 METHODS = frozenset(
@@ -47,6 +47,7 @@ class Translator:
         is_shown_as_truth: Callable[[str], bool],
         truth_arguments: set[str],
         numbers: Mapping[str, str],
+        truth_texts: Collection[str],
     ) -> None:
         """Take what is known of the program.
 
@@ -56,6 +57,7 @@ class Translator:
             is_shown_as_truth: tells expressions that are True or False when put in a text.
             truth_arguments: the arguments that are true or false.
             numbers: the expressions that give a text which is taken for a number, with its kind.
+            truth_texts: the expressions that give a text which is taken for a truth value.
         """
         self._rename = rename
         self.argument = rename
@@ -63,6 +65,7 @@ class Translator:
         self._is_shown_as_truth = is_shown_as_truth
         self._truth_arguments = truth_arguments
         self._numbers = numbers
+        self._truth_texts = truth_texts
         self.imports: set[str] = set()
         self.used: set[str] = set()
 
@@ -126,7 +129,7 @@ class Translator:
             python = self._command(part.text)
             return f"{python}.lower() in ('true', '1')" if python.startswith("env(") else python
         python = _without_parentheses(self.expression(part.text))
-        if part.text.strip() in self._numbers:  # it gives a text, such as 'true'
+        if part.text.strip() in self._truth_texts:
             return f"str({python}).lower() in ('true', '1')"
         return python
 

@@ -85,6 +85,7 @@ class FileWriter(ElementWriter):
             program.is_shown_as_truth,
             program.truth_arguments,
             program.numbers,
+            program.truth_texts,
         )
         self.translator.argument = self._argument_name
 
