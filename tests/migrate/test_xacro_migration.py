@@ -511,7 +511,7 @@ def test_the_folder_is_needed_and_what_is_there_stays(
 )
 def test_an_expression_is_translated(xacro: str, python: str) -> None:
     translator = Translator(
-        lambda name: name, lambda name: False, lambda text: False, {"is_sim"}, {}
+        lambda name: name, lambda name: False, lambda text: False, {"is_sim"}, {}, ()
     )
     assert translator.expression(xacro) == python
 
@@ -594,10 +594,10 @@ def test_without_the_package_xacro_it_is_compared_with_our_own_expansion(
 
 def test_a_text_in_a_condition_of_xacro_stays_a_condition(tmp_path: Path) -> None:
     text = """<robot xmlns:xacro="http://www.ros.org/wiki/xacro" name="r">
-      <xacro:property name="loud" value="'true'"/>
+      <xacro:property name="loud" value="ue"/>
       <xacro:macro name="tool" params="on:=''">
         <xacro:unless value="${not on}"><joint name="to_${on}"/></xacro:unless>
-        <xacro:if value="${loud}"><link name="after_${on}"/></xacro:if>
+        <xacro:if value="${'tr' + loud}"><link name="after_${on}"/></xacro:if>
       </xacro:macro>
       <xacro:tool/>
       <xacro:tool on="flange"/>
