@@ -480,7 +480,13 @@ def _finish(
             return root
         from .robot.part import lower
 
-        return lower(root, reporter=Reporter(), resolve_mesh=finder.resolve, shared={})
+        return lower(
+            root,
+            reporter=Reporter(),
+            resolve_mesh=finder.resolve,
+            may_read=finder.allows,
+            shared={},
+        )
 
     return Build(
         make_root,
@@ -520,7 +526,13 @@ def _complete(
         if has_parts:
             from .robot.part import lower
 
-            root = lower(root, reporter=reporter, resolve_mesh=finder.resolve, shared=shared)
+            root = lower(
+                root,
+                reporter=reporter,
+                resolve_mesh=finder.resolve,
+                may_read=finder.allows,
+                shared=shared,
+            )
         if root.name == "robot":
             from .robot.check import check
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import io
 import sys
+from time import monotonic
 
 from .diagnostics import YamaroError, failure
 from .policy import JAIL, USUAL_SECONDS, Limits, Policy
@@ -21,6 +22,9 @@ if TYPE_CHECKING:
 
 GRACE = 2.0
 """Seconds that a conversion in a jail has to tell that its time is over, before it is ended."""
+
+MOST_READ = 1 << 30
+"""Bytes that may come out of reading files."""
 
 
 def has_jail(policy: Policy, name: str) -> bool:
@@ -91,6 +95,62 @@ def run_confined(
         return outcome
     except JailError as error:
         raise _failure_of_jail(error, policy, name) from None
+
+
+class Reader:
+    """Reads files that others wrote, such as meshes: in a jail where there is one, and in time.
+
+    Those of a trusted file are read without a jail.
+    """
+
+    __slots__ = ("_name", "_policy", "_readable", "_until")
+
+    def __init__(
+        self, policy: Policy, *, readable: Sequence[str], name: str, until: float | None = None
+    ) -> None:
+        """Set the limits.
+
+        Args:
+            policy: that of the main file.
+            readable: files and folders that may be read in a jail.
+            name: what the main file is called in messages.
+            until: when the time is over, by the monotonic clock, or None.
+        """
+        self._policy = policy
+        self._readable = readable
+        self._name = name
+        self._until = until
+
+    def check_time(self) -> None:
+        """Raise YamaroError if the time is over."""
+        if self._until is not None and monotonic() >= self._until:
+            raise time_is_over(self._name, self._policy)
+
+    def run(self, work: Callable[[], bytes]) -> bytes:
+        """Return what `work` returns, which may be a lie.
+
+        Raises:
+            YamaroError: the time is over.
+            JailError: it was ended for another reason.
+        """
+        from .jail import JailCpuTimeOver, JailLimits, JailTimeOver, JailUnavailable, run_jailed
+
+        self.check_time()
+        if self._policy.is_trusted:
+            return work()
+        seconds = USUAL_SECONDS if self._until is None else self._until - monotonic()
+        limits = JailLimits(
+            seconds=seconds,
+            cpu_seconds=int(seconds) + 1,
+            memory=self._policy.limits.memory,
+            answer=MOST_READ,
+        )
+        try:
+            return run_jailed(work, readable=self._readable, limits=limits)
+        except JailUnavailable:
+            return work()
+        except (JailTimeOver, JailCpuTimeOver):
+            raise time_is_over(self._name, self._policy) from None
 
 
 def failure_of_all(code: str, message: str, name: str, hint: str | None) -> YamaroError:

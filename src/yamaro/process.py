@@ -40,20 +40,29 @@ def bound_memory(size: int) -> None:
         return
 
 
-def end_after(seconds: float, say_why: Callable[[], None]) -> None:
+def end_after(seconds: float, say_why: Callable[[], None]) -> Callable[[], None]:
     """End this process by force a second after so many seconds, where processes can be forked.
 
     Args:
         seconds: from now.
         say_why: is called in the other process, just before.
+
+    Returns:
+        What calls that off.
     """
     if not hasattr(os, "fork") or sys.platform == "darwin":
-        return
+        return lambda: None
     reader, writer = os.pipe()  # the writer is closed when this process ends
     parent = os.getpid()
-    if os.fork():
+    child = os.fork()
+    if child:
         os.close(reader)
-        return
+
+        def call_off() -> None:
+            os.close(writer)
+            os.waitpid(child, 0)
+
+        return call_off
     try:
         os.close(writer)
         _watch(parent, reader, seconds + GRACE, say_why)

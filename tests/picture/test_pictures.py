@@ -246,10 +246,10 @@ FORMATS = ["stl", "stl_ascii", "obj", "dae", "glb", "ply"]
 def test_each_format_of_meshes_is_drawn_like_the_box_it_holds(kind: str, tmp_path: Path) -> None:
     name = f"box.{kind.removesuffix('_ascii')}"
     trimesh.creation.box(extents=(0.4, 1, 0.6)).export(tmp_path / name, file_type=kind)
-    options = ("--size", "200x150")
+    options = ("--size", "200x150", "--transparent")
     drawn = pixels(picture(tmp_path, mesh_visual(name), *options))
     solid = pixels(picture(tmp_path, link(visual('<box size="0.4 1 0.6"/>', RED)), *options))
-    assert abs(drawn - solid).mean() < 1.5
+    assert abs(drawn[..., 3] - solid[..., 3]).mean() < 1
 
 
 def test_a_mesh_is_scaled_and_may_be_mirrored(tmp_path: Path) -> None:
@@ -269,22 +269,43 @@ def test_the_unit_of_a_collada_file_counts_and_its_up_axis_does_not(tmp_path: Pa
     start, end = text.index("<asset>"), text.index("</asset>")
     (tmp_path / "box.dae").write_text(f"{text[:start]}<asset>{DAE_HEAD}{text[end:]}")
     ruler = visual('<box size="0.1 0.1 2"/>', BLUE, at="0 1 0")
-    views = ("--view", "front")
+    views = ("--view", "front", "--transparent")
     mesh = link(visual('<mesh filename="box.dae"/>', RED) + ruler)
     solid = link(visual('<box size="0.4 1 0.6"/>', RED) + ruler)
     drawn, expected = (pixels(picture(tmp_path, each, *views)) for each in (mesh, solid))
-    assert abs(drawn - expected).mean() < 1.5
+    assert abs(drawn[..., 3] - expected[..., 3]).mean() < 1
 
 
-def test_colours_of_a_mesh_count_unless_the_robot_gives_one(tmp_path: Path) -> None:
+def green_ball(path: Path, kind: str) -> None:
     ball = trimesh.creation.icosphere(radius=0.5)
-    material = trimesh.visual.material.PBRMaterial(baseColorFactor=[0, 200, 0, 255])
-    ball.visual = trimesh.visual.TextureVisuals(material=material)
-    ball.export(tmp_path / "ball.glb")
-    own = pixels(picture(tmp_path, mesh_visual("ball.glb", material="")))
-    given = pixels(picture(tmp_path, mesh_visual("ball.glb")))
-    assert like(own, 0, 200, 0)[45, 60]
-    assert like(given, 255, 0, 0)[45, 60]
+    green = [0, 200, 0, 255]
+    if kind == "ply":
+        ball.visual.vertex_colors = green
+    elif kind == "obj":
+        material = trimesh.visual.material.SimpleMaterial(diffuse=green)
+        ball.visual = trimesh.visual.TextureVisuals(uv=ball.vertices[:, :2], material=material)
+    else:
+        material = trimesh.visual.material.PBRMaterial(baseColorFactor=green)
+        ball.visual = trimesh.visual.TextureVisuals(material=material)
+    ball.export(path)
+
+
+@pytest.mark.parametrize("material", ["", RED, '<material name="nowhere"/>'])
+@pytest.mark.parametrize("kind", ["glb", "dae", "obj", "ply"])
+def test_a_mesh_was_painted_over_where_rviz_shows_its_own_colours(
+    kind: str, material: str, tmp_path: Path
+) -> None:
+    green_ball(tmp_path / f"ball.{kind}", kind)
+    image = pixels(picture(tmp_path, mesh_visual(f"ball.{kind}", material=material)))
+    assert like(image, 0, 200, 0)[45, 60]
+
+
+@pytest.mark.parametrize("kind", ["stl", "obj", "ply", "off"])
+def test_a_mesh_without_colours_has_that_of_the_robot(kind: str, tmp_path: Path) -> None:
+    ball = trimesh.creation.icosphere(radius=0.5)
+    options = {"include_texture": False, "include_color": False} if kind == "obj" else {}
+    ball.export(tmp_path / f"ball.{kind}", **options)
+    assert like(pixels(picture(tmp_path, mesh_visual(f"ball.{kind}"))), 255, 0, 0)[45, 60]
 
 
 def textured(folder: Path, image: str) -> None:
@@ -343,7 +364,7 @@ def test_a_missing_mesh_is_a_box_and_a_warning(
     ("name", "code", "said"),
     [
         ("broken.stl", "bad-mesh", "it is no STL file"),
-        ("broken.dae", "bad-mesh", "trimesh cannot read it"),
+        ("broken.dae", "bad-mesh", "it is no COLLADA file"),
         ("part.step", "bad-mesh", "no reader for '.step' files"),
         ("https://example.org/a.stl", "missing-mesh-file", "is not found"),
         ("model://nowhere/a.stl", "missing-mesh-file", "is not found"),

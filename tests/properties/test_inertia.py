@@ -8,7 +8,8 @@ import trimesh
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from yamaro.robot.mesh import TriangleMesh, is_closed, read_mesh, solid_moments
+from yamaro.meshes.triangles import TriangleMesh, is_closed, read_mesh
+from yamaro.robot.mesh import solid_moments
 from yamaro.robot.shapes import Box, Capsule, Cylinder, Mesh, Sphere
 
 sizes = st.floats(1e-4, 100)

@@ -76,17 +76,24 @@ def convert_file(
 def _bound_process(arguments: Arguments, streams: Streams, policy: Policy) -> None:
     """See to it that this process takes no more memory and time than it may."""
     from .. import process
-    from ..confined import has_jail, time_is_over
+    from ..confined import has_jail
 
     process.bound_memory(policy.limits.memory)
-    name = display_name(arguments)
-    if policy.timeout is None or has_jail(policy, name):
-        return
+    if policy.timeout is not None and not has_jail(policy, display_name(arguments)):
+        end_process(arguments, streams, policy, policy.timeout)
+
+
+def end_process(
+    arguments: Arguments, streams: Streams, policy: Policy, seconds: float
+) -> Callable[[], None]:
+    """End this process after so many seconds, with the reason; return what calls that off."""
+    from .. import process
+    from ..confined import time_is_over
 
     def say_why() -> None:
-        show(time_is_over(name, policy).diagnostics, arguments, streams)
+        show(time_is_over(display_name(arguments), policy).diagnostics, arguments, streams)
 
-    process.end_after(policy.timeout, say_why)
+    return process.end_after(seconds, say_why)
 
 
 def _build(

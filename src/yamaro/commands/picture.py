@@ -2,24 +2,29 @@
 
 from __future__ import annotations
 
-from .conversion import convert_file
+from time import monotonic
+
+from .conversion import convert_file, end_process
 from .reports import display_name
+from .settings import make_policy
 from .usage import WrongUsage
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from ..compiler import Build
     from ..output import Streams
+    from ..tools.picture.command import Result
     from ..tools.picture.request import Request
     from .arguments import Arguments
 
 
 def run(arguments: Arguments, streams: Streams) -> int:
     """Write the picture; return the exit status."""
+    began = monotonic()
     return convert_file(
         arguments,
         streams,
-        lambda build: [_picture(build, arguments, streams)],
+        lambda build: [_picture(build, arguments, streams, began)],
         prepare=lambda: _request(arguments),
         has_root=True,
     )
@@ -42,13 +47,12 @@ def _request(arguments: Arguments) -> Request:
     return request
 
 
-def _picture(build: Build, arguments: Arguments, streams: Streams) -> bytes:
+def _picture(build: Build, arguments: Arguments, streams: Streams, began: float) -> bytes:
     from ..diagnostics import ERROR, YamaroError
-    from ..tools.picture.command import draw
 
     if build.root.name != "robot":
         raise WrongUsage(f"'yamaro picture' draws robots, and this is a <{build.root.name}>")
-    result = draw(build, display_name(arguments), _request(arguments))
+    result = _draw(build, arguments, streams, began)
     build.warnings.extend(result.warnings)
     if arguments.has("strict") and result.warnings:
         for warning in result.warnings:
@@ -58,3 +62,22 @@ def _picture(build: Build, arguments: Arguments, streams: Streams) -> bytes:
         for remark in result.remarks:
             streams.say(f"{display_name(arguments)}: {remark}")
     return result.data
+
+
+def _draw(build: Build, arguments: Arguments, streams: Streams, began: float) -> Result:
+    """Draw the robot in the time that is left."""
+    from ..confined import Reader, has_jail
+    from ..tools.picture.command import draw
+
+    policy, name = make_policy(arguments), display_name(arguments)
+    until = None if policy.timeout is None else began + policy.timeout
+    reader = Reader(policy, readable=build.finder.roots, name=name, until=until)
+    call_off = None
+    if until is not None and streams.owns_process and has_jail(policy, name):
+        seconds = max(until - monotonic(), 0)  # until here the jail has seen to it
+        call_off = end_process(arguments, streams, policy, seconds)
+    try:
+        return draw(build, name, _request(arguments), reader)
+    finally:
+        if call_off is not None:
+            call_off()

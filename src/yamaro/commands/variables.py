@@ -23,6 +23,7 @@ def variable_lines(path: str) -> str:
     A file that cannot be read has none: someone who is still typing wants no errors.
     """
     from ..diagnostics import Reporter, YamaroError
+    from ..regular_files import read_start
     from ..source import Source
     from ..syntax.yaml_reader import read
     from ..terminal import printable
@@ -30,11 +31,11 @@ def variable_lines(path: str) -> str:
     if path.startswith("~"):
         path = os.path.expanduser(path)
     try:
-        if not os.path.isfile(path) or os.path.getsize(path) > MAX_BYTES:
+        data = read_start(path, MAX_BYTES + 1)
+        if len(data) > MAX_BYTES:
             return ""
-        with open(path, encoding="utf-8-sig", newline="") as file:
-            root = read(Source(file.read(), name=path), reporter=Reporter())
-    except (OSError, UnicodeDecodeError, YamaroError):
+        root = read(Source(data.decode("utf-8-sig"), name=path), reporter=Reporter())
+    except (OSError, ValueError, YamaroError):
         return ""
     lines: dict[str, str] = {}
     for section, body in _pairs(root):

@@ -271,10 +271,12 @@ def stl_extent(path: str, scale: tuple[float, ...]) -> float | None:
     import os
     from struct import error, iter_unpack, unpack_from
 
+    from ..regular_files import open_regular
+
     if not path.lower().endswith(".stl"):
         return None
     try:
-        with open(path, "rb") as file:
+        with open_regular(path) as file:
             (count,) = unpack_from("<I", file.read(84), 80)
             size = os.fstat(file.fileno()).st_size
             if not count or size != 84 + 50 * count or size > LARGEST_MESH_READ:

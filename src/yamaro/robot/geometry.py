@@ -167,7 +167,8 @@ def _read_shape_word(lowering: Lowering, key: Element) -> tuple[str, str, Span]:
     kind = word.lower()
     if kind in COUNTS:
         return kind, word, span
-    from .mesh import MESH_ENDINGS, mesh_ending  # as below: most robots have no mesh
+    from ..meshes.formats import mesh_ending
+    from .mesh import MESH_ENDINGS  # as below: most robots have no mesh
 
     if mesh_ending(word) in MESH_ENDINGS:
         return "mesh", word, span
@@ -294,7 +295,7 @@ def _solid_mesh(lowering: Lowering, geometry: Geometry, scale: tuple[float, ...]
         )
     moments = lowering.moments.get(path)
     if moments is None:
-        moments = lowering.moments[path] = _read_moments(geometry, path)
+        moments = lowering.moments[path] = _read_moments(lowering, geometry, path)
     x, y, z = scale
     scaled = moments.scaled((x, y, z))
     if scaled.volume == 0:
@@ -309,22 +310,17 @@ def _solid_mesh(lowering: Lowering, geometry: Geometry, scale: tuple[float, ...]
     return Mesh(scaled)
 
 
-def _read_moments(geometry: Geometry, path: str) -> SolidMoments:
+def _read_moments(lowering: Lowering, geometry: Geometry, path: str) -> SolidMoments:
     """Return the volume integrals of a mesh file, for scale 1."""
-    from .mesh import (
-        TRIMESH_ENDINGS,
-        MeshFileError,
-        MissingLibraryError,
-        is_closed,
-        read_mesh,
-        solid_moments,
-    )
+    from ..meshes.formats import FORMAT_NAMES, MeshFileError, MissingLibraryError
+    from ..meshes.triangles import is_closed, read_mesh
+    from .mesh import solid_moments
 
     span, word, trace = geometry.span, geometry.word, geometry.key.trace
     try:
-        mesh = read_mesh(path)
+        mesh = read_mesh(path, lowering.may_read)
     except MeshFileError as error:
-        readable = " ".join(f".{ending}" for ending in ("stl", "obj", *sorted(TRIMESH_ENDINGS)))
+        readable = " ".join(f".{ending}" for ending in FORMAT_NAMES)
         raise failure(
             "bad-mesh",
             f"the mesh '{word}' cannot be read: {error}",

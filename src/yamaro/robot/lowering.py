@@ -45,6 +45,7 @@ class Lowering:
         "errors",
         "has_capsule",
         "joints",
+        "may_read",
         "mimics",
         "moments",
         "near_keys",
@@ -64,12 +65,14 @@ class Lowering:
         reporter: Reporter,
         resolve_mesh: Callable[[str, Span], str | None],
         *,
+        may_read: Callable[[str], bool] | None,
         has_capsule: bool,
         shared: Shared,
     ) -> None:
         """Start a run with nothing found."""
         self.reporter = reporter
         self.resolve_mesh = resolve_mesh
+        self.may_read = may_read
         self.has_capsule = has_capsule
         self.shared = shared
         self.errors: list[Diagnostic] = []

@@ -44,6 +44,7 @@ def lower(
     *,
     reporter: Reporter,
     resolve_mesh: Callable[[str, Span], str | None],
+    may_read: Callable[[str], bool] | None = None,
     shared: Shared | None = None,
 ) -> Element:
     """Return the tree with every part replaced by its joint, its link and what stands beside them.
@@ -55,6 +56,7 @@ def lower(
         reporter: takes the warnings.
         resolve_mesh: gives the absolute path of a mesh file named at a span, or None if there is
             none; asked only when inertia is computed from the mesh.
+        may_read: tells whether a file may be read that a mesh names; None allows all.
         shared: the elements that stand in several places of the tree; what they are lowered to is
             shared alike, and added.
 
@@ -76,6 +78,7 @@ def lower(
     lowering = Lowering(
         reporter,
         resolve_mesh,
+        may_read=may_read,
         has_capsule=_has_capsule(root),
         shared=shared if shared is not None else {},
     )

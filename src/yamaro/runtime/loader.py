@@ -6,6 +6,7 @@ import os
 
 from ..diagnostics import failure
 from ..policy import Limits
+from ..regular_files import open_regular
 from ..source import Source, Span
 
 TYPE_CHECKING = False
@@ -61,24 +62,12 @@ class FileLoader:
         if self.reach is not None:
             self.reach.check(path)
         try:
-            # O_NONBLOCK: a FIFO that nobody writes to must not hang the build.
-            descriptor = os.open(path, os.O_RDONLY | getattr(os, "O_NONBLOCK", 0))
+            with open_regular(path) as file:
+                if self.reach is not None and not self.reach.is_of(path, file.fileno()):
+                    raise LoadError("it was replaced by another file meanwhile")
+                data = file.read(self.limits.file + 1)  # it may grow while it is read
         except (OSError, ValueError) as error:
             raise LoadError(_reason(error)) from None
-        try:
-            mode = os.fstat(descriptor).st_mode
-            if mode & 0o170000 == 0o040000:
-                raise LoadError("it is a folder")
-            if mode & 0o170000 != 0o100000:
-                raise LoadError("it is no regular file")
-            if self.reach is not None and not self.reach.is_of(path, descriptor):
-                raise LoadError("it was replaced by another file meanwhile")
-            with open(descriptor, "rb", closefd=False) as file:
-                data = file.read(self.limits.file + 1)  # it may grow while it is read
-        except OSError as error:
-            raise LoadError(_reason(error)) from None
-        finally:
-            os.close(descriptor)
         check_size(len(data), self.limits)
         return data
 

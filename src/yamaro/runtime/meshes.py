@@ -69,6 +69,11 @@ class MeshFinder:
         """Tell whether a file may be read, such as a texture that a mesh names."""
         return self._reach is None or self._reach.allows(path)
 
+    @property
+    def roots(self) -> list[str]:
+        """Return the files and folders that may be read; none where everything may be."""
+        return [] if self._reach is None else self._reach.roots
+
     def places_searched(self, package: str, span: Span) -> list[str] | None:
         """Return where a package was looked for, or None if it is known."""
         directory = _directory(span)

@@ -12,6 +12,7 @@ import os
 import sys
 
 from ..diagnostics import InputFault
+from ..regular_files import open_regular
 from ..syntax.nodes import ImportNode
 from .expressions import run_module
 
@@ -75,7 +76,7 @@ class LocalModules:
         try:
             code = self._codes.get(path)
             if code is None:
-                with open(path, "rb") as file:
+                with open_regular(path) as file:
                     code = compile(file.read(), path, "exec", dont_inherit=True)
                 self._codes[path] = code
             self.files.append(path)

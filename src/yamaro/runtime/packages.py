@@ -8,6 +8,8 @@ from __future__ import annotations
 
 import os
 
+from ..regular_files import read_start
+
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping
@@ -181,11 +183,10 @@ def is_package_name(name: str) -> bool:
 def manifest_name(folder: str) -> str | None:
     """Return the name that the folder's package.xml gives, or None if there is none to read."""
     try:
-        with open(os.path.join(folder, "package.xml"), "rb") as file:
-            text = file.read(MAX_MANIFEST_BYTES).decode("utf-8", "replace")
+        data = read_start(os.path.join(folder, "package.xml"), MAX_MANIFEST_BYTES)
     except OSError:
         return None
-    text = _without_comments(text)
+    text = _without_comments(data.decode("utf-8", "replace"))
     start = text.find("<name")
     while start >= 0 and text[start + 5 : start + 6] not in (">", " ", "\t", "\r", "\n"):
         start = text.find("<name", start + 5)
@@ -196,10 +197,14 @@ def manifest_name(folder: str) -> str | None:
 
 
 def _without_comments(text: str) -> str:
-    while (start := text.find("<!--")) >= 0:
-        end = text.find("-->", start + 4)
-        text = text[:start] + (text[end + 3 :] if end >= 0 else "")
-    return text
+    pieces = []
+    end = 0
+    while (start := text.find("<!--", end)) >= 0:
+        pieces.append(text[end:start])
+        end = text.find("-->", start + 4) + 3
+        if end < 3:  # it has no end
+            return "".join(pieces)
+    return "".join([*pieces, text[end:]])
 
 
 def _ancestors(start: str) -> Iterator[str]:

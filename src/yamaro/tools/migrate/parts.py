@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from ...robot.mesh import MESH_ENDINGS, mesh_ending
+from ...meshes.formats import mesh_ending
+from ...robot.mesh import MESH_ENDINGS
 from ...xmltree import Element, Text, format_value
 from .compare import POSE, ZEROS, same_words, values_of
 from .document import RECORD_WIDTH, Body, Entry, joined, spaced, without_expressions, words_of

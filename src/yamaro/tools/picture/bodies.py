@@ -20,8 +20,8 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
+    from ...meshes.surfaces import Surface
     from ..scene.robot import Inertial, Shape
-    from .surfaces import Surface
 
     Floats = NDArray[np.floating[Any]]
 

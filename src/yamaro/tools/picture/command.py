@@ -7,6 +7,7 @@ from ...confined import failure_of_all
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from ...compiler import Build
+    from ...confined import Reader
     from ...diagnostics import Diagnostic
     from .request import Request
 
@@ -63,16 +64,18 @@ def _shown(version: tuple[int, ...]) -> str:
     return ".".join(map(str, version))
 
 
-def draw(build: Build, name: str, request: Request) -> Result:
+def draw(build: Build, name: str, request: Request, reader: Reader) -> Result:
     """Return the picture of a robot.
 
     Args:
         build: of the robot.
         name: of its file, for messages.
         request: what to draw.
+        reader: reads meshes, and knows when the time is over.
 
     Raises:
-        YamaroError: a mesh lies where it may not be read, or nothing can be drawn on this system.
+        YamaroError: the time is over, a mesh lies where it may not be read, or nothing can be
+            drawn on this system.
         UsageError: a joint is named that there is not.
     """
     from . import files
@@ -80,7 +83,7 @@ def draw(build: Build, name: str, request: Request) -> Result:
     from .window import NoOpenGLError
 
     try:
-        drawing = Drawing(build, request)
+        drawing = Drawing(build, request, reader)
     except NoOpenGLError as error:
         message = "nothing can be drawn here: OpenGL is missing, which needs no display"
         raise failure_of_all("no-opengl", message, name, str(error)) from None

@@ -10,6 +10,7 @@ from vtkmodules.vtkCommonCore import vtkObject
 from ..scene.robot import Robot
 from .cameras import fitted, fitted_around
 from .figure import Figure
+from .meshes import Meshes, read_meshes
 from .motion import moments
 from .request import read_positions
 from .stage import Stage
@@ -21,6 +22,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from ...compiler import Build
+    from ...confined import Reader
     from ...diagnostics import Diagnostic
     from .cameras import Camera
     from .motion import Moment
@@ -44,15 +46,16 @@ class Drawing:
         remarks: what else is to be said.
     """
 
-    def __init__(self, build: Build, request: Request) -> None:
+    def __init__(self, build: Build, request: Request, reader: Reader) -> None:
         """Set the stage.
 
         Args:
             build: of a robot.
             request: what to draw.
+            reader: reads meshes, and knows when the time is over.
 
         Raises:
-            YamaroError: a mesh lies where it may not be read.
+            YamaroError: a mesh lies where it may not be read, or the time is over.
             UsageError: a joint is named that there is not.
             NoOpenGLError: nothing can be drawn on this system.
         """
@@ -61,11 +64,14 @@ class Drawing:
         self._robot = Robot(build.root, build.finder)
         self.remarks: list[str] = []
         self._moments = moments(request, self._robot, read_positions(request, self._robot))
+        self._reader = reader
         shows = self._shows()
+        paths = [shape.path for shape in self._robot.shapes() if shape.is_shown(shows)]
+        meshes = read_meshes([path for path in paths if path], build.finder.allows, reader)
         is_large = request.width * request.height > MOST_SHARP_PIXELS
         sharpness = 1 if is_large else SHARPNESS
         self._stage = Stage(request.width, request.height, sharpness=sharpness)
-        self._figure = Figure(self._robot, self._stage, shows, build.finder.allows)
+        self._figure = Figure(self._robot, self._stage, shows, Meshes(meshes))
 
     @property
     def warnings(self) -> list[Diagnostic]:
@@ -95,6 +101,7 @@ class Drawing:
                 self._figure.place(moment.positions)
                 self._figure.lay_floor(low, extent)
             before = moment
+            self._reader.check_time()
             yield _sheet([self._shot(camera) for camera in row])
 
     def _shot(self, camera: Camera) -> Image:

@@ -19,22 +19,22 @@ from .bodies import (
     surface_body,
 )
 from .floor import Shadow, surface_samples
-from .meshes import Meshes
 from .stage import make_matrix, make_texture
-from .words import COLLISION, FRAMES, GRID, INERTIA, VISUAL
+from .words import FRAMES, GRID, INERTIA, VISUAL
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Collection, Mapping, Sequence
+    from collections.abc import Collection, Mapping, Sequence
 
     from numpy.typing import NDArray
     from vtkmodules.vtkCommonDataModel import vtkPolyData
     from vtkmodules.vtkRenderingCore import vtkActor
 
     from ...diagnostics import Diagnostic
+    from ...meshes.surfaces import Surface
     from ...robot.transforms import Vector
     from ..scene.robot import Inertial, Link, Robot, Shape
+    from .meshes import Meshes
     from .stage import Color, Stage
-    from .surfaces import Surface
 
     Floats = NDArray[np.floating[Any]]
 
@@ -86,7 +86,7 @@ class Figure:
         robot: Robot,
         stage: Stage,
         shows: Collection[str],
-        allows: Callable[[str], bool],
+        meshes: Meshes,
     ) -> None:
         """Put the robot on the stage; `place` has to say where its joints are.
 
@@ -94,11 +94,11 @@ class Figure:
             robot: the robot.
             stage: the stage.
             shows: some of SHOWN.
-            allows: tells whether a file may be read that a mesh names.
+            meshes: those of the robot.
         """
         self.robot = robot
         self.stage = stage
-        self._meshes = Meshes(allows)
+        self._meshes = meshes
         self._bodies: list[Body] = []
         self._bones: vtkActor | None = None
         self._poses: dict[str, Floats] = {}
@@ -112,7 +112,7 @@ class Figure:
         opacity = {True: 0.35 if is_veiled else 1.0, False: 0.45 if VISUAL in shows else 1.0}
         for link in self.robot.links.values():
             for shape in link.shapes:
-                if (VISUAL if shape.is_visual else COLLISION) not in shows:
+                if not shape.is_shown(shows):
                     continue
                 if not self._add_shape(link, shape, opacity[shape.is_visual]):
                     missing.append((link, shape))
@@ -159,8 +159,8 @@ class Figure:
         return bool(surfaces)
 
     def _add_surface(self, link: Link, shape: Shape, surface: Surface, opacity: float) -> None:
-        """Add a surface of a mesh; a colour that the robot gives it goes before its file's."""
-        is_own = shape.is_visual and shape.color is None
+        """Add a surface of a mesh; its file's colours go before the robot's, as in RViz."""
+        is_own = shape.is_visual and surface.has_look
         color, alpha = _look_of(shape, surface.color if is_own else shape.color)
         body = surface_body(surface, shape.size)
         actor = self._add(link, body, np.array(shape.pose.matrix()), color, alpha * opacity).actor

@@ -1,56 +1,114 @@
-"""The meshes of a robot: each file read once, and a warning for each that cannot be drawn."""
+"""The meshes of a robot as surfaces to draw, and what is to be said of those that cannot be."""
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
 from ...diagnostics import WARNING, Diagnostic
+from ...jail.limits import JailAnswerBroken, JailError
+from ...jail.packing import pack, unpack
+from ...meshes.answers import read_packed, unpacked
+from ...meshes.formats import MeshFileError, MissingLibraryError
 from ...robot.check_context import label
 from ...robot.check_files import is_local
-from ...robot.mesh import MeshFileError, MissingLibraryError
-from .surfaces import read_surfaces
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Collection, Sequence
 
+    from ...confined import Reader
+    from ...meshes.surfaces import Surface
     from ..scene.robot import Link, Shape
-    from .surfaces import Surface
 
 BOX_HINT = "a box stands for it in the picture"
 
 
+def read_meshes(
+    paths: Collection[str], allows: Callable[[str], bool], reader: Reader
+) -> dict[str, list[Surface] | Exception]:
+    """Return the surfaces in mesh files by path, or why they cannot be drawn.
+
+    All are read in one jail. If that is ended, each is read in one of its own, so that the others
+    are drawn all the same.
+
+    Raises:
+        YamaroError: the time is over.
+    """
+    order = list(dict.fromkeys(paths))
+    if not order:
+        return {}
+    try:
+        return _read_together(order, allows, reader)
+    except JailError as error:
+        if len(order) == 1:
+            return {order[0]: _reason(error)}
+    found: dict[str, list[Surface] | Exception] = {}
+    for path in order:
+        try:
+            found.update(_read_together([path], allows, reader))
+        except JailError as error:
+            found[path] = _reason(error)
+    return found
+
+
+def _read_together(
+    paths: Sequence[str], allows: Callable[[str], bool], reader: Reader
+) -> dict[str, list[Surface] | Exception]:
+    def read() -> bytes:
+        pieces = []
+        for path in paths:
+            reader.check_time()
+            pieces.append(read_packed(path, allows))
+        return pack(pieces)
+
+    pieces = unpack(reader.run(read))
+    if len(pieces) != len(paths):
+        raise JailAnswerBroken("the answer holds another number of meshes")
+    return {path: _surfaces(piece) for path, piece in zip(paths, pieces, strict=True)}
+
+
+def _surfaces(data: bytes) -> list[Surface] | Exception:
+    try:
+        return unpacked(data)
+    except (MeshFileError, MissingLibraryError) as error:
+        return error
+
+
+def _reason(error: JailError) -> MeshFileError:
+    """Return what is said of a mesh whose reading was ended."""
+    if error.limit in ("memory", "answer"):
+        return MeshFileError("it takes too much memory")
+    return MeshFileError(f"reading it was ended: {error}")
+
+
 class Meshes:
-    """Reads the meshes of a robot.
+    """The meshes of a robot.
 
     Attributes:
         warnings: one for each mesh that cannot be drawn, but for those that the check tells of.
     """
 
-    def __init__(self, allows: Callable[[str], bool]) -> None:
-        """Begin without meshes; `allows` tells whether a file may be read that a mesh names."""
+    def __init__(self, found: dict[str, list[Surface] | Exception]) -> None:
+        """Hold what was read, by path."""
         self.warnings: list[Diagnostic] = []
-        self._allows = allows
-        self._surfaces: dict[str, list[Surface]] = {}
+        self._found = found
         self._told: set[str] = set()
 
     def surfaces_of(self, link: Link, shape: Shape) -> list[Surface]:
         """Return the surfaces of a mesh; none if it cannot be drawn."""
-        path = shape.path
-        if path is None:
+        if shape.path is None:
             if shape.filename and not is_local(shape.filename):
                 self._warn("missing-mesh-file", link, shape, "is not found")
             return []
-        if path not in self._surfaces:
-            self._surfaces[path] = []
-            try:
-                self._surfaces[path] = read_surfaces(path, self._allows)
-            except MissingLibraryError as error:
-                hint = 'pip install "yamaro[picture]"'
-                reason = f"needs the Python package '{error}'"
-                self._warn("missing-extra", link, shape, reason, hint)
-            except MeshFileError as error:
-                self._warn("bad-mesh", link, shape, f"cannot be read: {error}")
-        return self._surfaces[path]
+        found = self._found[shape.path]
+        if isinstance(found, list):
+            return found
+        if isinstance(found, MissingLibraryError):
+            hint = 'pip install "yamaro[picture]"'
+            reason = f"needs the Python package '{found}'"
+            self._warn("missing-extra", link, shape, reason, hint)
+        else:
+            self._warn("bad-mesh", link, shape, f"cannot be read: {found}")
+        return []
 
     def _warn(self, code: str, link: Link, shape: Shape, reason: str, hint: str = BOX_HINT) -> None:
         if shape.filename in self._told:

@@ -14,7 +14,7 @@ from .transforms import IDENTITY, X_AXIS, Transform, rotation_from_quaternion, u
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Collection, Iterator
 
     from ...robot.transforms import Vector
     from ...runtime.meshes import MeshFinder
@@ -63,6 +63,10 @@ class Shape:
         self.color: Color | None = None
         self.filename = attribute_text(geometry, "filename") or ""
         self.path: str | None = None
+
+    def is_shown(self, shows: Collection[str]) -> bool:
+        """Tell whether it is one of what is shown: visual or collision shapes."""
+        return self.element.name in shows
 
 
 class Inertial:

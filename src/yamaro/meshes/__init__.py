@@ -1,0 +1,1 @@
+"""Mesh files: their formats by their bytes, their bounds, and what is in them."""

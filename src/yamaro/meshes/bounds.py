@@ -1,0 +1,173 @@
+"""Whether a mesh stays within bounds, and which other files it names, before a library reads it.
+
+A few kilobytes can place a body a million times, hold an archive of gigabytes, or define entities
+that grow. So each format's own way to repeat things is counted first. All of it is linear.
+"""
+
+from __future__ import annotations
+
+from .formats import DAE, GLB, GLTF, OBJ, OFF, PLY, THREEMF, MeshFileError
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterable
+
+MOST_PLACED = 10_000
+"""Bodies that a file may place, each as often as it is placed."""
+MOST_BYTES_PLACED = 512 << 20
+"""Bytes of the descriptions of those bodies, each counted as often as it is placed."""
+MOST_NAMES = 256
+"""Other files that a mesh or material may name."""
+LARGEST_MATERIALS = 4 << 20
+"""Bytes of an MTL file."""
+
+
+def check_bounds(data: bytes, kind: str) -> list[str]:
+    """Return the names of other files in a mesh, as they are written.
+
+    Raises:
+        MeshFileError: it is not of that format, or its content would grow beyond all bounds.
+    """
+    return _checks()[kind](data) if kind in _checks() else []
+
+
+def _checks() -> dict[str, Callable[[bytes], list[str]]]:
+    from .gltf_bounds import check_glb, check_gltf
+    from .xml_bounds import check_collada, check_threemf
+
+    return {
+        DAE: check_collada,
+        THREEMF: check_threemf,
+        GLTF: check_gltf,
+        GLB: check_glb,
+        OBJ: _check_obj,
+        PLY: _check_ply,
+        OFF: _check_off,
+    }
+
+
+class Body:
+    """What can be placed: a node or object with what it holds.
+
+    Attributes:
+        own: bodies that it is itself, and the bytes of their descriptions.
+        inside: the keys or bodies that it places.
+    """
+
+    __slots__ = ("inside", "own")
+
+    def __init__(self) -> None:
+        """Begin empty."""
+        self.own: list[tuple[int, int]] = []
+        self.inside: list[Body | str] = []
+
+
+def check_placed(roots: Iterable[Body], known: dict[str, list[Body]]) -> None:
+    """Raise MeshFileError if bodies place one another in a circle, or too often.
+
+    Args:
+        roots: what the scene shows.
+        known: the bodies that keys stand for.
+    """
+    sums: dict[int, tuple[int, int]] = {}
+    placed = size = 0
+    for root in roots:
+        own_placed, own_size = _summed(root, known, sums)
+        placed, size = placed + own_placed, size + own_size
+        if placed > MOST_PLACED or size > MOST_BYTES_PLACED:
+            raise MeshFileError(f"it places more than {MOST_PLACED:,} bodies, or too large ones")
+
+
+def _summed(
+    root: Body, known: dict[str, list[Body]], sums: dict[int, tuple[int, int]]
+) -> tuple[int, int]:
+    """Return how many bodies a body places, and their bytes; without recursion."""
+    entered: set[int] = set()
+    pending: list[tuple[Body, bool]] = [(root, False)]
+    while pending:
+        body, is_left = pending.pop()
+        key = id(body)
+        inside = _inside(body, known)
+        if is_left:
+            parts = [*body.own, (1, 0), *(sums[id(each)] for each in inside)]
+            sums[key] = (sum(part[0] for part in parts), sum(part[1] for part in parts))
+            continue
+        if key in sums:
+            continue
+        if key in entered:
+            raise MeshFileError("its bodies place one another in a circle")
+        entered.add(key)
+        pending.append((body, True))
+        pending.extend((each, False) for each in inside if id(each) not in sums)
+    return sums[id(root)]
+
+
+def _inside(body: Body, known: dict[str, list[Body]]) -> list[Body]:
+    found = []
+    for each in body.inside:
+        found += known.get(each, []) if isinstance(each, str) else [each]
+    return found
+
+
+# --- texts --------------------------------------------------------------------------------------
+
+
+def _check_obj(data: bytes) -> list[str]:
+    """Return the names after `mtllib`; each line is looked at once."""
+    if sum(data.count(b"\n" + word) for word in (b"usemtl", b"o ", b"g ")) > MOST_PLACED:
+        raise MeshFileError(f"it has more than {MOST_PLACED:,} groups")
+    names: list[str] = []
+    end = 0
+    while (place := data.find(b"mtllib", end)) >= 0 and len(names) < MOST_NAMES:
+        start = data.rfind(b"\n", end, place) + 1 or end
+        end = data.find(b"\n", place)
+        end = len(data) if end < 0 else end
+        if not data[start:place].strip() and data[place + 6 : place + 7] in (b" ", b"\t"):
+            names.append(data[place + 7 : end].strip().decode("utf-8", "replace"))
+    return list(dict.fromkeys(names))
+
+
+def names_in_materials(data: bytes) -> list[str]:
+    """Return the names of images in an MTL file; options may be before a name."""
+    names: list[str] = []
+    for line in data[:LARGEST_MATERIALS].splitlines():
+        words = line.split(None, 1)
+        if len(words) < 2 or not (
+            words[0].startswith(b"map_") or words[0] in (b"bump", b"disp", b"norm")
+        ):
+            continue
+        name = words[1].strip().decode("utf-8", "replace")
+        names.append(name)
+        if name.startswith("-"):  # as in "map_Kd -s 1 1 1 wood.png"
+            names.append(name.split()[-1])
+        if len(names) >= MOST_NAMES:
+            break
+    return list(dict.fromkeys(names))
+
+
+def _check_ply(data: bytes) -> list[str]:
+    """Refuse a header that promises more than the file can hold."""
+    end = data.find(b"end_header", 0, 1 << 16)
+    if end < 0:
+        raise MeshFileError("its header has no end")
+    for line in data[:end].splitlines():
+        words = line.split()
+        if words[:1] == [b"element"]:
+            _check_count(words[-1], len(data))
+    return []
+
+
+def _check_off(data: bytes) -> list[str]:
+    words: list[bytes] = []
+    for line in data[: 1 << 16].splitlines():
+        words += line.partition(b"#")[0].split()
+        if len(words) >= 4:
+            break
+    for word in words[1:4]:
+        _check_count(word, len(data))
+    return []
+
+
+def _check_count(word: bytes, size: int) -> None:
+    if not word.isdigit() or len(word) > 12 or int(word) > size:
+        raise MeshFileError("it says that it holds more than it can")

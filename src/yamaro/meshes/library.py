@@ -1,0 +1,248 @@
+"""Meshes through trimesh, which is given bytes, and of other files only those that may be read.
+
+What libraries log or warn of would go to the terminal with words of the file in it, so that is
+turned off while they read. Images are only opened in the formats of `formats.py`: Pillow would
+start other programs for some.
+"""
+
+from __future__ import annotations
+
+import os
+from contextlib import contextmanager
+from typing import TYPE_CHECKING, Any
+from urllib.parse import unquote
+
+import numpy as np
+
+from ..regular_files import read_start
+from .bounds import MOST_PLACED, check_bounds
+from .formats import (
+    GLB,
+    GLTF,
+    IMAGE_FORMATS,
+    LARGEST_FILE,
+    OBJ,
+    MeshFileError,
+    MissingLibraryError,
+    image_format,
+)
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterator
+
+    from numpy.typing import NDArray
+
+    Floats = NDArray[np.floating[Any]]
+    Whole = NDArray[np.integer[Any]]
+
+MOST_PIXELS = 64 << 20
+"""Pixels of an image that is decoded."""
+MOST_TRIANGLES = 20_000_000
+_LOGGERS = ("trimesh", "collada", "PIL")
+_SILENT = 1000
+
+
+class Body:
+    """A body of a file at its place.
+
+    Attributes:
+        points: corners, N×3, in metres.
+        triangles: indices of corners, M×3, counterclockwise seen from outside.
+        mesh: what trimesh made of it, before it was placed.
+        place: where it is in the file, 4×4.
+    """
+
+    __slots__ = ("mesh", "place", "points", "triangles")
+
+    def __init__(self, mesh: Any, place: Floats, factor: float) -> None:
+        """Place a body; the factor makes metres of the file's unit."""
+        self.mesh = mesh
+        self.place = place
+        corners = np.asarray(mesh.vertices, float)
+        self.points: Floats = (corners @ place[:3, :3].T + place[:3, 3]) * factor
+        self.triangles: Whole = np.asarray(mesh.faces)
+        if np.linalg.det(place[:3, :3]) < 0:
+            self.triangles = self.triangles[:, ::-1]
+
+
+def read_bodies(
+    data: bytes,
+    kind: str,
+    path: str,
+    allows: Callable[[str], bool] | None,
+    *,
+    has_colors: bool = False,
+) -> list[Body]:
+    """Return the bodies in the bytes of a mesh file.
+
+    Args:
+        data: the bytes.
+        kind: their format.
+        path: the file, beside which the others lie that it names.
+        allows: tells whether another file may be read; None allows all.
+        has_colors: whether materials and textures are read too.
+
+    Raises:
+        MeshFileError: it cannot be read, or is out of bounds.
+        MissingLibraryError: a library is not installed.
+    """
+    with quiet_libraries():
+        try:
+            import trimesh  # noqa: F401 - that it is missing comes first
+
+            check_bounds(data, kind)
+            return _read(data, kind, Companions(path, allows), has_colors)
+        except ImportError as error:
+            raise MissingLibraryError(error.name or str(error)) from error
+        except (MeshFileError, OSError, MemoryError):
+            raise
+        except Exception as error:
+            raise MeshFileError(f"trimesh cannot read it: {error}") from error
+
+
+def _read(data: bytes, kind: str, companions: Companions, has_colors: bool) -> list[Body]:
+    from io import BytesIO
+
+    import trimesh
+
+    skips = {} if has_colors or kind not in (GLTF, GLB, OBJ) else {"skip_materials": True}
+    scene: Any = trimesh.load_scene(
+        BytesIO(data), file_type=kind, process=False, resolver=companions.resolver(), **skips
+    )
+    factor = _metres(scene)
+    bodies: list[Body] = []
+    triangles = 0
+    for place, name in map(scene.graph.get, scene.graph.nodes_geometry):
+        mesh = scene.geometry[name]
+        if not isinstance(mesh, trimesh.Trimesh):
+            continue
+        triangles += len(mesh.faces)
+        if len(bodies) >= MOST_PLACED or triangles > MOST_TRIANGLES:
+            raise MeshFileError(f"it has more than {MOST_TRIANGLES:,} triangles")
+        bodies.append(Body(mesh, place, factor))
+    return bodies
+
+
+def _metres(scene: Any) -> float:
+    """Return the length of the file's unit: COLLADA and 3MF name theirs, others are in metres."""
+    units = getattr(scene, "units", None)
+    if not units:
+        return 1.0
+    from trimesh.units import unit_conversion
+
+    return float(unit_conversion(units, "meters"))
+
+
+class Companions:
+    """The other files that a mesh names: beside it, or wherever it may read."""
+
+    def __init__(self, path: str, allows: Callable[[str], bool] | None) -> None:
+        """Look beside the file at `path`; of files that `allows` refuses none is opened."""
+        self._folder = os.path.dirname(path)
+        self._allows = allows
+
+    def read(self, name: str) -> bytes:
+        """Return the bytes of another file; raise MeshFileError if there are none to be had."""
+        for spelling in dict.fromkeys((name.strip(), name.split()[-1] if name.split() else "")):
+            target = path_of(self._folder, spelling)
+            if spelling and os.path.isfile(target):
+                if self._allows is not None and not self._allows(target):
+                    break
+                try:
+                    return read_start(target, LARGEST_FILE)
+                except OSError:
+                    break
+        raise MeshFileError(f"the file '{name}' that it names is not there, or may not be read")
+
+    def resolver(self) -> Any:
+        """Return this as what trimesh asks for other files."""
+        from trimesh.resolvers import Resolver
+
+        outer = self
+
+        class Lookup(Resolver):  # type: ignore[misc]
+            """Gives files, and writes none."""
+
+            def __init__(self) -> None:
+                pass
+
+            def get(self, name: str) -> bytes:
+                return outer.read(name)
+
+            def keys(self) -> tuple[str, ...]:
+                return ()
+
+            def write(self, name: str, data: object) -> None:
+                raise PermissionError(1, "nothing is written", name)
+
+            def namespaced(self, namespace: str) -> Lookup:
+                return self
+
+        return Lookup()
+
+
+def path_of(folder: str, name: str) -> str:
+    """Return the path that a name in a mesh stands for."""
+    name = name.removeprefix("file://").removeprefix("./")
+    name = unquote(name).replace("\\", "/") if "%" in name or "\\" in name else name
+    return os.path.normpath(os.path.join(folder, name)) if "\0" not in name else ""
+
+
+# --- what libraries must not do -----------------------------------------------------------------
+
+
+@contextmanager
+def quiet_libraries() -> Iterator[None]:
+    """Let libraries log and warn of nothing, and open no images but of known formats."""
+    import logging
+    import warnings
+
+    loggers = [logging.getLogger(name) for name in _LOGGERS]
+    levels = [logger.level for logger in loggers]
+    for logger in loggers:
+        logger.setLevel(_SILENT)
+    try:
+        with warnings.catch_warnings(), np.errstate(all="ignore"), _known_images():
+            warnings.simplefilter("ignore")
+            yield
+    finally:
+        for logger, level in zip(loggers, levels, strict=True):
+            logger.setLevel(level)
+
+
+@contextmanager
+def _known_images() -> Iterator[None]:
+    try:
+        import PIL.Image
+    except ImportError:
+        yield
+        return
+    module: Any = PIL.Image
+    usual = module.open
+
+    def open_known(file: Any, *_: object, **__: object) -> Any:
+        return open_image(file.read(), usual)
+
+    module.open = open_known
+    try:
+        yield
+    finally:
+        module.open = usual
+
+
+def open_image(data: bytes, usual: Callable[..., Any]) -> Any:
+    """Return an image of one of the formats, which is not yet decoded.
+
+    Raises:
+        MeshFileError: it has another format, or too many pixels.
+    """
+    from io import BytesIO
+
+    kind = image_format(data[:64])
+    if kind not in IMAGE_FORMATS:
+        raise MeshFileError("a texture has no format that is read")
+    image = usual(BytesIO(data), formats=[kind.upper()])
+    width, height = image.size
+    if not 0 < width * height <= MOST_PIXELS:
+        raise MeshFileError("a texture has too many pixels")
+    return image

@@ -1,0 +1,156 @@
+"""Mesh files as surfaces to draw: corners, triangles, and the colours or texture on them.
+
+Units and axes are treated as ROS's tools treat them: the unit that a COLLADA file names counts, its
+up axis does not, and numbers in all other formats are metres.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from .formats import STL, STL_HEADER_BYTES, MeshFileError, is_binary_stl
+from .library import Body, read_bodies
+from .triangles import read_by, read_stl
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from numpy.typing import NDArray
+
+    Floats = NDArray[np.floating[Any]]
+    Whole = NDArray[np.integer[Any]]
+
+LARGEST_COORDINATE = 1e9
+WIDEST_TEXTURE = 4096
+"""Pixels along a side of a texture; a larger one is made smaller."""
+
+_FACET = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute", "<u2")])
+
+
+class Surface:
+    """One surface of a mesh.
+
+    Attributes:
+        points: corners, N×3, in metres.
+        triangles: indices of corners, M×3, counterclockwise seen from outside.
+        color: red, green, blue, alpha from 0 to 1 of all of it, or None.
+        point_colors: the same for each corner, N×4 from 0 to 255, or None.
+        texture: an image, H×W×3 from 0 to 255, the first row on top; or None.
+        texture_points: where in the image each corner is, N×2, from the lower left; or None.
+        normals: directions of the corners, N×3, where the file's own have to do; or None.
+    """
+
+    __slots__ = (
+        "color", "normals", "point_colors", "points", "texture", "texture_points", "triangles",
+    )  # fmt: skip
+
+    def __init__(self, points: Floats, triangles: Whole) -> None:
+        """Hold a surface without colours."""
+        self.points = points
+        self.triangles = triangles
+        self.color: tuple[float, ...] | None = None
+        self.point_colors: NDArray[np.uint8] | None = None
+        self.texture: NDArray[np.uint8] | None = None
+        self.texture_points: Floats | None = None
+        self.normals: Floats | None = None
+
+    @property
+    def has_look(self) -> bool:
+        """Tell whether the file gives it colours or a texture."""
+        return any(each is not None for each in (self.color, self.point_colors, self.texture))
+
+
+def read_surfaces(path: str, allows: Callable[[str], bool] | None) -> list[Surface]:
+    """Return the surfaces in a mesh file.
+
+    Args:
+        path: the file.
+        allows: tells whether another file may be read that this one names, such as a texture.
+
+    Raises:
+        MeshFileError: the file cannot be read.
+        MissingLibraryError: the format needs a library that is not installed.
+    """
+
+    def read(data: bytes, kind: str, path: str) -> list[Surface]:
+        if kind == STL:
+            return _of_stl(data)
+        return [_surface(body) for body in read_bodies(data, kind, path, allows, has_colors=True)]
+
+    found = [surface for surface in read_by(read, path) if len(surface.triangles)]
+    if not found:
+        raise MeshFileError("it has no triangles")
+    for surface in found:
+        check_surface(surface)
+    return found
+
+
+def check_surface(surface: Surface) -> None:
+    """Raise MeshFileError if a surface cannot be drawn: whoever made it may be an enemy."""
+    count = len(surface.points)
+    triangles = surface.triangles
+    if surface.points.shape != (count, 3) or triangles.shape != (len(triangles), 3):
+        raise MeshFileError("its corners are no points")
+    if not (abs(surface.points) <= LARGEST_COORDINATE).all():
+        raise MeshFileError("a coordinate is no number, or too large for one")
+    if triangles.size and not (triangles.min() >= 0 and triangles.max() < count):
+        raise MeshFileError("a triangle has a corner that is not there")
+    for numbers, width in (
+        (surface.point_colors, 4), (surface.texture_points, 2), (surface.normals, 3)
+    ):  # fmt: skip
+        if numbers is not None and not (
+            numbers.shape == (count, width) and np.isfinite(numbers).all()
+        ):
+            raise MeshFileError("its colours, directions or texture do not fit its corners")
+    if surface.color is not None and not (
+        len(surface.color) == 4 and all(0 <= part <= 1 for part in surface.color)
+    ):
+        raise MeshFileError("its colour is none")
+    texture = surface.texture
+    if texture is not None and not (
+        texture.ndim == 3 and texture.shape[2] == 3 and 0 < max(texture.shape) <= WIDEST_TEXTURE
+    ):
+        raise MeshFileError("its texture is no image")
+
+
+def _of_stl(data: bytes) -> list[Surface]:
+    if not is_binary_stl(data):
+        mesh = read_stl(data)
+        points = np.array(mesh.vertices, float).reshape(-1, 3)
+        return [Surface(points, np.array(mesh.triangles, int).reshape(-1, 3))]
+    facets = np.frombuffer(data, _FACET, offset=STL_HEADER_BYTES)
+    points = facets["corners"].reshape(-1, 3).astype(float)
+    return [Surface(points, np.arange(len(points)).reshape(-1, 3))]
+
+
+def _surface(body: Body) -> Surface:
+    """Return a body as a surface, with its colours."""
+    surface = Surface(body.points, body.triangles)
+    visual = body.mesh.visual
+    if visual.kind == "vertex":
+        surface.point_colors = np.asarray(visual.vertex_colors, np.uint8)
+    elif visual.kind == "face":
+        surface.points = surface.points[body.triangles.ravel()]
+        surface.triangles = np.arange(body.triangles.size).reshape(-1, 3)
+        surface.point_colors = np.repeat(np.asarray(visual.face_colors, np.uint8), 3, axis=0)
+    elif visual.kind == "texture":
+        _add_material(surface, body)
+    return surface
+
+
+def _add_material(surface: Surface, body: Body) -> None:
+    material = body.mesh.visual.material
+    image = getattr(material, "image", None) or getattr(material, "baseColorTexture", None)
+    uv = body.mesh.visual.uv
+    if image is not None and uv is not None and len(uv) == len(surface.points):
+        image.thumbnail((WIDEST_TEXTURE, WIDEST_TEXTURE))
+        surface.texture = np.asarray(image.convert("RGB"))
+        surface.texture_points = np.asarray(uv, float)[:, :2]
+        surface.normals = np.asarray(body.mesh.vertex_normals, float) @ np.linalg.inv(
+            body.place[:3, :3]
+        )
+        return
+    color = np.clip(np.asarray(material.main_color, float) / 255, 0, 1)
+    surface.color = tuple(float(part) for part in color[:4])

@@ -1,0 +1,56 @@
+"""Opens files that somebody else has named: regular files only, and never one that blocks.
+
+A name may lead to a FIFO that nobody writes to, or to a device whose mere opening has effects. So
+each is looked at before it is opened, and again afterwards.
+"""
+
+from __future__ import annotations
+
+import errno
+import os
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from io import BufferedReader
+
+_FLAGS = os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0)
+_TYPE = 0o170000
+_FOLDER = 0o040000
+_REGULAR = 0o100000
+_DEVICES = (0o020000, 0o060000)
+_OTHER = "it is no regular file"
+
+
+def open_regular(path: str) -> BufferedReader:
+    """Open a regular file for reading its bytes.
+
+    Raises:
+        OSError: it cannot be opened, or is not a regular file; `strerror` says what it is.
+        ValueError: the path holds a null character.
+    """
+    if _is_device(path):
+        raise OSError(errno.EINVAL, _OTHER)
+    descriptor = os.open(path, _FLAGS)
+    try:
+        kind = os.fstat(descriptor).st_mode & _TYPE
+        if kind == _FOLDER:
+            raise IsADirectoryError(errno.EISDIR, "it is a folder")
+        if kind != _REGULAR:
+            raise OSError(errno.EINVAL, _OTHER)
+        return open(descriptor, "rb")
+    except BaseException:
+        os.close(descriptor)
+        raise
+
+
+def read_start(path: str, most: int) -> bytes:
+    """Return the first bytes of a regular file, at most so many; see `open_regular` for errors."""
+    with open_regular(path) as file:
+        return file.read(most)
+
+
+def _is_device(path: str) -> bool:
+    try:
+        return os.stat(path).st_mode & _TYPE in _DEVICES
+    except OSError:  # opening it says why
+        return False
