@@ -8,7 +8,8 @@ from pathlib import Path
 
 import pytest
 
-from yamaro.meshes.triangles import MeshFileError, read_mesh
+from yamaro.meshes.formats import MeshFileError
+from yamaro.meshes.triangles import read_mesh
 from yamaro.regular_files import open_regular, read_start
 from yamaro.robot.check_advice import stl_extent
 from yamaro.runtime.packages import PackageFinder, manifest_name

@@ -9,8 +9,8 @@ import PIL.Image
 import pytest
 import trimesh
 
-from yamaro.meshes.formats import image_format, mesh_format
-from yamaro.meshes.triangles import MeshFileError, read_mesh
+from yamaro.meshes.formats import MeshFileError, image_format, mesh_format
+from yamaro.meshes.triangles import read_mesh
 
 BALL = trimesh.creation.icosphere(subdivisions=1)
 KINDS = ["stl", "stl_ascii", "obj", "dae", "glb", "ply", "off"]
