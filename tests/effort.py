@@ -7,7 +7,7 @@ from typing import Any
 from hypothesis import settings
 
 USUAL = 100
-QUICK = 25
+QUICK = 20
 
 
 def examples(count: int) -> int:

@@ -30,6 +30,7 @@ def run(script: str, *arguments: str) -> list[str]:
     return done.stdout.splitlines()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("script", SCRIPTS)
 def test_a_script_prints_a_table_of_figures(script: str) -> None:
     head, line, *rows = run(script, "--scale", "0.002", "--runs", "1")

@@ -11,6 +11,7 @@ import platform
 import re
 import shlex
 import sys
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -182,8 +183,14 @@ def test_safe_mode_gives_the_same_or_refuses(
     )
 
 
+def cases_for_the_jail() -> Iterator[Any]:
+    """Give every third case; most of them are slow, since each starts a process."""
+    for number, case in enumerate(find_cases()[::3]):
+        yield pytest.param(case, marks=[pytest.mark.slow] * (number % 5 > 0))
+
+
 @pytest.mark.skipif(jail.check_available() is not None, reason="there is no jail here")
-@pytest.mark.parametrize("case", find_cases()[::3], ids=case_id)  # all take half a minute
+@pytest.mark.parametrize("case", cases_for_the_jail(), ids=case_id)
 def test_what_comes_out_of_a_jail_is_the_same(case: Path, compile_case: Any) -> None:
     options = read_options(case)
     if options.get("command") or "--" in options.get("args", "") or "env" in options:

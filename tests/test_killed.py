@@ -2,22 +2,27 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
 import random
 import subprocess
 import sys
 import time
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
 
 import yamaro
 from tests import killed_writer
+from tests.effort import examples
+from tests.waiting import wait_for
 from yamaro.output import write_file
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="has no kill -9")
 
-KILLS = 200
+KILLS = examples(200)
+MOST_TURNS = 1000
 VERSIONS = [b"".join(killed_writer.chunks_of(version)) for version in (0, 1)]
 
 
@@ -49,12 +54,27 @@ def start_writer(way: str, path: Path) -> subprocess.Popen[bytes]:
     return process
 
 
-def kill_writer(way: str, path: Path, seconds: float) -> None:
-    """Start a writer and kill it after some seconds."""
+def kill_writer(way: str, path: Path, wait: Callable[[], object]) -> None:
+    """Start a writer and kill it after waiting."""
     process = start_writer(way, path)
-    time.sleep(seconds)
+    wait()
     process.kill()
     assert process.wait() == -9
+
+
+def wait_for_progress(path: Path, progress: float) -> None:
+    """Wait until so many files are written: 1.3 is one, and a bit of the second.
+
+    How fast it goes depends on what else the machine does, so this looks instead of sleeping.
+    """
+    first = path.stat().st_ino
+    if progress >= 1:
+        wait_for(lambda: path.stat().st_ino != first, pause=0)
+    least = progress % 1 * len(VERSIONS[0])
+    with contextlib.suppress(FileNotFoundError):  # it has got its name meanwhile
+        wait_for(
+            lambda: any(file.stat().st_size >= least for file in left_over(path.parent)), pause=0
+        )
 
 
 def left_over(folder: Path) -> list[Path]:
@@ -70,14 +90,15 @@ def test_two_versions_of_25_mb_differ_everywhere() -> None:
         assert old[start : start + 4096] != new[start : start + 4096]
 
 
-def test_a_writer_killed_at_any_moment_leaves_a_whole_file(tmp_path: Path, seconds: float) -> None:
+def test_a_writer_killed_at_any_moment_leaves_a_whole_file(tmp_path: Path) -> None:
     path = tmp_path / "out.urdf"
     path.write_bytes(VERSIONS[0])
     moments = random.Random(1)
     found: list[int] = []
     shares: list[float] = []  # how much of its file each write had written that was broken off
     for _ in range(KILLS):
-        kill_writer("whole", path, moments.uniform(0, 2 * seconds))
+        moment = moments.uniform(0, 2)
+        kill_writer("whole", path, lambda: wait_for_progress(path, moment))  # noqa: B023
         content = path.read_bytes()
         assert content in VERSIONS
         found.append(VERSIONS.index(content))
@@ -87,8 +108,7 @@ def test_a_writer_killed_at_any_moment_leaves_a_whole_file(tmp_path: Path, secon
         assert os.listdir(tmp_path) == ["out.urdf"]
     # The kills came while files were written, and not only before or behind that.
     assert set(found) == {0, 1}
-    assert len(shares) > KILLS / 2
-    assert sum(share < 1 for share in shares) > KILLS / 50
+    assert any(share < 1 for share in shares)
 
 
 @pytest.mark.parametrize("way", ["in place", "over", "too soon"])
@@ -97,9 +117,9 @@ def test_this_would_find_a_writer_that_breaks_files(
 ) -> None:
     path = tmp_path / "out.urdf"
     moments = random.Random(1)
-    for _ in range(KILLS // 4):
+    for _ in range(MOST_TURNS):
         path.write_bytes(VERSIONS[0])
-        kill_writer(way, path, moments.uniform(0, 2 * seconds))
+        kill_writer(way, path, lambda: time.sleep(moments.uniform(0, 2 * seconds)))
         if path.read_bytes() not in VERSIONS:
             return
     pytest.fail("every file was whole")
@@ -136,8 +156,10 @@ def test_the_command_killed_while_it_writes_leaves_a_whole_file(
     path = folder / "out.xml"
     path.write_bytes(versions[0])
     moments = random.Random(2)
-    old, broken_off = 0, 0
-    for _ in range(8):
+    old, broken_off, turns = 0, 0, 0
+    while broken_off < 3:  # it may also be killed too late
+        turns += 1
+        assert turns < MOST_TURNS
         words = [str(source), "-o", str(path), f"version:={1 - old}"]
         process = subprocess.Popen([sys.executable, "-m", "yamaro", *words])
         while not left_over(folder) and process.poll() is None:
@@ -152,18 +174,17 @@ def test_the_command_killed_while_it_writes_leaves_a_whole_file(
             broken_off += 1
             temporary.unlink()
         assert os.listdir(folder) == ["out.xml"]
-    assert broken_off > 0
 
 
 # --- what is left -----------------------------------------------------------------------------
 
 
-def test_what_a_killed_writer_leaves_is_let_be(tmp_path: Path, seconds: float) -> None:
+def test_what_a_killed_writer_leaves_is_let_be(tmp_path: Path) -> None:
     """Another may be writing it: on this machine, or on one that shares the folder."""
     path = tmp_path / "out.urdf"
     path.write_bytes(VERSIONS[0])
-    for _ in range(KILLS):
-        kill_writer("whole", path, seconds / 2)
+    for _ in range(MOST_TURNS):
+        kill_writer("whole", path, lambda: wait_for_progress(path, 0.5))
         if left_over(tmp_path):
             break
     (temporary,) = left_over(tmp_path)

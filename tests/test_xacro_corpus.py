@@ -17,7 +17,10 @@ from yamaro.xmltree import Comment, Element, Node
 CORPUS = Path(__file__).parents[2] / "shared" / "corpus"
 UNKNOWN = "/opt/ros/unknown/share"
 
-pytestmark = pytest.mark.skipif(not CORPUS.exists(), reason="there is no corpus")
+pytestmark = [
+    pytest.mark.slow,
+    pytest.mark.skipif(not CORPUS.exists(), reason="there is no corpus"),
+]
 
 
 def real(text: str) -> str:

@@ -9,12 +9,10 @@ from typing import TypeVar
 PATIENCE = 600.0
 """Seconds after which a test gives up: only what hangs takes so long, on a busy machine too."""
 
-_PAUSE = 0.005
-
 Value = TypeVar("Value")
 
 
-def wait_for(condition: Callable[[], Value]) -> Value:
+def wait_for(condition: Callable[[], Value], *, pause: float = 0.005) -> Value:
     """Return the value of a condition as soon as it is true.
 
     Raises:
@@ -23,5 +21,5 @@ def wait_for(condition: Callable[[], Value]) -> Value:
     give_up = time.monotonic() + PATIENCE
     while not (value := condition()):
         assert time.monotonic() < give_up, "waited in vain"
-        time.sleep(_PAUSE)
+        time.sleep(pause)
     return value

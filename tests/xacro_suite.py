@@ -10,11 +10,13 @@ stand-in for the module `xacro`, through which an engine does all the work: a fu
 
 from __future__ import annotations
 
+import contextlib
 import hashlib
 import os
 import subprocess
 import sys
 import tarfile
+import tempfile
 import types
 import unittest
 import xml.dom.minidom as minidom
@@ -76,25 +78,27 @@ Engine = Callable[[Document], str]
 @cache
 def is_available() -> bool:
     """Tell whether the source distribution is there, having fetched it if need be."""
-    archive = FOLDER / f"xacro-{VERSION}.tar.gz"
-    if not archive.exists():
-        FOLDER.mkdir(parents=True, exist_ok=True)
-        command = (
-            "download --quiet --retries 0 --timeout 15 --no-binary :all: --no-deps --dest".split()
-        )
-        fetched = subprocess.run(
-            [sys.executable, "-m", "pip", *command, str(FOLDER), f"xacro=={VERSION}"],
-            capture_output=True,
-            check=False,
-        )
-        if fetched.returncode or not archive.exists():
-            return False
-    if hashlib.sha256(archive.read_bytes()).hexdigest() != DIGEST:
-        return False
     if not _root().exists():
-        with tarfile.open(archive) as file:
-            safely: Any = {"filter": "data"} if hasattr(tarfile, "data_filter") else {}
-            file.extractall(FOLDER, **safely)
+        FOLDER.mkdir(parents=True, exist_ok=True)
+        with tempfile.TemporaryDirectory(dir=FOLDER) as folder:
+            if _fetch(Path(folder)):
+                # Other processes that run tests may do the same; the first one is kept.
+                with contextlib.suppress(OSError):
+                    (Path(folder) / _root().name).rename(_root())
+    return _root().exists()
+
+
+def _fetch(folder: Path) -> bool:
+    """Download and unpack the source distribution; tell whether that worked."""
+    options = "download --quiet --retries 0 --timeout 15 --no-binary :all: --no-deps --dest"
+    command = [sys.executable, "-m", "pip", *options.split(), str(folder), f"xacro=={VERSION}"]
+    subprocess.run(command, capture_output=True, check=False)
+    archive = folder / f"xacro-{VERSION}.tar.gz"
+    if not archive.exists() or hashlib.sha256(archive.read_bytes()).hexdigest() != DIGEST:
+        return False
+    with tarfile.open(archive) as file:
+        safely: Any = {"filter": "data"} if hasattr(tarfile, "data_filter") else {}
+        file.extractall(folder, **safely)
     return True
 
 

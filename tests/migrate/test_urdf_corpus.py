@@ -15,7 +15,10 @@ from yamaro.tools.migrate.command import migrate_file
 
 CORPUS = Path(__file__).parents[3] / "shared" / "corpus"
 
-pytestmark = pytest.mark.skipif(not CORPUS.exists(), reason="there is no corpus")
+pytestmark = [
+    pytest.mark.slow,
+    pytest.mark.skipif(not CORPUS.exists(), reason="there is no corpus"),
+]
 
 
 def paths() -> list[str]:

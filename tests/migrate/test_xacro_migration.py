@@ -545,6 +545,7 @@ def test_a_value_keeps_its_type(text: str, spelled: str | None) -> None:
 
 
 @pytest.mark.skipif(not CORPUS.exists(), reason="there is no corpus")
+@pytest.mark.slow
 def test_robots_of_others_stay_the_same(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     monkeypatch.setenv("ROS_VERSION", "2")
     monkeypatch.setenv("ROS_DISTRO", "humble")

@@ -24,6 +24,7 @@ def listed() -> dict[str, list[str]]:
 
 
 PICTURES = listed()
+QUICK = "hexapod.png"
 
 
 def reduced(image: np.ndarray, by: int = 4) -> np.ndarray:
@@ -34,7 +35,10 @@ def reduced(image: np.ndarray, by: int = 4) -> np.ndarray:
 
 
 @needs_drawing
-@pytest.mark.parametrize("name", PICTURES)
+@pytest.mark.parametrize(
+    "name",
+    [pytest.param(name, marks=[pytest.mark.slow] * (name != QUICK)) for name in PICTURES],
+)
 def test_a_picture_of_the_docs_is_what_is_drawn_now(
     name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

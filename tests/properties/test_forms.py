@@ -7,7 +7,7 @@ every message.
 from __future__ import annotations
 
 import shlex
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
@@ -126,7 +126,15 @@ def requires_same(
 ABOUT_THE_FORM = {"list-item-not-indented", "capital-argument-that-is-a-mapping"}
 
 
-@pytest.mark.parametrize("area", sorted({case.parent.name for case in find_cases()}))
+SLOW_AREAS = ("expressions", "functions", "limits", "safe")
+
+
+def areas() -> Iterator[Any]:
+    for area in sorted({case.parent.name for case in find_cases()}):
+        yield pytest.param(area, marks=[pytest.mark.slow] * (area in SLOW_AREAS))
+
+
+@pytest.mark.parametrize("area", areas())
 def test_cases_give_the_same_in_both_forms(
     area: str, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:

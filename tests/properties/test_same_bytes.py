@@ -61,6 +61,10 @@ print(json.dumps(results))
 """
 
 
+def slow(*values: object) -> Any:
+    return pytest.param(*values, marks=pytest.mark.slow)
+
+
 def plain_cases() -> list[Path]:
     """Return the cases that compile, and need no options and no particular place."""
     return [
@@ -124,19 +128,19 @@ def expected_errors() -> dict[str, Any]:
     return results
 
 
-@pytest.mark.parametrize("seed", ["1", "4242"])
+@pytest.mark.parametrize("seed", ["1", slow("4242")])
 def test_the_seed_of_hashes_changes_nothing(
     files: list[Path], expected: dict[str, Any], seed: str
 ) -> None:
     assert build_all(files, PYTHONHASHSEED=seed) == expected
 
 
-@pytest.mark.parametrize("seed", ["1", "4242"])
+@pytest.mark.parametrize("seed", ["1", slow("4242")])
 def test_the_seed_of_hashes_changes_no_message(expected_errors: dict[str, Any], seed: str) -> None:
     assert build_all(failing_cases(), PYTHONHASHSEED=seed) == expected_errors
 
 
-@pytest.mark.parametrize("is_reversed", [False, True])
+@pytest.mark.parametrize("is_reversed", [slow(False), True])
 def test_the_order_of_folders_changes_nothing(
     files: list[Path],
     expected: dict[str, Any],
@@ -158,7 +162,7 @@ def test_the_working_directory_changes_nothing(
     }
 
 
-@pytest.mark.parametrize("locale", ["C", "POSIX", "de_DE.UTF-8", "tr_TR.UTF-8"])
+@pytest.mark.parametrize("locale", ["C", slow("POSIX"), slow("de_DE.UTF-8"), slow("tr_TR.UTF-8")])
 def test_the_locale_changes_nothing(
     files: list[Path], expected: dict[str, Any], locale: str
 ) -> None:
@@ -166,11 +170,13 @@ def test_the_locale_changes_nothing(
     assert got == expected
 
 
+@pytest.mark.slow
 def test_a_locale_of_ascii_changes_no_message(expected_errors: dict[str, Any]) -> None:
     got = build_all(failing_cases(), LC_ALL="C", PYTHONUTF8="0", PYTHONIOENCODING="utf-8")
     assert got == expected_errors
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(not shutil.which("localedef"), reason="needs localedef")
 def test_a_host_that_writes_numbers_with_a_comma_changes_nothing(
     files: list[Path], expected: dict[str, Any], tmp_path: Path
@@ -183,6 +189,7 @@ def test_a_host_that_writes_numbers_with_a_comma_changes_nothing(
     assert got == expected
 
 
+@pytest.mark.slow
 def test_optimised_python_changes_nothing(files: list[Path], expected: dict[str, Any]) -> None:
     assert build_all(files, PYTHONOPTIMIZE="2") == expected
 

@@ -12,11 +12,12 @@ import os
 import random
 from typing import Any
 
+from tests.effort import examples
 from yamaro.compiler import build
 from yamaro.diagnostics import YamaroError
 from yamaro.runtime.loader import MemoryLoader
 
-COUNT = int(os.environ.get("YAMARO_SCOPE_EXAMPLES", "1000"))
+COUNT = int(os.environ.get("YAMARO_SCOPE_EXAMPLES", examples(1000)))
 SEED = int(os.environ.get("YAMARO_FUZZ_SEED", "0"))
 MAX_STEPS, MAX_DEPTH = 600, 60
 

@@ -13,12 +13,13 @@ import random
 
 import pytest
 
+from tests.effort import examples
 from yamaro import YamaroError, compiler
 from yamaro.diagnostics import render
 from yamaro.runtime.interpreter import Interpreter
 from yamaro.runtime.loader import MemoryLoader
 
-COUNT = int(os.environ.get("YAMARO_SHARING_EXAMPLES", "400"))
+COUNT = int(os.environ.get("YAMARO_SHARING_EXAMPLES", examples(400)))
 SEED = int(os.environ.get("YAMARO_FUZZ_SEED", "0"))
 
 # Pairs of values that Python takes for equal, and that are written in different ways.

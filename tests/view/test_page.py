@@ -345,6 +345,7 @@ EVERY_JOINT = """\
 """
 
 
+@pytest.mark.slow
 def test_links_stand_where_another_program_puts_them(
     page: Page, view: Start, tmp_path: Path
 ) -> None:
@@ -511,6 +512,7 @@ def test_a_robot_in_ruins_is_shown_as_far_as_it_goes(
     assert page.text("#warnings-pane") != "" or page.text("#fault") != ""
 
 
+@pytest.mark.slow
 def test_robots_that_are_gone_leave_nothing_on_the_graphics_card(lamp: Page) -> None:
     held = (
         "[yamaro.stage.renderer.info.memory.geometries, yamaro.stage.renderer.info.memory.textures]"
