@@ -11,7 +11,6 @@ import platform
 import re
 import shlex
 import sys
-from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -183,10 +182,12 @@ def test_safe_mode_gives_the_same_or_refuses(
     )
 
 
-def cases_for_the_jail() -> Iterator[Any]:
-    """Give every third case; most of them are slow, since each starts a process."""
-    for number, case in enumerate(find_cases()[::3]):
-        yield pytest.param(case, marks=[pytest.mark.slow] * (number % 5 > 0))
+def cases_for_the_jail() -> list[Any]:
+    """Return every third case; most of them are slow, since each starts a process."""
+    return [
+        pytest.param(case, marks=[pytest.mark.slow] * (number % 5 > 0))
+        for number, case in enumerate(find_cases()[::3])
+    ]
 
 
 @pytest.mark.skipif(jail.check_available() is not None, reason="there is no jail here")

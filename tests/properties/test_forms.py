@@ -7,7 +7,7 @@ every message.
 from __future__ import annotations
 
 import shlex
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -129,9 +129,11 @@ ABOUT_THE_FORM = {"list-item-not-indented", "capital-argument-that-is-a-mapping"
 SLOW_AREAS = ("expressions", "functions", "limits", "safe")
 
 
-def areas() -> Iterator[Any]:
-    for area in sorted({case.parent.name for case in find_cases()}):
-        yield pytest.param(area, marks=[pytest.mark.slow] * (area in SLOW_AREAS))
+def areas() -> list[Any]:
+    return [
+        pytest.param(area, marks=[pytest.mark.slow] * (area in SLOW_AREAS))
+        for area in sorted({case.parent.name for case in find_cases()})
+    ]
 
 
 @pytest.mark.parametrize("area", areas())
