@@ -115,7 +115,7 @@ def test_comments_behind_what_a_part_says_in_other_words_stay_at_its_keys() -> N
         ("<a/> <!-- one\ntwo --><b/>", "a:\n# one\n# two\nb:\n"),
         ("<a/> <!-- one\ntwo -->\n<b/>", "# one\n# two\na:\nb:\n"),
         ("<a/>\n<!-- last -->", "a:\n# last\n"),
-        (f"<a/> <!-- {'long ' * 20}-->\n<b/>", f"# {('long ' * 20).strip()}\na:\nb:\n"),
+        (f"<a/> <!-- {'long ' * 19}-->\n<b/>", f"# {('long ' * 19).strip()}\na:\nb:\n"),
         ("<a/> <!-- #ff0000 -->\n<b/>", "a:  # #ff0000\nb:\n"),
     ],
 )

@@ -295,3 +295,31 @@ def test_a_quoted_text_is_never_anything_else(text: str) -> None:
     out = write_document(body(("k", Quoted(text))))
     value = out.removeprefix("k: ").removesuffix("\n")
     assert value[0] in "'\"" or isinstance(type_plain(value), str)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        " ".join(f"$({'x' * 20}{number})" for number in range(8)),
+        " ".join(f"$(word{number} + 'two words: one' * 2)" for number in range(8)),
+        f"$({' + '.join(f'number_{number}' for number in range(30))})",
+        f"it's {'quoted: ' * 20}text",
+        f""""it's" {"both " * 30}""".strip(),
+        f"$(' # '.join([{'1, ' * 50}]))",
+        "word " * 40 + "# no",
+        "two  spaces " * 20,
+        "- " * 80 + "x",
+        "a: b " * 40 + "c",
+        "x" * 300,
+        " leading " + "word " * 40,
+        "back\\slash it's " * 20 + '"',
+    ],
+)
+def test_a_long_value_goes_on_in_the_next_line_and_is_read_as_it_was(text: str) -> None:
+    body = Body()
+    body.add("inner", Body([Entry("key", text)]))
+    written = write_document(body)
+    assert read_by_yamaro(written) == [("inner", [("key", text)])]
+    assert read_by_ruamel(written) == [("inner", [("key", text)])]
+    if text.strip() == text and "  " not in text and "\\" not in text and " " in text:
+        assert all(len(line) <= 100 for line in written.splitlines())

@@ -280,3 +280,96 @@ def test_a_joint_that_may_come_out_in_another_way_stays_an_element(
 def test_links_in_other_elements_are_no_parts(tmp_path: Path) -> None:
     made = migrated_for(tmp_path, f'<gazebo><link name="x"><visual>{BOX}</visual></link></gazebo>')
     assert "part" not in made
+
+
+UR = """\
+    <xacro:macro name="look_up" params="name">
+      <xacro:property name="offset" value="${dict(a=0.5, b=0.25)[name]}" scope="parent"/>
+    </xacro:macro>
+    <xacro:macro name="mesh_path" params="name">
+      <xacro:look_up name="${name}"/>
+      <xacro:property name="mesh" value="${name}_${offset}.stl" scope="parent"/>
+    </xacro:macro>
+    <xacro:macro name="mesh_of" params="name">
+      <xacro:mesh_path name="${name}"/>
+      <mesh filename="${mesh}"/>
+    </xacro:macro>
+    """
+
+
+def test_a_link_whose_mesh_a_macro_finds_is_a_part(tmp_path: Path) -> None:
+    link = f"""{UR}{BASE}
+        <link name="a_link">
+          <visual><geometry><xacro:mesh_of name="a"/></geometry></visual>
+        </link>
+        <joint name="a_joint" type="fixed"><origin xyz="0 0 1"/>{ENDS}</joint>"""
+    assert part(tmp_path, link) == textwrap.dedent("""\
+        name: a
+        link:
+          visual:
+            <geometry>:
+              MeshOf: {name: a}
+        joint: {type: fixed, parent: base, xyz: 0 0 1}
+        """)
+
+
+def test_what_a_link_looks_up_first_is_looked_up_first_in_its_part(tmp_path: Path) -> None:
+    shape = '<origin xyz="0 0 ${offset}"/><geometry><sphere radius="1"/></geometry>'
+    link = f"""{UR}{BASE}
+        <link name="a_link">
+          <!-- how far -->
+          <xacro:look_up name="a"/>
+          <visual>{shape}</visual>
+          <collision>{shape}</collision>
+        </link>
+        <joint name="a_joint" type="fixed"><origin xyz="0 0 1"/>{ENDS}</joint>"""
+    assert part(tmp_path, link) == textwrap.dedent("""\
+        name: a
+        link:
+          # how far
+          LookUp: {name: a}
+          geometry: sphere
+          scale: 1
+          xyz: 0 0 $(offset)
+          visual:
+          collision:
+        joint: {type: fixed, parent: base, xyz: 0 0 1}
+        """)
+
+
+@pytest.mark.parametrize(
+    "link",
+    [
+        # set behind what reads it
+        """<link name="a_link"><visual><origin xyz="0 0 ${offset}"/>BOX</visual>
+        <xacro:look_up name="a"/></link>""",
+        # read by the name
+        '<link name="a_${offset}"><xacro:look_up name="a"/><visual>BOX</visual></link>',
+        # set in a section
+        '<link name="a_link"><visual><xacro:look_up name="a"/>BOX</visual></link>',
+    ],
+)
+def test_a_link_that_sets_what_is_read_before_stays_an_element(tmp_path: Path, link: str) -> None:
+    made = migrated_for(
+        tmp_path,
+        f"""<xacro:property name="offset" value="1"/>{UR}
+        <xacro:macro name="arm" params="">
+          <xacro:property name="offset" value="2"/>
+          {link.replace("BOX", BOX)}
+        </xacro:macro>
+        <xacro:arm/>""",
+        "1",
+    )
+    assert "part:" not in made
+
+
+def test_a_joint_that_reads_what_links_set_stays_where_it_is(tmp_path: Path) -> None:
+    made = migrated_for(
+        tmp_path,
+        f"""{UR}{BASE}
+        <link name="a_link"><xacro:look_up name="a"/><visual>{BOX}</visual></link>
+        <link name="b_link"><xacro:look_up name="b"/><visual>{BOX}</visual></link>
+        <joint name="a_joint" type="fixed"><origin xyz="0 0 ${{offset}}"/>{ENDS}</joint>""",
+        "1",
+    )
+    assert made.index("name: b") < made.index("joint/name=a_joint")

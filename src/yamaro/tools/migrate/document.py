@@ -225,8 +225,11 @@ def write_document(sections: Body, comment: str = "") -> str:
 
 
 def _write_comment(comment: str, margin: str, out: list[str]) -> None:
-    if comment:
-        out += [f"{margin}# {line}".rstrip() for line in comment.splitlines()]
+    for line in comment.splitlines():
+        words = line.split(" ")
+        fits = len(margin) + 2 + len(line) <= RECORD_WIDTH
+        rows = [line] if fits else _filled(words, WIDTH - len(margin) - 2)
+        out += [f"{margin}# {row}".rstrip() for row in rows]
 
 
 def _write_entries(body: Body, margin: str, out: list[str]) -> None:
@@ -293,7 +296,12 @@ def _write_text(text: str, head: str, margin: str, out: list[str]) -> bool:
         return False
     lines = text.split("\n")
     if len(lines) == 1 or not all(line.isprintable() for line in lines):
-        out.append(f"{head} {_scalar(text, in_flow=False)}")
+        scalar = _scalar(text, in_flow=False)
+        if len(head) + 1 + len(scalar) > WIDTH and (pieces := _foldable(text, scalar)):
+            out.append(head)
+            out += [f"{margin}  {line}" for line in _filled(pieces, WIDTH - len(margin) - 2)]
+            return False
+        out.append(f"{head} {scalar}")
         return True
     indicator = "2" if lines[0].startswith(" ") else ""
     out.append(f"{head} |{indicator}-")
@@ -311,6 +319,34 @@ def _wrapped(pieces: list[str], width: int) -> list[str]:
             lines.append(piece)
         else:
             lines[-1] = longer
+    return lines
+
+
+def _foldable(text: str, scalar: str) -> list[str]:
+    """Return the pieces of a scalar between which it may go on in the next line, or none.
+
+    YAML reads each such line break as one space. An expression is kept together if it fits.
+    """
+    if "  " in text or text != text.strip() or "\\" in scalar or not text.isprintable():
+        return []
+    words = words_of(text)
+    if " ".join(words) != text or len(scalar) != len(text):
+        words = [scalar]
+    most = WIDTH // 2
+    pieces = [
+        piece for word in words for piece in ([word] if len(word) < most else word.split(" "))
+    ]
+    return pieces if len(pieces) > 1 else []
+
+
+def _filled(pieces: list[str], width: int) -> list[str]:
+    """Return pieces with spaces between them as lines no wider than asked, if that can be."""
+    lines = [pieces[0]]
+    for piece in pieces[1:]:
+        if len(lines[-1]) + 1 + len(piece) > width:
+            lines.append(piece)
+        else:
+            lines[-1] += f" {piece}"
     return lines
 
 

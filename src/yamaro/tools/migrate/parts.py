@@ -219,10 +219,6 @@ class PartWriter:
             raise NoPart
         plan = self._plan(link)
         body = Body()
-        if plan.geometry is not None:
-            body.entries += plan.geometry.entries()
-        if plan.pose is not None:
-            self._add_pose(link, plan.pose.origin, body)
 
         def write(child: Element, out: Body) -> None:
             if child.name == "inertial" and self._is_short_inertial(child, plan):
@@ -232,8 +228,18 @@ class PartWriter:
             else:
                 out.append(self._element(child))
 
-        self._write_all(link, body, write)
+        first = self._count_first(link)
+        self._write_all(link, body, write, range(first))
+        if plan.geometry is not None:
+            body.entries += plan.geometry.entries()
+        if plan.pose is not None:
+            self._add_pose(link, plan.pose.origin, body)
+        self._write_all(link, body, write, range(first, len(link.children)))
         return body or None
+
+    def _count_first(self, link: Element) -> int:
+        """Return how many children of a link are written before what its sections share."""
+        return 0
 
     def _plan(self, link: Element) -> LinkPlan:
         return LinkPlan(
@@ -321,11 +327,18 @@ class PartWriter:
     # --- both -----------------------------------------------------------------------------------
 
     def _write_all(
-        self, owner: Element, body: Body, write: Callable[[Element, Body], None]
+        self,
+        owner: Element,
+        body: Body,
+        write: Callable[[Element, Body], None],
+        of: range | None = None,
     ) -> None:
-        """Write each element in a joint, link or section by `write`, and what is beside them."""
+        """Write each element in a joint, link or section by `write`, and what is beside them.
+
+        With `of`, only its children at these places are written.
+        """
         endings = comments_at_ends(owner.children)
-        for child in owner.children:
+        for child in owner.children if of is None else [owner.children[each] for each in of]:
             if isinstance(child, Element):
                 write(child, body)
             else:

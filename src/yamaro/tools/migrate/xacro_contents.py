@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from ...xmltree import Element, format_value
 from .elements import walk
+from .xacro_program import names_in, used_in
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -43,7 +44,7 @@ class Contents:
             self._gather(root, None, by_element)
         for root in program.roots.values():
             self._find_parts(root, None, by_element)
-        self._declaring = self._find_declaring()
+        self._setters = self._find_setters()
 
     def _gather(self, root: Element, around: Macro | None, known: dict[int, Macro]) -> None:
         for element in root.elements():
@@ -93,7 +94,7 @@ class Contents:
             return self.counts(node.children, around)
         if name == "xacro:insert_block":
             return self._inserted(_name(node), around)
-        if name == "xacro:property" and "scope" not in node.attributes:
+        if name == "xacro:property":
             return {}
         macros = self._macros.get(_called(node))
         if name in _UNKNOWN or macros is None:
@@ -140,29 +141,66 @@ class Contents:
             found.append((call, nodes, around))
         return found
 
-    def _find_declaring(self) -> set[str]:
-        """Return the macros that set what is read outside of them, or call such a macro."""
-        found: set[str] = set()
-        pending = [
-            name
-            for name, macros in self._macros.items()
-            if any("scope" in inner.attributes for macro in macros for inner in walk(macro.element))
-        ]
-        while pending:
-            name = pending.pop()
-            if name not in found:
-                found.add(name)
-                pending += [around.name for _, around in self._calls.get(name, ()) if around]
+    def _find_setters(self) -> dict[str, set[str]]:
+        """Return what calls of macros set that is read outside of them, by the macros' names.
+
+        What a macro sets for its caller is the caller's own; what is global goes on.
+        """
+        found: dict[str, set[str]] = {}
+        for name, macros in self._macros.items():
+            inside = [inner for macro in macros for inner in walk(macro.element)]
+            scopes = {_name(inner): inner.attributes["scope"] for inner in inside if _scope(inner)}
+            if scopes:
+                found.setdefault(name, set()).update(scopes)
+            own = {each for each, scope in scopes.items() if scope != "parent"}
+            if own:
+                self._hand_up(name, own, found)
         return found
+
+    def _hand_up(self, name: str, names: set[str], found: dict[str, set[str]]) -> None:
+        """Add global names to all that may call a macro."""
+        pending, seen = [name], set[str]()
+        while pending:
+            own = pending.pop()
+            if own not in seen:
+                seen.add(own)
+                found.setdefault(own, set()).update(names)
+                pending += [around.name for _, around in self._calls.get(own, ()) if around]
 
     def sets_variables(self, node: Element) -> bool:
         """Tell whether an element has statements in it that set what is read after them."""
-        return any(
-            inner.name in ("xacro:property", "xacro:call", "xacro:include")
-            or _called(inner) in self._declaring
-            for inner in walk(node)
-            if inner.name.startswith("xacro:")
+        return any(map(self._is_setter, walk(node)))
+
+    def _is_setter(self, node: Element) -> bool:
+        return node.name in ("xacro:property", "xacro:call", "xacro:include") or (
+            node.name.startswith("xacro:") and _called(node) in self._setters
         )
+
+    def first_setters(self, link: Element) -> tuple[int, set[str]]:
+        """Return how many children of a link are calls that set what the rest reads, and the names.
+
+        Raises:
+            UnknownContent: something is set elsewhere in it.
+        """
+        count, names = 0, set[str]()
+        for index, child in enumerate(link.children):
+            if not isinstance(child, Element):
+                continue
+            called = _called(child)
+            if called not in self._setters or child.elements() or child.name == "xacro:call":
+                break
+            count = index + 1
+            names |= self._setters[called]
+        rest = [child for child in link.children[count:] if isinstance(child, Element)]
+        read_before = set().union(*map(names_in, map(format_value, link.attributes.values())))
+        if any(map(self.sets_variables, rest)) or names & read_before:
+            raise UnknownContent
+        return count, names
+
+    def may_pass(self, node: Element, names: set[str]) -> bool:
+        """Tell whether an element may be moved past what sets variables."""
+        inside = [own.name for own in walk(node) if own.name.startswith("xacro:")]
+        return not names & used_in(node) and set(inside) <= _PLAIN
 
     # --- where it stands ------------------------------------------------------------------------
 
@@ -226,6 +264,15 @@ _UNKNOWN = frozenset(
 def _called(element: Element) -> str:
     """Return the name of the macro that a tag calls, without that of its namespace."""
     return element.name.removeprefix("xacro:").rpartition(".")[2]
+
+
+def _scope(element: Element) -> bool:
+    """Tell whether an element is a property for others than the macro that it is in."""
+    return element.name == "xacro:property" and "scope" in element.attributes
+
+
+_PLAIN = frozenset(("xacro:if", "xacro:unless", "xacro:insert_block"))
+"""Statements that neither set variables nor read other names than those written in them."""
 
 
 def _name(element: Element) -> str:

@@ -82,13 +82,50 @@ def in_steps(nodes: list[Node], endings: Endings, contents: Contents) -> Iterato
     """
     run: list[Node] = []
     for node in nodes:
-        if isinstance(node, Element) and (is_statement(node) or contents.sets_variables(node)):
-            yield from _paired(run, endings)
+        if isinstance(node, Element) and is_statement(node):
+            yield from _stretches(run, endings, contents)
             yield Step(node)
             run = []
         else:
             run.append(node)
-    yield from _paired(run, endings)
+    yield from _stretches(run, endings, contents)
+
+
+def _stretches(run: list[Node], endings: Endings, contents: Contents) -> Iterator[Step]:
+    """Return nodes without statements among them, where links may set what is read after them."""
+    setters = {
+        id(node) for node in run if isinstance(node, Element) and contents.sets_variables(node)
+    }
+    names: set[str] | None = set()
+    for node in run:
+        if names is not None and id(node) in setters and isinstance(node, Element):
+            names = _names_set_in(node, names, contents)
+    others = [node for node in run if isinstance(node, Element) and id(node) not in setters]
+    if not setters or (
+        names is not None
+        and all(contents.may_pass(node, names) for node in others if node.name != "link")
+    ):
+        yield from _paired(run, endings)
+        return
+    stretch: list[Node] = []
+    for node in run:
+        if id(node) in setters:
+            yield from _paired(stretch, endings)
+            yield Step(node)
+            stretch = []
+        else:
+            stretch.append(node)
+    yield from _paired(stretch, endings)
+
+
+def _names_set_in(node: Element, names: set[str], contents: Contents) -> set[str] | None:
+    """Return names and those that a link sets at its beginning; None if it sets them elsewhere."""
+    if node.name != "link":
+        return None
+    try:
+        return names | contents.first_setters(node)[1]
+    except UnknownContent:
+        return None
 
 
 def _paired(run: list[Node], endings: Endings) -> Iterator[Step]:
@@ -219,9 +256,11 @@ class XacroPartWriter(PartWriter):
     def _counts(self, owner: Element) -> Counts:
         """Return how many elements of each name stand in an element."""
         if id(owner) not in self._known:
-            if self._contents.sets_variables(owner):
-                raise NoPart  # what reads them may be written before them
             try:
+                if owner.name == "link":
+                    self._contents.first_setters(self._originals[id(owner)][1])
+                elif self._contents.sets_variables(owner):
+                    raise NoPart  # what reads them may be written before them
                 counts = self._contents.counts(owner.children, self._around)
             except UnknownContent:
                 raise NoPart from None
@@ -247,7 +286,10 @@ class XacroPartWriter(PartWriter):
         if STRUCTURE & self._given(joint).keys() or _may_repeat(counts, "origin", "axis"):
             raise NoPart
 
-    def _write_all(self, owner: Element, body: Body, write: Write) -> None:
+    def _count_first(self, link: Element) -> int:
+        return self._contents.first_setters(self._originals[id(link)][1])[0]
+
+    def _write_all(self, owner: Element, body: Body, write: Write, of: range | None = None) -> None:
         def place(original: Element, out: Body) -> None:
             child = self.spelled(original)
             if child.name == "origin":
@@ -257,7 +299,7 @@ class XacroPartWriter(PartWriter):
 
         original = self._originals[id(owner)][1]  # its texts tell where lines end
         endings = comments_at_ends(original.children)
-        for child in owner.children:
+        for child in owner.children if of is None else [owner.children[each] for each in of]:
             if not isinstance(child, Element):
                 add_loose(child, body, endings)
             elif is_statement(child):
