@@ -21,6 +21,7 @@ TESTED_ELSEWHERE = {
     "jail-broken": "test_policy.py",
     "limit-time": "test_policy.py",
     "missing-extra": "test_part.py",
+    "name-with-line-break": "test_terminal.py",
     "no-jail": "test_policy.py",
     "no-opengl": "picture/test_pictures.py",
     "not-migrated": "migrate/test_migrate_command.py",

@@ -1268,13 +1268,14 @@ def test_exceptions_are_described_even_if_their_own_code_fails() -> None:
         def __str__(self) -> str:
             raise ValueError
 
-    assert child._describe(Evil()) == "Evil"
-    assert child._describe(KeyError("k")) == "KeyError: 'k'"
+    assert child._describe(Evil()) == ("Evil", "", "", "fault")
+    assert child._describe(KeyError("k")) == ("KeyError", "'k'", "", "fault")
+    assert child._describe(SystemExit(3)) == ("SystemExit", "3", "", "")
     with pytest.raises(ZeroDivisionError) as raised:
         print(1 / 0)
-    assert child._describe(raised.value) == (
-        f"ZeroDivisionError: division by zero at {__file__}:{raised.traceback[-1].lineno + 1}"
-    )
+    place = f"{Path(__file__).name}:{raised.traceback[-1].lineno + 1}"
+    kind, text = "ZeroDivisionError", "division by zero"
+    assert child._describe(raised.value) == (kind, text, place, "fault")
 
 
 # --- Landlock's versions and the filter, on paper ---------------------------------------------

@@ -17,7 +17,8 @@ import pytest
 
 from tests.waiting import PATIENCE
 from yamaro import output
-from yamaro.output import Streams, is_input, write_all, write_file
+from yamaro.output import is_input, write_all, write_file
+from yamaro.streams import Streams
 
 OLD = b"<robot name='old'/>\n"
 NEW = b"<robot name='new'/>\n"

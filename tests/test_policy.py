@@ -12,7 +12,7 @@ import pytest
 
 import yamaro
 from tests.waiting import PATIENCE
-from yamaro import Policy, YamaroError, confined, jail
+from yamaro import Policy, YamaroError, compiler, confined, jail
 from yamaro.commands.main import main
 from yamaro.jail import JailLimits
 from yamaro.policy import Limits, limit_names
@@ -230,6 +230,55 @@ def test_each_limit_of_a_jail_has_a_code(
     assert hasattr(JailLimits(), limit)
     monkeypatch.setattr(jail, "run_jailed", fail)
     assert codes(write(tmp_path, "out: 1\n"), Policy("jail")) == [code]
+
+
+@needs_jail
+@pytest.mark.parametrize("words", [[], ["check"], ["tree"]])
+def test_a_fault_of_ours_in_a_jail_is_reported_as_ours(
+    words: list[str],
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    def fail(*_: object, **__: object) -> None:
+        raise AttributeError("no \x1b[2J such thing")
+
+    monkeypatch.setattr(compiler, "write_pieces", fail)
+    path = write(tmp_path, "out: 1\n")
+    assert main([*words, "--jail", path]) == 70
+    told = capsys.readouterr()
+    assert told.out == ""
+    first, second = told.err.splitlines()
+    assert first.startswith(
+        "yamaro: internal error: AttributeError: no \\x1b[2J such thing (test_po"
+    )
+    assert second.startswith("this is a fault in Yamaro")
+    with pytest.raises(confined.FaultInJail, match="such thing"):
+        yamaro.build(path, policy=Policy("jail"))
+
+
+@needs_jail
+def test_a_file_that_claims_a_fault_of_ours_gains_nothing(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    text = (
+        "process: |\n  import yamaro.compiler\n"
+        "  def fail(*a):\n    raise type('\\x1b]0;E\\n', (Exception,), {})('\\x9b' * 10**7)\n"
+        "  yamaro.compiler.write_pieces = fail\nout: 1\n"
+    )
+    path = write(tmp_path, text)
+    assert main(["--jail", path]) == 70
+    told = capsys.readouterr()
+    assert told.out == "" and len(told.err) < 2000
+    assert told.err.isascii() and "\x1b" not in told.err and told.err.count("\n") == 2
+
+
+@needs_jail
+@pytest.mark.parametrize("end", ["SystemExit(3)", "KeyboardInterrupt()", "GeneratorExit()"])
+def test_a_file_that_ends_its_jail_is_no_fault_of_ours(tmp_path: Path, end: str) -> None:
+    code = f"  def fail(*a):\n    raise {end}\n"
+    text = f"process: |\n  import yamaro.compiler\n{code}  yamaro.compiler.write_pieces = fail\nout: 1\n"
+    assert codes(write(tmp_path, text), Policy("jail")) == ["jail-broken"]
 
 
 def test_convert_does_not_take_a_policy_for_a_variable(tmp_path: Path) -> None:

@@ -30,6 +30,7 @@ from .syntax.includes import is_xml_file
 from .syntax.names import is_identifier, python_name
 from .syntax.values import parse_inline
 from .syntax.yaml_nodes import PLAIN, ScalarNode
+from .terminal import harmless
 from .xmltree import Element, format_value, unshared, write_pieces
 
 TYPE_CHECKING = False
@@ -165,7 +166,9 @@ class Program:
             def parse_there(say: Callable[[str], None]) -> None:
                 self._parse(source, reporter)
 
-            outcome = self._run_confined(parse_there, reporter, source, has_root=False)
+            outcome = self._run_confined(
+                parse_there, reporter, source, has_root=False, has_document=False
+            )
             if outcome.has_errors:
                 raise YamaroError(outcome.diagnostics)
             return
@@ -338,6 +341,7 @@ class Program:
         source: Source,
         *,
         has_root: bool,
+        has_document: bool = True,
     ) -> Outcome:
         """Return what comes of a conversion that is run in a jail."""
         from .confined import run_confined
@@ -368,6 +372,7 @@ class Program:
             readable=self._reach.roots,
             name=source.name,
             has_root=has_root,
+            has_document=has_document,
         )
 
 
@@ -630,7 +635,7 @@ def _as_built_in(error: UsageError) -> Exception:
 
 
 def _print_to_standard_error(text: str) -> None:
-    print(text, file=sys.stderr)
+    print(harmless(text), file=sys.stderr)
 
 
 def _stem(path: str) -> str:

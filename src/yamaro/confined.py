@@ -1,4 +1,4 @@
-"""Runs a conversion in a jail, and tells what became of it if nothing came out."""
+"""Runs a conversion in a jail, and reports how it ended if there is no result."""
 
 from __future__ import annotations
 
@@ -8,6 +8,8 @@ from time import monotonic
 
 from .diagnostics import YamaroError, failure
 from .policy import JAIL, USUAL_SECONDS, Limits, Policy
+from .runtime.deadline import TimeOver, run_within
+from .runtime.deep_stack import run_on_deep_stack
 from .runtime.expressions import TIME_HINT
 from .runtime.messages import Messages
 from .runtime.packages import MODEL_PATHS
@@ -25,6 +27,21 @@ GRACE = 2.0
 
 MOST_READ = 1 << 30
 """Bytes that may come out of reading files."""
+
+
+class FaultInJail(Exception):
+    """Yamaro itself failed in a jail, with an exception that is not about the input.
+
+    Attributes:
+        kind: the name of the exception's class.
+        place: where it was raised, as `file.py:line`.
+    """
+
+    def __init__(self, kind: str, text: str, place: str) -> None:
+        """Hold what the jailed process says of the exception, which may be a lie."""
+        super().__init__(text)
+        self.kind = kind
+        self.place = place
 
 
 def has_jail(policy: Policy, name: str) -> bool:
@@ -50,6 +67,7 @@ def run_confined(
     readable: Sequence[str],
     name: str,
     has_root: bool,
+    has_document: bool = True,
 ) -> Outcome:
     """Return what comes of a conversion in a jail.
 
@@ -59,11 +77,20 @@ def run_confined(
         readable: the folders it may read.
         name: what its file is called in messages.
         has_root: whether a tree has to come out.
+        has_document: whether a document has to come out.
 
     Raises:
-        YamaroError: nothing came of it.
+        YamaroError: there is no result.
+        FaultInJail: Yamaro itself failed.
     """
-    from .jail import KEPT_VARIABLES, JailAnswerBroken, JailError, JailUnavailable, run_jailed
+    from .jail import (
+        KEPT_VARIABLES,
+        JailAnswerBroken,
+        JailError,
+        JailUnavailable,
+        JailWorkFailed,
+        run_jailed,
+    )
     from .transfer import from_bytes, to_bytes
 
     def work_in_jail() -> bytes:
@@ -82,10 +109,18 @@ def run_confined(
             limits=_jail_limits(policy),
             environment=[*KEPT_VARIABLES, *MODEL_PATHS],
         )
-        outcome = from_bytes(data)
+
+        def read() -> Outcome:
+            return run_within(_seconds(policy), lambda: from_bytes(data, policy.limits))
+
+        outcome = run_on_deep_stack(read)
         if has_root and outcome.root is None and not outcome.has_errors:
             raise JailAnswerBroken("the answer holds no tree")
+        if has_document and not outcome.pieces and not outcome.has_errors:
+            raise JailAnswerBroken("the answer holds no document")
         return outcome
+    except TimeOver:
+        raise time_is_over(name, policy) from None
     except JailUnavailable as error:
         if policy.mode == JAIL:
             raise _no_jail(str(error), name) from None
@@ -93,6 +128,10 @@ def run_confined(
         outcome = work(printed.append)
         outcome.messages = printed
         return outcome
+    except JailWorkFailed as error:
+        if error.is_fault:
+            raise FaultInJail(error.kind, error.text, error.place) from None
+        raise _failure_of_jail(error, policy, name) from None
     except JailError as error:
         raise _failure_of_jail(error, policy, name) from None
 
@@ -160,7 +199,7 @@ def failure_of_all(code: str, message: str, name: str, hint: str | None) -> Yama
 
 def time_is_over(name: str, policy: Policy) -> YamaroError:
     """Return the error for a conversion that was ended by force, of a file of that name."""
-    message = f"the time is over: this takes more than {policy.timeout or USUAL_SECONDS:g} s"
+    message = f"the time is over: this takes more than {_seconds(policy):g} s"
     return failure_of_all("limit-time", message, name, TIME_HINT)
 
 
@@ -187,12 +226,16 @@ def _no_jail(reason: str, name: str) -> YamaroError:
     return failure_of_all("no-jail", f"there can be no jail: {reason}", name, hint)
 
 
+def _seconds(policy: Policy) -> float:
+    return policy.timeout or USUAL_SECONDS
+
+
 def _jail_limits(policy: Policy) -> JailLimits:
     """Return what a jail lets a conversion use."""
     from .jail import JailLimits
 
     limits: Limits = policy.limits
-    seconds = policy.timeout or USUAL_SECONDS
+    seconds = _seconds(policy)
     return JailLimits(
         seconds=seconds + GRACE,  # the conversion itself can tell where it spends its time
         cpu_seconds=int(seconds + GRACE) + 1,

@@ -15,7 +15,12 @@ if TYPE_CHECKING:
 ERROR = "error"
 WARNING = "warning"
 
+FRAME_KINDS = ("called", "included", "loaded", "read")
+"""What a step can be: a call of a function, an `include`, `load_yaml`, a file that xacro reads."""
+
 MAX_TRACE_LINES = 12
+MAX_STEPS = 10_000
+"""Calls and includes to follow from a place: more than the limits let there be."""
 MAX_EXCERPT_COLUMNS = 160
 MAX_SUGGESTED_LETTERS = 255
 """The longest word that a suggestion is looked for: file names are no longer."""
@@ -32,7 +37,7 @@ class Frame:
         """Describe a step.
 
         Args:
-            kind: "called" or "included".
+            kind: one of FRAME_KINDS.
             name: the function's or the file's name.
             span: where the call or include is written.
             parent: the step in which it was reached.
@@ -282,7 +287,7 @@ def trace_lines(trace: Frame | None) -> list[str]:
     homes: list[Frame] = []
     seen: set[int] = set()
     frame = trace
-    while frame is not None:
+    while frame is not None and len(steps) < MAX_STEPS:
         steps.append(frame)
         seen.add(id(frame))
         if frame.home is not None:
@@ -290,7 +295,7 @@ def trace_lines(trace: Frame | None) -> list[str]:
         frame = frame.parent
     for home in homes:
         step: Frame | None = home
-        while step is not None and id(step) not in seen:
+        while step is not None and id(step) not in seen and len(steps) < MAX_STEPS:
             seen.add(id(step))
             steps.append(step)
             step = step.parent

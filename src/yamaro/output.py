@@ -1,16 +1,14 @@
-"""Writes what the command makes: files replaced in one step, and standard output kept for XML."""
+"""Writes files in one step, so that they are seen either whole or as they were before."""
 
 from __future__ import annotations
 
 import os
 import stat
-import sys
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Iterable
     from types import FrameType
-    from typing import TextIO
 
 # Names that mean standard output. Opened as files they would lead to wherever descriptor 1 points
 # by then, which is standard error during a build.
@@ -189,162 +187,3 @@ class _TerminationGuard:
         _remove(self._path)
         self.reset()
         os.kill(os.getpid(), number)
-
-
-# --- standard streams -------------------------------------------------------------------------
-
-
-class Streams:
-    """Standard output, for the result alone, and standard error, for all that is said.
-
-    While it is set up, what other code prints goes to standard error; in a quiet run it goes
-    nowhere. This class works on `sys.stdout` and `sys.stderr`, for callers inside Python.
-
-    Attributes:
-        kept: what has to live as long as the streams do.
-    """
-
-    __slots__ = ("_err", "_null", "_out", "kept", "quiet")
-
-    owns_process = False
-    """Whether the process is there for this command alone."""
-
-    def __init__(self, *, quiet: bool) -> None:
-        """Remember the streams as they are now."""
-        self.quiet = quiet
-        self._out: TextIO | None = sys.stdout
-        self._err: TextIO | None = sys.stderr
-        self._null: TextIO | None = None
-        self.kept: list[object] = []
-
-    def divert(self) -> None:
-        """Send what other code prints from now on away from standard output."""
-        if self.quiet:
-            self._null = open(os.devnull, "w", encoding="utf-8")  # noqa: SIM115
-            sys.stdout = sys.stderr = self._null
-        elif self._err is not None:
-            sys.stdout = self._err
-
-    def restore(self) -> None:
-        """Undo `divert`."""
-        if self._null is not None:
-            self._null.close()
-            self._null = None
-        sys.stdout, sys.stderr = self._out, self._err
-
-    def write_result(self, chunks: Iterable[bytes]) -> None:
-        """Write to standard output; raise OSError if that cannot be done."""
-        if self._out is None:
-            raise OSError(9, os.strerror(9))
-        self._out.flush()
-        buffer = getattr(self._out, "buffer", None)
-        if buffer is None:
-            self._out.write(b"".join(chunks).decode("utf-8", "surrogateescape"))
-        else:
-            for chunk in chunks:
-                buffer.write(chunk)
-            buffer.flush()
-        self._out.flush()
-
-    def say(self, text: str) -> None:
-        """Write text and a line break to standard error, if anyone can still hear it."""
-        if self._err is None:
-            return
-        try:
-            self._err.write(_encodable(text, self._err) + "\n")
-            self._err.flush()
-        except (OSError, ValueError):
-            return
-
-    def is_terminal(self, *, result: bool = False) -> bool:
-        """Tell whether standard error, or standard output for `result`, is a terminal."""
-        stream = self._out if result else self._err
-        try:
-            return stream is not None and stream.isatty()
-        except ValueError:
-            return False
-
-    def result_encoding(self) -> str:
-        """Return the encoding of standard output."""
-        return getattr(self._out, "encoding", None) or "utf-8"
-
-
-class ProcessStreams(Streams):
-    """The streams of the command's own process, kept apart at the level of file descriptors.
-
-    So that nothing that user code does, be it `os.system("echo")` or a C library that prints, can
-    get between the lines of the XML. They stay diverted until the process ends: what is printed
-    at exit must not land behind the XML either.
-    """
-
-    __slots__ = ("_err_fd", "_out_fd")
-
-    owns_process = True
-
-    def __init__(self, *, quiet: bool) -> None:
-        """Duplicate the descriptors; the duplicates are not inherited by child processes."""
-        super().__init__(quiet=quiet)
-        # What refers to itself is freed by the collector alone, and so, once it is frozen, by the
-        # end of the process: taking a big tree apart would be a tenth of the time of a build.
-        self.kept.append(self.kept)
-        _open_closed_descriptors()
-        self._out_fd = os.dup(1)
-        self._err_fd = os.dup(2)
-
-    def divert(self) -> None:
-        """Point descriptor 1 at standard error, or, in a quiet run, 1 and 2 at nothing."""
-        if self.quiet:
-            null = os.open(os.devnull, os.O_WRONLY)
-            os.dup2(null, 1)
-            os.dup2(null, 2)
-            os.close(null)
-        else:
-            os.dup2(2, 1)
-            if self._err is not None:
-                sys.stdout = self._err
-
-    def restore(self) -> None:
-        """Leave all as it is, see the class, but for text that still waits in a buffer."""
-        try:
-            if self._out is not None:
-                self._out.flush()
-        except (OSError, ValueError):
-            return
-
-    def write_result(self, chunks: Iterable[bytes]) -> None:
-        """Write to standard output; raise OSError if that cannot be done."""
-        if self._out is None:
-            raise OSError(9, os.strerror(9))
-        write_all(self._out_fd, chunks)
-
-    def say(self, text: str) -> None:
-        """Write text and a line break to standard error, if anyone can still hear it."""
-        if self._err is None:
-            return
-        try:
-            if not self.quiet:
-                self._err.flush()
-            encoding = self._err.encoding or "utf-8"
-            _write_chunk(self._err_fd, (text + os.linesep).encode(encoding, "backslashreplace"))
-        except (OSError, ValueError):
-            return
-
-    def is_terminal(self, *, result: bool = False) -> bool:
-        """Tell whether standard error, or standard output for `result`, is a terminal."""
-        return os.isatty(self._out_fd if result else self._err_fd)
-
-
-def _open_closed_descriptors() -> None:
-    """Open /dev/null on closed standard descriptors, so that no other file gets them."""
-    for descriptor in (0, 1, 2):
-        try:
-            os.fstat(descriptor)
-        except OSError:
-            if os.open(os.devnull, os.O_RDWR) != descriptor:
-                return
-
-
-def _encodable(text: str, stream: TextIO) -> str:
-    """Return text in which what the stream's encoding lacks is escaped."""
-    encoding = stream.encoding or "utf-8"
-    return text.encode(encoding, "backslashreplace").decode(encoding)

@@ -1,16 +1,23 @@
-"""What came of a conversion as bytes, and back: that is how it leaves a jail.
+"""The outcome of a conversion as bytes, and back: that is how it leaves a jail.
 
-Who wrote the bytes may be an enemy. So each number is checked before it is used, nothing is run,
-and whatever does not fit makes the whole answer a broken one.
+The bytes may come from an attacker. So everything is checked before it is used: numbers by their
+range, codes by their form, paths, and the document by a parser. Nothing is run, and whatever does
+not fit makes the whole answer a broken one. What remains free is text for people, which is escaped
+where it is shown.
 """
 
 from __future__ import annotations
 
-from .diagnostics import ERROR, WARNING, Diagnostic, Frame
+import os
+
+from .diagnostics import ERROR, FRAME_KINDS, WARNING, Diagnostic, Frame, YamaroError
 from .jail.limits import JailAnswerBroken
 from .jail.packing import pack, unpack
+from .policy import Limits
 from .source import Source, Span
-from .xmltree import Comment, Element, Text, format_value
+from .syntax.names import bad_name_character
+from .wellformed import check_document
+from .xmltree import Comment, Element, Text, format_value, is_comment_text, write_pieces
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -19,6 +26,9 @@ if TYPE_CHECKING:
     from .xmltree import Node
 
 _ELEMENT, _TEXT, _COMMENT = b"e", b"t", b"c"
+LONGEST_CODE = 60
+LONGEST_PATH = 4096
+"""Bytes of a path, and of a name that files are shown under: PATH_MAX of Linux."""
 
 
 class Outcome:
@@ -63,14 +73,18 @@ def to_bytes(outcome: Outcome) -> bytes:
     """Return an outcome as bytes."""
     packer = _Packer()
     diagnostics = pack([packer.diagnostic(each) for each in outcome.diagnostics])
-    nodes = b"" if outcome.root is None else packer.tree(outcome.root)
+    nodes, document = b"", ""
+    if outcome.root is not None:
+        nodes = packer.tree(outcome.root)  # of which the document is made again
+    else:
+        document = "".join(outcome.pieces)
     return pack(
         [
             _texts(outcome.messages),
             pack(packer.sources),
             pack(packer.frames),
             diagnostics,
-            _text("".join(outcome.pieces)),
+            _text(document),
             _texts(outcome.files),
             _texts(outcome.meshes),
             nodes,
@@ -78,25 +92,45 @@ def to_bytes(outcome: Outcome) -> bytes:
     )
 
 
-def from_bytes(data: bytes) -> Outcome:
-    """Return the outcome that some bytes tell of.
+def from_bytes(data: bytes, limits: Limits | None = None) -> Outcome:
+    """Return the outcome that some bytes describe.
+
+    Args:
+        data: what came out of a jail.
+        limits: what a conversion may use, by default what a trusted one may.
 
     Raises:
-        JailAnswerBroken: they tell of none.
+        JailAnswerBroken: they do not describe one.
     """
+    limits = limits or Limits()
     try:
         messages, sources, frames, diagnostics, document, files, meshes, nodes = unpack(data)
         unpacker = _Unpacker(unpack(sources), unpack(frames))
-        return Outcome(
-            messages=_read_texts(messages),
+        outcome = Outcome(
+            messages=_read_messages(messages, limits),
             diagnostics=[unpacker.diagnostic(each) for each in unpack(diagnostics)],
-            pieces=[_read_text(document)],
-            files=_read_texts(files),
-            meshes=_read_texts(meshes),
+            files=[_read_path(each) for each in unpack(files)],
+            meshes=[_read_name(each) for each in unpack(meshes)],
             root=unpacker.tree(nodes) if nodes else None,
         )
+        if (document or nodes) and not outcome.has_errors:
+            outcome.pieces = [_read_document(document, outcome.root, limits)]
+        return outcome
     except (ValueError, IndexError) as error:
-        raise JailAnswerBroken(f"the answer is none: {error}") from None
+        raise JailAnswerBroken(f"its answer is malformed: {error}") from None
+
+
+def _read_document(data: bytes, root: Element | None, limits: Limits) -> str:
+    """Return the document: that of the tree if there is one, so that the two are the same."""
+    if root is None:
+        text = data.decode()
+    else:
+        try:
+            text = "".join(write_pieces(root, {}, limits))
+        except YamaroError as error:
+            raise ValueError(error.diagnostics[0].message) from None
+    check_document(text, limits)
+    return text
 
 
 def _text(text: str) -> bytes:
@@ -115,6 +149,41 @@ def _read_texts(data: bytes) -> list[str]:
     return [_read_text(each) for each in unpack(data)]
 
 
+def _read_messages(data: bytes, limits: Limits) -> list[str]:
+    """Return what was printed, by both ways of printing: each has the limit for itself."""
+    messages = _read_texts(data)
+    if sum(map(len, messages)) + len(messages) > 2 * (limits.printed + 1):
+        raise ValueError("more is printed than may be")
+    return messages
+
+
+def _read_code(data: bytes) -> str:
+    """Return the code of a diagnostic, which is in kebab-case, perhaps with a version in it."""
+    code = data.decode("ascii")
+    words = code.split("-")
+    if len(code) > LONGEST_CODE or not all(
+        word.isalnum() and word == word.lower() for word in words
+    ):
+        raise ValueError("the code of a diagnostic is not in kebab-case")
+    return code
+
+
+def _read_name(data: bytes) -> str:
+    """Return what a file is called, which may be no path."""
+    name = _read_text(data)
+    if len(data) > LONGEST_PATH or "\0" in name:
+        raise ValueError("a file cannot have such a name")
+    os.fsencode(name)
+    return name
+
+
+def _read_path(data: bytes) -> str:
+    path = _read_name(data)
+    if not os.path.isabs(path):
+        raise ValueError("a path is not absolute")
+    return path
+
+
 def _numbers(*numbers: int) -> bytes:
     return b" ".join(b"%d" % number for number in numbers)
 
@@ -122,10 +191,10 @@ def _numbers(*numbers: int) -> bytes:
 def _read_numbers(data: bytes, count: int) -> list[int]:
     if len(data) > 21 * count:
         raise ValueError("a number is too long")
-    numbers = [int(each) for each in data.split(b" ")]
-    if len(numbers) != count:
+    numbers = data.split(b" ")
+    if len(numbers) != count or not all(map(bytes.isdigit, numbers)):
         raise ValueError("numbers are missing")
-    return numbers
+    return [int(each) for each in numbers]
 
 
 class _Packer:
@@ -220,18 +289,23 @@ class _Unpacker:
     """Unpacks what refers to sources and frames."""
 
     def __init__(self, sources: list[bytes], frames: list[bytes]) -> None:
-        self._sources: list[Source] = []
-        for data in sources:
-            name, path, text = _read_texts(data)
-            self._sources.append(Source(text, name=name, path=path))
+        self._sources = [self._source(data) for data in sources]
+        self._names: dict[bytes, str] = {}  # those of elements and attributes that are fine
         self._frames: list[Frame] = []
         for data in frames:
             self._frames.append(self._frame(data))
 
+    def _source(self, data: bytes) -> Source:
+        name, path, text = unpack(data)
+        absolute = _read_path(path) if path else ""
+        return Source(_read_text(text), name=_read_name(name), path=absolute)
+
     def _frame(self, data: bytes) -> Frame:
         kind, name, place, around = unpack(data)
-        parent, home = (self.frame(number) for number in _read_numbers(around, 2))
-        return Frame(_read_text(kind), _read_text(name), self.span(place), parent=parent, home=home)
+        parent, home = map(self.frame, _read_numbers(around, 2))
+        if kind.decode() not in FRAME_KINDS:
+            raise ValueError("there is no such step")
+        return Frame(kind.decode(), _read_text(name), self.span(place), parent=parent, home=home)
 
     def span(self, data: bytes) -> Span:
         index, start, end = _read_numbers(data, 3)
@@ -249,7 +323,7 @@ class _Unpacker:
         if severity not in (ERROR.encode(), WARNING.encode()):
             raise ValueError("there is no such severity")
         return Diagnostic(
-            _read_text(code),
+            _read_code(code),
             _read_text(message),
             self.span(place),
             hint=next(iter(_read_texts(hints)), None),
@@ -281,19 +355,31 @@ class _Unpacker:
             return Text(_read_text(text), span)
         if kind == _COMMENT:
             (text,) = rest
+            if not is_comment_text(_read_text(text)):
+                raise ValueError("a comment ends within itself")
             return Comment(_read_text(text), span)
         if kind != _ELEMENT:
             raise ValueError("there is no such kind of node")
         name, marks, packed = rest
         trace, verbatim = _read_numbers(marks, 2)
-        element = Element(_read_text(name), span, trace=self.frame(trace), verbatim=bool(verbatim))
+        element = Element(self._name(name), span, trace=self.frame(trace), verbatim=bool(verbatim))
         places: dict[str, Span] = {}
         element.value_spans = places
         for each in unpack(packed):
             key, value, place = unpack(each)
-            element.attributes[_read_text(key)] = _read_text(value)
-            places[_read_text(key)] = self.span(place)
+            attribute = self._name(key)
+            element.attributes[attribute] = _read_text(value)
+            places[attribute] = self.span(place)
         return element
+
+    def _name(self, data: bytes) -> str:
+        name = self._names.get(data)
+        if name is None:
+            name = data.decode()
+            if bad_name_character(name) is not None:
+                raise ValueError("an element or attribute cannot have such a name")
+            self._names[data] = name
+        return name
 
 
 def _checked(index: int, count: int) -> int:

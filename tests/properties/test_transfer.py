@@ -13,12 +13,16 @@ from tests.effort import examples
 from yamaro.compiler import build
 from yamaro.diagnostics import Diagnostic, Frame, YamaroError, render
 from yamaro.jail import JailAnswerBroken, pack, unpack
+from yamaro.policy import Limits
+from yamaro.runtime.deep_stack import run_on_deep_stack
 from yamaro.source import Source, Span
 from yamaro.transfer import Outcome, from_bytes, to_bytes
 from yamaro.xmltree import Comment, Element, Text, write
 
 EXAMPLES = sorted((Path(__file__).parents[2] / "examples").rglob("*.yaml"))
 texts = st.text(max_size=12)
+names = st.text(st.characters(exclude_characters="\0", exclude_categories=["Cs"]), max_size=12)
+codes = st.sampled_from(["a", "jail-broken", "capsule-needs-urdf-1.1"])
 
 
 def outcome_of(path: Path) -> Outcome:
@@ -57,7 +61,7 @@ def test_all_of_an_outcome_comes_through(path: Path) -> None:
     sent = outcome_of(path)
     got = from_bytes(to_bytes(sent))
     assert (got.messages, got.files, got.meshes) == (sent.messages, sent.files, sent.meshes)
-    assert "".join(got.pieces) == "".join(sent.pieces)
+    assert "".join(got.pieces) == "".join(sent.pieces)  # made of the tree
     assert [render(each) for each in got.diagnostics] == [render(each) for each in sent.diagnostics]
     assert (got.root is None) == (sent.root is None)
     if got.root is not None and sent.root is not None:
@@ -67,14 +71,15 @@ def test_all_of_an_outcome_comes_through(path: Path) -> None:
 
 @st.composite
 def diagnostics(draw: st.DrawFn) -> Diagnostic:
-    source = Source(draw(st.text(min_size=1, max_size=30)), name=draw(texts), path=draw(texts))
+    path = draw(st.just("") | names.map("/".__add__))
+    source = Source(draw(st.text(min_size=1, max_size=30)), name=draw(names), path=path)
     start = draw(st.integers(0, len(source.text)))
     span = Span(source, start, draw(st.integers(start, len(source.text))))
     frame = None
     for name in draw(st.lists(texts, max_size=4)):
         frame = Frame("called", name, span, parent=frame, home=draw(st.sampled_from([None, frame])))
     return Diagnostic(
-        draw(texts),
+        draw(codes),
         draw(texts),
         span,
         hint=draw(st.none() | texts),
@@ -166,7 +171,6 @@ ROOT = node(b"e", b"0", b"0 0 1", b"out", b"0 0", pack([]))
         forged(3, pack([pack([b"error", b"c", b"m", b"-1 0 1", pack([]), pack([]), b"0"])])),
         forged(3, pack([pack([b"error", b"c", b"m", b"0 0 1", pack([]), pack([]), b"-5"])])),
         forged(3, pack([pack([b"error", b"c", b"m", b"0 0 " + b"9" * 5000, b"", b"", b"0"])])),
-        forged(4, b"\xff\xfe"),
         forged(7, pack([])[:0] + pack([node(b"t", b"0", b"0 0 1", b"a text")])),
         forged(7, pack([ROOT, node(b"t", b"0", b"0 0 1", b"x"), node(b"t", b"1", b"0 0 1", b"y")])),
         forged(7, pack([ROOT, node(b"t", b"7", b"0 0 1", b"x")])),
@@ -179,3 +183,188 @@ def test_a_lie_in_an_answer_is_found(answer: bytes) -> None:
     assert from_bytes(ANSWER).root is not None
     with pytest.raises(JailAnswerBroken):
         from_bytes(answer)
+
+
+# --- each thing that crosses --------------------------------------------------------------------
+
+FINE = '<?xml version="1.0"?>\n<robot name="r">\n  <link name="é&#10;"/>\n</robot>\n'
+
+
+def answer(**parts: bytes) -> bytes:
+    """Return an answer without a tree, with some of its parts replaced."""
+    names = "messages sources frames diagnostics document files meshes nodes".split()
+    usual = {"document": FINE.encode()} | parts
+    return pack([usual.get(name, b"") for name in names])
+
+
+def test_a_document_that_is_fine_is_believed() -> None:
+    assert from_bytes(answer()).pieces == [FINE]
+
+
+BEGINNING = '<?xml version="1.0"?>\n'
+
+
+@pytest.mark.parametrize(
+    "document",
+    [
+        "no xml",
+        "\x1b]0;PWNED\x07 <no xml",
+        "<robot/>",
+        BEGINNING,
+        BEGINNING + "\x1b[2J<robot/>",
+        BEGINNING + "<robot>\x1b[2J</robot>",
+        BEGINNING + "<robot>\0</robot>",
+        BEGINNING + "<robot/>\0",
+        BEGINNING + "<robot/>\x1b",
+        BEGINNING + "<robot/> behind",
+        BEGINNING + "<robot/><robot/>",
+        BEGINNING + "<robot>",
+        BEGINNING + "<robot a='1' a='2'/>",
+        BEGINNING + "<robot a=1/>",
+        BEGINNING + "<robot a='<'/>",
+        BEGINNING + "<robot>&nbsp;</robot>",
+        BEGINNING + "<robot>&#0;</robot>",
+        BEGINNING + "<robot>&#x1b;</robot>",
+        BEGINNING + "<robot>\ud800</robot>",
+        BEGINNING + "<robot>\ufffe</robot>",
+        BEGINNING + "<robot><!-- a -- b --></robot>",
+        BEGINNING + "<x:robot/>",
+        BEGINNING + "<robot><a xmlns:x='u'/><x:b/></robot>",
+        BEGINNING + "<robot x:a='1'/>",
+        BEGINNING + "<?python evil?><robot/>",
+        BEGINNING + "<robot/><?python evil?>",
+        BEGINNING + "<!DOCTYPE robot [<!ENTITY a 'b'>]><robot>&a;</robot>",
+        BEGINNING + "<!DOCTYPE robot SYSTEM 'file:///etc/passwd'><robot/>",
+        '<?xml version="1.0" encoding="UTF-7"?>\n<robot/>',
+        '<?xml version="1.1"?>\n<robot>&#1;</robot>',
+        BEGINNING + "<a>" * 1501 + "</a>" * 1501,
+    ],
+)
+def test_a_forged_document_is_found_out(document: str) -> None:
+    with pytest.raises(JailAnswerBroken):
+        from_bytes(answer(document=document.encode("utf-8", "surrogatepass")))
+
+
+def test_a_document_in_no_encoding_is_found_out() -> None:
+    for data in (b"\xff\xfe", FINE.encode("utf-16"), FINE.encode("latin-1")):
+        with pytest.raises(JailAnswerBroken):
+            from_bytes(answer(document=data))
+
+
+def test_a_document_longer_than_the_limit_is_refused() -> None:
+    assert from_bytes(answer(), Limits(output=len(FINE))).pieces == [FINE]
+    with pytest.raises(JailAnswerBroken):
+        from_bytes(answer(), Limits(output=len(FINE) - 1))
+
+
+def of_tree(*nodes: bytes) -> bytes:
+    source = pack([pack([b"robot.yaml", b"/robot.yaml", b"text"])])
+    return answer(sources=source, nodes=pack(nodes))
+
+
+def element(name: bytes, *attributes: tuple[bytes, bytes]) -> bytes:
+    packed = pack([pack([key, value, b"0 0 1"]) for key, value in attributes])
+    return node(b"e", b"0", b"0 0 1", name, b"0 0", packed)
+
+
+def test_the_document_of_a_tree_is_made_of_the_tree() -> None:
+    answered = from_bytes(of_tree(element(b"robot", (b"name", b"<r>"))))
+    assert answered.pieces == [BEGINNING + '<robot name="&lt;r&gt;"/>\n']
+
+
+@pytest.mark.parametrize(
+    "nodes",
+    [
+        [element(b"no xml")],
+        [element(b"\x1b[2J")],
+        [element(b"")],
+        [element(b"robot", (b"a b", b"1"))],
+        [element(b"robot", (b"a='1' b", b"1"))],
+        [element(b"robot", (b"a", b"\x1b[2J"))],
+        [element(b"x:robot")],
+        [element(b"robot/><robot")],
+        [element(b"robot"), node(b"t", b"0", b"0 0 1", b"\0")],
+        [element(b"robot"), node(b"c", b"0", b"0 0 1", b"--><evil/><!--")],
+        [element(b"robot"), node(b"c", b"0", b"0 0 1", b"ends with -")],
+    ],
+)
+def test_a_tree_that_is_no_document_is_found_out(nodes: list[bytes]) -> None:
+    with pytest.raises(JailAnswerBroken):
+        from_bytes(of_tree(*nodes))
+
+
+def test_a_tree_deeper_than_the_limit_is_refused() -> None:
+    inner = [node(b"e", b"%d" % n, b"0 0 1", b"a", b"0 0", b"") for n in range(1600)]
+    data = of_tree(element(b"robot"), *inner)
+    with pytest.raises(JailAnswerBroken):
+        run_on_deep_stack(lambda: from_bytes(data))
+
+
+def of_diagnostic(code: bytes, place: bytes = b"0 0 1", *, path: bytes = b"") -> bytes:
+    told = pack([b"error", code, b"m", place, pack([]), pack([]), b"0"])
+    sources = pack([pack([b"robot.yaml", path, b"text"])])
+    return answer(sources=sources, diagnostics=pack([told]))
+
+
+@pytest.mark.parametrize(
+    "code",
+    [
+        "",
+        "-",
+        "a-",
+        "a--b",
+        "A",
+        "a b",
+        "a\n",
+        "\x1b[31m",
+        "é",
+        "\u202e",
+        "a]: x",
+        "a" * 61,
+        "a..b",
+    ],
+)
+def test_a_code_is_in_kebab_case(code: str) -> None:
+    assert from_bytes(of_diagnostic(b"no-such-code")).has_errors
+    with pytest.raises(JailAnswerBroken):
+        from_bytes(of_diagnostic(code.encode()))
+
+
+@pytest.mark.parametrize("path", [b"robot.yaml", b"../robot.yaml", b"/a\0b", b"/" + b"a" * 5000])
+def test_a_path_is_absolute_and_one_that_can_be(path: bytes) -> None:
+    assert from_bytes(of_diagnostic(b"a", path=b"/robot.yaml")).has_errors
+    with pytest.raises(JailAnswerBroken):
+        from_bytes(of_diagnostic(b"a", path=path))
+    with pytest.raises(JailAnswerBroken):
+        from_bytes(answer(files=pack([path])))
+
+
+@pytest.mark.parametrize("name", [b"a\0b", b"\xed\xa0\x80", b"a" * 5000])
+def test_the_name_of_a_mesh_is_one_that_a_file_can_have(name: bytes) -> None:
+    assert from_bytes(answer(meshes=pack([b"package://p/m.stl"]))).meshes == ["package://p/m.stl"]
+    with pytest.raises(JailAnswerBroken):
+        from_bytes(answer(meshes=pack([name])))
+
+
+@pytest.mark.parametrize("place", [b"0 0 +1", b"0 0 1_0", b"0  1", b"0 0 0x1", b"0 0 -0", b"0 0 "])
+def test_a_number_is_written_in_digits(place: bytes) -> None:
+    with pytest.raises(JailAnswerBroken):
+        from_bytes(of_diagnostic(b"a", place))
+
+
+def test_a_step_is_one_that_there_is() -> None:
+    for kind, is_fine in ((b"called", True), (b"\x1b[2J", False), (b"inherited", False)):
+        frame = pack([kind, b"F", b"0 0 1", b"0 0"])
+        data = answer(sources=pack([pack([b"a", b"", b"text"])]), frames=pack([frame]))
+        if is_fine:
+            assert from_bytes(data)
+            continue
+        with pytest.raises(JailAnswerBroken):
+            from_bytes(data)
+
+
+def test_more_than_may_be_printed_is_refused() -> None:
+    data = answer(messages=pack([b"0123456789"] * 3))
+    assert len(from_bytes(data, Limits(printed=20)).messages) == 3
+    with pytest.raises(JailAnswerBroken):
+        from_bytes(data, Limits(printed=10))

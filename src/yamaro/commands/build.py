@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 
+from ..streams import NAMES
 from .conversion import convert_file
 
 TYPE_CHECKING = False
@@ -11,14 +12,15 @@ if TYPE_CHECKING:
     from collections.abc import Iterable
 
     from ..compiler import Build
-    from ..output import Streams
+    from ..streams import Streams
     from .arguments import Arguments
 
 
 def run(arguments: Arguments, streams: Streams) -> int:
     """Write the XML, or with `--deps` the files it is made of; return the exit status."""
-    take = _dependencies if arguments.has("deps") else _document
-    return convert_file(arguments, streams, take)
+    if arguments.has("deps"):
+        return convert_file(arguments, streams, _dependencies, form=NAMES)
+    return convert_file(arguments, streams, _document)
 
 
 def _document(build: Build) -> Iterable[bytes]:
@@ -26,5 +28,16 @@ def _document(build: Build) -> Iterable[bytes]:
 
 
 def _dependencies(build: Build) -> list[bytes]:
+    """Return a line for each file; refuse a name that programs would read as several."""
+    from ..confined import failure_of_all
+
     names = dict.fromkeys(filter(os.path.isabs, build.files + build.meshes))
+    for name in names:
+        if name.splitlines() != [name]:
+            raise failure_of_all(
+                "name-with-line-break",
+                f"--deps lists one name a line, and '{name}' has a line break in it",
+                build.files[0],
+                "rename the file, or have it named without --deps",
+            )
     return [os.fsencode(name) + b"\n" for name in names]

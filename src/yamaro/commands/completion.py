@@ -7,7 +7,7 @@ from .usage import WrongUsage
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from ..output import Streams
+    from ..streams import Streams
     from .arguments import Arguments
 
 
@@ -24,4 +24,4 @@ def run(arguments: Arguments, streams: Streams) -> int:
         text = script(words[0])
     else:
         raise WrongUsage(f"'yamaro completion' needs a shell: {', '.join(SHELLS)}")
-    return deliver([text.encode("utf-8", "replace")], arguments, streams)
+    return deliver([text], arguments, streams)

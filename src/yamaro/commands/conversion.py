@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sys
 
+from ..streams import XML
 from .delivery import deliver, refuse_overwriting
 from .inputs import read_pipe
 from .reports import display_name, sayer, show
@@ -15,8 +16,8 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Iterable
 
     from ..compiler import Build
-    from ..output import Streams
     from ..policy import Policy
+    from ..streams import Streams
     from .arguments import Arguments
 
 
@@ -27,8 +28,9 @@ class ProgramEnded(Exception):
 def convert_file(
     arguments: Arguments,
     streams: Streams,
-    take: Callable[[Build], Iterable[bytes]],
+    take: Callable[[Build], Iterable[bytes | str]],
     *,
+    form: str = XML,
     prepare: Callable[[], object] | None = None,
     advice: bool = False,
     has_root: bool = False,
@@ -40,6 +42,7 @@ def convert_file(
         streams: where everything goes.
         take: gives what to write of a successful build. It is called while standard output is out
             of reach, since that may run code of the user's too.
+        form: that of what is taken in bytes; see `Streams.write_result`.
         prepare: is called before the build; raises YamaroError for what shall not have to wait.
         advice: also warn of what is legal but seldom meant; any warning is then an error.
         has_root: whether `take` needs the tree.
@@ -49,6 +52,8 @@ def convert_file(
     arguments.resolve_output()
     refuse_overwriting(arguments, lambda: arguments.words)
     policy = make_policy(arguments)
+    if not policy.is_trusted:
+        streams.silence_libraries()
     try:
         if prepare is not None:
             prepare()
@@ -70,7 +75,7 @@ def convert_file(
     if advice and build.warnings:
         return INPUT_ERROR
     refuse_overwriting(arguments, lambda: [*build.files, *build.meshes])
-    return deliver(chunks, arguments, streams)
+    return deliver(chunks, arguments, streams, form)
 
 
 def _bound_process(arguments: Arguments, streams: Streams, policy: Policy) -> None:
@@ -100,19 +105,18 @@ def _build(
     arguments: Arguments,
     streams: Streams,
     policy: Policy,
-    take: Callable[[Build], Iterable[bytes]],
+    take: Callable[[Build], Iterable[bytes | str]],
     *,
     advice: bool,
     has_root: bool,
-) -> tuple[Build, Iterable[bytes]]:
-    """Build the file, with standard output out of reach; return the build and what to write."""
+) -> tuple[Build, Iterable[bytes | str]]:
+    """Build the file; return the build and what to write."""
     import warnings
 
     from .. import compiler
 
     path = arguments.words[0]
     text = read_pipe(path, policy.limits)
-    streams.divert()
     try:
         with warnings.catch_warnings():
             if not sys.warnoptions:  # user code's warnings, unless asked for with -W
@@ -133,5 +137,3 @@ def _build(
         raise WrongUsage(str(error)) from None
     except SystemExit as error:
         raise ProgramEnded(f"Python code of the file ended the program: {error!r}") from None
-    finally:
-        streams.restore()

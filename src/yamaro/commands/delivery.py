@@ -5,13 +5,14 @@ from __future__ import annotations
 import os
 
 from ..output import STANDARD_OUTPUT, is_input, write_file
+from ..streams import XML, NotForTerminal
 from .usage import DONE, INPUT_ERROR, WrongUsage, quote
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Sequence
 
-    from ..output import Streams
+    from ..streams import Streams
     from .arguments import Arguments
 
 
@@ -20,13 +21,24 @@ def goes_to_standard_output(arguments: Arguments) -> bool:
     return arguments.options.get("output", "-") in STANDARD_OUTPUT
 
 
-def deliver(chunks: Iterable[bytes], arguments: Arguments, streams: Streams) -> int:
-    """Write the result to where it is wanted; a place that cannot be written to is an error."""
+def deliver(
+    chunks: Iterable[bytes | str], arguments: Arguments, streams: Streams, form: str = XML
+) -> int:
+    """Write the result to where it is wanted; a place that cannot be written to is an error.
+
+    Args:
+        chunks: see `Streams.write_result`.
+        arguments: the command line.
+        streams: where everything goes.
+        form: that of chunks in bytes.
+    """
     try:
         if goes_to_standard_output(arguments):
-            streams.write_result(chunks)
+            streams.write_result(chunks, form)
         else:
-            write_file(arguments.output_path, chunks)
+            write_file(arguments.output_path, map(_in_file, chunks))
+    except NotForTerminal:
+        raise WrongUsage("this is not for a terminal: name a file, or pipe it on") from None
     except BrokenPipeError:
         raise
     except OSError as error:
@@ -35,6 +47,10 @@ def deliver(chunks: Iterable[bytes], arguments: Arguments, streams: Streams) -> 
         streams.say(f"yamaro: error: cannot write {name}: {error.strerror or error}")
         return INPUT_ERROR
     return DONE
+
+
+def _in_file(chunk: bytes | str) -> bytes:
+    return chunk.encode() if isinstance(chunk, str) else chunk
 
 
 def deliver_files(files: dict[str, bytes], streams: Streams) -> int:

@@ -8,7 +8,7 @@ from .usage import WrongUsage, near, quote
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from ..output import Streams
+    from ..streams import Streams
     from .arguments import Arguments
     from .table import Command, Option
 
@@ -26,7 +26,7 @@ def run(arguments: Arguments, streams: Streams) -> int:
         raise WrongUsage(f"there is no command {quote(topics[0])}{hint}")
     if len(topics) > 1:
         raise WrongUsage(f"{quote(topics[1])} is one COMMAND too many after {quote(topics[0])}")
-    return deliver([help_of(topics[0]).encode()], arguments, streams)
+    return deliver([help_of(topics[0])], arguments, streams)
 
 
 def help_of(name: str) -> str:

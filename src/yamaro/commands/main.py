@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import sys
 
-from ..output import ProcessStreams, Streams
+from ..streams import ProcessStreams, Streams
 from .arguments import parse_arguments
 from .conversion import ProgramEnded
 from .reports import report_fault, report_usage
@@ -49,6 +49,7 @@ def _run_safely(argv: Sequence[str], stream_class: type[Streams]) -> int:
     try:
         arguments = parse_arguments(argv)
         streams = stream_class(quiet=arguments.has("quiet"))
+        streams.divert()
         return _run(arguments, streams)
     except WrongUsage as error:
         return report_usage(str(error), streams)
@@ -64,6 +65,9 @@ def _run_safely(argv: Sequence[str], stream_class: type[Streams]) -> int:
         return INPUT_ERROR
     except Exception as error:
         return report_fault(error, streams or Streams(quiet=False))
+    finally:
+        if streams is not None:
+            streams.restore()
 
 
 def _run(arguments: Arguments, streams: Streams) -> int:
@@ -71,12 +75,12 @@ def _run(arguments: Arguments, streams: Streams) -> int:
         from .. import __version__
         from .delivery import deliver
 
-        return deliver([f"yamaro {__version__}\n".encode()], arguments, streams)
+        return deliver([f"yamaro {__version__}\n"], arguments, streams)
     if arguments.has("help"):
         from .delivery import deliver
         from .help import help_of
 
-        return deliver([help_of(arguments.command).encode()], arguments, streams)
+        return deliver([help_of(arguments.command)], arguments, streams)
     return _command(arguments.command)(arguments, streams)
 
 

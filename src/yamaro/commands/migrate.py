@@ -18,9 +18,9 @@ from .usage import DONE, INPUT_ERROR, WrongUsage, quote
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from ..output import Streams
     from ..policy import Limits
     from ..source import Source
+    from ..streams import Streams
     from .arguments import Arguments
 
 

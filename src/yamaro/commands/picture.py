@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from time import monotonic
 
+from ..streams import BINARY
 from .conversion import convert_file, end_process
 from .reports import display_name
 from .settings import make_policy
@@ -12,7 +13,7 @@ from .usage import WrongUsage
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from ..compiler import Build
-    from ..output import Streams
+    from ..streams import Streams
     from ..tools.picture.command import Result
     from ..tools.picture.request import Request
     from .arguments import Arguments
@@ -25,6 +26,7 @@ def run(arguments: Arguments, streams: Streams) -> int:
         arguments,
         streams,
         lambda build: [_picture(build, arguments, streams, began)],
+        form=BINARY,
         prepare=lambda: _request(arguments),
         has_root=True,
     )

@@ -13,7 +13,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from ..output import Streams
+    from ..streams import Streams
     from ..tools.rebuilding import Rebuilder
     from .arguments import Arguments
 
@@ -42,6 +42,8 @@ def repeat(
     if arguments.words[0] == STANDARD_INPUT:
         raise WrongUsage(f"'yamaro {arguments.command}' needs a FILE with a name, to see it change")
     policy = make_policy(arguments)
+    if not policy.is_trusted:
+        streams.silence_libraries()
     if streams.owns_process:
         from .. import process
 
@@ -65,6 +67,4 @@ def repeat(
         raise WrongUsage(str(error)) from None
     except KeyboardInterrupt:
         return DONE
-    finally:
-        streams.restore()
     return DONE

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import os
 
-from ..output import Streams
 from ..source import STANDARD_INPUT, STANDARD_INPUT_NAME
+from ..streams import Streams
 from .usage import INTERNAL_ERROR, USAGE, USAGE_ERROR
 
 TYPE_CHECKING = False
@@ -25,7 +25,7 @@ def show(diagnostics: Sequence[Diagnostic], arguments: Arguments, streams: Strea
     if not diagnostics:
         return
     color = has_color(arguments, is_terminal=streams.is_terminal())
-    streams.say("\n\n".join(render(one, color=color) for one in diagnostics))
+    streams.say("\n\n".join(render(one, color=color) for one in diagnostics), colored=color)
     if arguments.command == "check":
         errors = sum(one.severity == ERROR for one in diagnostics)
         counts = [(errors, "error"), (len(diagnostics) - errors, "warning")]
@@ -73,16 +73,12 @@ def report_usage(message: str, streams: Streams | None) -> int:
 
 def report_fault(error: Exception, streams: Streams) -> int:
     """Tell a fault of Yamaro's apart from a fault of the input; return the exit status."""
-    from ..terminal import printable
+    from ..terminal import shortened
 
-    trace = error.__traceback__
-    while trace is not None and trace.tb_next is not None:
-        trace = trace.tb_next
-    place = ""
-    if trace is not None:
-        place = f" ({os.path.basename(trace.tb_frame.f_code.co_filename)}:{trace.tb_lineno})"
+    kind, place = _kind_and_place(error)
+    told = f"{kind}: {error}" + (f" ({place})" if place else "")
     streams.say(
-        f"yamaro: internal error: {type(error).__name__}: {printable(str(error))}{place}\n"
+        f"yamaro: internal error: {shortened(told)}\n"
         "this is a fault in Yamaro, not in your file; please report it with what you ran"
     )
     if os.environ.get("YAMARO_TRACEBACK"):
@@ -90,3 +86,18 @@ def report_fault(error: Exception, streams: Streams) -> int:
 
         streams.say("".join(traceback.format_exception(error)).rstrip())
     return INTERNAL_ERROR
+
+
+def _kind_and_place(error: Exception) -> tuple[str, str]:
+    """Return the class of an exception and where it was raised, in a jail or here."""
+    from ..confined import FaultInJail
+
+    if isinstance(error, FaultInJail):
+        return error.kind, error.place
+    trace = error.__traceback__
+    while trace is not None and trace.tb_next is not None:
+        trace = trace.tb_next
+    if trace is None:
+        return type(error).__name__, ""
+    file_name = os.path.basename(trace.tb_frame.f_code.co_filename)
+    return type(error).__name__, f"{file_name}:{trace.tb_lineno}"

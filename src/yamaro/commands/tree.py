@@ -9,7 +9,7 @@ from .usage import WrongUsage
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from ..compiler import Build
-    from ..output import Streams
+    from ..streams import Streams
     from .arguments import Arguments
 
 
@@ -20,17 +20,15 @@ def run(arguments: Arguments, streams: Streams) -> int:
     )
 
 
-def _tree(build: Build, arguments: Arguments, streams: Streams) -> bytes:
+def _tree(build: Build, arguments: Arguments, streams: Streams) -> str:
     from ..tools.tree import render_tree
 
     if build.root.name != "robot":
         raise WrongUsage(f"'yamaro tree' shows robots, and this is a <{build.root.name}>")
-    encoding = streams.result_encoding()
     try:
-        "└─├│…".encode(encoding)
+        "└─├│…".encode(streams.result_encoding())
         has_lines = True
-    except (UnicodeEncodeError, LookupError):
+    except UnicodeEncodeError:
         has_lines = False
     color = has_color(arguments, is_terminal=streams.is_terminal(result=True))
-    text = render_tree(build.root, ascii=not has_lines, color=color)
-    return text.encode(encoding if has_lines else "ascii", "backslashreplace")
+    return render_tree(build.root, ascii=not has_lines, color=color)

@@ -8,7 +8,7 @@ from .usage import WrongUsage, quote
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from ..output import Streams
+    from ..streams import Streams
     from ..tools.rebuilding import Rebuilder
     from .arguments import Arguments
 
@@ -23,10 +23,6 @@ def run(arguments: Arguments, streams: Streams) -> int:
 def _view(arguments: Arguments, streams: Streams, rebuilder: Rebuilder) -> None:
     from ..tools.view.command import ViewOptions, view
 
-    def tell_url(url: str) -> None:
-        streams.write_result([f"{url}\n".encode()])
-        streams.divert()
-
     options = ViewOptions(
         port=_read_port(arguments),
         has_browser=not arguments.has("no-browser"),
@@ -37,7 +33,7 @@ def _view(arguments: Arguments, streams: Streams, rebuilder: Rebuilder) -> None:
         options,
         say=sayer(streams),
         show=lambda turn: show(turn.diagnostics, arguments, streams),
-        tell_url=tell_url,
+        tell_url=lambda url: streams.write_result([f"{url}\n"]),
     )
 
 

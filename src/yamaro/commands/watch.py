@@ -10,7 +10,7 @@ from .usage import DONE, WrongUsage
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from ..compiler import Build
-    from ..output import Streams
+    from ..streams import Streams
     from ..tools.rebuilding import Rebuilder
     from .arguments import Arguments
 
@@ -36,7 +36,6 @@ def _watch(arguments: Arguments, streams: Streams, rebuilder: Rebuilder) -> None
         return deliver(build.encoded(), arguments, streams) == DONE
 
     refuse_overwriting(arguments, lambda: arguments.words)
-    streams.divert()
     watch(
         rebuilder,
         write=write,

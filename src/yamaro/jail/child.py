@@ -14,6 +14,7 @@ import sys
 
 from . import landlock, seccomp
 from .calls import Architecture, call, check, here, libc
+from .packing import pack
 from .protocol import (
     ANSWER,
     FAILED,
@@ -93,7 +94,7 @@ def _is_confined(cell: Cell) -> bool:  # pragma: no cover
         _send(cell.writer, READY)
     except BaseException as error:
         text = f"the jail could not be set up: {error}"
-        _send(cell.writer, NO_JAIL, text.encode("utf-8", "backslashreplace")[:LONGEST_REASON])
+        _send(cell.writer, NO_JAIL, _bytes(text))
         return False
     return True
 
@@ -107,23 +108,27 @@ def _answer(writer: int, work: Callable[[], bytes]) -> None:  # pragma: no cover
     except MemoryError:
         os.write(writer, OUT_OF_MEMORY)
     except BaseException as error:
-        text = _describe(error)
-        _send(writer, FAILED, text.encode("utf-8", "backslashreplace")[:LONGEST_REASON])
+        _send(writer, FAILED, pack([_bytes(text) for text in _describe(error)]))
 
 
-def _describe(error: BaseException) -> str:
-    """Return an exception's kind, text and place in one line."""
+def _describe(error: BaseException) -> tuple[str, str, str, str]:
+    """Return an exception's kind, text and place, and a text that is not empty if it is a fault."""
     traceback = error.__traceback__
     while traceback is not None and traceback.tb_next is not None:
         traceback = traceback.tb_next
     place = ""
     if traceback is not None:
         code = traceback.tb_frame.f_code
-        place = f" at {code.co_filename}:{traceback.tb_lineno}"
+        place = f"{os.path.basename(code.co_filename)}:{traceback.tb_lineno}"
     try:
-        return f"{type(error).__name__}: {error}{place}"
+        text = f"{error}"
     except Exception:  # its own code fails
-        return f"{type(error).__name__}{place}"
+        text = ""
+    return type(error).__name__, text, place, "fault" if isinstance(error, Exception) else ""
+
+
+def _bytes(text: str) -> bytes:
+    return text.encode("utf-8", "backslashreplace")[:LONGEST_REASON]
 
 
 def _send(writer: int, kind: bytes, data: bytes = b"") -> None:  # pragma: no cover

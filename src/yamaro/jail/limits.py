@@ -86,4 +86,20 @@ class JailCrashed(JailError):
 
 
 class JailWorkFailed(JailError):
-    """The work raised an exception; its text is the message, and may be a lie."""
+    """The work raised an exception, or says so: all that is told of it may be a lie.
+
+    Attributes:
+        kind: the name of its class.
+        text: its text.
+        place: where it was raised, as `file.py:line`, or empty.
+        is_fault: whether it was an ordinary exception, and none that ends a program.
+    """
+
+    def __init__(self, kind: str, text: str, place: str, *, is_fault: bool) -> None:
+        """Hold what the child says of an exception."""
+        told = f"{kind}: {text}" if text else kind
+        super().__init__(f"{told} at {place}" if place else told)
+        self.kind = kind
+        self.text = text
+        self.place = place
+        self.is_fault = is_fault

@@ -28,6 +28,7 @@ from .limits import (
     JailUnavailable,
     JailWorkFailed,
 )
+from .packing import unpack
 from .protocol import ANSWER, FAILED, HEADER, LONGEST_REASON, MEMORY, NO_JAIL, READY
 
 TYPE_CHECKING = False
@@ -171,7 +172,7 @@ class Child:
         if kind == MEMORY:
             raise JailOutOfMemory("the memory does not suffice")
         if kind == FAILED:
-            raise JailWorkFailed(self._text(length))
+            raise _failure(self._read(min(length, 5 * LONGEST_REASON)))
         raise JailAnswerBroken("the answer is none")
 
     def _header(self) -> tuple[bytes, int]:
@@ -179,7 +180,7 @@ class Child:
         return kind, length
 
     def _text(self, length: int) -> str:
-        return self._read(min(length, LONGEST_REASON)).decode("utf-8", "backslashreplace")
+        return _text(self._read(min(length, LONGEST_REASON)))
 
     def _read(self, length: int) -> bytes:
         """Return so many bytes from the child, watching it meanwhile."""
@@ -264,6 +265,21 @@ class Child:
         if interruption is not None:
             raise interruption
         return result
+
+
+def _failure(data: bytes) -> JailError:
+    """Return the error for an exception that the child describes."""
+    try:
+        kind, text, place, is_fault = map(_text, unpack(data))
+    except ValueError:
+        return JailAnswerBroken("the answer is none")
+    except JailAnswerBroken as error:
+        return error
+    return JailWorkFailed(kind, text, place, is_fault=bool(is_fault))
+
+
+def _text(data: bytes) -> str:
+    return data.decode("utf-8", "backslashreplace")
 
 
 def _look_at(pid: int) -> object:

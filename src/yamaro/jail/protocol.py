@@ -16,3 +16,4 @@ FAILED = b"E"
 OUT_OF_MEMORY = HEADER.pack(MEMORY, 0)
 """Made beforehand: when it is needed there is no memory to make it."""
 LONGEST_REASON = 10_000
+"""Bytes of each text that says why there is no answer."""
