@@ -249,9 +249,7 @@ def test_a_fault_of_ours_in_a_jail_is_reported_as_ours(
     told = capsys.readouterr()
     assert told.out == ""
     first, second = told.err.splitlines()
-    assert first.startswith(
-        "yamaro: internal error: AttributeError: no \\x1b[2J such thing (test_po"
-    )
+    assert first.startswith("yamaro: internal error: AttributeError: no \\x1b[2J such thing (test_")
     assert second.startswith("this is a fault in Yamaro")
     with pytest.raises(confined.FaultInJail, match="such thing"):
         yamaro.build(path, policy=Policy("jail"))
@@ -269,15 +267,17 @@ def test_a_file_that_claims_a_fault_of_ours_gains_nothing(
     path = write(tmp_path, text)
     assert main(["--jail", path]) == 70
     told = capsys.readouterr()
-    assert told.out == "" and len(told.err) < 2000
-    assert told.err.isascii() and "\x1b" not in told.err and told.err.count("\n") == 2
+    assert told.out == "" and len(told.err) < 3000
+    assert (
+        told.err.replace("…", "").isascii() and "\x1b" not in told.err and told.err.count("\n") == 2
+    )
 
 
 @needs_jail
 @pytest.mark.parametrize("end", ["SystemExit(3)", "KeyboardInterrupt()", "GeneratorExit()"])
 def test_a_file_that_ends_its_jail_is_no_fault_of_ours(tmp_path: Path, end: str) -> None:
-    code = f"  def fail(*a):\n    raise {end}\n"
-    text = f"process: |\n  import yamaro.compiler\n{code}  yamaro.compiler.write_pieces = fail\nout: 1\n"
+    code = f"  def fail(*a):\n    raise {end}\n  yamaro.compiler.write_pieces = fail\n"
+    text = f"process: |\n  import yamaro.compiler\n{code}out: 1\n"
     assert codes(write(tmp_path, text), Policy("jail")) == ["jail-broken"]
 
 
