@@ -21,6 +21,7 @@ from .runtime.deep_stack import run_on_deep_stack
 from .runtime.interpreter import Interpreter
 from .runtime.library import Library, rules_of
 from .runtime.loader import FileLoader, LoadError
+from .runtime.mesh_paths import RELATIVE, MeshPaths
 from .runtime.meshes import MeshFinder
 from .runtime.packages import PackageFinder
 from .runtime.predefined import plain_data
@@ -200,12 +201,14 @@ class Program:
         advice: bool = False,
         on_message: Callable[[str], None] | None = None,
         has_root: bool = True,
+        output: str | os.PathLike[str] | None = None,
+        meshes: str = RELATIVE,
     ) -> Build:
         """Compile the file; see `yamaro.build`.
 
         Raises:
             YamaroError: the input has errors; it holds them, and the warnings found before.
-            UsageError: a `name:=value` is malformed.
+            UsageError: a `name:=value` or `meshes` is malformed.
         """
         return self._compile(
             command_line,
@@ -215,6 +218,8 @@ class Program:
             on_message=on_message,
             take=lambda build: build,
             has_root=has_root,
+            output=output,
+            meshes=meshes,
         )
 
     def _compile(
@@ -227,6 +232,8 @@ class Program:
         strict: bool = False,
         advice: bool = False,
         on_message: Callable[[str], None] | None = None,
+        output: str | os.PathLike[str] | None = None,
+        meshes: str = RELATIVE,
     ) -> T:
         """Compile the file, see `build`, and return what `take` takes of the result.
 
@@ -234,6 +241,8 @@ class Program:
         a jail the tree comes only with `has_root`, since that takes time.
         """
         evaluate = self._evaluation(command_line, variables)
+        packages = PackageFinder(given=self._packages)
+        paths = self._mesh_paths(meshes, output, packages)
         source = self._main_file()
         reporter = Reporter()
 
@@ -243,10 +252,10 @@ class Program:
                 reporter=reporter,
                 on_message=say,
                 policy=self._policy,
-                packages=PackageFinder(given=self._packages),
+                packages=packages,
             )
             evaluated = evaluate(source, interpreter, reporter)
-            return _finish(evaluated, interpreter, reporter, advice=advice, reach=self._reach)
+            return _finish(evaluated, interpreter, reporter, advice=advice, paths=paths)
 
         say = on_message or _print_to_standard_error
         if self._has_jail(source):
@@ -257,8 +266,7 @@ class Program:
                 reporter.add(diagnostic)
             if outcome.has_errors:
                 raise YamaroError(reporter.diagnostics)
-            finder = MeshFinder(PackageFinder(given=self._packages), self._reach)
-            result = take(_build_of(outcome, finder))
+            result = take(_build_of(outcome, paths.finder))
         else:
             result = self._run(lambda: take(compile_robot(say)), reporter, source)
         if strict and reporter.diagnostics:
@@ -266,6 +274,17 @@ class Program:
                 diagnostic.severity = ERROR
             raise YamaroError(reporter.diagnostics)
         return result
+
+    def _mesh_paths(
+        self, mode: str, output: str | os.PathLike[str] | None, packages: PackageFinder
+    ) -> MeshPaths:
+        """Return how the output names meshes; raise UsageError if it cannot as asked."""
+        place = self._path if output is None else os.fspath(output)
+        folder = os.getcwd() if place == STANDARD_INPUT else os.path.dirname(os.path.abspath(place))
+        try:
+            return MeshPaths(mode, folder, MeshFinder(packages, self._reach))
+        except ValueError as error:
+            raise UsageError(str(error)) from None
 
     def _evaluation(
         self, command_line: Sequence[str], variables: Mapping[str, object]
@@ -389,6 +408,8 @@ def build(
     policy: Policy | None = None,
     packages: Mapping[str, str] | None = None,
     has_root: bool = True,
+    output: str | os.PathLike[str] | None = None,
+    meshes: str = RELATIVE,
 ) -> Build:
     """Compile a file.
 
@@ -405,10 +426,14 @@ def build(
         policy: how far the file is trusted; in full by default.
         packages: folders of ROS packages by name, before those that are found.
         has_root: without, there may be no tree in the end, which spares taking it out of a jail.
+        output: where the XML is to be written; relative paths of meshes start at its folder. By
+            default at that of the main file.
+        meshes: how the XML names meshes and textures that are there: "relative", "keep" (as they
+            are written), "absolute" or "package://NAME".
 
     Raises:
         YamaroError: the input has errors; it holds them, and the warnings found before.
-        UsageError: the main file cannot be read, or a `name:=value` is malformed.
+        UsageError: the main file cannot be read, or a `name:=value` or `meshes` is malformed.
     """
     program = Program(path, text=text, loader=loader, policy=policy, packages=packages)
     return program.build(
@@ -418,6 +443,8 @@ def build(
         advice=advice,
         on_message=on_message,
         has_root=has_root,
+        output=output,
+        meshes=meshes,
     )
 
 
@@ -454,21 +481,21 @@ def _finish(
     reporter: Reporter,
     *,
     advice: bool,
-    reach: Reach | None,
+    paths: MeshPaths,
 ) -> Build:
     """Lower, check and write what was evaluated.
 
     An element that stands in several places cannot tell which calls led to each of them. So if
     there is something to tell about one, all is done again with an element for each place.
     """
-    finder = MeshFinder(interpreter.files.packages, reach)
+    finder = paths.finder
     limits = interpreter.limits
     has_parts, shared = interpreter.has_parts, interpreter.builder.shared
-    found = _complete(evaluated, shared, finder, limits, has_parts=has_parts, advice=advice)
+    found = _complete(evaluated, shared, paths, limits, has_parts=has_parts, advice=advice)
     if any(diagnostic.trace is INHERITED for diagnostic in found.diagnostics):
         if interpreter.has_frames:
             tree = unshared(evaluated)
-            found = _complete(tree, {}, finder, limits, has_parts=has_parts, advice=advice)
+            found = _complete(tree, {}, paths, limits, has_parts=has_parts, advice=advice)
         else:
             for diagnostic in found.diagnostics:
                 diagnostic.trace = None
@@ -519,15 +546,15 @@ class _Completed:
 def _complete(
     evaluated: Element,
     shared: Shared,
-    finder: MeshFinder,
+    paths: MeshPaths,
     limits: Limits,
     *,
     has_parts: bool,
     advice: bool,
 ) -> _Completed:
-    reporter = Reporter()
+    reporter, finder = Reporter(), paths.finder
     try:
-        root = evaluated
+        root, has_files = evaluated, False
         if has_parts:
             from .robot.part import lower
 
@@ -542,7 +569,7 @@ def _complete(
             from .robot.check import check
 
             advisor = Reporter() if advice else None
-            check(
+            has_files = check(
                 root,
                 reporter=reporter,
                 resolve_mesh=finder.resolve,
@@ -553,7 +580,8 @@ def _complete(
             )
             for diagnostic in advisor.diagnostics if advisor else ():
                 reporter.add(diagnostic)
-        return _Completed(root, write_pieces(root, shared, limits), reporter.diagnostics)
+        written = paths.applied_to(root, shared) if has_files else (root, shared)
+        return _Completed(root, write_pieces(*written, limits), reporter.diagnostics)
     except YamaroError as error:
         return _Completed(None, [], [*reporter.diagnostics, *error.diagnostics])
 

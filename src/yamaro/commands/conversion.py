@@ -8,7 +8,7 @@ from ..streams import XML
 from .delivery import deliver, refuse_overwriting
 from .inputs import read_pipe
 from .reports import display_name, sayer, show
-from .settings import make_policy, read_packages
+from .settings import make_policy, output_of, read_packages
 from .usage import INPUT_ERROR, WrongUsage
 
 TYPE_CHECKING = False
@@ -131,6 +131,8 @@ def _build(
                 on_message=sayer(streams),
                 advice=advice,
                 has_root=has_root,
+                output=output_of(arguments),
+                meshes=arguments.options.get("meshes", "relative"),
             )
             return build, take(build)
     except compiler.UsageError as error:

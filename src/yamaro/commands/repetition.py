@@ -6,7 +6,7 @@ import sys
 
 from ..source import STANDARD_INPUT
 from .reports import sayer
-from .settings import make_policy, read_packages
+from .settings import make_policy, output_of, read_packages
 from .usage import DONE, WrongUsage
 
 TYPE_CHECKING = False
@@ -61,6 +61,8 @@ def repeat(
                 strict=arguments.has("strict"),
                 advice=looks,
                 has_root=looks,
+                output=output_of(arguments),
+                meshes=arguments.options.get("meshes", "relative"),
             )
             run(rebuilder)
     except compiler.UsageError as error:

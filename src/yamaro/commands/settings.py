@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 
-from .table import COMMANDS
+from .table import BUILD, COMMANDS
 from .usage import WrongUsage, near, quote
 
 TYPE_CHECKING = False
@@ -81,3 +81,11 @@ def read_packages(arguments: Arguments) -> dict[str, str]:
             )
         packages[name] = folder
     return packages
+
+
+def output_of(arguments: Arguments) -> str | None:
+    """Return the file that the XML is written to, None for standard output."""
+    from .delivery import goes_to_standard_output
+
+    is_xml = arguments.command in (BUILD, "watch")
+    return arguments.output_path if is_xml and not goes_to_standard_output(arguments) else None

@@ -250,6 +250,15 @@ OPTIONS = {
             ("build",),
         ),
         Option(
+            "meshes",
+            "name meshes and textures that are there: relative to the output (the default), keep "
+            "them as written, absolute, or package://NAME",
+            ("build", "watch"),
+            value="HOW",
+            wants="relative, keep, absolute or package://NAME",
+            completes="relative keep absolute package://",
+        ),
+        Option(
             "port",
             "serve the page at that port; by default at any that is free",
             VIEW,

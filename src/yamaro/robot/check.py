@@ -31,7 +31,7 @@ def check(
     path_meant: Callable[[str, Span], str | None] | None = None,
     advice: Reporter | None = None,
     shared: Shared | None = None,
-) -> None:
+) -> bool:
     """Check the robot and report each fault as a warning at the value that is wrong.
 
     Args:
@@ -47,6 +47,9 @@ def check(
             this is not worked out.
         shared: the elements that stand in several places, which are checked once where nothing is
             wrong with them.
+
+    Returns:
+        Whether it has meshes or textures.
     """
     children = root.elements()
     links = [child for child in children if child.name == "link"]
@@ -71,6 +74,7 @@ def check(
         from .check_advice import check_advice
 
         check_advice(tree, context, advice=advice, resolve_mesh=resolve_mesh)
+    return bool(context.file_owners)
 
 
 def _is_srdf(root: Element) -> bool:

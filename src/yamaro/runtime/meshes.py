@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 
-from ..diagnostics import failure
+from ..diagnostics import YamaroError, failure
 from .loader import LoadError
 
 TYPE_CHECKING = False
@@ -42,11 +42,21 @@ class MeshFinder:
         key = (filename, _directory(span))
         if key not in self._found:
             path = self.path_meant(filename, span)
-            is_file = path is not None and os.path.isfile(path)
-            if is_file and self._reach is not None:
-                self._check_reach(self._reach, str(path), filename, span)
-            self._found[key] = path if is_file else None
+            if path is not None and self._reach is not None:  # whether or not a file is there
+                self._check_reach(self._reach, path, filename, span)
+            self._found[key] = path if path is not None and os.path.isfile(path) else None
         return self._found[key]
+
+    def reachable(self, filename: str, span: Span) -> str | None:
+        """Return what `resolve` does, and None for a file that may not be read."""
+        try:
+            return self.resolve(filename, span)
+        except YamaroError:
+            return None
+
+    def package_folder(self, package: str, directory: str) -> str | None:
+        """Return the folder of a package that is looked for from a folder, or None."""
+        return self._packages.find(package, directory)
 
     @staticmethod
     def _check_reach(reach: Reach, path: str, filename: str, span: Span) -> None:

@@ -78,6 +78,8 @@ class Rebuilder:
         strict: bool = False,
         advice: bool = False,
         has_root: bool = False,
+        output: str | None = None,
+        meshes: str = "relative",
     ) -> None:
         """Name the main file; see `yamaro.build`."""
         self.path = path
@@ -88,6 +90,8 @@ class Rebuilder:
         self._strict = strict
         self._advice = advice
         self._has_root = has_root
+        self._output = output
+        self._meshes = meshes
         self._program: Program | None = None
         self._watch = FileWatch()
         self._last: Turn | None = None
@@ -124,6 +128,8 @@ class Rebuilder:
                 advice=self._advice,
                 on_message=self._on_message,
                 has_root=self._has_root,
+                output=self._output,
+                meshes=self._meshes,
             )
         except YamaroError as error:
             return Turn(None, error.diagnostics)

@@ -63,7 +63,7 @@ def migrate_source(source: Source, limits: Limits, *, exact: bool = False) -> Mi
     stem = os.path.splitext(source.path)[0] or "robot"
 
     def build(text: str) -> Element:
-        built = Program(f"{stem}.yaml", text=text).build(on_message=ignore)
+        built = Program(f"{stem}.yaml", text=text).build(on_message=ignore, meshes="keep")
         assert built.root is not None
         return built.root
 

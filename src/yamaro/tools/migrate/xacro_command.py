@@ -131,7 +131,7 @@ def migrate_robot(
     expected = expanded_by_xacro(source.path, given, host) or migration.root
     migration.is_compared_with_xacro = expected is not migration.root
     try:
-        built = program.build(command_line=arguments, on_message=ignore)
+        built = program.build(command_line=arguments, on_message=ignore, meshes="keep")
     except YamaroError as error:
         migration.faults = [each for each in error.diagnostics if each.severity != WARNING]
         return migration
