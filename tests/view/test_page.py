@@ -16,6 +16,7 @@ import pytest
 from tests.consumers import oracles
 from tests.view.conftest import EXAMPLES, Page, Viewer
 from tests.waiting import wait_for
+from yamaro.tools.picture.words import NAMED_VIEWS
 
 Start = Callable[..., Viewer]
 
@@ -553,3 +554,45 @@ def test_the_page_says_when_yamaro_has_ended(browser: Page, view: Start, tmp_pat
     browser.wait_for("!document.getElementById('lost').hidden")
     browser.open("about:blank")
     browser.complaints.clear()  # of the connection that is refused
+
+
+def test_a_robot_stands_and_is_seen_as_in_a_picture(
+    page: Page, view: Start, tmp_path: Path
+) -> None:
+    """The page stood at the nearest limit, and looked from the other side."""
+    joints = {"free": (-1, 1), "above": (0.5, 1.5), "below": (-0.75, -0.25)}
+    body = "".join(
+        f'<joint name="{name}" type="revolute"><parent link="base"/><child link="{name}_link"/>'
+        f'<limit lower="{lower}" upper="{upper}" effort="1" velocity="1"/></joint>'
+        f'<link name="{name}_link"/>'
+        for name, (lower, upper) in joints.items()
+    )
+    path = tmp_path / "arm.urdf"
+    path.write_text(f'<robot name="arm"><link name="base"/>{body}</robot>')
+    page.show(view(path))
+    found = {name: page.run(f"yamaro.robot.joints.get('{name}').angle") for name in joints}
+    assert found == pytest.approx({"free": 0, "above": 1, "below": -0.5})
+    x, y, z = page.run("yamaro.stage.camera.position.clone().sub(yamaro.stage.controls.target)"
+                       ".normalize().toArray()")  # fmt: skip
+    azimuth, elevation = NAMED_VIEWS["iso"]
+    assert math.degrees(math.atan2(y, x)) == pytest.approx(azimuth, abs=1)
+    assert math.degrees(math.asin(z)) == pytest.approx(elevation, abs=1)
+
+
+def test_a_mesh_that_places_a_body_too_often_is_not_given_to_the_page(
+    page: Page, view: Start, tmp_path: Path
+) -> None:
+    nodes = "".join(
+        f'<node id="n{i}">' + f'<instance_node url="#n{i - 1}"/>' * 10 + "</node>"
+        for i in range(1, 9)
+    )
+    (tmp_path / "bomb.dae").write_text(
+        f'<COLLADA><library_nodes><node id="n0"/>{nodes}</library_nodes></COLLADA>'
+    )
+    path = tmp_path / "r.urdf"
+    path.write_text(
+        '<robot name="r"><link name="a"><visual><geometry><mesh filename="bomb.dae"/></geometry>'
+        "</visual></link></robot>"
+    )
+    page.show(view(path))
+    page.wait_for("document.body.innerText.includes('more than 10,000 bodies')")

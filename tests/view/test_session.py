@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import os
 import textwrap
 import webbrowser
 from pathlib import Path
@@ -20,7 +19,7 @@ from yamaro.tools.view import command
 from yamaro.tools.view.description import Description
 from yamaro.tools.view.editors import find_editor
 from yamaro.tools.view.fields import WrongValue, read_fields
-from yamaro.tools.view.mesh_files import MeshFiles, content_type
+from yamaro.tools.view.mesh_files import MeshFiles
 from yamaro.tools.view.session import Session
 
 
@@ -171,21 +170,24 @@ def test_arguments_of_xacro_are_fields() -> None:
     assert found == {"n": 2, "sim": True, "side": "left"}
 
 
+PNG = b"\x89PNG\r\n\x1a\n"
+
+
 # --- meshes -------------------------------------------------------------------------------------
 
 
 def test_a_mesh_brings_the_files_it_names(tmp_path: Path) -> None:
     (tmp_path / "textures").mkdir()
     for name in ("textures/wood grain.png", "plain.png", "data.bin", "secret.txt", "bump.jpg"):
-        (tmp_path / name).write_bytes(b"x")
+        (tmp_path / name).write_bytes(PNG if name.endswith(("png", "jpg")) else b"x")
     (tmp_path / "a.obj").write_text("mtllib a.mtl\r\nmtllib /etc/passwd\r\n")
     (tmp_path / "a.mtl").write_text("map_Kd textures/wood grain.png\nmap_Ka -s 1 1 1 plain.png\n")
     (tmp_path / "a.dae").write_text(
-        "<image><init_from>textures/wood%20grain.png</init_from></image>"
-        "<image><init_from><ref>secret.txt</ref></init_from></image>"
+        "<COLLADA><image><init_from>textures/wood%20grain.png</init_from></image>"
+        "<image><init_from><ref>secret.txt</ref></init_from></image></COLLADA>"
     )
     (tmp_path / "a.gltf").write_text(
-        '{"buffers": [{"uri": "data.bin"}, {"uri": "data:,x"}],'
+        '{"asset": {}, "buffers": [{"uri": "data.bin"}, {"uri": "data:,x"}],'
         ' "images": [{"uri": "bump.jpg"}, {"bufferView": 0}]}'
     )
     files = MeshFiles(Reach([str(tmp_path)]))
@@ -203,7 +205,7 @@ def test_a_mesh_brings_the_files_it_names(tmp_path: Path) -> None:
     }
     assert brought("a.dae") == {"textures/wood%20grain.png": "wood grain.png"}
     assert brought("a.gltf") == {"data.bin": "data.bin", "bump.jpg": "bump.jpg"}
-    assert files.add(str(tmp_path / "secret.txt")) is None
+    assert "fault" in (files.add(str(tmp_path / "secret.txt")) or {})
 
 
 @pytest.mark.parametrize(
@@ -221,7 +223,6 @@ def test_a_key_changes_with_the_content(tmp_path: Path) -> None:
     before = MeshFiles(None).add(str(path))
     path.write_bytes(b"other")
     assert MeshFiles(None).add(str(path)) != before
-    assert content_type(str(path)) == "model/stl"
 
 
 # --- editors ------------------------------------------------------------------------------------
@@ -327,7 +328,7 @@ def test_what_is_no_robot_is_told(tmp_path: Path) -> None:
 
 
 def test_textures_of_materials_are_given(tmp_path: Path) -> None:
-    (tmp_path / "wood.png").write_bytes(b"x")
+    (tmp_path / "wood.png").write_bytes(PNG)
     path = tmp_path / "robot.urdf"
     path.write_text(
         '<robot name="one"><material name="wood"><texture filename="wood.png"/></material>'
@@ -341,8 +342,9 @@ def test_textures_of_materials_are_given(tmp_path: Path) -> None:
     own = robot["links"]["a"]["visual"][0]["texture"]
     assert own == robot["textures"]["wood"] and own["ending"] == ".png"
     found = session.open_file(own["key"])
-    assert found is not None and found[0] == str(tmp_path / "wood.png")
-    os.close(found[1])
+    assert found is not None and found[1] == "image/png"
+    with found[0] as file:
+        assert file.read() == PNG
 
 
 @pytest.mark.parametrize("outcome", [True, False, webbrowser.Error("none")])

@@ -37,7 +37,7 @@ export class Joints {
       const wanted = this.positions.get(joint.name) ?? [];
       robot.setJoint(
         joint.name,
-        parts.map((part, index) => clamp(wanted[index] ?? 0, part)),
+        parts.map((part, index) => clamp(wanted[index] ?? restOf(part), part)),
       );
     }
     this.showValues();
@@ -87,7 +87,7 @@ export class Joints {
       max: String(part.upper),
       step: String((part.upper - part.lower) / STEPS || 1),
       oninput: () => this.move(joint, part.index, Number(slider.value)),
-      ondblclick: () => this.move(joint, part.index, 0),
+      ondblclick: () => this.move(joint, part.index, restOf(part)),
     });
     slider.setAttribute("aria-label", `${joint.name} ${part.label}`.trim());
     const field = h("input.number", {
@@ -111,14 +111,14 @@ export class Joints {
     this.told.onMove();
   }
 
-  /** Put all joints to 0, or as near as their limits let them be. */
+  /** Put all joints to rest. */
   reset() {
     this.positions.clear();
     for (const { joint, parts } of this.rows.values()) {
       if (!joint.mimicJoint) {
         this.robot.setJoint(
           joint.name,
-          parts.map((part) => clamp(0, part)),
+          parts.map(restOf),
         );
       }
     }
@@ -171,6 +171,13 @@ function partsOf(joint, size) {
     return { label, index, ...range };
   });
 }
+
+/**
+ * Return where a part stands by itself: at 0, or in the middle of limits that exclude 0, as in
+ * `yamaro picture` and ROS's joint_state_publisher.
+ */
+const restOf = ({ lower, upper }) =>
+  upper >= lower && (lower > 0 || upper < 0) ? (lower + upper) / 2 : 0;
 
 const clamp = (value, { lower, upper }) =>
   upper >= lower ? Math.min(Math.max(value, lower), upper) : value;

@@ -118,6 +118,7 @@ async function addMesh(group, element, file, material, told) {
   const scale = numbersIn(element, "scale", [1, 1, 1]);
   try {
     if (!file) throw new Error("");
+    if (file.fault) throw new Error(file.fault);
     const object = await loadMesh(file);
     object.traverse((node) => {
       if (node.isMesh && (isCollision || !node.material)) node.material = material;

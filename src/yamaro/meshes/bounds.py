@@ -6,6 +6,9 @@ that grow. So each format's own way to repeat things is counted first. All of it
 
 from __future__ import annotations
 
+import os
+from urllib.parse import unquote
+
 from .formats import DAE, GLB, GLTF, OBJ, OFF, PLY, THREEMF, MeshFileError
 
 TYPE_CHECKING = False
@@ -44,6 +47,13 @@ def _checks() -> dict[str, Callable[[bytes], list[str]]]:
         PLY: _check_ply,
         OFF: _check_off,
     }
+
+
+def path_of(folder: str, name: str) -> str:
+    """Return the path that a name in a mesh stands for."""
+    name = name.removeprefix("file://").removeprefix("./")
+    name = unquote(name).replace("\\", "/") if "%" in name or "\\" in name else name
+    return os.path.normpath(os.path.join(folder, name)) if "\0" not in name else ""
 
 
 class Body:

@@ -10,12 +10,11 @@ from __future__ import annotations
 import os
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
-from urllib.parse import unquote
 
 import numpy as np
 
 from ..regular_files import read_start
-from .bounds import MOST_PLACED, check_bounds
+from .bounds import MOST_PLACED, check_bounds, path_of
 from .formats import (
     GLB,
     GLTF,
@@ -179,13 +178,6 @@ class Companions:
                 return self
 
         return Lookup()
-
-
-def path_of(folder: str, name: str) -> str:
-    """Return the path that a name in a mesh stands for."""
-    name = name.removeprefix("file://").removeprefix("./")
-    name = unquote(name).replace("\\", "/") if "%" in name or "\\" in name else name
-    return os.path.normpath(os.path.join(folder, name)) if "\0" not in name else ""
 
 
 # --- what libraries must not do -----------------------------------------------------------------

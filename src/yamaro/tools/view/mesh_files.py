@@ -1,54 +1,143 @@
 """The files that the page may fetch: the meshes and textures of a robot, and what these refer to.
 
 The page asks for them by keys made here, never by a path. A mesh names its textures and its
-buffers itself, and whoever wrote it may be an enemy: so such a file counts only if it is of a kind
-that meshes need, and lies where the robot may read.
+buffers itself, and whoever wrote it may be an enemy: so such a file counts only if its bytes are of
+a kind that meshes need, and it lies where the robot may read. That is looked up in a jail where
+there is one.
 """
 
 from __future__ import annotations
 
 import json
 import os
-import re
 from hashlib import blake2b
-from urllib.parse import unquote
+
+from ...jail.limits import JailError
+from ...jail.packing import pack, unpack
+from ...meshes.bounds import (
+    LARGEST_MATERIALS,
+    MOST_NAMES,
+    check_bounds,
+    names_in_materials,
+    path_of,
+)
+from ...meshes.formats import (
+    BMP,
+    DAE,
+    GIF,
+    GLB,
+    GLTF,
+    JPEG,
+    LARGEST_FILE,
+    OBJ,
+    PNG,
+    STL,
+    TGA,
+    WEBP,
+    MeshFileError,
+    image_format,
+    mesh_format,
+    unreadable,
+)
+from ...regular_files import read_start
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterable
+    from collections.abc import Iterable, Sequence
 
+    from ...confined import Reader
     from ...runtime.reach import Reach
 
+MATERIALS, BUFFER = "mtl", "bin"
 CONTENT_TYPES = {
-    ".stl": "model/stl",
-    ".obj": "model/obj",
-    ".dae": "model/vnd.collada+xml",
-    ".gltf": "model/gltf+json",
-    ".glb": "model/gltf-binary",
+    STL: "model/stl",
+    OBJ: "model/obj",
+    DAE: "model/vnd.collada+xml",
+    GLTF: "model/gltf+json",
+    GLB: "model/gltf-binary",
+    MATERIALS: "model/mtl",
+    BUFFER: "application/octet-stream",
+    PNG: "image/png",
+    JPEG: "image/jpeg",
+    WEBP: "image/webp",
+    BMP: "image/bmp",
+    GIF: "image/gif",
+    TGA: "image/x-tga",
 }
-"""The meshes that the page can show, by the endings of their names."""
-COMPANION_TYPES = {
-    ".mtl": "model/mtl",
-    ".bin": "application/octet-stream",
-    ".png": "image/png",
-    ".jpg": "image/jpeg",
-    ".jpeg": "image/jpeg",
-    ".webp": "image/webp",
-    ".bmp": "image/bmp",
-    ".gif": "image/gif",
-    ".tga": "image/x-tga",
-}
-"""What a mesh or a material may have besides, by the endings of their names."""
-MOST_BYTES_SEARCHED = 64 << 20
-"""Bytes of a mesh in which names of other files are looked for."""
-MOST_COMPANIONS = 256
+"""What the page can show, by formats."""
+_MESHES = (STL, OBJ, DAE, GLTF, GLB)
+_SIGN_BYTES = 64
 
-_DAE_NAMES = re.compile(rb"<init_from>\s*(?:<ref>\s*)?([^<]+?)\s*<")
-_OBJ_NAMES = re.compile(rb"^[ \t]*mtllib[ \t]+([^\r\n]+?)[ \t]*\r?$", re.MULTILINE)
-_MTL_NAMES = re.compile(
-    rb"^[ \t]*(?:map_\w+|bump|disp|norm)[ \t]+([^\r\n]+?)[ \t]*\r?$", re.MULTILINE
-)
-_GLTF_CHUNK = b"JSON"
+
+class Contents:
+    """What a mesh or texture is, as its bytes say.
+
+    Attributes:
+        kind: its format; "" if it has none that the page can show.
+        fault: why it is not shown, or "".
+        companions: path and format of each file that it refers to, by the names it has for them.
+    """
+
+    __slots__ = ("companions", "fault", "kind")
+
+    def __init__(
+        self, kind: str, fault: str = "", companions: dict[str, tuple[str, str]] | None = None
+    ) -> None:
+        """Hold it."""
+        self.kind = kind
+        self.fault = fault
+        self.companions = companions or {}
+
+
+class Library:
+    """What files are, each looked up once for as long as it stays as it is."""
+
+    def __init__(self, reader: Reader | None, reach: Reach | None) -> None:
+        """Begin; `reader` may be None for files that are trusted."""
+        self._reader = reader
+        self._reach = reach
+        self._known: dict[str, tuple[str, Contents]] = {}
+
+    def look_up(self, paths: Iterable[str]) -> None:
+        """Look at several files at once."""
+        marks = {path: _mark(path) for path in dict.fromkeys(paths)}
+        self._known = {
+            path: known for path, known in self._known.items() if marks.get(path) == known[0]
+        }
+        new = [path for path, mark in marks.items() if mark and path not in self._known]
+        for path, contents in zip(new, self._read(new), strict=True):
+            self._known[path] = (marks[path], contents)
+
+    def contents(self, path: str) -> tuple[str, Contents] | None:
+        """Return mark and contents of a file; None if it is not there."""
+        mark = _mark(path)
+        if not mark:
+            return None
+        known = self._known.get(path)
+        if known is None or known[0] != mark:
+            known = self._known[path] = (mark, self._read([path])[0])
+        return known
+
+    def _read(self, paths: Sequence[str]) -> list[Contents]:
+        """Return what files are, read in one jail, or one by one if that one is ended."""
+        try:
+            return self._read_together(paths)
+        except (JailError, ValueError) as error:
+            if len(paths) == 1:
+                return [Contents("", f"reading it was ended: {error}")]
+        return [self._read([path])[0] for path in paths]
+
+    def _read_together(self, paths: Sequence[str]) -> list[Contents]:
+        def work() -> bytes:
+            return pack([_to_bytes(_look_at(path, self._reach)) for path in paths])
+
+        if not paths:
+            return []
+        data = work() if self._reader is None else self._reader.run(work)
+        found = [_from_bytes(each) for each in unpack(data)]
+        if len(found) != len(paths):
+            raise ValueError("the answer holds another number of files")
+        return found
 
 
 class MeshFiles:
@@ -56,111 +145,140 @@ class MeshFiles:
 
     Attributes:
         paths: the file of each key.
+        types: the MIME type of each key.
     """
 
-    __slots__ = ("_known", "_reach", "paths")
+    __slots__ = ("_library", "_reach", "paths", "types")
 
-    def __init__(self, reach: Reach | None) -> None:
+    def __init__(self, reach: Reach | None, library: Library | None = None) -> None:
         """Begin without files; of those outside `reach` none will be given."""
         self._reach = reach
-        self._known: dict[str, dict[str, object] | None] = {}
+        self._library = library or Library(None, reach)
         self.paths: dict[str, str] = {}
+        self.types: dict[str, str] = {}
 
     def add(self, path: str) -> dict[str, object] | None:
         """Return what the page has to know of a mesh or texture; None if it may not be read.
 
-        That is its key, which changes with the file's content, its ending, and the keys of the
-        files it refers to, by the names it has for them.
+        That is its key, which changes with the file's content, its format as an ending, the keys
+        of the files it refers to, by the names it has for them, and perhaps why it is not shown.
         """
-        if path not in self._known:
-            self._known[path] = self._describe(path)
-        return self._known[path]
-
-    def _describe(self, path: str) -> dict[str, object] | None:
-        key = self._key(path, {**CONTENT_TYPES, **COMPANION_TYPES})
-        if key is None:
-            return None
-        companions: dict[str, str] = {}
-        for name, companion in _companions(path):
-            companion_key = self._key(companion, COMPANION_TYPES)
-            if companion_key is not None:
-                companions[name] = companion_key
-        return {"key": key, "ending": _ending(path), "companions": companions}
-
-    def _key(self, path: str, types: dict[str, str]) -> str | None:
-        """Note a file, and return its key, or None if it is not to be had."""
-        if _ending(path) not in types:
-            return None
         if self._reach is not None and not self._reach.allows(path):
             return None
-        try:
-            status = os.stat(path)
-        except (OSError, ValueError):
+        found = self._library.contents(path)
+        if found is None or not (found[1].kind or found[1].fault):
             return None
-        mark = f"{path}\0{status.st_mtime_ns}\0{status.st_size}"
+        contents = found[1]
+        told: dict[str, object] = {"key": self._key(path, contents.kind), "companions": {}}
+        told["ending"] = f".{contents.kind}"
+        if contents.fault:
+            return {**told, "fault": contents.fault}
+        keys = {name: self._key(*each) for name, each in contents.companions.items()}
+        told["companions"] = {name: key for name, key in keys.items() if key}
+        return told
+
+    def _key(self, path: str, kind: str) -> str:
+        """Note a file, and return its key; nothing is noted of what may not be fetched."""
+        mark = _mark(path)
+        if not mark or (self._reach is not None and not self._reach.allows(path)):
+            return ""
         key = blake2b(mark.encode("utf-8", "surrogatepass"), digest_size=12).hexdigest()
-        self.paths[key] = path
+        if kind in CONTENT_TYPES:
+            self.paths[key] = path
+            self.types[key] = CONTENT_TYPES[kind]
         return key
 
 
-def content_type(path: str) -> str:
-    """Return the MIME type of a file that may be fetched."""
-    return {**CONTENT_TYPES, **COMPANION_TYPES}.get(_ending(path), "application/octet-stream")
-
-
-def _ending(path: str) -> str:
-    return os.path.splitext(path)[1].lower()
-
-
-def _companions(path: str) -> Iterable[tuple[str, str]]:
-    """Return name and path of each file that a mesh refers to, directly or through a material."""
-    found: dict[str, str] = {}
-    pending = [path]
-    while pending and len(found) < MOST_COMPANIONS:
-        owner = pending.pop()
-        for name in _names_in(owner):
-            companion = os.path.normpath(os.path.join(os.path.dirname(owner), _as_path(name)))
-            if name not in found and os.path.isfile(companion):
-                found[name] = companion
-                if _ending(companion) == ".mtl":
-                    pending.append(companion)
-    return list(found.items())[:MOST_COMPANIONS]
-
-
-def _names_in(path: str) -> list[str]:
-    """Return the names of other files that a mesh or material has in it, as it spells them."""
-    ending = _ending(path)
-    if ending not in (".dae", ".obj", ".mtl", ".gltf", ".glb"):
-        return []
+def _mark(path: str) -> str:
+    """Return what changes with a file's content; "" if there is none."""
     try:
-        with open(path, "rb") as file:
-            data = file.read(MOST_BYTES_SEARCHED)
-    except OSError:
-        return []
-    if ending in (".gltf", ".glb"):
-        return _names_in_gltf(data, is_binary=ending == ".glb")
-    pattern = {".dae": _DAE_NAMES, ".obj": _OBJ_NAMES, ".mtl": _MTL_NAMES}[ending]
-    names = [match.decode("utf-8", "replace") for match in pattern.findall(data)]
-    if ending == ".mtl":  # options may stand before the name, as in "map_Kd -s 1 1 1 wood.png"
-        names += [name.split()[-1] for name in names if name.startswith("-")]
-    return list(dict.fromkeys(names))
+        status = os.stat(path)
+    except (OSError, ValueError):
+        return ""
+    return f"{path}\0{status.st_mtime_ns}\0{status.st_size}"
 
 
-def _names_in_gltf(data: bytes, *, is_binary: bool) -> list[str]:
-    if is_binary:
-        if data[16:20] != _GLTF_CHUNK:
-            return []
-        data = data[20 : 20 + int.from_bytes(data[12:16], "little")]
+# --- in the jail ----------------------------------------------------------------------------------
+
+
+def _look_at(path: str, reach: Reach | None) -> Contents:
+    """Return what a mesh or texture is."""
     try:
-        document = json.loads(data)
-        entries = [*document.get("buffers", ()), *document.get("images", ())]
-        names = [entry.get("uri") for entry in entries]
-    except (ValueError, AttributeError, TypeError, RecursionError):
-        return []
-    return [name for name in names if isinstance(name, str) and not name.startswith("data:")]
+        start = read_start(path, _SIGN_BYTES)
+        kind = image_format(start)
+        if kind in CONTENT_TYPES:
+            return Contents(str(kind))
+        data = read_start(path, LARGEST_FILE + 1)
+        if len(data) > LARGEST_FILE:
+            raise MeshFileError(f"it is larger than {LARGEST_FILE >> 20} MB")
+        kind = mesh_format(data)
+        if kind is None:
+            raise unreadable(path)
+        if kind not in _MESHES:
+            return Contents("")
+        names = check_bounds(data, kind)
+        return Contents(kind, companions=_companions(path, kind, names, reach))
+    except MeshFileError as error:
+        return Contents("", str(error))
+    except OSError as error:
+        return Contents("", error.strerror or str(error))
+    except (MemoryError, RecursionError):
+        return Contents("", "it takes too much memory")
 
 
-def _as_path(name: str) -> str:
-    """Return the path that a name in a mesh stands for."""
-    name = name.removeprefix("file://").removeprefix("./")
-    return unquote(name).replace("\\", "/") if "%" in name or "\\" in name else name
+def _companions(
+    path: str, kind: str, names: Sequence[str], reach: Reach | None
+) -> dict[str, tuple[str, str]]:
+    """Return path and format of each file that a mesh names, directly or through a material."""
+    found: dict[str, tuple[str, str]] = {}
+    pending = [(os.path.dirname(path), name, kind) for name in names]
+    while pending and len(found) < MOST_NAMES:
+        folder, name, owner = pending.pop(0)
+        companion = path_of(folder, name)
+        if name in found or not companion or (reach is not None and not reach.allows(companion)):
+            continue
+        try:
+            found_kind = _kind_of_companion(companion, owner)
+            if found_kind == MATERIALS:
+                data = read_start(companion, LARGEST_MATERIALS)
+                inner = names_in_materials(data)[: MOST_NAMES - len(found)]
+                pending += [(os.path.dirname(companion), each, MATERIALS) for each in inner]
+        except (OSError, ValueError):
+            continue
+        if found_kind:
+            found[name] = (companion, found_kind)
+    return found
+
+
+def _kind_of_companion(path: str, owner: str) -> str:
+    """Return the format of a file that a mesh or material names; "" if it is none of theirs.
+
+    Buffers and materials have no sign, so their endings count too.
+    """
+    kind = image_format(read_start(path, _SIGN_BYTES))
+    ending = os.path.splitext(path)[1].lower()
+    if owner == OBJ:
+        return MATERIALS if ending == ".mtl" else ""
+    if owner in (GLTF, GLB) and ending == ".bin":
+        return BUFFER
+    return kind if kind is not None and kind in CONTENT_TYPES else ""
+
+
+def _to_bytes(contents: Contents) -> bytes:
+    return json.dumps([contents.kind, contents.fault, contents.companions]).encode()
+
+
+def _from_bytes(data: bytes) -> Contents:
+    """Return what some bytes say of a file; raise ValueError if they make no sense."""
+    try:
+        kind, fault, companions = json.loads(data)
+        if kind not in ("", *CONTENT_TYPES) or not isinstance(fault, str):
+            raise ValueError("there is no such format")
+        found = {
+            str(name): (str(path), str(own))
+            for name, (path, own) in companions.items()
+            if own in CONTENT_TYPES
+        }
+    except (TypeError, AttributeError, RecursionError) as error:
+        raise ValueError(f"the answer is none: {error}") from None
+    return Contents(kind, fault[:1000], found)

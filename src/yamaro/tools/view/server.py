@@ -19,7 +19,6 @@ from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from socketserver import TCPServer
 
 from .fields import WrongValue
-from .mesh_files import content_type
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -223,11 +222,11 @@ class Handler(BaseHTTPRequestHandler):
         found = self.server.session.open_file(key)
         if found is None:
             raise Refused(HTTPStatus.NOT_FOUND)
-        path, descriptor = found
-        with open(descriptor, "rb") as file:
-            missing = os.fstat(descriptor).st_size
+        file, content = found
+        with file:
+            missing = os.fstat(file.fileno()).st_size
             self.send_response(HTTPStatus.OK)
-            self._send_headers({"Content-Type": content_type(path), "Content-Length": str(missing)})
+            self._send_headers({"Content-Type": content, "Content-Length": str(missing)})
             while missing and (chunk := file.read(min(CHUNK, missing))):
                 self.wfile.write(chunk)
                 missing -= len(chunk)

@@ -7,25 +7,25 @@ import os
 import threading
 
 from ...compiler import UsageError, reach_of, read_command_line
+from ...confined import Reader
 from ...diagnostics import YamaroError
+from ...regular_files import open_regular
 from ...runtime.loader import FileLoader, LoadError, decode
 from ...syntax.includes import is_xml_file
 from .description import Description, fault_data
 from .fields import Field, WrongValue, read_fields
-from .mesh_files import MeshFiles
+from .mesh_files import Library, MeshFiles
 from .origins import Places
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Mapping
+    from io import BufferedReader
 
     from ..rebuilding import Rebuilder, Turn
     from .fields import Value
 
     Json = dict[str, object]
-
-_NOT_WAITING = getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0)
-"""For files that requests ask for: a pipe that nobody writes to must not hang one."""
 
 
 class Session:
@@ -42,6 +42,9 @@ class Session:
         self._path = rebuilder.path
         self._reach = reach_of(rebuilder.path, rebuilder.policy, rebuilder.packages)
         self._loader = FileLoader(rebuilder.policy.limits, self._reach)
+        roots = [] if self._reach is None else self._reach.roots
+        reader = Reader(rebuilder.policy, readable=roots, name=rebuilder.path)
+        self._library = Library(reader, self._reach)
         self._editor = editor
         self._changed = threading.Condition()
         self._is_closed = False
@@ -53,7 +56,7 @@ class Session:
         self._seconds = 0.0
         self._fields: dict[str, Field] = {}
         self._values: dict[str, Value] = {}
-        self._files: list[dict[str, str]] = [{}, {}]  # of this robot, and of the one before it
+        self._files = [MeshFiles(None), MeshFiles(None)]  # of this robot, and of the one before it
         self._encoded: tuple[int, bytes] = (-1, b"")
 
     # --- builds ---------------------------------------------------------------------------------
@@ -85,10 +88,11 @@ class Session:
             turn.fault = f"the page shows robots, and this is a <{turn.build.root.name}>"
             turn.build = None
             return None
-        files = MeshFiles(self._reach)
+        self._library.look_up(filter(os.path.isabs, turn.build.meshes))
+        files = MeshFiles(self._reach, self._library)
         robot = Description(turn.build, files)
         self._rebuilder.also_watch([*robot.awaited, *files.paths.values()])
-        self._files = [files.paths, self._files[0]]
+        self._files = [files, self._files[0]]
         return robot
 
     def _read_fields(self) -> None:
@@ -174,24 +178,23 @@ class Session:
             self._changed.wait_for(lambda: self._is_closed or self._version != version, seconds)
             return -1 if self._is_closed else self._version
 
-    def open_file(self, key: str) -> tuple[str, int] | None:
-        """Return path and descriptor of a mesh or texture of this robot, or of the one before it.
+    def open_file(self, key: str) -> tuple[BufferedReader, str] | None:
+        """Return a mesh or texture of this robot, or of the one before it, and its MIME type.
 
         Where it lies is looked at again: it may have become a link since the robot was built.
         """
-        this, before = self._files
-        path = this.get(key) or before.get(key)
-        if path is None:
+        files = next((each for each in self._files if key in each.paths), None)
+        if files is None:
             return None
+        path = files.paths[key]
         try:
-            descriptor = os.open(path, os.O_RDONLY | _NOT_WAITING)
+            file = open_regular(path)
         except OSError:
             return None
-        is_file = os.fstat(descriptor).st_mode & 0o170000 == 0o100000
-        if not is_file or (self._reach is not None and not self._reach.is_of(path, descriptor)):
-            os.close(descriptor)
+        if self._reach is not None and not self._reach.is_of(path, file.fileno()):
+            file.close()
             return None
-        return path, descriptor
+        return file, files.types[key]
 
     def place(self, number: int, *, version: int, is_fault: bool) -> tuple[str, int, int] | None:
         """Return path, line and column of a place the page has from a version of the state."""
