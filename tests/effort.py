@@ -1,9 +1,11 @@
-"""How many examples a property is tried with: fewer in the quick run, `scripts/test`."""
+"""What the quick run, `scripts/test`, leaves out: examples of properties, and many of a kind."""
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import Any
 
+import pytest
 from hypothesis import settings
 
 USUAL = 100
@@ -14,3 +16,11 @@ def examples(count: int) -> int:
     """Return how many of `count` examples the run asks for; call it where a module begins."""
     profile: Any = settings.default
     return count * profile.max_examples // USUAL
+
+
+def sample(values: Iterable[Any], *, every: int) -> list[Any]:
+    """Return parameters of a test; only the first of `every` so many is not slow."""
+    return [
+        pytest.param(value, marks=[pytest.mark.slow] * (number % every > 0))
+        for number, value in enumerate(values)
+    ]

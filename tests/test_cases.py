@@ -18,6 +18,7 @@ import pytest
 from lxml import etree
 from packaging.specifiers import SpecifierSet
 
+from tests.effort import sample
 from yamaro import compiler, jail
 from yamaro.commands.main import main
 from yamaro.runtime.interpreter import Interpreter
@@ -182,16 +183,8 @@ def test_safe_mode_gives_the_same_or_refuses(
     )
 
 
-def cases_for_the_jail() -> list[Any]:
-    """Return every third case; most of them are slow, since each starts a process."""
-    return [
-        pytest.param(case, marks=[pytest.mark.slow] * (number % 5 > 0))
-        for number, case in enumerate(find_cases()[::3])
-    ]
-
-
 @pytest.mark.skipif(jail.check_available() is not None, reason="there is no jail here")
-@pytest.mark.parametrize("case", cases_for_the_jail(), ids=case_id)
+@pytest.mark.parametrize("case", sample(find_cases()[::3], every=5), ids=case_id)
 def test_what_comes_out_of_a_jail_is_the_same(case: Path, compile_case: Any) -> None:
     options = read_options(case)
     if options.get("command") or "--" in options.get("args", "") or "env" in options:

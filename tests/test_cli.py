@@ -408,7 +408,7 @@ def test_a_time_out_ends_a_conversion_and_leaves_the_old_file(
 ) -> None:
     write("old", "arm.urdf")
     write("robot: arm\nprocess: |\n  while True: pass\nmodel:\n  link/name=base:\n")
-    status, out, err = outcome(capsys, "robot.yaml", "--timeout", "0.2", "-o", "arm.urdf")
+    status, out, err = outcome(capsys, "robot.yaml", "--timeout", "1", "-o", "arm.urdf")
     assert (status, out, codes_of(err)) == (1, "", ["limit-time"])
     assert " --> robot.yaml:3:" in err
     assert Path("arm.urdf").read_text() == "old"

@@ -13,6 +13,7 @@ from typing import Any
 
 import pytest
 
+from tests.effort import examples
 from tests.fuzz import pipeline
 from tests.fuzz.corpus import FILE_MARK, read_corpus, to_bytes, to_text
 from tests.fuzz.session import Session
@@ -26,7 +27,12 @@ from yamaro.syntax.yaml_reader import _Builder
 SEED = 1
 MORE = 1_000
 """Random inputs that may be needed to find a planted fault."""
-RANDOM = {"reader": 400, "keys": 600, "template": 600, "pipeline": 800}
+RANDOM = {
+    "reader": examples(400),
+    "keys": examples(600),
+    "template": examples(600),
+    "pipeline": examples(800),
+}
 
 
 @pytest.fixture(scope="module")
@@ -189,6 +195,7 @@ PLANTED: list[tuple[str, str, Plant]] = [
 ]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("name", "plant"), [(own[0], own[2]) for own in PLANTED],
                          ids=[f"{own[0]}-{own[1]}" for own in PLANTED])  # fmt: skip
 def test_a_planted_fault_is_found(

@@ -36,8 +36,10 @@ import resource, sys
 sys.settrace(None)  # with a tool that looks on there is no deep stack
 sys.path.pop(0)  # the folder of the robot, where nothing is to be found by chance
 resource.setrlimit(resource.RLIMIT_AS, (int(sys.argv[1]),) * 2)
+from yamaro import process
+process.GRACE = float(sys.argv[2])
 from yamaro.commands.main import main
-sys.argv[:2] = ["yamaro"]
+sys.argv[:3] = ["yamaro"]
 sys.exit(main())
 """
 
@@ -73,8 +75,10 @@ def run_here(hostile: HostileInput, capsys: pytest.CaptureFixture[str]) -> Outco
 
 
 def run_alone(hostile: HostileInput) -> Outcome:
+    # Seconds in which an attack may end by itself, before it is ended from outside.
+    grace = "1" if "-15" in (hostile.field("status") or "") else str(PATIENCE)
     done = subprocess.run(
-        [sys.executable, "-c", RUN_ALONE, str(hostile.memory), *hostile.arguments],
+        [sys.executable, "-c", RUN_ALONE, str(hostile.memory), grace, *hostile.arguments],
         capture_output=True,
         timeout=PATIENCE,
         check=False,

@@ -10,6 +10,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.effort import sample
 from tests.hostile.escape_payloads import Payload, read_payloads
 from tests.hostile.hostile_inputs import OLD_OUTPUT
 from tests.test_hostile import HEAD, PLACE
@@ -68,7 +69,9 @@ def expected_codes(payload: Payload) -> set[str]:
 
 
 @pytest.mark.parametrize(
-    "payload", read_payloads(), ids=lambda payload: f"{payload.file}: {payload.name}"
+    "payload",
+    sample(read_payloads(), every=4),
+    ids=lambda payload: f"{payload.file}: {payload.name}",
 )
 def test_the_command_refuses_an_attack_at_its_place(
     payload: Payload,

@@ -318,18 +318,22 @@ def events(served: Served) -> socket.socket:
     """Return an open stream of events that has told the version."""
     stream = socket.create_connection(("127.0.0.1", served.port), timeout=PATIENCE)
     stream.sendall(f"GET {served.base}events HTTP/1.1\r\nHost: {served.host}\r\n\r\n".encode())
+    read_until(stream, b"data: ")
+    return stream
+
+
+def read_until(stream: socket.socket, text: bytes) -> None:
     seen = b""
-    while b"data: " not in seen:
+    while text not in seen:
         chunk = stream.recv(4096)
         assert chunk, seen
         seen += chunk
-    return stream
 
 
 def test_a_stream_tells_of_each_build(served: Served) -> None:
     with events(served) as stream:
         served.session.build()
-        assert b"data: 2" in stream.recv(4096)
+        read_until(stream, b"data: 2")
 
 
 def test_streams_whose_client_vanishes_leave_no_thread(
@@ -404,7 +408,7 @@ def test_garbage_on_the_socket_does_no_harm(
                     pass
             except OSError:
                 continue
-    assert served.ask("state")[0] == 200
+    wait_for(lambda: served_at_all(served))
     assert served.session.wake.is_set() is False
     assert capfd.readouterr().err == ""
 
