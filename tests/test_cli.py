@@ -318,8 +318,8 @@ def codes_of(err: str) -> list[str]:
     return [line[6:].partition("]")[0] for line in lines if line.startswith("error[")]
 
 
-@pytest.mark.parametrize("words", [["check"], ["tree"], ["--safe"], ["check", "--safe"]])
-def test_looking_at_a_file_runs_none_of_its_python(
+@pytest.mark.parametrize("words", [["tree", "--safe"], ["--safe"], ["check", "--safe"]])
+def test_safe_mode_runs_nothing_that_does_more_than_compute(
     capsys: pytest.CaptureFixture[str], words: list[str]
 ) -> None:
     status, out, err = outcome(capsys, *words, write(RUNS_PYTHON))
@@ -425,6 +425,8 @@ def test_the_mode_is_the_one_asked_for_or_that_of_the_command(
     arguments = parse_arguments([*([] if command == "build" else [command]), *words, "robot.yaml"])
     policy = make_policy(arguments)
     assert policy.mode == (mode or ("trusted" if command == "build" else "safe"))
+    falls_back = command != "build" and mode is None
+    assert (policy.fallback.mode if policy.fallback else None) == ("jail" if falls_back else None)
     assert policy.timeout == (None if policy.mode == "trusted" else 60)
 
 

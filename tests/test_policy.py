@@ -170,6 +170,95 @@ def test_without_a_jail_safe_mode_works_all_the_same(
     assert codes(write(tmp_path, "out: $(open(1))\n"), Policy("safe")) == ["unsafe-code"]
 
 
+OWN_FILES = {
+    "a loop in process": "process: |\n  n = 0\n  for i in range(3):\n    n += i\nout: $(n)\n",
+    "a condition in process": "process: |\n  if True: n = 3\nout: $(n)\n",
+    "a function in process": "process: |\n  def three(): return 3\nout: $(three())\n",
+    "a module": "import: os\nout: $(len(os.path.basename('/a/bcd')))\n",
+    "a module under another name": "import: [os.path as p]\nout: $(len(p.basename('/a/bcd')))\n",
+    "a module beside the file": "import: three\nout: $(three.THREE)\n",
+    "a method": "out: $('{}'.format(3))\n",
+    "a class in a module": "import: collections\nout: $(collections.Counter('aaa')['a'])\n",
+    "an included file": "model: {include: loop.yaml}\n",
+    "a file included late": "model:\n  for: {iterator: i, range: 1, body: {include: late.yaml}}\n",
+}
+
+
+@needs_jail
+@pytest.mark.parametrize("kind", OWN_FILES)
+def test_what_safe_mode_refuses_is_looked_at_in_the_jail(
+    kind: str, tmp_path: Path, capfd: pytest.CaptureFixture[str]
+) -> None:
+    write(tmp_path, "THREE = 3\n", "three.py")
+    write(tmp_path, "process: |\n  for n in [3]: pass\nmodel:\n  link/name=$(n):\n", "loop.yaml")
+    write(tmp_path, "model:\n  process: |\n    while True: break\n  link/name=3:\n", "late.yaml")
+    path = write(tmp_path, "print: hello\n" + OWN_FILES[kind])
+    expected = yamaro.build(path, on_message=lambda line: None).xml()
+    said: list[str] = []
+    program = yamaro.load(path, policy=Policy.looking())
+    for _ in range(2):
+        build = program.build(on_message=said.append)
+        assert (build.xml(), build.warnings) == (expected, [])
+        assert ">3<" in expected or '"3"' in expected
+    assert said == ["hello", "hello"]
+    assert set(codes(path, Policy("safe"))) == {"unsafe-code"}
+    capfd.readouterr()
+    assert main(["check", path]) == 0
+    assert capfd.readouterr() == (f"{path}: ok\n", "hello\n")
+    assert main(["check", "--safe", path]) == 1
+
+
+@needs_jail
+def test_what_the_jail_refuses_is_refused_when_a_file_is_looked_at(tmp_path: Path) -> None:
+    path = write(tmp_path, "process: |\n  open('ran', 'w')\nout: null\n")
+    assert codes(path, Policy.looking()) == ["python-error"]
+    assert os.listdir(tmp_path) == ["robot.yaml"]
+    path = write(tmp_path, "import: os\nout: $(missing)\n")
+    assert codes(path, Policy.looking()) == ["undefined-name"]
+
+
+def test_what_safe_mode_allows_is_looked_at_in_safe_mode(tmp_path: Path) -> None:
+    path = write(tmp_path, "out: $([0] * 2000)\n")
+    policy = Policy.looking(limits={"sequence": 1000, "steps": 1000})
+    assert codes(path, policy) == ["limit-sequence"]
+    assert policy.fallback is not None
+    assert policy.fallback.limits.sequence == 1000
+    path = write(tmp_path, "out: $([i for i in range(10**5)])\n")
+    assert codes(path, Policy.looking(limits={"steps": 1000})) == ["limit-steps"]
+
+
+@needs_jail
+def test_looking_takes_no_longer_for_a_file_that_was_looked_at(tmp_path: Path) -> None:
+    """Once refused, a program is run in the jail at once."""
+    path = write(tmp_path, OWN_FILES["a loop in process"])
+    program = yamaro.load(path, policy=Policy.looking())
+    first = program._in_jail
+    assert first is not None
+    program.build()
+    assert program._in_jail is first
+
+
+@pytest.mark.parametrize("why", ["no jail here", "none this time"])
+def test_without_a_jail_looking_is_safe_mode(
+    why: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def fail(*_: object, **__: object) -> bytes:
+        raise jail.JailUnavailable("a container is in the way")
+
+    if why == "no jail here":
+        monkeypatch.setattr(jail, "check_available", lambda: "the jail needs Linux")
+    else:
+        monkeypatch.setattr(jail, "check_available", lambda: None)
+        monkeypatch.setattr(jail, "run_jailed", fail)
+    path = write(tmp_path, "import: os\nout: null\n")
+    with pytest.raises(YamaroError) as caught:
+        yamaro.build(path, policy=Policy.looking())
+    (found,) = caught.value.diagnostics
+    assert found.code == "unsafe-code"
+    assert found.hint is not None
+    assert "--jail runs the file where it can do no harm" in found.hint
+
+
 @needs_jail
 @pytest.mark.parametrize(
     "attempt", ["open('new', 'w')", "open('/etc/passwd')", "os.fork()", "subprocess.run('true')"]

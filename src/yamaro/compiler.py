@@ -14,7 +14,7 @@ from .diagnostics import (
     YamaroWarning,
     suggest,
 )
-from .policy import Limits, Policy
+from .policy import NO_JAIL, UNSAFE, Limits, Policy
 from .runtime.collector import RareCollection
 from .runtime.deadline import TimeOver, run_within
 from .runtime.deep_stack import run_on_deep_stack
@@ -121,6 +121,7 @@ class Program:
     """
 
     __slots__ = (
+        "_in_jail",
         "_is_xml",
         "_library",
         "_packages",
@@ -151,6 +152,7 @@ class Program:
             loader or FileLoader(self._policy.limits, self._reach), rules_of(self._policy)
         )
         self._source: Source | None = None
+        self._in_jail: Program | None = None  # the same file, once safe mode has refused it
 
     def parse(self) -> None:
         """Read and parse the main file.
@@ -164,8 +166,8 @@ class Program:
 
         if self._has_jail(source):
 
-            def parse_there(say: Callable[[str], None]) -> None:
-                self._parse(source, reporter)
+            def parse_there(program: Program, say: Callable[[str], None]) -> None:
+                program._parse(source, reporter)
 
             outcome = self._run_confined(
                 parse_there, reporter, source, has_root=False, has_document=False
@@ -246,12 +248,12 @@ class Program:
         source = self._main_file()
         reporter = Reporter()
 
-        def compile_robot(say: Callable[[str], None]) -> Build:
+        def compile_robot(program: Program, say: Callable[[str], None]) -> Build:
             interpreter = Interpreter(
-                library=self._library,
+                library=program._library,
                 reporter=reporter,
                 on_message=say,
-                policy=self._policy,
+                policy=program._policy,
                 packages=packages,
             )
             evaluated = evaluate(source, interpreter, reporter)
@@ -268,7 +270,7 @@ class Program:
                 raise YamaroError(reporter.diagnostics)
             result = take(_build_of(outcome, paths.finder))
         else:
-            result = self._run(lambda: take(compile_robot(say)), reporter, source)
+            result = self._run(lambda: take(compile_robot(self, say)), reporter, source)
         if strict and reporter.diagnostics:
             for diagnostic in reporter.diagnostics:
                 diagnostic.severity = ERROR
@@ -355,20 +357,53 @@ class Program:
 
     def _run_confined(
         self,
-        compile_robot: Callable[[Callable[[str], None]], Build | None],
+        compile_robot: Callable[[Program, Callable[[str], None]], Build | None],
         reporter: Reporter,
         source: Source,
         *,
         has_root: bool,
         has_document: bool = True,
     ) -> Outcome:
-        """Return what comes of a conversion that is run in a jail."""
+        """Return what comes of a conversion that is run in a jail, in safe mode if that will do."""
+
+        def run(program: Program) -> Outcome:
+            return program._confined(
+                compile_robot, reporter, source, has_root=has_root, has_document=has_document
+            )
+
+        program = self._in_jail or self
+        outcome = run(program)
+        fallback = program._policy.fallback
+        if fallback is None or not any(one.code == UNSAFE for one in outcome.diagnostics):
+            return outcome
+        program = Program(
+            self._path, loader=self._library.loader, policy=fallback, packages=self._packages
+        )
+        try:
+            in_jail = run(program)
+        except YamaroError as error:
+            if any(one.code == NO_JAIL for one in error.diagnostics):
+                return outcome
+            raise
+        self._in_jail = program
+        return in_jail
+
+    def _confined(
+        self,
+        compile_robot: Callable[[Program, Callable[[str], None]], Build | None],
+        reporter: Reporter,
+        source: Source,
+        *,
+        has_root: bool,
+        has_document: bool,
+    ) -> Outcome:
+        """Return what comes of a conversion that is run in a jail, under the policy of this one."""
         from .confined import run_confined
         from .transfer import Outcome
 
         def work(say: Callable[[str], None]) -> Outcome:
             def run() -> Outcome:
-                build = compile_robot(say)
+                build = compile_robot(self, say)
                 if build is None:
                     return Outcome(diagnostics=reporter.diagnostics)
                 return Outcome(

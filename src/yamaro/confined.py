@@ -7,7 +7,7 @@ import sys
 from time import monotonic
 
 from .diagnostics import YamaroError, failure
-from .policy import JAIL, USUAL_SECONDS, Limits, Policy
+from .policy import JAIL, NO_JAIL, USUAL_SECONDS, Limits, Policy
 from .runtime.deadline import TimeOver, run_within
 from .runtime.deep_stack import run_on_deep_stack
 from .runtime.expressions import TIME_HINT
@@ -223,7 +223,7 @@ class _Printed(io.TextIOBase):
 
 def _no_jail(reason: str, name: str) -> YamaroError:
     hint = "--safe works everywhere; nothing of the file was run"
-    return failure_of_all("no-jail", f"there can be no jail: {reason}", name, hint)
+    return failure_of_all(NO_JAIL, f"there can be no jail: {reason}", name, hint)
 
 
 def _seconds(policy: Policy) -> float:

@@ -15,6 +15,11 @@ JAIL = "jail"
 SAFE = "safe"
 MODES = (TRUSTED, JAIL, SAFE)
 
+UNSAFE = "unsafe-code"
+"""The code of the error for what safe mode refuses."""
+NO_JAIL = "no-jail"
+"""The code of the error where there can be no jail."""
+
 USUAL_SECONDS = 60.0
 """The time a conversion may take that is not trusted."""
 
@@ -128,10 +133,11 @@ class Policy:
         limits: how much it may use.
         timeout: seconds it may take, or None.
         allowed_paths: files and folders it may read besides its own, if it is not trusted.
+        fallback: the policy for code that safe mode refuses, where there is a jail, or None.
         is_confined: whether this process is one that the kernel confines; its jail says so.
     """
 
-    __slots__ = ("allowed_paths", "is_confined", "limits", "mode", "timeout")
+    __slots__ = ("allowed_paths", "fallback", "is_confined", "limits", "mode", "timeout")
 
     def __init__(
         self,
@@ -160,7 +166,26 @@ class Policy:
         self.limits = Limits(mode, **(limits or {}))
         self.timeout = timeout if timeout is not None or mode == TRUSTED else USUAL_SECONDS
         self.allowed_paths = tuple(allowed_paths)
+        self.fallback: Policy | None = None
         self.is_confined = False
+
+    @classmethod
+    def looking(
+        cls,
+        *,
+        limits: Mapping[str, int] | None = None,
+        timeout: float | None = None,
+        allowed_paths: Sequence[str] = (),
+    ) -> Policy:
+        """Return the policy for looking at a file: safe mode, and the jail for what it refuses."""
+        policy = cls(SAFE, limits=limits, timeout=timeout, allowed_paths=allowed_paths)
+        others = {
+            name: value
+            for name, value in (limits or {}).items()
+            if getattr(Limits(JAIL), name.replace("-", "_"))
+        }
+        policy.fallback = cls(JAIL, limits=others, timeout=timeout, allowed_paths=allowed_paths)
+        return policy
 
     @property
     def is_safe(self) -> bool:

@@ -60,8 +60,10 @@ def _option(option: Option, command: Command) -> list[str]:
     text = option.help_in.get(command.name, option.help)
     if option.is_repeatable:
         text += "; may be repeated"
-    if option.name == ("safe" if command.is_safe else "trust"):
-        text += " (the default)"
+    if option.name == "safe" and command.looks:
+        text += "; the default, but what safe mode refuses is then run in the jail"
+    if option.name == "trust" and not command.looks:
+        text += "; the default"
     head = f"-{option.short}, " if option.short else "    "
     head += f"--{option.name}" + (f" {option.value}" if option.value else "")
     return _row(head, text)

@@ -17,23 +17,25 @@ MOST_SECONDS = 1e9
 
 
 def make_policy(arguments: Arguments) -> Policy:
-    """Return how far the file is trusted; what only looks at files runs none of their Python.
+    """Return how far the file is trusted.
 
     Raises:
         WrongUsage: a limit or the time-out makes no sense.
     """
     from ..policy import JAIL, SAFE, TRUSTED, Policy
 
-    mode = SAFE if COMMANDS[arguments.command].is_safe else TRUSTED
-    for option, its_mode in (("trust", TRUSTED), ("jail", JAIL), ("safe", SAFE)):
-        if arguments.has(option):
-            mode = its_mode
+    modes = {"trust": TRUSTED, "jail": JAIL, "safe": SAFE}
+    mode = next((modes[name] for name in modes if arguments.has(name)), None)
+    looks = mode is None and COMMANDS[arguments.command].looks
     allowed = arguments.lists.get("allow-path", [])
-    if allowed and mode == TRUSTED:
+    if allowed and not looks and mode in (None, TRUSTED):
         raise WrongUsage("'--allow-path' has a meaning with --jail and --safe only")
     limits = dict(map(_read_limit, arguments.lists.get("limit", [])))
+    timeout = _read_timeout(arguments)
     try:
-        return Policy(mode, limits=limits, timeout=_read_timeout(arguments), allowed_paths=allowed)
+        if looks:
+            return Policy.looking(limits=limits, timeout=timeout, allowed_paths=allowed)
+        return Policy(mode or TRUSTED, limits=limits, timeout=timeout, allowed_paths=allowed)
     except ValueError as error:
         raise WrongUsage(f"{error}") from None
 

@@ -29,12 +29,12 @@ class Command:
         summary: what it does, on a short line.
         about: what it does, as the head of its help.
         words: what the words of `forms` mean.
-        is_safe: whether files are not trusted by default.
+        looks: whether it only looks at a file, which is not trusted then by default.
         endings: of the files that are completed, without the dot.
         examples: command lines.
     """
 
-    __slots__ = ("about", "endings", "examples", "forms", "is_safe", "name", "summary", "words")
+    __slots__ = ("about", "endings", "examples", "forms", "looks", "name", "summary", "words")
 
     def __init__(
         self,
@@ -44,7 +44,7 @@ class Command:
         about: str,
         *,
         words: tuple[tuple[str, str], ...] = (),
-        is_safe: bool = False,
+        looks: bool = False,
         endings: tuple[str, ...] = (),
         examples: tuple[str, ...] = (),
     ) -> None:
@@ -54,7 +54,7 @@ class Command:
         self.summary = summary
         self.about = about
         self.words = words
-        self.is_safe = is_safe
+        self.looks = looks
         self.endings = endings
         self.examples = examples
 
@@ -141,7 +141,7 @@ COMMANDS = {
             "Look for errors, warnings and doubtful things, and write no XML. Any finding makes it "
             "exit with 1.",
             words=FILE_WORDS,
-            is_safe=True,
+            looks=True,
             endings=ENDINGS,
         ),
         Command(
@@ -150,7 +150,7 @@ COMMANDS = {
             "show links, joints and masses as a tree",
             "Show the links of a robot as a tree, with their masses and joints.",
             words=FILE_WORDS,
-            is_safe=True,
+            looks=True,
             endings=ENDINGS,
         ),
         Command(
@@ -160,7 +160,7 @@ COMMANDS = {
             "Show a robot in the browser, and show it again whenever one of its files is saved. "
             "Ctrl-C ends it.",
             words=FILE_WORDS,
-            is_safe=True,
+            looks=True,
             endings=ENDINGS,
         ),
         Command(
@@ -179,7 +179,7 @@ COMMANDS = {
             "Draw a robot. Needs no display and no browser, but the Python packages of "
             "yamaro[picture].",
             words=FILE_WORDS,
-            is_safe=True,
+            looks=True,
             endings=ENDINGS,
             examples=(
                 "yamaro picture robot.yaml -o robot.png",
@@ -198,7 +198,7 @@ COMMANDS = {
                 ("FILE", "the XML file, or - for standard input"),
                 ("name:=value", "set an argument of xacro for the comparison"),
             ),
-            is_safe=True,
+            looks=True,
             endings=("urdf", "xacro", "xml"),
         ),
         Command(

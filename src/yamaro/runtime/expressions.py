@@ -30,7 +30,8 @@ _OWN_FOLDER = __file__[: -len("runtime/expressions.py")]
 TIME_IS_OVER = "the time is over, and this is where it was spent"
 JAIL_HINT = (
     "in a jail a file reads its own folder, its packages and what --allow-path adds, "
-    "writes nothing, and reaches no network and no other process"
+    "writes nothing, and reaches no network and no other process; --trust runs it with all "
+    "your rights"
 )
 TIME_HINT = "--timeout SECONDS gives it more time"
 _CONTAINERS = frozenset((list, tuple, dict))

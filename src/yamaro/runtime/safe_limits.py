@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 from ..diagnostics import InputFault
-from ..policy import SAFE, Limits
+from ..policy import SAFE, UNSAFE, Limits
 
-UNSAFE = "unsafe-code"
 RUN_IT = "--jail runs the file where it can do no harm (on Linux), --trust with all your rights"
 
 
