@@ -100,15 +100,8 @@ def test_macros_become_functions_and_properties_variables(tmp_path: Path) -> Non
               else:
                 near/at=$(y):
         model:
-          - WheelUnit:
-              side: left
-              Origin:
-                <origin/xyz=0 0 1>:
-          - WheelUnit:
-              side: right
-              y: 0.1
-              Origin:
-                <origin/xyz=0 0 2>:
+          - WheelUnit: {side: left, Origin: {xyz: 0 0 1}}
+          - WheelUnit: {side: right, y: 0.1, Origin: {xyz: 0 0 2}}
         """)
 
 

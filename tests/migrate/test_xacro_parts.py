@@ -58,14 +58,8 @@ def test_the_origin_of_a_joint_may_be_a_block(tmp_path: Path) -> None:
                   Origin:
         model:
           - link/name=base:
-          - Arm:
-              name: a
-              Origin:
-                origin/xyz=0 0 1, rpy=0 0 0:
-          - Arm:
-              name: b
-              Origin:
-                <origin/xyz=0 0 2>:
+          - Arm: {name: a, Origin: {xyz: 0 0 1}}
+          - Arm: {name: b, Origin: {xyz: 0 0 2}}
         """)
 
 
@@ -156,7 +150,7 @@ def test_statements_stand_among_the_sections_of_a_link(tmp_path: Path) -> None:
                 body:
                   xyz: 0 0 1
         """)
-    assert "<collision>: {geometry: {box/size=$(size): }}" in (tmp_path / "out/r.yaml").read_text()
+    assert "collision: {geometry: box, scale: $(size)}" in (tmp_path / "out/r.yaml").read_text()
 
 
 def test_a_geometry_that_a_call_makes_is_an_element(tmp_path: Path) -> None:
@@ -179,16 +173,19 @@ def test_a_geometry_that_a_call_makes_is_an_element(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    ("inertial", "key"),
+    ("inertial", "made"),
     [
-        (MASS, "<inertial>"),
-        (f'<origin xyz="0 0 1"/>{MASS}', "<inertial>"),
-        (f'<origin xyz="0 0 1" rpy="0 0 0"/>{MASS}', "inertial"),
-        (f'<origin xyz="0 0 1" rpy="0 0 0"/>{MASS}<more/>', "<inertial>"),
+        (MASS, "inertial: {mass: 2, inertia: 1 0 0 1 0 1}\n"),
+        (
+            f'<origin xyz="0 0 1"/>{MASS}',
+            "inertial: {mass: 2, xyz: 0 0 1, inertia: 1 0 0 1 0 1}\n",
+        ),
+        (MASS.replace(' value="2"', ""), "<inertial>:\n"),
+        (f'<origin xyz="0 0 1"/>{MASS}<more/>', "inertial:\n        mass: 2\n"),
     ],
 )
 def test_an_inertial_that_a_call_makes_is_not_moved_with_its_link(
-    tmp_path: Path, inertial: str, key: str
+    tmp_path: Path, inertial: str, made: str
 ) -> None:
     pose = '<origin xyz="1 2 3" rpy="0 0 0"/>'
     link = f"""\
@@ -203,7 +200,7 @@ def test_an_inertial_that_a_call_makes_is_not_moved_with_its_link(
         "  collision: {xyz: 1 2 3}",
         "  Heavy:",
     ]
-    assert f"\n      {key}:\n" in (tmp_path / "out/r.yaml").read_text()
+    assert f"\n      {made}" in (tmp_path / "out/r.yaml").read_text()
 
 
 def test_a_joint_moves_to_its_link_past_other_elements(tmp_path: Path) -> None:
@@ -373,3 +370,100 @@ def test_a_joint_that_reads_what_links_set_stays_where_it_is(tmp_path: Path) -> 
         "1",
     )
     assert made.index("name: b") < made.index("joint/name=a_joint")
+
+
+PLACED = """
+    <xacro:macro name="arm" params="name *origin">
+      <joint name="${name}_joint" type="fixed">
+        <parent link="base"/><child link="${name}_link"/><xacro:insert_block name="origin"/>
+      </joint>
+      <link name="${name}_link"/>
+    </xacro:macro>
+    """
+
+
+def test_the_pose_in_a_block_is_left_out_if_it_is_zeros(tmp_path: Path) -> None:
+    made = migrated_for(
+        tmp_path,
+        f"""{PLACED}{BASE}
+        <xacro:arm name="a"><origin xyz="0 0 0" rpy="0 0 0"/></xacro:arm>
+        <xacro:arm name="b"><origin/></xacro:arm>
+        <xacro:arm name="c"><!-- upright --><origin rpy="0 0 1"/></xacro:arm>""",
+    )
+    assert model_of(made)[1:] == [
+        "  - Arm: {name: a}",
+        "  - Arm: {name: b}",
+        "  - Arm:",
+        "      name: c",
+        "      # upright",
+        "      Origin: {rpy: 0 0 1}",
+    ]
+
+
+def test_a_block_that_is_in_a_part_and_in_an_element_is_an_element(tmp_path: Path) -> None:
+    made = migrated_for(
+        tmp_path,
+        f"""{PLACED.replace("<link", '<a><xacro:insert_block name="origin"/></a><link')}{BASE}
+        <xacro:arm name="a"><origin xyz="0 0 1"/></xacro:arm>""",
+    )
+    assert "<origin/xyz=0 0 1>:" in made
+
+
+def test_a_block_that_is_handed_on_to_an_element_is_an_element(tmp_path: Path) -> None:
+    made = migrated_for(
+        tmp_path,
+        f"""{PLACED}{BASE}
+        <xacro:macro name="camera" params="*origin">
+          <sensor><xacro:insert_block name="origin"/></sensor>
+        </xacro:macro>
+        <xacro:macro name="both" params="*origin">
+          <xacro:arm name="a"><xacro:insert_block name="origin"/></xacro:arm>
+          <xacro:camera><xacro:insert_block name="origin"/></xacro:camera>
+        </xacro:macro>
+        <xacro:both><origin xyz="0 0 1"/></xacro:both>""",
+    )
+    assert "<origin/xyz=0 0 1>:" in made
+
+
+def test_a_block_that_is_handed_on_to_a_part_is_a_pose(tmp_path: Path) -> None:
+    made = migrated_for(
+        tmp_path,
+        f"""{PLACED}{BASE}
+        <xacro:macro name="left_arm" params="*origin">
+          <xacro:arm name="left"><xacro:insert_block name="origin"/></xacro:arm>
+        </xacro:macro>
+        <xacro:left_arm><origin xyz="0 0 1"/></xacro:left_arm>""",
+    )
+    assert "  LeftArm:\n    Origin: {xyz: 0 0 1}\n" in made or "LeftArm: {Origin" in made
+
+
+def test_a_macro_that_is_called_in_an_element_too_gives_elements(tmp_path: Path) -> None:
+    made = migrated_for(
+        tmp_path,
+        f"""
+        <xacro:macro name="heavy" params=""><inertial>{MASS}</inertial></xacro:macro>
+        <link name="a_link"><visual>{BOX}</visual><xacro:heavy/></link>
+        <thing><xacro:heavy/></thing>""",
+    )
+    assert "<inertial>:" in made
+
+
+def test_what_macros_give_parts_has_the_keys_of_parts(tmp_path: Path) -> None:
+    made = migrated_for(
+        tmp_path,
+        f"""{BASE}
+        <xacro:macro name="hinge" params="">
+          <axis xyz="0 0 1"/>{LIMIT}<dynamics damping="1"/>
+        </xacro:macro>
+        <xacro:macro name="red" params=""><material name="red"><color rgba="1 0 0 1"/></material>
+        </xacro:macro>
+        <joint name="a_joint" type="revolute">{ENDS}<xacro:hinge/></joint>
+        <link name="a_link"><visual>{BOX}<xacro:red/></visual></link>""",
+    )
+    assert (
+        "    body:\n"
+        "      axis: 0 0 1\n"
+        "      limit: {lower: -1, upper: 1, effort: 2, velocity: 3}\n"
+        "      dynamics: {damping: 1}\n"
+    ) in made
+    assert "    body:\n      material: {name: red, color: 1 0 0 1}\n" in made

@@ -323,30 +323,28 @@ def _wrapped(pieces: list[str], width: int) -> list[str]:
 
 
 def _foldable(text: str, scalar: str) -> list[str]:
-    """Return the pieces of a scalar between which it may go on in the next line, or none.
+    """Return the words of a scalar between which it may go on in the next line, or none.
 
-    YAML reads each such line break as one space. An expression is kept together if it fits.
+    YAML reads each such line break as one space.
     """
     if "  " in text or text != text.strip() or "\\" in scalar or not text.isprintable():
         return []
     words = words_of(text)
     if " ".join(words) != text or len(scalar) != len(text):
-        words = [scalar]
-    most = WIDTH // 2
-    pieces = [
-        piece for word in words for piece in ([word] if len(word) < most else word.split(" "))
-    ]
-    return pieces if len(pieces) > 1 else []
+        words = scalar.split(" ")
+    return words if " " in scalar else []
 
 
-def _filled(pieces: list[str], width: int) -> list[str]:
-    """Return pieces with spaces between them as lines no wider than asked, if that can be."""
-    lines = [pieces[0]]
-    for piece in pieces[1:]:
-        if len(lines[-1]) + 1 + len(piece) > width:
-            lines.append(piece)
-        else:
-            lines[-1] += f" {piece}"
+def _filled(words: list[str], width: int) -> list[str]:
+    """Return words as lines no wider than asked, if that can be; only long words are broken."""
+    lines = [""]
+    for word in words:
+        pieces = [word] if len(word) <= width else word.split(" ")
+        for piece in pieces:
+            if lines[-1] and len(lines[-1]) + 1 + len(piece) > width:
+                lines.append(piece)
+            else:
+                lines[-1] = spaced(lines[-1], piece)
     return lines
 
 

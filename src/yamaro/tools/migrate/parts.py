@@ -198,6 +198,10 @@ class PartWriter:
         seen[child.name] = child
         if child.children or not attributes or not is_first:
             return self._element(child)
+        return self._joint_entry_of(child, attributes, kind)
+
+    def _joint_entry_of(self, child: Element, attributes: dict[str, str], kind: str) -> Entry:
+        """Return what an element of a joint becomes that is the only one of its name."""
         if child.name == "axis" and list(attributes) == ["xyz"]:
             return Entry("axis", _numbers(attributes["xyz"], 3))
         if child.name == "mimic" and "joint" in attributes:

@@ -9,6 +9,7 @@ from .xacro_contents import Contents
 from .xacro_file import header_of, sections_of
 from .xacro_includes import source_name
 from .xacro_inertia import Solids
+from .xacro_placing import Placing
 from .xacro_program import Program, common_folder
 from .xacro_reach import Reach
 from .xacro_writer import FileWriter
@@ -68,14 +69,22 @@ def migrate_xacro(
         outputs[path] = _output(os.path.relpath(path, folder), set(outputs.values()))
     migration = XacroMigration({}, outputs[source.path], program.result)
     migration.origins = outputs
-    solids = Solids(program)
     reach = Reach(program)
-    written: dict[str, tuple[Body, str]] = {}
-    for path, output in outputs.items():
-        writer = FileWriter(program, contents, solids, reach, path, outputs.__getitem__)
-        is_main = path == source.path
-        written[output] = sections_of(writer, is_main=is_main), header_of(writer, is_main=is_main)
-        migration.lost += writer.lost
+    placing = Placing(() if exact else contents.in_parts())
+    is_settled = False
+    while not is_settled:
+        solids = Solids(program)
+        written: dict[str, tuple[Body, str]] = {}
+        migration.lost.clear()
+        for path, output in outputs.items():
+            writer = FileWriter(
+                program, contents, solids, reach, placing, path, outputs.__getitem__
+            )
+            is_main = path == source.path
+            header = header_of(writer, is_main=is_main)
+            written[output] = sections_of(writer, is_main=is_main), header
+            migration.lost += writer.lost
+        is_settled = placing.settle()
     _drop_functions(
         {program.macros[name].function for name in solids.replaced},
         [sections for sections, _ in written.values()],

@@ -21,6 +21,8 @@ def write_block(writer: FileWriter, node: Element, body: Body) -> None:
     """Write where a block is inserted."""
     name = format_value(node.attributes.get("name"))
     if name in writer.here.blocks or name in writer.program.blocks:
+        owner = writer.here.macro if name in writer.here.blocks else None
+        writer.placing.note((owner.name if owner else None, name), writer.here.holder)
         body.add(block_name(writer, name))
     else:
         raise CannotMigrate(f"there is no block '{name}'")
@@ -33,14 +35,17 @@ def write_call(writer: FileWriter, node: Element, body: Body) -> None:
     arguments = Body(in_braces=True)
     for key, value in node.attributes.items():
         arguments.add(key, writer.translator.value(format_value(value)))
+    if macro is not None:
+        writer.placing.note(macro.name, writer.here.holder)
     if macro is None:
         _call_unknown(writer, node, name)
         body.add(camel(name), arguments or None)
         return
     _add_forwarded(writer, node, macro, arguments)
     if macro.blocks():
-        arguments.in_braces = False
         _add_blocks(writer, node, macro, arguments)
+        contents = [entry.value for entry in arguments if isinstance(entry.value, Body)]
+        arguments.in_braces = all(content.in_braces for content in contents)
     namespace = name.rpartition(".")[0]
     if namespace and not writer.is_namespace(namespace):
         raise CannotMigrate(f"the namespace '{namespace}' is made in another file")
@@ -81,7 +86,9 @@ def _add_blocks(writer: FileWriter, node: Element, macro: Macro, arguments: Body
             raise CannotMigrate(f"the blocks of '{macro.name}' are computed")
         own = blocks[0].lstrip("*")
         with writer.within(
-            place_of_block(writer, macro, own), is_in_element=writer.here.is_in_element
+            place_of_block(writer, macro, own),
+            is_in_element=writer.here.is_in_element,
+            holder=(macro.name, own),
         ):
             arguments.add(block_name(writer, own), writer.body(node.children))
         return
@@ -90,13 +97,17 @@ def _add_blocks(writer: FileWriter, node: Element, macro: Macro, arguments: Body
         is_content = block.startswith("**")
         if is_content and is_statement(child):
             raise CannotMigrate(f"the block '{block}' of '{macro.name}' is computed")
-        place = place_of_block(writer, macro, block.lstrip("*"))
-        with writer.within(place, is_in_element=writer.here.is_in_element):
+        own = block.lstrip("*")
+        place = place_of_block(writer, macro, own)
+        with writer.within(
+            place, is_in_element=writer.here.is_in_element, holder=(macro.name, own)
+        ):
             content = writer.body(child.children if is_content else [child])
         if content is not None and not is_content:
-            content.in_braces = False
-        arguments.append(Entry(name, content, remark.comment))
-        arguments.note_end(remark.ending)
+            content.in_braces = all(isinstance(entry.value, str) for entry in content)
+        if content is not None or remark.comment or remark.ending:
+            arguments.append(Entry(name, content, remark.comment))
+            arguments.note_end(remark.ending)
     arguments.note(remarks.remark)
 
 
@@ -129,6 +140,8 @@ def _call_computed(writer: FileWriter, node: Element, given: str, body: Body) ->
     if node.elements():
         raise CannotMigrate("the macro that is called is computed, and takes blocks")
     names = {macro.name: macro.function for macro in macros if not macro.blocks()}
+    for name in names:
+        writer.placing.note(name, None)
     arguments = Body(in_braces=True)
     for key, value in node.attributes.items():
         if key != "macro":

@@ -36,7 +36,7 @@ class Contents:
         self._calls: dict[str, list[tuple[Element, Macro | None]]] = {}
         self._blocks: dict[str, list[Element]] = {}
         self._at_work: set[object] = set()
-        self._in_parts: set[object] = set()
+        self._in_parts: set[str | tuple[str | None, str]] = set()
         by_element = {id(macro.element): macro for macro in program.definitions.values()}
         for macro in program.definitions.values():
             self._macros.setdefault(macro.name, []).append(macro)
@@ -203,6 +203,10 @@ class Contents:
         return not names & used_in(node) and set(inside) <= _PLAIN
 
     # --- where it stands ------------------------------------------------------------------------
+
+    def in_parts(self) -> set[str | tuple[str | None, str]]:
+        """Return the macros and blocks of which things may come to be in a part."""
+        return set(self._in_parts)
 
     def may_be_in_part(self, macro: Macro) -> bool:
         """Tell whether what stands in a macro may come to stand in a joint, link or section."""

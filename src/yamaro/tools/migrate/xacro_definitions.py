@@ -128,7 +128,7 @@ def _may_be_evaluated(writer: FileWriter, text: str) -> bool:
 
 
 def _define_block(writer: FileWriter, node: Element, name: str, body: Body) -> None:
-    with writer.within(place_of_block(writer, None, name)):
+    with writer.within(place_of_block(writer, None, name), holder=(None, name)):
         function = Body([Entry("body", writer.body(node.children))])
     scope = writer.scope_of(name)
     writer.functions.note(body.remark)

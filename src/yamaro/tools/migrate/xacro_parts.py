@@ -11,7 +11,7 @@ from ...robot.urdf import JOINT_TYPES
 from ...xmltree import Comment, Element, Text, format_value
 from .compare import values_of
 from .document import Body, Entry
-from .elements import ElementWriter, add_loose, comments_at_ends, walk
+from .elements import ElementWriter, add_loose, comments_at_ends, note_comments, walk
 from .pairing import has_text, pair
 from .parts import (
     MOMENTS,
@@ -24,6 +24,7 @@ from .parts import (
     are_numbers,
     is_short_material,
     material_entry,
+    pose_of,
     read_geometry,
 )
 from .solids import are_equal
@@ -234,6 +235,30 @@ class XacroPartWriter(PartWriter):
         self._solids.replaced |= {each.source.macro.name for each in self._inertias.values()}
         return part
 
+    def write_piece(self, element: Element, out: Body) -> bool:
+        """Write an element that is in parts only with their keys, and tell whether it can be."""
+        own = self.spelled(element)
+        blank = super()._plan(Element("link", element.span))
+        try:
+            match own.name:
+                case "origin" if pose_of(own, exact=self._exact) is not None:
+                    note_pose(own, out, lambda: PartWriter._add_pose(self, own, own, out))
+                case "inertial" if self._has_form(own):
+                    out.append(self._inertial(own, blank))
+                case "visual" | "collision" if self._has_form(own):
+                    out.append(self._section(own, blank))
+                case "axis" if stands_as_key(own):
+                    out.add("axis", values_of(own)["xyz"])
+                case "limit" | "dynamics" | "safety_controller" if not own.children:
+                    out.append(self._joint_entry_of(own, values_of(own), "$("))
+                case "material":
+                    out.append(self._section_child(own))
+                case _:
+                    return False
+        except NoPart:
+            return False
+        return True
+
     def spelled(self, element: Element) -> Element:
         """Return a copy in the language's spelling, but for the statements in it."""
         children: list[Node] = []
@@ -409,6 +434,19 @@ class _PartElements(ElementWriter):
 def is_statement(element: Element) -> bool:
     """Tell whether an element is one of xacro."""
     return element.name.startswith("xacro:")
+
+
+def note_pose(origin: Element, out: Body, write: Callable[[], None]) -> None:
+    """Write the keys of an origin below what is remarked at it."""
+    known = len(out.entries)
+    remark, out.remark = out.remark, ""
+    write()
+    if len(out.entries) > known:
+        out.entries[known].comment = remark
+        out.latest = out.entries[-1]
+        note_comments(origin, out.entries[known])
+    else:
+        out.note(remark)
 
 
 def _may_repeat(counts: Counts, *names: str) -> bool:

@@ -12,6 +12,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterable
 
     from .xacro_parts import Write
+    from .xacro_placing import Content
     from .xacro_program import Macro, Program
 
 
@@ -23,6 +24,7 @@ class Surroundings:
         is_top: whether the piece stands right in the file.
         is_in_element: whether it stands in an element, where nothing is a part.
         place: what writes the elements that come to stand in a part.
+        holder: the part, macro or block whose elements these are, where it is known.
         hides: the arguments whose names mean something else here.
         visible: the names that are visible.
         read: the names that are read here.
@@ -35,6 +37,7 @@ class Surroundings:
         self.is_top = True
         self.is_in_element = program.result.name != "robot"
         self.place: Write | None = None
+        self.holder: Content | None = None
         self.hides: set[str] = set()
         self.visible = program.at_top
         self.read = program.read
@@ -42,10 +45,13 @@ class Surroundings:
         self.locals: set[str] = set()
         self.blocks: set[str] = set()
 
-    def within(self, place: Write | None, *, is_in_element: bool) -> Surroundings:
+    def within(
+        self, place: Write | None, *, is_in_element: bool, holder: Content | None = None
+    ) -> Surroundings:
         """Return those in an element or part."""
         inner = copy(self)
         inner.place, inner.is_in_element = place, is_in_element
+        inner.holder = holder if place is not None else None
         return inner
 
     def below_top(self) -> Surroundings:
@@ -56,7 +62,7 @@ class Surroundings:
 
     def in_macro(self, macro: Macro, program: Program, place: Write | None) -> Surroundings:
         """Return those in a macro, whose elements are written by `place`."""
-        inner = self.within(place, is_in_element=False)
+        inner = self.within(place, is_in_element=False, holder=macro.name)
         inner.macro = macro
         inner.is_top = False
         inner.hides = self.hides | program.hidden.in_macro(macro)

@@ -22,6 +22,7 @@ from .xacro_calls import write_block, write_call, write_call_by_name
 from .xacro_definitions import write_argument, write_macro, write_property
 from .xacro_includes import write_include
 from .xacro_parts import Step, XacroPartWriter, in_steps, is_statement, stands_as_key
+from .xacro_placing import IN_PART
 from .xacro_program import names_in
 from .xacro_python import CannotMigrate, Translator, negated
 from .xacro_surroundings import Surroundings, move_opening, names_of
@@ -37,6 +38,7 @@ if TYPE_CHECKING:
     from .xacro_contents import Contents
     from .xacro_inertia import Solids
     from .xacro_parts import Write
+    from .xacro_placing import Content, Placing
     from .xacro_program import Program
     from .xacro_reach import Reach
 
@@ -49,6 +51,7 @@ class FileWriter(ElementWriter):
         contents: tells what statements make.
         solids: tells which macros compute the inertia of a solid.
         reach: tells what of a macro is read elsewhere.
+        placing: knows which macros and blocks give things to parts only.
         path: of the file.
         output_of: gives the path of the source that a file becomes.
         translator: translates its expressions.
@@ -64,6 +67,7 @@ class FileWriter(ElementWriter):
         contents: Contents,
         solids: Solids,
         reach: Reach,
+        placing: Placing,
         path: str,
         output_of: Callable[[str], str],
     ) -> None:
@@ -73,6 +77,7 @@ class FileWriter(ElementWriter):
         self.contents = contents
         self.solids = solids
         self.reach = reach
+        self.placing = placing
         self.path = path
         self.output_of = output_of
         self.here = Surroundings(program)
@@ -187,7 +192,7 @@ class FileWriter(ElementWriter):
 
     def write_statement(self, node: Element, body: Body, place: Write) -> None:
         """Write a statement, and the elements in it by `place`."""
-        with self.within(place):
+        with self.within(place, holder=IN_PART):
             self._statement(node, Step(node), body)
 
     @contextmanager
@@ -200,14 +205,17 @@ class FileWriter(ElementWriter):
             self.here = around
 
     def within(
-        self, place: Write | None, *, is_in_element: bool = False
+        self, place: Write | None, *, is_in_element: bool = False, holder: Content | None = None
     ) -> AbstractContextManager[None]:
         """Write the elements of a body by `place`, or else as the elements they are."""
-        return self.at(self.here.within(place, is_in_element=is_in_element))
+        return self.at(self.here.within(place, is_in_element=is_in_element, holder=holder))
 
     def write_for_parts(self, node: Element, body: Body) -> None:
         """Write an element that may come to stand in a part, where it is to mean the same."""
-        own = self.part_writer().spelled(node)
+        writer = self.part_writer()
+        if self.here.holder in self.placing.in_parts and writer.write_piece(node, body):
+            return
+        own = writer.spelled(node)
         body.append(self.entry(node, bracketed=not stands_as_key(own)))
 
     def entry(self, element: Element, *, bracketed: bool = False) -> Entry:
