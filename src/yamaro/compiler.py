@@ -268,6 +268,9 @@ class Program:
                 reporter.add(diagnostic)
             if outcome.has_errors:
                 raise YamaroError(reporter.diagnostics)
+            if outcome.root is not None and outcome.root.name == "robot":  # as it was written
+                tree = paths.applied_to(outcome.root, {})
+                outcome.pieces = write_pieces(*tree, self._policy.limits)
             result = take(_build_of(outcome, paths.finder))
         else:
             result = self._run(lambda: take(compile_robot(self, say)), reporter, source)

@@ -61,12 +61,17 @@ class MeshPaths:
             raise ValueError(f"'{mode}' is none of {', '.join(MODES)}")
 
     def applied_to(self, root: Element, shared: Shared) -> tuple[Element, Shared]:
-        """Return a tree with these paths, and the elements shared in it; `root` stays as it is."""
+        """Return a robot with these paths, and the elements shared in it; `root` stays as it is."""
         if self._mode == KEEP:
             return root, shared
         renaming = _Renaming(self.named, shared)
-        changed = renaming.element(root)
-        return changed, shared if changed is root else {**shared, **renaming.shared}
+        children = [
+            renaming.element(child)
+            if isinstance(child, Element) and child.name in ("link", "material")
+            else child
+            for child in root.children
+        ]
+        return root.with_children(children), {**shared, **renaming.shared}
 
     def named(self, filename: str, span: Span) -> str:
         """Return the name of a file that is referred to at a span."""
