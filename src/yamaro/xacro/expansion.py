@@ -94,6 +94,8 @@ class Expansion:
         frame: the innermost call or include.
         documents: the files that were included, by path.
         included: the paths that each include meant, by the place of its `filename`.
+        named: those paths by the names that were computed there.
+        walked: how many elements, texts and comments were reached.
         lost: attributes and prefixes that were meant for a condition, and so for nothing.
     """
 
@@ -110,9 +112,10 @@ class Expansion:
         self.frame = frame
         self.documents: dict[str, XmlDocument] = {}
         self.included: dict[tuple[str, int], list[str]] = {}
+        self.named: dict[tuple[str, int], dict[str, str]] = {}
         self.lost: dict[str, object] = {}
         self.depth = 0
-        self._walked = 0
+        self.walked = 0
 
     def expand(self, source: Source, root: Element | None = None) -> Element:
         """Return the root element of the file, expanded; `root` is its own, if it was read."""
@@ -121,7 +124,9 @@ class Expansion:
         self.evaluator.files.append(source.path)
         namespace = root.attributes.get("xacro:targetNamespace")
         if namespace:
-            root.attributes["xmlns"] = namespace
+            attributes = {**root.attributes, "xmlns": namespace}
+            spans = root.value_spans
+            root = Element(root.name, root.span, attributes, root.children, value_spans=spans)
             if root.value_spans is not None:
                 span = root.value_span("xacro:targetNamespace")
                 root.value_spans = {"xmlns": span}
@@ -165,8 +170,8 @@ class Expansion:
         out, scope = site.out, site.scope
         last = len(nodes) - 1
         in_comments = False
-        self._walked += last + 1
-        if self._walked > self.limits.statements:
+        self.walked += last + 1
+        if self.walked > self.limits.statements:
             raise self._too_much(nodes[0].span)
         for index, node in enumerate(nodes):
             if isinstance(node, Element):

@@ -84,6 +84,9 @@ def _paths(expansion: Expansion, given: Include, site: Site) -> list[str]:
     name = expansion.evaluator.text(given.filename, site.scope, place)
     path = expansion.evaluator.abs_filename(name)
     if not any(char in path for char in "*[?"):
+        if "$" in given.filename:
+            span = place.span()
+            expansion.named.setdefault((span.source.path, span.start), {})[name] = path
         return [path]
     paths = sorted(expansion.host.glob(path))
     if not paths:

@@ -2,25 +2,22 @@
 
 from __future__ import annotations
 
-import os
-
 from .document import Body, write_document
 from .xacro_contents import Contents
 from .xacro_file import header_of, sections_of
-from .xacro_includes import source_name
 from .xacro_inertia import Solids
+from .xacro_layout import Layout
 from .xacro_placing import Placing
-from .xacro_program import Program, common_folder
+from .xacro_program import Program
 from .xacro_reach import Reach
 from .xacro_writer import FileWriter
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Mapping
+    from collections.abc import Collection, Iterator
 
     from ...diagnostics import Diagnostic
-    from ...source import Source, Span
-    from ...xacro.host import Host
+    from ...source import Span
     from ...xmltree import Element
     from .compare import Difference
 
@@ -38,6 +35,7 @@ class XacroMigration:
         lost: what could not be carried over: its place, why, and a hint.
         is_compared_with_xacro: whether the package xacro made what it was compared with.
         faults: the errors of the sources, if they cannot be built.
+        layout: which files became sources, and which stayed as they are.
     """
 
     def __init__(self, files: dict[str, str], main: str, root: Element) -> None:
@@ -51,36 +49,36 @@ class XacroMigration:
         self.lost: list[tuple[Span, str, str]] = []
         self.is_compared_with_xacro = False
         self.faults: list[Diagnostic] = []
+        self.layout: Layout
+
+    @property
+    def is_wrong(self) -> bool:
+        """Tell whether the sources do not make the robot with the arguments given."""
+        return bool(self.faults or self.differences)
 
 
-def migrate_xacro(
-    source: Source, host: Host, arguments: Mapping[str, str], *, exact: bool = False
-) -> XacroMigration:
-    """Return sources that make the same robot, for these arguments at least.
+def migrate_program(program: Program, wanted: Collection[str] = ()) -> XacroMigration:
+    """Return sources that make the same robot, for the arguments given at least.
 
-    Raises:
-        YamaroError: the robot cannot be expanded.
+    Args:
+        program: the robot.
+        wanted: the packages whose files become sources even if they could stay as they are.
     """
-    program = Program(source, host, arguments, exact=exact)
-    folder = common_folder(list(program.roots))
     contents = Contents(program)
-    outputs: dict[str, str] = {}
-    for path in program.roots:
-        outputs[path] = _output(os.path.relpath(path, folder), set(outputs.values()))
-    migration = XacroMigration({}, outputs[source.path], program.result)
-    migration.origins = outputs
+    layout = Layout(program, wanted)
+    migration = XacroMigration({}, layout.outputs[program.main], program.result)
+    migration.origins = layout.outputs
+    migration.layout = layout
     reach = Reach(program)
-    placing = Placing(() if exact else contents.in_parts())
+    placing = Placing(() if program.exact else contents.in_parts())
     is_settled = False
     while not is_settled:
         solids = Solids(program)
         written: dict[str, tuple[Body, str]] = {}
         migration.lost.clear()
-        for path, output in outputs.items():
-            writer = FileWriter(
-                program, contents, solids, reach, placing, path, outputs.__getitem__
-            )
-            is_main = path == source.path
+        for path, output in layout.outputs.items():
+            writer = FileWriter(program, contents, solids, reach, placing, path, layout)
+            is_main = path == program.main
             header = header_of(writer, is_main=is_main)
             written[output] = sections_of(writer, is_main=is_main), header
             migration.lost += writer.lost
@@ -92,9 +90,13 @@ def migrate_xacro(
     for output, (sections, header) in written.items():
         migration.files[output] = write_document(sections, header)
     for path, text in program.data.items():
-        relative = os.path.relpath(path, folder)
-        if not relative.startswith(".."):  # what lies elsewhere is found through its package
-            migration.files[relative] = text
+        copy = layout.output_of_data(path)
+        if copy is not None:
+            migration.files[copy] = text
+    for changed in program.untried:
+        given = ", ".join(f"{name}:={value}" for name, value in changed.items())
+        span = program.roots[program.main].span
+        migration.lost.append((span, f"not tried with {given}", "migrate it with these as well"))
     return migration
 
 
@@ -148,10 +150,3 @@ def _keys_in(body: Body) -> Iterator[str]:
         else:
             yield entry.key
             yield from _keys_in(entry.value)
-
-
-def _output(path: str, taken: set[str]) -> str:
-    unique, number = source_name(path), 2
-    while unique in taken:
-        unique, number = f"{source_name(path).removesuffix('.yaml')}_{number}.yaml", number + 1
-    return unique

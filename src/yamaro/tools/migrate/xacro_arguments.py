@@ -44,14 +44,17 @@ class HiddenArguments:
         for root in roots:
             inside = {id(child) for child in walk(root) if child.name == "xacro:macro"}
             self.everywhere |= _redefined(root, without=inside)
-        read = set().union(*(_arguments_in(root) for root in roots))
+        read = set().union(*(arguments_in(root) for root in roots))
         for macro in macros:
             hides = set(macro.values()) | _redefined(macro.element)
             self._in_macros[id(macro.element)] = hides
             self.everywhere |= {name for name in hides if name in inherited}
         self.everywhere &= read
         inside_macros = set().union(
-            *(_arguments_in(macro.element) & self._in_macros[id(macro.element)] for macro in macros)
+            *(
+                arguments_in(macro.element, with_own=True) & self._in_macros[id(macro.element)]
+                for macro in macros
+            )
         )
         self.used = self.everywhere | inside_macros
 
@@ -76,13 +79,19 @@ def is_argument(text: str, name: str) -> bool:
     return text.strip() == f"$(arg {name})"
 
 
-def _arguments_in(root: Element) -> set[str]:
-    """Return the arguments that an element reads, but for a property made of its own argument."""
+def arguments_in(root: Element, *, with_own: bool = False) -> set[str]:
+    """Return the arguments that an element reads.
+
+    Args:
+        root: the element.
+        with_own: whether a property that is made of the argument of its name reads that.
+    """
     names: set[str] = set()
     for element in walk(root):
         given = [value for name, value in element.attributes.items() if name != "params"]
         own = format_value(element.attributes.get("name"))
         for text in (*map(format_value, given), element.text()):
             found = {one or other for one, other in _ARGUMENT.findall(text)}
-            names |= found - {own} if element.name == "xacro:property" else found
+            is_own = element.name == "xacro:property" and not with_own
+            names |= found - {own} if is_own else found
     return names

@@ -6,7 +6,7 @@ import os
 from contextlib import redirect_stderr, redirect_stdout
 from io import StringIO
 
-from ...compiler import Program
+from ...compiler import Program as Yamaro
 from ...diagnostics import WARNING, Diagnostic, YamaroError, did_you_mean, failure
 from ...runtime.deep_stack import run_on_deep_stack
 from ...runtime.loader import FileLoader, LoadError
@@ -14,15 +14,18 @@ from ...runtime.packages import PackageFinder
 from ...source import Source, Span
 from ...xmlreader import decode_xml, read_xml
 from .command import ignore
-from .compare import compare, count_defaults
-from .xacro import XacroMigration, migrate_xacro
+from .compare import Difference, compare, count_defaults
+from .xacro import XacroMigration, migrate_program
+from .xacro_layout import ALL
+from .xacro_program import Program
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Mapping, Sequence
+    from collections.abc import Collection, Mapping, Sequence
 
     from ...policy import Limits
     from ...xmltree import Element
+    from .xacro_runs import Run
 
 
 class DiskHost:
@@ -105,6 +108,7 @@ def migrate_robot(
     packages: Mapping[str, str],
     limits: Limits,
     exact: bool = False,
+    wanted: Collection[str] = (),
 ) -> XacroMigration:
     """Return the sources of a robot in xacro, compared with what xacro makes of it.
 
@@ -115,30 +119,101 @@ def migrate_robot(
         packages: folders of packages by name.
         limits: how large the files may be.
         exact: whether an origin that is missing has to stay missing.
+        wanted: packages whose files become sources, too; `ALL` stands for all.
 
     Raises:
         YamaroError: the robot cannot be expanded.
     """
     host = DiskHost(limits, packages)
     given = dict(argument.split(":=", 1) for argument in arguments)
-    migration = run_on_deep_stack(lambda: migrate_xacro(source, host, given, exact=exact))
-    texts = {os.path.join(folder, name): text for name, text in migration.files.items()}
-    program = Program(
-        os.path.join(folder, migration.main),
-        loader=OverlayLoader(texts, limits),
-        packages=host.found,
-    )
-    expected = expanded_by_xacro(source.path, given, host) or migration.root
-    migration.is_compared_with_xacro = expected is not migration.root
-    try:
-        built = program.build(command_line=arguments, on_message=ignore, meshes="keep")
-    except YamaroError as error:
-        migration.faults = [each for each in error.diagnostics if each.severity != WARNING]
-        return migration
-    assert built.root is not None
-    migration.differences = compare(expected, built.root, exact=exact)
-    migration.defaults = count_defaults(expected, built.root)
+    return run_on_deep_stack(lambda: _migrate(source, folder, host, given, wanted, exact=exact))
+
+
+def _migrate(
+    source: Source,
+    folder: str,
+    host: DiskHost,
+    given: Mapping[str, str],
+    wanted: Collection[str],
+    *,
+    exact: bool,
+) -> XacroMigration:
+    program = Program(source, host, given, exact=exact)
+    expected = expanded_by_xacro(source.path, given, host)
+    judge = Judge(folder, host, given, expected or program.result, exact=exact)
+    migration = first = judge.tried(program, wanted)
+    if first.is_wrong and first.layout.theirs:
+        migration = judge.tried(program, (ALL,))
+    if migration.is_wrong and len(program.runs.done) > 1:
+        alone = Program(source, host, given, exact=exact, with_others=False)
+        migration = judge.tried(alone, wanted)
+    if migration.is_wrong:
+        migration = first
+    migration.is_compared_with_xacro = expected is not None
+    if not migration.faults:
+        for run in program.runs.done[1:]:
+            migration.differences += judge.differences_with(run, migration)
     return migration
+
+
+class Judge:
+    """Compares what sources make, which are not written yet, with what xacro makes."""
+
+    def __init__(
+        self,
+        folder: str,
+        host: DiskHost,
+        given: Mapping[str, str],
+        expected: Element,
+        *,
+        exact: bool,
+    ) -> None:
+        """Expect this robot for the arguments given."""
+        self._folder = folder
+        self._host = host
+        self._given = given
+        self._expected = expected
+        self._exact = exact
+        self._programs: dict[int, Yamaro] = {}
+
+    def tried(self, program: Program, wanted: Collection[str]) -> XacroMigration:
+        """Return the sources of a robot, with their faults and differences."""
+        migration = migrate_program(program, wanted)
+        try:
+            built = self._built(migration, self._given)
+            migration.differences = compare(self._expected, built, exact=self._exact)
+            migration.defaults = count_defaults(self._expected, built)
+        except YamaroError as error:
+            migration.faults = [each for each in error.diagnostics if each.severity != WARNING]
+        return migration
+
+    def differences_with(self, run: Run, migration: XacroMigration) -> list[Difference]:
+        """Return in what the robot differs that sources make with other arguments."""
+        shown = ", ".join(f"{name}:={value}" for name, value in run.changed.items())
+        try:
+            built = self._built(migration, run.arguments)
+        except YamaroError as error:
+            why = f"it has an error: {error.diagnostics[0].message}"
+            return [Difference((f"with {shown}",), why)]
+        found = compare(run.result, built, exact=self._exact)
+        return [Difference((f"with {shown}", *each.path), each.message) for each in found]
+
+    def _built(self, migration: XacroMigration, arguments: Mapping[str, str]) -> Element:
+        given = [f"{name}:={value}" for name, value in arguments.items()]
+        built = self._program(migration).build(command_line=given, on_message=ignore, meshes="keep")
+        assert built.root is not None
+        return built.root
+
+    def _program(self, migration: XacroMigration) -> Yamaro:
+        if id(migration) not in self._programs:
+            files = migration.files.items()
+            texts = {os.path.join(self._folder, name): text for name, text in files}
+            self._programs[id(migration)] = Yamaro(
+                os.path.join(self._folder, migration.main),
+                loader=OverlayLoader(texts, self._host.limits),
+                packages=self._host.found,
+            )
+        return self._programs[id(migration)]
 
 
 def expanded_by_xacro(path: str, arguments: Mapping[str, str], host: DiskHost) -> Element | None:

@@ -77,19 +77,7 @@ def write_property(writer: FileWriter, node: Element, body: Body) -> None:
             writer.here.is_top and len(writer.program.properties.get(name, ())) > 1
         ):
             raise CannotMigrate(f"the property '{name}' may have a value already")
-    scope = SCOPES.get(given.get("scope", ""), "")
-    if (
-        writer.here.is_top
-        and scope == "/parent"
-        and writer.path in writer.program.namespaces.inside
-    ):
-        raise CannotMigrate(f"the property '{name}' is handed out of a namespace")
-    if writer.here.is_top and (not scope or writer.path in writer.program.included_by_macros):
-        scope = writer.scope_of(name)
-        if not scope and name in writer.reach.hidden:
-            scope = "/global"  # what callers hand down goes before it, as in xacro
-    elif not writer.here.is_top and _is_handed_down(writer, name, writer.here.macro):
-        scope = {"": "/child", "/parent": "/bridge"}.get(scope, scope)
+    scope = _scope(writer, name, given.get("scope", ""))
     value = writer.translator.value(text)
     remark, body.remark = body.remark, ""
     variables = body_of_last(body, "variables")
@@ -103,6 +91,22 @@ def write_property(writer: FileWriter, node: Element, body: Body) -> None:
     variables.add(name + scope, value)
     body.latest = variables.latest
     _sort(writer, variables, name, text)
+
+
+def _scope(writer: FileWriter, name: str, given: str) -> str:
+    """Return the scope of a property; in a file, it is the same inside of conditions."""
+    scope = SCOPES.get(given, "")
+    if writer.here.macro is not None:
+        if _is_handed_down(writer, name, writer.here.macro):
+            return {"": "/child", "/parent": "/bridge"}.get(scope, scope)
+        return scope
+    if scope == "/parent" and writer.path in writer.program.namespaces.inside:
+        raise CannotMigrate(f"the property '{name}' is handed out of a namespace")
+    if scope and writer.path not in writer.program.included_by_macros:
+        return scope
+    if name in writer.reach.hidden:
+        return writer.scope_of(name) or "/global"  # callers' names go before it, as in xacro
+    return writer.scope_of(name)
 
 
 def _is_handed_down(writer: FileWriter, name: str, macro: Macro | None) -> bool:

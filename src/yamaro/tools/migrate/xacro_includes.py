@@ -13,7 +13,7 @@ from .xacro_python import CannotMigrate
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Iterable
 
     from ...source import Span
     from ...xacro.host import Host
@@ -35,14 +35,12 @@ class ComputedName:
     Attributes:
         start: what it begins with that is always the same, up to a slash.
         rest: what comes after that.
-        may_be_anywhere: whether the name may be an absolute one.
     """
 
-    def __init__(self, start: str, rest: str, *, may_be_anywhere: bool) -> None:
+    def __init__(self, start: str, rest: str) -> None:
         """Hold them."""
         self.start = start
         self.rest = rest
-        self.may_be_anywhere = may_be_anywhere
 
     def source(
         self, folder: str, sources: dict[str, str], translate: Callable[[str], str]
@@ -54,7 +52,7 @@ class ComputedName:
             sources: the names of sources that are known, by the paths of their xacro files.
             translate: writes a text of xacro.
         """
-        if self.may_be_anywhere or not self.rest.endswith(ENDINGS):
+        if not self.rest.endswith(ENDINGS):
             return None
         beginnings = set()
         for path, source in sources.items():
@@ -73,7 +71,7 @@ def computed_name(filename: str) -> ComputedName | None:
         if isinstance(part, str) or (isinstance(part, Substitution) and _is_constant(part.text)):
             continue
         start = filename[: filename.rfind("/", 0, part.start) + 1]
-        return ComputedName(start, filename[len(start) :], may_be_anywhere=part.start == 0)
+        return ComputedName(start, filename[len(start) :])
     return None
 
 
@@ -84,6 +82,9 @@ def folder_meant(start: str, includer: str, host: Host, span: Span) -> str | Non
         if isinstance(part, str):
             folder += part
             continue
+        if part.text == "cwd":
+            folder += host.folder()
+            continue
         try:
             folder += host.find_package(part.text.split()[1], span)
         except YamaroError:
@@ -92,33 +93,128 @@ def folder_meant(start: str, includer: str, host: Host, span: Span) -> str | Non
 
 
 def _is_constant(command: str) -> bool:
-    return command.startswith("find ") and "$" not in command
+    return command == "cwd" or (command.startswith("find ") and "$" not in command)
 
 
 def write_include(writer: FileWriter, node: Element, body: Body) -> None:
-    """Write an include of a file as one of the source that it becomes."""
+    """Write an include of a file as one of the source that it becomes, or of itself."""
     paths = writer.program.files_of(node)
-    if not paths:
-        name = format_value(node.attributes.get("filename"))
-        raise CannotMigrate(f"the file '{name}' is not included for these arguments")
-    folder = os.path.dirname(writer.output_of(writer.path))
-    names = [literal(os.path.relpath(writer.output_of(path), folder)) for path in paths]
-    computed = _computed_name(writer, node, dict(zip(paths, names, strict=True)))
-    for path, name in [(paths[0], computed)] if computed else zip(paths, names, strict=True):
-        body.add("include", _in_namespace(writer, node, path, name) or name)
-
-
-def _computed_name(writer: FileWriter, node: Element, known: dict[str, str]) -> str | None:
-    """Return the name of an included source if it depends on arguments, or None."""
     filename = format_value(node.attributes.get("filename"))
     computed = computed_name(filename)
-    if computed is None:
-        return None
+    if not paths and computed is None:
+        raise CannotMigrate(f"the file '{filename}' is not included for these arguments")
+    theirs = [path for path in paths if path in writer.layout.theirs]
+    if theirs:
+        _write_theirs(writer, node, theirs, body)
+        paths = [path for path in paths if path not in theirs]
+        if not paths:
+            return
+    folder = os.path.dirname(writer.output_of(writer.path))
+    names = [literal(os.path.relpath(writer.output_of(path), folder)) for path in paths]
+    if computed is None or any(char in filename for char in "*?["):
+        for path, name in zip(paths, names, strict=True):
+            body.add("include", _in_namespace(writer, node, path, name) or name)
+        return
+    name = _computed_name(writer, node, computed, dict(zip(paths, names, strict=True)))
+    path = paths[0] if paths else ""
+    body.add("include", _in_namespace(writer, node, path, name) or name)
+
+
+def _write_theirs(writer: FileWriter, node: Element, paths: list[str], body: Body) -> None:
+    """Include files of other packages as they are, with the arguments that they read."""
+    filename = format_value(node.attributes["filename"])
+    names = ["$(find {})/{}".format(*writer.layout.theirs[path]) for path in paths]
+    if computed_name(filename) is not None and not any(char in filename for char in "*?["):
+        names = [writer.translator.text(filename)]
+    arguments = dict.fromkeys(own for path in paths for own in writer.layout.arguments_of(path))
+    for name in names:
+        if arguments:
+            given = [Entry(own, f"$({writer.argument_name(own)})") for own in arguments]
+            body.add("include", Body([Entry("path", name), *given], in_braces=True))
+        else:
+            body.add("include", name)
+
+
+def _computed_name(
+    writer: FileWriter, node: Element, computed: ComputedName, sources: dict[str, str]
+) -> str:
+    """Return the name of an included source that depends on arguments.
+
+    Args:
+        writer: writes the file in which it stands.
+        node: the include.
+        computed: its name in xacro.
+        sources: the names of the sources that it may be, by the paths of their xacro files.
+    """
+    filename = computed.start + computed.rest
+    named = writer.program.names_of(node)
+    is_relative = not any(os.path.isabs(name) for name in named)
     folder = writer.program.folder_meant(computed.start, node)
-    name = folder and computed.source(folder, known, writer.translator.text)
-    if not name and len(known) > 1 and not any(char in filename for char in "*?["):
-        raise CannotMigrate(f"which file '{filename}' means is computed")
-    return name or None
+    if folder and (computed.start or is_relative):
+        name = computed.source(folder, sources or _likely(writer, folder), writer.translator.text)
+        if name:
+            return name
+    python = writer.translator.joined(filename)
+    if not named:
+        why = f"which file '{filename}' means is not known"
+        writer.lose(node.span, why, "the include is an error where it is reached")
+        return f"$({python}).yaml"
+    by_name = {name: sources[path] for name, path in named.items() if path in sources}
+    if len(by_name) == 1 and not _can_be_keys(writer, by_name):
+        why = f"which file '{filename}' means is computed"
+        writer.lose(node.span, why, "the sources include the one for these arguments")
+        return next(iter(by_name.values()))
+    ending = _common_ending(by_name)
+    if ending is not None and is_relative:
+        python = python if python.isidentifier() else f"({python})"
+        return f"$({python}.removesuffix({ending!r})).yaml"
+    keys = [f"{_as_python(writer, name)}: {by_name[name]!r}" for name in by_name]
+    return f"$({{{', '.join(keys)}}}.get({python}, {_in_sum(python)} + '.yaml'))"
+
+
+def _likely(writer: FileWriter, folder: str) -> dict[str, str]:
+    """Return the source that a file in a folder would become, as those do that lie near."""
+    output = writer.layout.folder_of(folder)
+    if output is None:
+        return {}
+    name = os.path.relpath(output, os.path.dirname(writer.output_of(writer.path)) or ".")
+    return {os.path.join(folder, "x.xacro"): os.path.normpath(os.path.join(name, "x.yaml"))}
+
+
+def _common_ending(by_name: dict[str, str]) -> str | None:
+    """Return the ending without which names of files are those of their sources, if one is."""
+    for ending in (".xacro", ".urdf.xacro", ".urdf", ".xml"):
+        if all(
+            name.endswith(ending)
+            and name.removesuffix(ending) + ".yaml" == os.path.normpath(source)
+            for name, source in by_name.items()
+        ):
+            return ending
+    return None
+
+
+def _can_be_keys(writer: FileWriter, names: Iterable[str]) -> bool:
+    """Tell whether names of files can be told from others, wherever the sources are."""
+    folders = writer.program.runs.packages.values()
+    return all(
+        not os.path.isabs(name) or any(name.startswith(f"{folder}/") for folder in folders)
+        for name in names
+    )
+
+
+def _as_python(writer: FileWriter, name: str) -> str:
+    """Return the name of a file as Python; a path in a package begins with where that is."""
+    if not os.path.isabs(name):
+        return repr(name)
+    for package, folder in writer.program.runs.packages.items():
+        if name.startswith(f"{folder}/"):
+            return f"find({package!r}) + {name[len(folder) :]!r}"
+    raise CannotMigrate(f"the file '{name}' is in no package")
+
+
+def _in_sum(python: str) -> str:
+    """Return an expression as a part of a sum."""
+    return python if " if " not in python and " or " not in python else f"({python})"
 
 
 def _in_namespace(writer: FileWriter, node: Element, path: str, file: str) -> Body | None:

@@ -9,25 +9,22 @@ from __future__ import annotations
 import os
 import re
 
-from ...diagnostics import Reporter, YamaroError
-from ...xacro.evaluator import Evaluator
-from ...xacro.expansion import Expansion
-from ...xacro.literals import guess_value
+from ...diagnostics import YamaroError
 from ...xacro.parameters import Parameter, parse_parameters
-from ...xacro.python import Python
 from ...xmltree import Comment, Element, format_value
 from .document import spaced
 from .elements import comments_at_ends, tidy_text, walk
-from .xacro_arguments import HiddenArguments
+from .xacro_arguments import HiddenArguments, arguments_in
+from .xacro_choices import Choices
 from .xacro_data import with_plain_units
 from .xacro_includes import folder_meant
 from .xacro_namespaces import Namespaces
+from .xacro_runs import Runs
 from .xacro_truths import Truths
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Container, Iterable, Iterator, Mapping
-    from typing import Any
 
     from ...source import Source, Span
     from ...xacro.host import Host
@@ -116,6 +113,8 @@ class Program:
         documents: the files, by path.
         roots: their root elements.
         data: the texts of other files that were read, by path.
+        runs: its expansions, the first with the arguments given.
+        untried: the arguments that were changed in no run, as there were too many.
         included: the paths that an include means, by the place of its `filename`.
         truth_arguments: the arguments that are true or false.
         truths: expressions that were truth values or lists, which Python shows in its own way.
@@ -133,9 +132,22 @@ class Program:
     """
 
     def __init__(
-        self, source: Source, host: Host, arguments: Mapping[str, str], *, exact: bool = False
+        self,
+        source: Source,
+        host: Host,
+        arguments: Mapping[str, str],
+        *,
+        exact: bool = False,
+        with_others: bool = True,
     ) -> None:
         """Expand a robot and look at its files.
+
+        Args:
+            source: the main file.
+            host: gives other files and packages.
+            arguments: those given.
+            exact: whether an origin that is missing has to stay missing.
+            with_others: whether other values of the arguments are tried as well.
 
         Raises:
             YamaroError: it cannot be expanded.
@@ -143,22 +155,21 @@ class Program:
         self.main = source.path
         self.exact = exact
         self._host = host
-        watch = _Watch(host)
-        python = _WatchedPython(host.limits)
-        reporter = Reporter()
-        evaluator = Evaluator(watch, reporter, python, dict(arguments))
-        expansion = Expansion(watch, reporter, evaluator)
-        self.result = expansion.expand(source)
-        names = evaluator.names
-        self.values_of_arguments = evaluator.arguments
-        self.documents: dict[str, XmlDocument] = {source.path: _read(source, host)}
-        self.documents |= expansion.documents
-        self.included = expansion.included
+        self.untried: list[dict[str, str]] = []
+        self.runs = Runs(_read(source, host), host, arguments)
+        self.result = self.runs.done[0].result
+        self.values_of_arguments = self.runs.done[0].values
+        self.documents = self.runs.documents
+        self.included = self.runs.included
         self._read_the_rest(host)
-        self.roots = {path: document.root for path, document in self.documents.items()}
+        if with_others:
+            self._try_others()
+            self._read_computed()
+        self.roots = self._roots_read()
+        python, names = self.runs.python, self.runs.names
         self.data = {
             path: with_plain_units(text, lambda python_text: python.evaluate(python_text, names))
-            for path, text in watch.texts.items()
+            for path, text in self.runs.texts.items()
             if path not in self.roots
         }
         self.truths = python.truths
@@ -198,6 +209,68 @@ class Program:
         self._declare_given(arguments)
         self.included_by_macros = self._included_by_macros()
 
+    def _try_others(self) -> None:
+        """Expand the robot with other values of its arguments, one at a time.
+
+        Of what only such a value brings in, other values are tried with that.
+        """
+        first = self.runs.done[0]
+        others = Choices(self._roots_read(), self._host).alternatives(first.values)
+        pending = [{name: value} for name, values in others.items() for value in values]
+        while pending and not self.runs.is_spent:
+            changed = pending.pop(0)
+            known = len(self.documents)
+            run = self.runs.add(changed)
+            if run is None or len(changed) > 1:
+                continue
+            new = run.values.keys() - first.values.keys()
+            if len(self.documents) > known:
+                self._read_the_rest(self._host)
+            if new:
+                inner = Choices(self._roots_read(), self._host).alternatives(run.values)
+                pending += [
+                    {**changed, name: value}
+                    for name in sorted(new)
+                    for value in inner.get(name, ())
+                ]
+        self.untried = pending
+
+    def _read_computed(self) -> None:
+        """Read the files that includes may mean whose names are computed."""
+        choices = Choices(self._roots_read(), self._host)
+        pending = list(self.documents)
+        while pending:
+            path = pending.pop()
+            for element in walk(self.documents[path].root):
+                if element.name != "xacro:include" or "filename" not in element.attributes:
+                    continue
+                span = element.value_span("filename")
+                text = format_value(element.attributes["filename"])
+                if "$" not in text:
+                    continue
+                key = (span.source.path, span.start)
+                is_new = key not in self.included
+                for name, found in choices.files_named(text, span, by_pattern=is_new).items():
+                    if found == self.main or not self._read_file(found, span):
+                        continue
+                    known = self.included.setdefault(key, [])
+                    if found not in known:
+                        known.append(found)
+                    self.runs.named.setdefault(key, {})[name] = found
+        self._read_the_rest(self._host)
+
+    def _roots_read(self) -> dict[str, Element]:
+        return {path: document.root for path, document in self.documents.items()}
+
+    def _read_file(self, path: str, span: Span) -> bool:
+        """Read a file if it is not known yet; tell whether it is there."""
+        if path not in self.documents:
+            try:
+                self.documents[path] = _read(self._host.read(path, span), self._host)
+            except YamaroError:
+                return False
+        return True
+
     def files_of(self, include: Element) -> list[str]:
         """Return the paths of the files that an `<xacro:include>` means."""
         if "filename" not in include.attributes:
@@ -205,6 +278,47 @@ class Program:
         span = include.value_span("filename")
         paths = self.included.get((span.source.path, span.start), [])
         return [path for path in paths if path in self.roots]
+
+    def names_of(self, include: Element) -> dict[str, str]:
+        """Return the paths of the files that an include means, by the names computed there."""
+        span = include.value_span("filename")
+        named = self.runs.named.get((span.source.path, span.start), {})
+        return {name: path for name, path in named.items() if path in self.roots}
+
+    def finds(self, package: str) -> str | None:
+        """Return the folder in which a package is found from the main file, or None."""
+        known = self.runs.packages.get(package)
+        if known is not None:
+            return known
+        try:
+            return self._host.find_package(package, self.roots[self.main].span)
+        except YamaroError:
+            return None
+
+    def arguments_read(self, root: Element) -> set[str]:
+        """Return the arguments that a file reads, also where `$(eval …)` has them as names."""
+        names = arguments_in(root, with_own=True)
+        for text in _texts_in(root):
+            for inside in re.findall(r"\$\(eval([^)]*)", text):
+                names |= set(_NAME.findall(inside)) & self.arguments.keys()
+        return names
+
+    def constants(self, inside: set[str]) -> set[str]:
+        """Return the properties that files, and others as well, define as the same constant."""
+        found: dict[str, set[str]] = {}
+        for path, root in self.roots.items():
+            for element in walk(root):
+                if element.name == "xacro:property":
+                    text = format_value(element.attributes.get("value"))
+                    name = format_value(element.attributes.get("name"))
+                    found.setdefault(name, set()).add(
+                        text if "$" not in text else f"{path}: {text}"
+                    )
+        return {
+            name
+            for name, texts in found.items()
+            if len(texts) == 1 and self.properties[name] & inside and self.properties[name] - inside
+        }
 
     def _included_by_macros(self) -> set[str]:
         return {
@@ -237,13 +351,11 @@ class Program:
                 found = _plain_path(format_value(element.attributes["filename"]), path, host, span)
                 if found is None:
                     continue
+                is_new = found not in self.documents
+                if not self._read_file(found, span):
+                    continue
                 self.included[key] = [found]
-                if found not in self.documents:
-                    try:
-                        self.documents[found] = _read(host.read(found, span), host)
-                    except YamaroError:
-                        del self.included[key]
-                        continue
+                if is_new:
                     pending.append(found)
 
     def _gather(self, path: str, root: Element) -> None:
@@ -574,72 +686,6 @@ def _read(source: Source, host: Host) -> XmlDocument:
     from ...xmlreader import read_xml
 
     return read_xml(source, host.limits, exact=True)
-
-
-class _Watch:
-    """A host that keeps the texts of the files that are read."""
-
-    def __init__(self, host: Host) -> None:
-        self._host = host
-        self.limits = host.limits
-        self.texts: dict[str, str] = {}
-
-    def read(self, path: str, span: Span) -> Source:
-        source = self._host.read(path, span)
-        self.texts[source.path] = source.text
-        return source
-
-    def glob(self, pattern: str) -> list[str]:
-        return self._host.glob(pattern)
-
-    def find_package(self, name: str, span: Span) -> str:
-        return self._host.find_package(name, span)
-
-    def environment(self, name: str) -> str | None:
-        return self._host.environment(name)
-
-    def folder(self) -> str:
-        return self._host.folder()
-
-    def say(self, text: str, span: Span) -> None:
-        self._host.say(text, span)
-
-
-_TRUTH_TEXTS = ("true", "True", "1", "false", "False", "0")
-
-
-class _WatchedPython(Python):
-    """Python that notes which expressions are truth values, or numbers of some kind."""
-
-    __slots__ = ("evaluated", "floats", "numbers", "other_texts", "truth_texts", "truths")
-
-    def __init__(self, limits: Any) -> None:
-        super().__init__(limits)
-        self.evaluated: set[str] = set()
-        self.truths: set[str] = set()
-        self.floats: set[str] = set()
-        self.numbers: dict[str, str] = {}
-        self.truth_texts: set[str] = set()
-        self.other_texts: set[str] = set()
-
-    def evaluate(self, text: str, names: dict[str, Any]) -> Any:
-        value = super().evaluate(text, names)
-        self.evaluated.add(text.strip())
-        if isinstance(value, (bool, list, tuple)):
-            self.truths.add(text.strip())
-        elif isinstance(value, float):
-            self.floats.add(text.strip())
-        elif isinstance(value, str):
-            self._note_kind(text.strip(), guess_value(value))
-            is_truth = value in _TRUTH_TEXTS
-            (self.truth_texts if is_truth else self.other_texts).add(text.strip())
-        return value
-
-    def _note_kind(self, text: str, meant: object) -> None:
-        kind = {float: "float", int: "int"}.get(type(meant), "text")
-        known = self.numbers.setdefault(text, kind)
-        if kind != known:
-            self.numbers[text] = "text" if "text" in (kind, known) else "float"
 
 
 def common_folder(paths: list[str]) -> str:

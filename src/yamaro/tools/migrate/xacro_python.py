@@ -38,6 +38,7 @@ class Translator:
         imports: the modules that they need.
         used: the names they read.
         argument: gives the name of the variable for an argument.
+        data_folder: what stands before relative names of data.
     """
 
     def __init__(
@@ -66,6 +67,7 @@ class Translator:
         self._truth_arguments = truth_arguments
         self._numbers = numbers
         self._truth_texts = truth_texts
+        self.data_folder = ""
         self.imports: set[str] = set()
         self.used: set[str] = set()
 
@@ -194,6 +196,10 @@ class Translator:
         edits.replace(func, names[func.attr])
         if func.attr in MESSAGES:
             edits.insert_after(node, " or '')")
+        if func.attr == "load_yaml" and self.data_folder and node.args:
+            is_loose = isinstance(node.args[0], (ast.IfExp, ast.BoolOp, ast.Compare))
+            edits.insert_before(node.args[0], f"{self.data_folder!r} + " + "(" * is_loose)
+            edits.insert_after(node.args[0], ")" * is_loose)
         for argument in (*node.args, *node.keywords):
             self._look_at(argument, edits, bound)
         return True
@@ -399,6 +405,10 @@ class _Edits:
     def replace_after(self, inner: ast.expr, node: ast.expr, new: str) -> None:
         """Put a text in the place of what stands behind `inner` in a node."""
         self._edits.append((self._end(inner), self._end(node), new))
+
+    def insert_before(self, node: ast.expr, new: str) -> None:
+        """Put a text in front of a node."""
+        self._edits.append((self._start(node), self._start(node), new))
 
     def insert_after(self, node: ast.expr, new: str) -> None:
         """Put a text behind a node."""

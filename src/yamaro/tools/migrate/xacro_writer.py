@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from contextlib import contextmanager
 
 from ...syntax.names import is_identifier
@@ -37,6 +38,7 @@ if TYPE_CHECKING:
     from .elements import Endings
     from .xacro_contents import Contents
     from .xacro_inertia import Solids
+    from .xacro_layout import Layout
     from .xacro_parts import Write
     from .xacro_placing import Content, Placing
     from .xacro_program import Program
@@ -53,7 +55,7 @@ class FileWriter(ElementWriter):
         reach: tells what of a macro is read elsewhere.
         placing: knows which macros and blocks give things to parts only.
         path: of the file.
-        output_of: gives the path of the source that a file becomes.
+        layout: which files become sources, and where these are.
         translator: translates its expressions.
         here: what stands around what is being written.
         functions: those that the file defines.
@@ -69,7 +71,7 @@ class FileWriter(ElementWriter):
         reach: Reach,
         placing: Placing,
         path: str,
-        output_of: Callable[[str], str],
+        layout: Layout,
     ) -> None:
         """Stand at the top of a file."""
         super().__init__(lambda file: file)
@@ -79,7 +81,7 @@ class FileWriter(ElementWriter):
         self.reach = reach
         self.placing = placing
         self.path = path
-        self.output_of = output_of
+        self.layout = layout
         self.here = Surroundings(program)
         self.functions = Body()
         self.made_of: dict[int, set[str]] = {}
@@ -92,7 +94,25 @@ class FileWriter(ElementWriter):
             program.numbers,
             program.truth_texts,
         )
-        self.translator.argument = self._argument_name
+        self.translator.argument = self.argument_name
+        self.translator.data_folder = self._data_folder()
+
+    def output_of(self, path: str) -> str:
+        """Return the path of the source that a file becomes."""
+        return self.layout.outputs[path]
+
+    def _data_folder(self) -> str:
+        """Return what stands before names of data here, if these are relative to another folder.
+
+        To xacro they are relative to the file that calls the macro in which they stand.
+        """
+        bases = self.program.runs.bases.get(self.path, set())
+        if len(bases) != 1 or os.path.dirname(self.path) in bases:
+            return ""
+        (base,) = bases
+        output = self.layout.folder_of(base)
+        own = os.path.dirname(self.output_of(self.path))
+        return "" if output is None else f"{os.path.relpath(output, own or '.')}/"
 
     def is_namespace(self, name: str) -> bool:
         """Tell whether a name is that of a namespace."""
@@ -108,7 +128,7 @@ class FileWriter(ElementWriter):
         """Return the name of the variable that a property or argument becomes."""
         return name if is_identifier(name) else name.replace("-", "_")
 
-    def _argument_name(self, name: str) -> str:
+    def argument_name(self, name: str) -> str:
         """Return the variable of an argument, which something else of its name may hide here."""
         own = self.variable(name)
         return f"arg_{own}" if name in self.here.hides else own
@@ -136,12 +156,7 @@ class FileWriter(ElementWriter):
             if isinstance(node, Comment):
                 add_loose(node, body, endings)
             elif isinstance(node, Text):
-                text = tidy_text(format_value(node.value))
-                message = self._message(text)
-                if message is not None:
-                    body.add("print", message)
-                elif text:
-                    body.add("<#text>", self._text(text, node.span))
+                self._write_text(node, body)
             elif isinstance(node, Element):
                 body.latest = None
                 try:
@@ -150,6 +165,18 @@ class FileWriter(ElementWriter):
                     self.lose(node.span, str(error))
                     body.note(f"not migrated: <{node.name}>: {error}")
         return body
+
+    def _write_text(self, node: Text, body: Body) -> None:
+        """Write a text between elements; the space around it keeps it from others."""
+        written = format_value(node.value)
+        text = tidy_text(written)
+        message = self._message(text)
+        if message is not None:
+            body.add("print", message)
+        elif text:
+            text = self._text(text, node.span)
+            before, after = " " * written[0].isspace(), " " * written[-1].isspace()
+            body.add("<#text>", f"{before}{text}{after}")
 
     def _steps(self, nodes: list[Node], endings: Endings) -> Iterable[Step]:
         """Return what is written one after the other: links with their joints, where they stand."""

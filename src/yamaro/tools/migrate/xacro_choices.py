@@ -1,0 +1,309 @@
+"""Which values the arguments of a robot in xacro may have, as far as its files tell.
+
+An argument that is true or false may be the other; one that is compared with texts may be each of
+them; and where the name of a file is made of it, those files tell that are there.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+
+from ...diagnostics import YamaroError
+from ...xacro.faults import Fault
+from ...xacro.literals import guess_value
+from ...xacro.parameters import parse_parameters
+from ...xacro.templates import Expression, Substitution, parse_template
+from ...xmltree import Element, format_value
+from .elements import walk
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    import ast
+    from collections.abc import Iterable, Iterator, Mapping
+
+    from ...source import Span
+    from ...xacro.host import Host
+    from ...xacro.templates import Template
+
+MOST_FILES = 40
+"""How many files a computed name may mean to be looked at."""
+_ARGUMENT = re.compile(
+    r"""(['"]?)\$\(arg\s+([^()\s]+)\s*\)\1|\b(?:xacro\.)?arg\(\s*['"]([^'"]+)['"]\s*\)"""
+)
+_FILES = (".xacro", ".urdf", ".xml", ".yaml", ".yml")
+_TRUTHS = {"true": "false", "false": "true", "True": "False", "False": "True"}
+_MARK = "argument_"
+
+
+class Choices:
+    """Knows where the values of arguments go, and what they are compared with."""
+
+    def __init__(self, roots: Mapping[str, Element], host: Host) -> None:
+        """Look at all files."""
+        self._host = host
+        self._texts: dict[str, list[str]] = {}
+        """What names are given, wherever that is; those of arguments begin with a mark."""
+        self._compared: dict[str, dict[str, None]] = {}
+        self._conditions: set[str] = set()
+        self._file_names: list[tuple[str, Span]] = []
+        for root in roots.values():
+            for element in walk(root):
+                self._look_at(element)
+
+    # --- what the files say ---------------------------------------------------------------------
+
+    def _look_at(self, element: Element) -> None:
+        given = {name: format_value(value) for name, value in element.attributes.items()}
+        for name, text in _given_by(element, given):
+            self._texts.setdefault(name, []).append(text)
+        texts = [(text, element.value_span(name)) for name, text in given.items() if "$" in text]
+        own = element.text()
+        if "$" in own:
+            texts.append((own, element.span))
+        for text, span in texts:
+            for expression, is_eval in _expressions_in(text):
+                self._look_at_expression(expression, is_eval=is_eval)
+            if text.endswith(_FILES) and "\n" not in text:
+                self._file_names.append((text, span))
+        if element.name in ("xacro:if", "xacro:unless"):
+            name = _name_alone(given.get("value", ""))
+            if name:
+                self._conditions.add(name)
+
+    def _look_at_expression(self, text: str, *, is_eval: bool) -> None:
+        import ast
+
+        try:
+            tree = ast.parse(text.strip(), mode="eval")
+        except (SyntaxError, ValueError):
+            return
+        for node in ast.walk(tree):
+            if isinstance(node, ast.Compare):
+                sides = [node.left, *node.comparators]
+                literals = [literal for side in sides for literal in _literals_in(side)]
+                for side in sides:
+                    name = _name_in(side)
+                    for own in {name, _MARK + name.removeprefix(_MARK) if is_eval else name}:
+                        self._compared.setdefault(own, {}).update(dict.fromkeys(literals))
+
+    # --- what follows ---------------------------------------------------------------------------
+
+    def alternatives(self, values: Mapping[str, str]) -> dict[str, list[str]]:
+        """Return other values that arguments may have, by their names.
+
+        Args:
+            values: what they are.
+        """
+        found: dict[str, list[str]] = {}
+        by_files = self._named_by_files(values)
+        for name, value in values.items():
+            aliases = self._aliases(_MARK + name)
+            others: dict[str, None] = {}
+            if value in _TRUTHS:
+                others[_TRUTHS[value]] = None
+            elif aliases & self._conditions:
+                is_number = isinstance(guess_value(value), (int, float))
+                others |= dict.fromkeys(("0", "1") if is_number else ("true", "false"))
+            for alias in aliases:
+                others |= self._compared.get(alias, {})
+                others |= dict.fromkeys(by_files.get(alias, ()))
+            others.pop(value, None)
+            if value in _TRUTHS:  # what it is compared with is spelled in several ways
+                others = {other: None for other in others if other.lower() != value.lower()}
+            found[name] = list(others)
+        return {name: others for name, others in found.items() if others}
+
+    def _aliases(self, name: str) -> set[str]:
+        """Return the names that are given the value of one, and that itself."""
+        aliases = {name}
+        while True:
+            more = {
+                other
+                for other, texts in self._texts.items()
+                if any(_name_alone(text) in aliases for text in texts)
+            }
+            if more <= aliases:
+                return aliases
+            aliases |= more
+
+    def _named_by_files(self, values: Mapping[str, str]) -> dict[str, set[str]]:
+        """Return what names may be so that the files are there whose names are made of them."""
+        found: dict[str, set[str]] = {}
+        for text, span in self._file_names:
+            for _, bound in self._files(text, span):
+                for name in {name for name, _ in bound}:
+                    own = {value for other, value in bound if other == name}
+                    rest = [(other, value) for other, value in bound if other != name]
+                    is_as_now = all(
+                        values.get(other.removeprefix(_MARK), value) == value
+                        for other, value in rest
+                    )
+                    if len(own) == 1 and is_as_now:
+                        found.setdefault(name, set()).update(own)
+        return {name: set(sorted(own)[:MOST_FILES]) for name, own in found.items()}
+
+    def _files(self, text: str, span: Span) -> Iterator[tuple[str, list[tuple[str, str]]]]:
+        """Return the files that there are for a computed name, with what the names in it are."""
+        pieces = self._pieces(text, span) or []
+        if len(pieces) < 2 or all(kind == "text" for kind, _ in pieces):
+            return
+        start = os.path.dirname(span.source.path)
+        shell = "".join("*" if kind == "name" else _escaped(own) for kind, own in pieces)
+        pattern = "".join("([^/]+)" if kind == "name" else re.escape(own) for kind, own in pieces)
+        names = [own for kind, own in pieces if kind == "name"]
+        for path in sorted(self._host.glob(os.path.join(start, shell))):
+            written = path if os.path.isabs(shell) else path.removeprefix(f"{start}/")
+            match = re.fullmatch(pattern, written)
+            if match is not None and path != span.source.path:
+                yield path, list(zip(names, match.groups(), strict=True))
+
+    def _pieces(self, text: str, span: Span) -> list[tuple[str, str]] | None:
+        """Return a name of a file in pieces, `("text", …)` and `("name", …)`; None if unknown."""
+        template = _parsed(text)
+        if template is None:
+            return None
+        pieces: list[tuple[str, str]] = []
+        for part in template.parts:
+            if isinstance(part, str):
+                pieces.append(("text", part))
+                continue
+            name = _name_alone(text[part.start : part.end])
+            if name:
+                pieces.append(("name", name))
+                continue
+            folder = self._folder(part, span)
+            if folder is None:
+                return None
+            pieces.append(("text", folder))
+        return pieces
+
+    def _folder(self, part: Expression | Substitution, span: Span) -> str | None:
+        if isinstance(part, Expression) or "$" in part.text or part.text[:5] != "find ":
+            return None
+        try:
+            return self._host.find_package(part.text[5:].strip(), span)
+        except YamaroError:
+            return None
+
+    def files_named(self, text: str, span: Span, *, by_pattern: bool) -> dict[str, str]:
+        """Return the files that a computed name may mean, by what it may be.
+
+        Args:
+            text: the name.
+            span: where it is written.
+            by_pattern: whether the names in it may be anything for which there is a file.
+        """
+        start = os.path.dirname(span.source.path)
+        found = {}
+        for name in sorted(self._possible(text, span, 4)):
+            path = os.path.normpath(os.path.join(start, name))
+            if os.path.isfile(path) and path != span.source.path:
+                found[name] = path
+        if by_pattern:
+            for path, _ in self._files(text, span):
+                is_relative = not text.startswith(("/", "$(find"))
+                found[os.path.relpath(path, start) if is_relative else path] = path
+        return dict(list(found.items())[:MOST_FILES])
+
+    def _possible(self, text: str, span: Span, depth: int) -> set[str]:
+        """Return what a text may stand for; nothing if that is not known."""
+        template = _parsed(text)
+        if template is None or depth == 0:
+            return set()
+        results = {""}
+        for part in template.parts:
+            if isinstance(part, str):
+                own = {part}
+            else:
+                name = _name_alone(text[part.start : part.end])
+                folder = self._folder(part, span) if not name else None
+                own = {folder} if folder else self._values(name, span, depth - 1)
+            results = {before + after for before in results for after in own}
+            if len(results) > MOST_FILES:
+                return set()
+        return results
+
+    def _values(self, name: str, span: Span, depth: int) -> set[str]:
+        if not name:
+            return set()
+        found = {
+            value
+            for text in self._texts.get(name, ())
+            for value in self._possible(text, span, depth)
+        }
+        for alias in self._aliases(name):
+            found |= self._compared.get(alias, {}).keys()
+        return {value.strip("'") for value in found}
+
+
+def _given_by(element: Element, given: Mapping[str, str]) -> Iterator[tuple[str, str]]:
+    """Return the names that an element gives values, with their texts."""
+    if element.name == "xacro:arg":
+        yield _MARK + given.get("name", ""), given.get("default", "")
+    elif element.name == "xacro:property":
+        yield given.get("name", ""), given.get("value", given.get("default", ""))
+    elif element.name == "xacro:macro":
+        for own in parse_parameters(given.get("params", "")):
+            if own.default:
+                yield own.name, own.default
+    elif element.name.startswith("xacro:"):
+        yield from given.items()
+
+
+def _parsed(text: str) -> Template | None:
+    try:
+        return parse_template(text)
+    except Fault:
+        return None
+
+
+def _expressions_in(text: str) -> Iterable[tuple[str, bool]]:
+    """Return the Python in a text, in which arguments are names, and if it is in `$(eval …)`."""
+    template = _parsed(_ARGUMENT.sub(lambda found: _MARK + (found[2] or found[3]), text))
+    if template is None:
+        return
+    for part in template.parts:
+        if isinstance(part, Expression):
+            yield part.text, False
+        elif isinstance(part, Substitution) and part.text.startswith("eval"):
+            yield part.text[4:], True
+
+
+def _name_alone(text: str) -> str:
+    """Return the name that is all of a text, or "": `${name}`, `$(arg name)`, `'$(arg name)'`."""
+    text = _ARGUMENT.sub(lambda found: _MARK + (found[2] or found[3]), text.strip())
+    if text.startswith("${") and text.endswith("}"):
+        text = text[2:-1].strip()
+    elif not text.startswith(_MARK):
+        return ""
+    return text if text.isidentifier() else ""
+
+
+def _name_in(node: ast.expr) -> str:
+    """Return the name whose value a side of a comparison is, also as a text."""
+    import ast
+
+    match node:
+        case ast.Name(name):
+            return name
+        case ast.Call(ast.Name("str"), [ast.Name(name)]):
+            return name
+        case ast.Call(ast.Attribute(ast.Name(name), "lower" | "upper" | "strip"), []):
+            return name
+    return ""
+
+
+def _literals_in(node: ast.expr) -> list[str]:
+    import ast
+
+    match node:
+        case ast.Constant(value) if isinstance(value, (str, int, float)):
+            return [str(value)]
+        case ast.List(items) | ast.Tuple(items) | ast.Set(items):
+            return [literal for item in items for literal in _literals_in(item)]
+    return []
+
+
+def _escaped(text: str) -> str:
+    return re.sub(r"([*?[])", r"[\1]", text)

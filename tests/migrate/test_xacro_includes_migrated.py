@@ -1,0 +1,131 @@
+"""Includes whose names are computed, and where sources are put that other folders hold."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from tests.migrate.against_xacro import holds, is_same, moved
+from yamaro import YamaroError
+
+H, T = '<link name="h"/>', '<link name="t"/>'
+TWO_PARTS = {"h.xacro": H, "t.xacro": T}
+ARGUMENT = '<xacro:arg name="kind" default="h"/>'
+
+
+def test_an_include_named_by_an_argument_alone_is_not_frozen(tmp_path: Path) -> None:
+    files = TWO_PARTS | {"r.xacro": f'{ARGUMENT}<xacro:include filename="$(arg kind).xacro"/>'}
+    migration = holds(tmp_path, files, "kind:=t")
+    assert "include: $(kind).yaml" in migration.files["r.yaml"]
+
+
+def test_an_include_named_by_a_parameter_alone_is_not_frozen(tmp_path: Path) -> None:
+    include = '<xacro:include filename="${layout}"/>'
+    macro = f'<xacro:macro name="m" params="layout">{include}</xacro:macro>'
+    chosen = "".join(
+        f"""<xacro:if value="${{'$(arg kind)' == '{kind}'}}"><xacro:m layout="{kind}.xacro"/>"""
+        "</xacro:if>"
+        for kind in "ht"
+    )
+    files = TWO_PARTS | {"r.xacro": ARGUMENT + macro + chosen}
+    holds(tmp_path, files, "kind:=t")
+
+
+def test_a_macro_that_includes_two_files_by_their_names_includes_both(tmp_path: Path) -> None:
+    include = '<xacro:include filename="${layout}"/>'
+    macro = f'<xacro:macro name="m" params="layout:=h.xacro">{include}</xacro:macro>'
+    files = TWO_PARTS | {"r.xacro": f'{macro}<xacro:m/><xacro:m layout="t.xacro"/>'}
+    holds(tmp_path, files)
+
+
+@pytest.mark.parametrize(
+    "name",
+    [
+        "parts/$(arg kind).xacro",
+        "./parts/$(arg kind).xacro",
+        "${folder}/$(arg kind).xacro",
+        "parts/${kind}.xacro",
+        "${file}",
+        "${'parts/' + kind + '.xacro'}",
+        "$(find bot)/parts/$(arg kind).xacro",
+        "${file if kind else ''}",
+    ],
+)
+def test_names_computed_in_other_ways_are_not_frozen(tmp_path: Path, name: str) -> None:
+    files = {f"parts/{own}": text for own, text in TWO_PARTS.items()} | {
+        "package.xml": "<package><name>bot</name></package>",
+        "r.xacro": ARGUMENT
+        + '<xacro:property name="kind" value="$(arg kind)"/>'
+        + '<xacro:property name="folder" value="parts"/>'
+        + '<xacro:property name="file" value="${folder}/${kind}.xacro"/>'
+        + f'<xacro:include filename="{name}"/>',
+    }
+    root = tmp_path / "in" / "bot"
+    root.mkdir(parents=True)
+    migration = moved(tmp_path, {f"bot/{own}": text for own, text in files.items()}, "bot/r.xacro")
+    assert migration.faults == []
+    assert [str(each) for each in migration.differences] == []
+    assert is_same(tmp_path, migration, "kind:=h")
+    assert is_same(tmp_path, migration, "kind:=t")
+
+
+def test_a_file_that_is_nowhere_is_an_error_and_not_another_file(tmp_path: Path) -> None:
+    files = TWO_PARTS | {"r.xacro": f'{ARGUMENT}<xacro:include filename="$(arg kind).xacro"/>'}
+    migration = holds(tmp_path, files)
+    with pytest.raises(YamaroError) as caught:
+        is_same_with_any(tmp_path, migration.main, "kind:=x")
+    assert caught.value.diagnostics[0].code == "missing-file"
+
+
+def is_same_with_any(folder: Path, main: str, *arguments: str) -> None:
+    from yamaro import build
+
+    build(folder / "out" / main, command_line=arguments, on_message=lambda line: None)
+
+
+def test_a_computed_include_in_a_branch_not_taken_is_kept(tmp_path: Path) -> None:
+    both = "".join(
+        f'<xacro:{tag} value="$(arg sim)"><xacro:include filename="$(arg kind)_{own}.xacro"/>'
+        f"</xacro:{tag}>"
+        for tag, own in (("if", "sim"), ("unless", "real"))
+    )
+    files = {
+        "h_sim.xacro": H,
+        "h_real.xacro": T,
+        "r.xacro": ARGUMENT + '<xacro:arg name="sim" default="false"/>' + both,
+    }
+    migration = holds(tmp_path, files, "sim:=true")
+    assert migration.lost == []
+
+
+def test_an_include_that_no_arguments_reach_is_kept_and_told(tmp_path: Path) -> None:
+    never = '<xacro:if value="${1 == 2}"><xacro:include filename="x_${n}.xacro"/></xacro:if>'
+    migration = holds(tmp_path, {"r.xacro": f'{H}<xacro:property name="n" value="1"/>{never}'})
+    assert "include: x_$(n).yaml" in migration.files["r.yaml"]
+
+
+@pytest.mark.parametrize("include", ["../lib/m.xacro", "../main/../lib/m.xacro"])
+def test_nothing_is_written_outside_of_the_output_folder(tmp_path: Path, include: str) -> None:
+    files = {"main/r.xacro": f'<xacro:include filename="{include}"/>', "lib/m.xacro": H}
+    migration = moved(tmp_path, files, "main/r.xacro")
+    assert migration.differences == []
+    assert sorted(migration.files) == ["lib/m.yaml", "main/r.yaml"]
+
+
+def test_a_file_that_is_named_in_two_ways_becomes_one_source(tmp_path: Path) -> None:
+    twice = (
+        '<xacro:include filename="../lib/m.xacro"/><xacro:include filename="a/../../lib/m.xacro"/>'
+    )
+    files = {"main/r.xacro": twice, "lib/m.xacro": "<x/>", "main/a/b.xacro": ""}
+    assert sorted(moved(tmp_path, files, "main/r.xacro").files) == ["lib/m.yaml", "main/r.yaml"]
+
+
+def test_data_above_the_main_file_is_copied_into_the_output_folder(tmp_path: Path) -> None:
+    files = {
+        "urdf/r.xacro": """<link name="l${xacro.load_yaml('../config/d.yaml')['x']}"/>""",
+        "config/d.yaml": "x: 3\n",
+    }
+    migration = moved(tmp_path, files, "urdf/r.xacro")
+    assert migration.faults == []
+    assert sorted(migration.files) == ["config/d.yaml", "urdf/r.yaml"]
