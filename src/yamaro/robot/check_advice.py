@@ -5,10 +5,11 @@ Each of these is right in some good robot, so they are shown only to those who a
 
 from __future__ import annotations
 
-from math import fabs, pi, prod, sqrt
+from math import fabs, pi, sqrt
 
 from ..xmltree import Element
 from .check_context import CheckContext, attribute_text, child_named, label, shown
+from .shapes import Box, Capsule, Cylinder, Sphere
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -17,6 +18,7 @@ if TYPE_CHECKING:
     from ..diagnostics import Reporter
     from ..source import Span
     from .check_tree import Tree
+    from .shapes import Shape
 
 DENSEST = 25_000.0
 """kg/m³; osmium, the densest metal, has 22,590."""
@@ -163,17 +165,23 @@ def _shape_volume(geometry: Element | None, context: CheckContext) -> float:
     if len(shapes) != 1:
         return 0.0
     shape = shapes[0]
+    solid = _solid_of(shape, context)
+    return solid.volume() if solid is not None else 0.0
+
+
+def _solid_of(shape: Element, context: CheckContext) -> Shape | None:
+    """Return the solid that an element of a geometry describes; None for a mesh or a faulty one."""
     if shape.name == "box":
-        return prod(context.numbers(shape, "size", 3)) if "size" in shape.attributes else 0.0
+        size = context.numbers(shape, "size", 3)
+        return Box(*size) if len(size) == 3 else None
     radius = context.number(shape, "radius") or 0.0
     length = context.number(shape, "length") or 0.0
-    if shape.name == "sphere":
-        return 4 / 3 * pi * radius**3
-    if shape.name == "cylinder":
-        return pi * radius**2 * length
-    if shape.name == "capsule":
-        return pi * radius**2 * (length + 4 / 3 * radius)
-    return 0.0
+    solids: dict[str, Shape] = {
+        "sphere": Sphere(radius),
+        "cylinder": Cylinder(radius, length),
+        "capsule": Capsule(radius, length),
+    }
+    return solids.get(shape.name)
 
 
 # --- joints and poses -------------------------------------------------------------------------

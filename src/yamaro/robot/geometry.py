@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from math import isfinite
+
 from ..diagnostics import failure, suggest
 from ..xmltree import Element, Text, format_value
 from .fields import read_record, read_value, word_of
@@ -340,7 +342,15 @@ def _read_moments(lowering: Lowering, geometry: Geometry, path: str) -> SolidMom
     if is_closed(mesh):
         moments = solid_moments(mesh)
         size = max(max(axis) - min(axis) for axis in zip(*mesh.vertices, strict=True))
-        if moments.volume > SMALLEST_VOLUME * size**3:
+        if not isfinite(moments.volume + sum(moments.second)):
+            raise failure(
+                "bad-number",
+                f"the mesh '{word}' is too large: its volume is not a number",
+                span,
+                hint="sizes are in metres; a mesh in other units needs its 'scale'",
+                trace=trace,
+            )
+        if moments.volume > SMALLEST_VOLUME * size * size * size:
             return moments
         problem = "encloses no volume"
     else:
