@@ -347,3 +347,34 @@ def test_a_report_counts_the_poses_that_only_the_source_writes_out(
         "arm.urdf: identical: 2 links, 1 joint; 1 default written out\n",
     )
     assert Path("arm.yaml").read_text() == YAML
+
+
+PREFIXED = """\
+<robot name="arm" xmlns:sensor="http://playerstage.sourceforge.net/gazebo">
+  <link name="base"/>
+  <joint name="tip_joint" type="fixed">
+    <parent link="base"/>
+    <child link="tip_link"/>
+    <origin xyz="0 0 1"/>
+  </joint>
+  <link name="tip_link"/>
+</robot>
+"""
+
+
+@pytest.mark.parametrize("xacro", ["", ' xmlns:xacro="http://www.ros.org/wiki/xacro"'])
+def test_exact_keeps_poses_as_they_are(capsys: pytest.CaptureFixture[str], xacro: str) -> None:
+    text = PREFIXED.replace("<robot", f"<robot{xacro}")
+    if xacro:
+        text = text.replace("</robot>", '<xacro:property name="n" value="1"/></robot>')
+    Path("arm.urdf").write_text(text)
+    for options, is_exact in ((["--exact"], True), ([], False)):
+        status, _, told = outcome(capsys, "arm.urdf", "-o", "out", "--force", *options)
+        assert status == 0
+        assert told.startswith("arm.urdf: identical: 2 links, 1 joint")
+        assert ("default written out" in told) is not is_exact
+        made = Path("out/arm.yaml") if xacro else Path("out")
+        assert ("<origin/xyz=0 0 1>:" in made.read_text()) is is_exact
+        assert ("xmlns:sensor" in made.read_text()) is is_exact
+        built = compiler.build(made, on_message=print).xml()
+        assert is_same_robot(PREFIXED.encode(), built.encode(), exact=is_exact)

@@ -42,7 +42,7 @@ def run(arguments: Arguments, streams: Streams) -> int:
         if arguments.assignments:
             raise WrongUsage(f"a URDF has no argument to set: {quote(arguments.assignments[0])}")
         refuse_replacing(arguments, [arguments.output_path])
-        migration = command.migrate_source(source, limits)
+        migration = command.migrate_source(source, limits, exact=arguments.has("exact"))
     except YamaroError as error:
         show(error.diagnostics, arguments, streams)
         return INPUT_ERROR
@@ -69,6 +69,7 @@ def _migrate_xacro(source: Source, arguments: Arguments, streams: Streams, limit
         arguments=arguments.assignments,
         packages=read_packages(arguments),
         limits=limits,
+        exact=arguments.has("exact"),
     )
     files = {os.path.join(folder, name): text.encode() for name, text in migration.files.items()}
     refuse_replacing(arguments, list(files))

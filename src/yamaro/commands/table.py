@@ -245,6 +245,12 @@ OPTIONS = {
         ),
         Option("force", "replace a file that is there already", ("migrate",)),
         Option(
+            "exact",
+            "keep what means nothing, such as which origins are left out, instead of writing what "
+            "is shorter",
+            ("migrate",),
+        ),
+        Option(
             "deps",
             "list the files read and the meshes used, one a line, instead of the XML",
             ("build",),
