@@ -11,9 +11,9 @@ from typing import Any
 
 import pytest
 
-ASSUMED_SECONDS = 0.04
+ASSUMED_SECONDS = 0.02
 """What a test takes on average, on two cores, without coverage and without the slow ones."""
-ASSUMED_FACTOR = 3
+ASSUMED_FACTOR = 4
 """How much longer it takes with these two."""
 
 

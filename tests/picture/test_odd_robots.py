@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 import trimesh
 
+from tests.effort import sample
 from tests.picture.drawing import needs_drawing, picture, pixels
 
 pytestmark = needs_drawing
@@ -52,11 +53,11 @@ ODD = {
 }
 
 
-@pytest.mark.parametrize("content", ODD.values(), ids=ODD.keys())
-def test_an_odd_robot_is_drawn(content: str, tmp_path: Path) -> None:
+@pytest.mark.parametrize("name", sample(ODD, every=4))
+def test_an_odd_robot_is_drawn(name: str, tmp_path: Path) -> None:
     trimesh.creation.box().export(tmp_path / "box.stl")
     (tmp_path / "empty.obj").write_text("v 0 0 0\n")
-    path = picture(tmp_path, content, "--show", "visual,inertia,frames,grid")
+    path = picture(tmp_path, ODD[name], "--show", "visual,inertia,frames,grid")
     assert pixels(path).shape == (90, 120, 4)
 
 

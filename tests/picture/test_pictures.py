@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 import trimesh
 
+from tests.effort import sample
 from tests.picture.drawing import (
     SIZE,
     box_of,
@@ -242,7 +243,7 @@ def mesh_visual(name: str, more: str = "", material: str = RED) -> str:
 FORMATS = ["stl", "stl_ascii", "obj", "dae", "glb", "ply"]
 
 
-@pytest.mark.parametrize("kind", FORMATS)
+@pytest.mark.parametrize("kind", sample(FORMATS, every=3))
 def test_each_format_of_meshes_is_drawn_like_the_box_it_holds(kind: str, tmp_path: Path) -> None:
     name = f"box.{kind.removesuffix('_ascii')}"
     trimesh.creation.box(extents=(0.4, 1, 0.6)).export(tmp_path / name, file_type=kind)
@@ -290,7 +291,7 @@ def green_ball(path: Path, kind: str) -> None:
     ball.export(path)
 
 
-@pytest.mark.parametrize("material", ["", RED, '<material name="nowhere"/>'])
+@pytest.mark.parametrize("material", sample(["", RED, '<material name="nowhere"/>'], every=3))
 @pytest.mark.parametrize("kind", ["glb", "dae", "obj", "ply"])
 def test_a_mesh_was_painted_over_where_rviz_shows_its_own_colours(
     kind: str, material: str, tmp_path: Path
