@@ -70,6 +70,17 @@ RENAMED = '<link name="l_a"/><joint name="l_j"/>'
         ('<gazebo reference="a"/>', '<gazebo reference="l_a"/>'),
         ('<x baseLink="a"/>', '<x baseLink="l_a"/>'),
         ('<x child_frame="a"/>', '<x child_frame="l_a"/>'),
+        # what else is named once in a robot
+        ('<transmission name="t"/>', '<transmission name="l_t"/>'),
+        (
+            '<gazebo><sensor name="s"/><x><sensor_name>s</sensor_name></x></gazebo>',
+            '<gazebo><sensor name="l_s"/><x><sensor_name>l_s</sensor_name></x></gazebo>',
+        ),
+        ('<ros2_control name="c"/>', '<ros2_control name="l_c"/>'),
+        ('<plugin name="a"/>', '<plugin name="a"/>'),
+        # by a parameter of ros2_control
+        ('<h><param name="mimic">j</param></h>', '<h><param name="mimic">l_j</param></h>'),
+        ('<h><param name="port">j</param></h>', '<h><param name="port">j</param></h>'),
         # and by tags
         ("<x><bodyName>a</bodyName></x>", "<x><bodyName>l_a</bodyName></x>"),
         ("<x><FRAME>a</FRAME></x>", "<x><FRAME>l_a</FRAME></x>"),

@@ -529,11 +529,22 @@ def _finish(
     finder = paths.finder
     limits = interpreter.limits
     has_parts, shared = interpreter.has_parts, interpreter.builder.shared
-    found = _complete(evaluated, shared, paths, limits, has_parts=has_parts, advice=advice)
+
+    def complete(tree: Element, shared: Shared) -> _Completed:
+        return _complete(
+            tree,
+            shared,
+            paths,
+            limits,
+            has_parts=has_parts,
+            is_yaml=interpreter.is_yaml,
+            advice=advice,
+        )
+
+    found = complete(evaluated, shared)
     if any(diagnostic.trace is INHERITED for diagnostic in found.diagnostics):
         if interpreter.has_frames:
-            tree = unshared(evaluated)
-            found = _complete(tree, {}, paths, limits, has_parts=has_parts, advice=advice)
+            found = complete(unshared(evaluated), {})
         else:
             for diagnostic in found.diagnostics:
                 diagnostic.trace = None
@@ -546,17 +557,17 @@ def _finish(
 
     def make_root() -> Element:
         root = unshared(evaluated)
-        if not has_parts:
-            return root
-        from .robot.part import lower
+        if has_parts:
+            from .robot.part import lower
 
-        return lower(
-            root,
-            reporter=Reporter(),
-            resolve_mesh=finder.resolve,
-            may_read=finder.allows,
-            shared={},
-        )
+            root = lower(
+                root,
+                reporter=Reporter(),
+                resolve_mesh=finder.resolve,
+                may_read=finder.allows,
+                shared={},
+            )
+        return _put_together(root) if interpreter.is_yaml else root
 
     return Build(
         make_root,
@@ -566,6 +577,18 @@ def _finish(
         warnings=reporter.diagnostics,
         files=list(interpreter.files.read),
     )
+
+
+def _put_together(root: Element) -> Element:
+    """Return a robot of several files, in which the names of materials do not clash."""
+    if root.name != "robot" or not any(
+        isinstance(child, Element) and (child.name == "material" or child.body is not None)
+        for child in root.children
+    ):
+        return root
+    from .robot.material_names import settle_materials
+
+    return settle_materials(root)
 
 
 class _Completed:
@@ -588,6 +611,7 @@ def _complete(
     limits: Limits,
     *,
     has_parts: bool,
+    is_yaml: bool,
     advice: bool,
 ) -> _Completed:
     reporter, finder = Reporter(), paths.finder
@@ -603,6 +627,8 @@ def _complete(
                 may_read=finder.allows,
                 shared=shared,
             )
+        if is_yaml:
+            root = _put_together(root)
         if root.name == "robot":
             from .robot.check import check
 

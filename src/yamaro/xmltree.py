@@ -151,6 +151,21 @@ class PartElement(Element):
 
 Node = Element | Text | Comment
 
+
+class IncludedRobot:
+    """The `body` of what stands under the root of an XML file that is included.
+
+    Attributes:
+        prefix: what the include puts before the names of its links and joints.
+    """
+
+    __slots__ = ("prefix",)
+
+    def __init__(self, prefix: str) -> None:
+        """Begin with nothing in it."""
+        self.prefix = prefix
+
+
 Shared = dict[int, dict[str, "Any"]]
 """The elements that stand in several places of a tree, by identity, each with notes of what has
 been worked out for it once for all its places; and the lists of children that several elements

@@ -140,6 +140,7 @@ class Interpreter:
         self.builder = Builder()
         self.frame: Frame | None = None
         self.holder: Frame | None = None  # the frame in which the element around was made
+        self.is_yaml = False  # whether the main file is
         self.has_parts = False
         self.has_frames = False
         self.depth = 0
@@ -170,6 +171,7 @@ class Interpreter:
             YamaroError: the input has errors.
         """
         places = places or {}
+        self.is_yaml = True
         try:
             document = self.files.parse(source)
             scope = self._begin_file(document, caller=None)
@@ -651,6 +653,7 @@ class Interpreter:
         from .xml_includes import (
             check_xml_include,
             declare_prefixes,
+            mark_included,
             read_included,
             xacro_in_safe_mode,
             xml_content,
@@ -674,6 +677,7 @@ class Interpreter:
         try:
             if is_xacro:
                 root = self._expanded(root, passed, node, scope, frame)
+                mark_included(root, "")
                 content = root.children
             else:
                 content = xml_content(root, passed.get("prefix"), frame)

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import re
-
 from ..diagnostics import INHERITED, did_you_mean, failure
 from ..xmlreader import CData, read_xml
-from ..xmltree import Element, Text, format_value
+from ..xmltree import Element, IncludedRobot, Text, format_value
+from .xml_names import rename
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -15,9 +14,6 @@ if TYPE_CHECKING:
     from ..source import Source, Span
     from ..syntax.nodes import IncludeNode
     from ..xmltree import Node
-
-_REFERS = re.compile("link|joint|frame|body|reference|parent|child|mimic", re.IGNORECASE)
-"""Tags and attributes that name links and joints, in extensions of URDF that no schema tells of."""
 
 
 def read_included(source: Source, limits: Limits) -> tuple[Element, bool]:
@@ -94,13 +90,23 @@ def xml_content(root: Element, prefix: object, frame: Frame) -> list[Node]:
         prefix: put in front of the names of links and joints, wherever they are named.
         frame: the include.
     """
-    if prefix not in (None, ""):
-        _rename(root, format_value(prefix))
+    text = format_value(prefix)
+    if text:
+        rename(root, text)
     _tidy(root)
     for child in root.children:
         if isinstance(child, Element):
             child.trace = frame
+    mark_included(root, text)
     return root.children
+
+
+def mark_included(root: Element, prefix: str) -> None:
+    """Note on what stands under a root that it is of one file, and the prefix of the include."""
+    robot = IncludedRobot(prefix)
+    for child in root.children:
+        if isinstance(child, Element):
+            child.body = robot
 
 
 def tidy_root(root: Element) -> Element:
@@ -159,30 +165,3 @@ def _tidy(root: Element) -> None:
 
 def _is_space(node: Node) -> bool:
     return isinstance(node, Text) and not format_value(node.value).strip()
-
-
-def _rename(root: Element, prefix: str) -> None:
-    names = {
-        format_value(element.attributes.get("name"))
-        for element in root.elements()
-        if element.name in ("link", "joint")
-    }
-
-    def renamed(text: str) -> str:
-        words = text.split()
-        if not any(word in names for word in words):
-            return text
-        return " ".join([prefix + word if word in names else word for word in words])
-
-    pending = root.elements()
-    while pending:
-        element = pending.pop()
-        is_named = element.name in ("link", "joint")
-        for name, value in element.attributes.items():
-            if is_named if name == "name" else _REFERS.search(name):
-                element.attributes[name] = renamed(format_value(value))
-        if _REFERS.search(element.name):
-            for child in element.children:
-                if isinstance(child, Text):
-                    child.value = renamed(format_value(child.value))
-        pending += element.elements()
