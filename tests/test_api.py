@@ -7,6 +7,7 @@ import sys
 import warnings
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -363,7 +364,8 @@ def test_build_compiles_a_text_in_place_of_a_file(folder: Path) -> None:
     write(folder, "launch: {b: 1}\n", "part.yaml")
     result = yamaro.build("unsaved.yaml", text="launch: {include: part.yaml}\n")
     assert [element.name for element in result.root.elements()] == ["b"]
-    assert yamaro.build("-", text="robot:\n").root.attributes == {"name": "robot"}
+    built = yamaro.build("-", text="robot:\n", allow="no-link")
+    assert built.root.attributes == {"name": "robot"}
 
 
 def test_strict_raises_warnings(folder: Path) -> None:
@@ -544,3 +546,121 @@ def test_every_public_name_is_there_and_listed() -> None:
 def test_a_name_that_is_not_public_is_an_attribute_error() -> None:
     with pytest.raises(AttributeError, match="module 'yamaro' has no attribute 'compile'"):
         yamaro.compile  # type: ignore[attr-defined] # noqa: B018
+
+
+# --- the severity of messages -----------------------------------------------------------------
+
+TWO_ROOTS = "robot: r\nmodel:\n- link/name=a:\n- link/name=b:\n"
+TWO_RED = """
+robot: r
+model:
+- link/name=a:
+- material/name=red:
+    color/rgba=2 0 0 1:
+"""
+
+
+def codes_of(error: pytest.ExceptionInfo[yamaro.YamaroError]) -> list[tuple[str, str]]:
+    return [(each.severity, each.code) for each in error.value.diagnostics]
+
+
+def test_a_robot_that_parsers_refuse_is_an_error_unless_it_is_allowed(folder: Path) -> None:
+    file = write(folder, TWO_ROOTS)
+    for build in (yamaro.build, yamaro.convert, lambda path: yamaro.load(path).convert()):
+        with pytest.raises(yamaro.YamaroError) as caught:
+            build(file)
+        assert codes_of(caught) == [("error", "several-roots")]
+    built = yamaro.build(file, allow=["several-roots"], strict=True)
+    assert [(each.severity, each.code) for each in built.warnings] == [("warning", "several-roots")]
+    with pytest.warns(yamaro.YamaroWarning, match="several-roots"):
+        assert "<link" in yamaro.convert(file, allow=["several-roots"])
+    with pytest.warns(yamaro.YamaroWarning, match="several-roots"):
+        assert "<link" in yamaro.load(file, allow=["several-roots"]).convert()
+
+
+@pytest.mark.parametrize("mode", ["safe", "jail"])
+def test_codes_are_allowed_and_denied_in_files_that_are_not_trusted(
+    folder: Path, mode: str
+) -> None:
+    file, policy = write(folder, TWO_ROOTS), yamaro.Policy(mode)
+    with pytest.raises(yamaro.YamaroError) as caught:
+        yamaro.build(file, policy=policy)
+    assert codes_of(caught) == [("error", "several-roots")]
+    built = yamaro.build(file, policy=policy, allow="several-roots")
+    assert [each.severity for each in built.warnings] == ["warning"]
+    file = write(folder, TWO_RED)
+    with pytest.raises(yamaro.YamaroError) as caught:
+        yamaro.build(file, policy=policy, deny="bad-color")
+    assert codes_of(caught) == [("error", "bad-color")]
+
+
+def test_warnings_and_advice_can_be_denied(folder: Path) -> None:
+    file = write(folder, TWO_RED)
+    assert [each.code for each in yamaro.build(file).warnings] == ["bad-color"]
+    with pytest.raises(yamaro.YamaroError) as caught:
+        yamaro.build(file, deny=["bad-color"])
+    assert codes_of(caught) == [("error", "bad-color")]
+    heavy = "model:\n- part: {name: a, link: {geometry: sphere, scale: 1, mass: 1e6}}\n"
+    file = write(folder, heavy)
+    assert yamaro.build(file).warnings == []
+    with pytest.raises(yamaro.YamaroError) as caught:
+        yamaro.build(file, deny=["odd-mass"])
+    assert codes_of(caught) == [("error", "odd-mass")]  # and no other advice
+
+
+@pytest.mark.parametrize(
+    ("codes", "message"),
+    [
+        ({"allow": ["several-rots"]}, "did you mean 'several-roots'"),
+        ({"deny": "yaml-syntax"}, "'yaml-syntax' is not a code that can be allowed or denied"),
+        ({"allow": [""]}, "'' is not a code"),
+        ({"allow": ["no-link"], "deny": ["no-link"]}, "both allowed and denied"),
+    ],
+)
+def test_a_code_that_cannot_be_allowed_or_denied_is_wrong_usage(
+    folder: Path, codes: dict[str, Any], message: str
+) -> None:
+    file = write(folder, TWO_ROOTS)
+    with pytest.raises(yamaro.UsageError, match=message):
+        yamaro.build(file, **codes)
+    for call in (yamaro.convert, yamaro.load):
+        with pytest.raises(ValueError, match=message):
+            call(file, **codes)
+
+
+def test_an_error_without_a_document_is_not_allowed_away(folder: Path) -> None:
+    text = "model:\n- part: {name: a, link: {geometry: box, scale: 1 2, visual}}\n"
+    with pytest.raises(yamaro.YamaroError) as caught:
+        yamaro.build(write(folder, text), allow=["wrong-count"])
+    assert codes_of(caught) == [("error", "wrong-count")]
+
+
+def test_urdf_that_is_taken_as_it_is_is_only_warned_of(folder: Path) -> None:
+    joint = '<joint name="j" type="fixed"><parent link="x"/><child link="a"/></joint>'
+    write(folder, f'<robot name="r"><link name="a"/>{joint}</robot>', "r.urdf")
+    built = yamaro.build(folder / "r.urdf")
+    assert [(each.severity, each.code) for each in built.warnings] == [
+        ("warning", "unknown-parent")
+    ]
+    once = write(folder, "robot: r\nmodel:\n- include: r.urdf\n")
+    assert [each.severity for each in yamaro.build(once).warnings] == ["warning"]
+    # What a fault of YAML's own is stays one, beside it too.
+    twice = write(folder, "robot: r\nmodel:\n- include: r.urdf\n- include: r.urdf\n")
+    with pytest.raises(yamaro.YamaroError) as caught:
+        yamaro.build(twice)
+    assert ("error", "duplicate-link") in codes_of(caught)
+    beside = write(folder, "robot: r\nmodel:\n- include: r.urdf\n- link/name=a:\n")
+    with pytest.raises(yamaro.YamaroError) as caught:
+        yamaro.build(beside)
+    assert ("error", "duplicate-link") in codes_of(caught)
+
+
+def test_two_roots_of_one_urdf_are_warned_of_and_a_root_beside_it_is_an_error(folder: Path) -> None:
+    write(folder, '<robot name="r"><link name="a"/><link name="b"/></robot>', "r.urdf")
+    file = write(folder, "robot: r\nmodel:\n- include: r.urdf\n")
+    assert [each.severity for each in yamaro.build(file).warnings] == ["warning"]
+    for beside in ("link/name=c:", "include: {path: r.urdf, prefix: x_}"):
+        file = write(folder, f"robot: r\nmodel:\n- include: r.urdf\n- {beside}\n")
+        with pytest.raises(yamaro.YamaroError) as caught:
+            yamaro.build(file)
+        assert codes_of(caught) == [("error", "several-roots")]

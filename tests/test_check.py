@@ -31,6 +31,7 @@ class UrdfReader:
 
     def __init__(self, text: str, *, name: str = "robot.urdf") -> None:
         self.source = Source(text, name=name)
+        self.source.is_xml = True
         self.stack: list[Element] = []
         self.root: Element | None = None
         self.parser = expat.ParserCreate()
@@ -600,4 +601,4 @@ def test_no_tree_at_all_makes_the_check_fail(root: Element) -> None:
     )
     for diagnostic in reporter.diagnostics + advice.diagnostics:
         assert diagnostic.hint
-        assert render(diagnostic).startswith("warning[")
+        assert render(diagnostic).startswith(("warning[", "error["))

@@ -1150,7 +1150,7 @@ def on_path() -> dict[str, str]:
         ),
         ("yamaro robot.yaml -o a", ["yamaro", "robot.yaml", "-o", "a"], "a.urdf"),
         ("yamaro --st", ["yamaro", "--st"], "--strict"),
-        ("yamaro check --d", ["yamaro", "check", "--d"], ""),
+        ("yamaro check --dep", ["yamaro", "check", "--dep"], ""),
         ("yamaro check a", ["yamaro", "check", "a"], "a.urdf"),
         ("yamaro picture --tu", ["yamaro", "picture", "--tu"], "--turn"),
         ("yamaro picture --view le", ["yamaro", "picture", "--view", "le"], "left"),

@@ -76,14 +76,16 @@ def test_text_in_no_file_is_named_after_standard_input() -> None:
     with pytest.raises(YamaroError) as caught:
         build("-", text="out: $(x)\n")
     assert caught.value.diagnostics[0].span.place() == "<standard input>:1:8"
-    assert build("-", text="\ufeffmodel:\n").xml().endswith('<robot name="robot"/>\n')
+    assert (
+        build("-", text="\ufeffmodel:\n", allow="no-link").xml().endswith('<robot name="robot"/>\n')
+    )
 
 
 @pytest.mark.parametrize(
     ("path", "name"), [("/r/arm.yaml", "arm"), ("/r/a.b.yaml", "a"), ("/r/.yaml", "robot")]
 )
 def test_a_robot_is_named_after_its_file(path: str, name: str) -> None:
-    xml = build(path, loader=MemoryLoader({path: "model:\n"})).xml()
+    xml = build(path, loader=MemoryLoader({path: "model:\n"}), allow="no-link").xml()
     assert xml.endswith(f'<robot name="{name}"/>\n')
 
 
@@ -115,7 +117,9 @@ def test_print_with_a_file_of_its_own_goes_there(tmp_path: Path) -> None:
 
 def test_a_build_knows_its_files_and_meshes(tmp_path: Path) -> None:
     (tmp_path / "a.stl").write_text("solid a\nendsolid a\n")
-    (tmp_path / "inner.yaml").write_text("model: {link/name=b: }\n")
+    joint = "joint/name=j, type=fixed: {parent/link=a: , child/link=b: }"
+    inner = f"model:\n  link/name=b:\n  {joint}\n"
+    (tmp_path / "inner.yaml").write_text(inner)
     (tmp_path / "data.yaml").write_text("k: [1, 2]\n")
     (tmp_path / "t.yaml").write_text(
         "variables: {d: $(load_yaml('data.yaml'))}\n"

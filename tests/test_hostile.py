@@ -261,5 +261,5 @@ def test_a_file_that_changes_while_it_is_compiled_is_taken_as_it_was_read(
     )
     (tmp_path / "leg.yaml").write_text("model: {link/name=a: }")
     monkeypatch.chdir(tmp_path)
-    main(["robot.yaml", "-q"])
+    main(["robot.yaml", "-q", "--allow", "duplicate-link"])
     assert capsys.readouterr().out.count('<link name="a"/>') == 2

@@ -98,7 +98,7 @@ def test_a_build_in_safe_mode_finds_no_mesh_outside_of_its_folders(tmp_path: Pat
     (tmp_path / "robot").mkdir()
     path = mesh(tmp_path / "secret.stl")
     built = build(
-        tmp_path / "robot" / "robot.yaml", text="robot: {link: {name: a}}", policy=Policy("safe")
+        tmp_path / "robot" / "robot.yaml", text="robot: {link/name=a: }", policy=Policy("safe")
     )
     with pytest.raises(YamaroError, match="path-outside"):
         built.finder.resolve(str(path), span_in(tmp_path / "robot"))

@@ -182,7 +182,7 @@ class Job:
     def __init__(self, path: str, n: int | None, way: str) -> None:
         self.path = path
         self.way = way
-        self.variables = {} if n is None else {"n": n}
+        self.variables: dict[str, Any] = {} if n is None else {"n": n}
         self.policy = yamaro.Policy("safe" if path.endswith("safe.yaml") else "trusted")
 
     def program(self) -> yamaro.Program:

@@ -6,8 +6,8 @@ import os
 import sys
 
 from .diagnostics import (
-    ERROR,
     INHERITED,
+    Adjustment,
     Diagnostic,
     Reporter,
     YamaroError,
@@ -36,7 +36,7 @@ from .xmltree import Element, format_value, unshared, write_pieces
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator, Mapping, Sequence
+    from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
     from typing import TypeVar
 
     from .runtime.loader import Loader
@@ -121,6 +121,7 @@ class Program:
     """
 
     __slots__ = (
+        "_adjustment",
         "_in_jail",
         "_is_xml",
         "_library",
@@ -140,8 +141,15 @@ class Program:
         loader: Loader | None = None,
         policy: Policy | None = None,
         packages: Mapping[str, str] | None = None,
+        allow: Iterable[str] = (),
+        deny: Iterable[str] = (),
     ) -> None:
-        """Name the main file; see `yamaro.build`."""
+        """Name the main file; see `yamaro.build`.
+
+        Raises:
+            UsageError: `allow` or `deny` names a code that cannot be allowed or denied.
+        """
+        self._adjustment = adjustment_of(allow, deny)
         self._path = path = os.fspath(path)
         self._text = text
         self._is_xml = is_xml_file(path)
@@ -247,6 +255,9 @@ class Program:
         paths = self._mesh_paths(meshes, output, packages)
         source = self._main_file()
         reporter = Reporter()
+        adjustment = self._adjustment
+        if strict:
+            adjustment = Adjustment(adjustment.allowed, adjustment.denied, is_strict=True)
 
         def compile_robot(program: Program, say: Callable[[str], None]) -> Build:
             interpreter = Interpreter(
@@ -257,26 +268,30 @@ class Program:
                 packages=packages,
             )
             evaluated = evaluate(source, interpreter, reporter)
-            return _finish(evaluated, interpreter, reporter, advice=advice, paths=paths)
+            return _finish(
+                evaluated, interpreter, reporter, advice=advice, adjustment=adjustment, paths=paths
+            )
 
         say = on_message or _print_to_standard_error
-        if self._has_jail(source):
-            outcome = self._run_confined(compile_robot, reporter, source, has_root=has_root)
-            for line in outcome.messages:
-                say(line)
-            for diagnostic in outcome.diagnostics:
-                reporter.add(diagnostic)
-            if outcome.has_errors:
-                raise YamaroError(reporter.diagnostics)
-            if outcome.root is not None and outcome.root.name == "robot":  # as it was written
-                tree = paths.applied_to(outcome.root, {})
-                outcome.pieces = write_pieces(*tree, self._policy.limits)
-            result = take(_build_of(outcome, paths.finder))
-        else:
-            result = self._run(lambda: take(compile_robot(self, say)), reporter, source)
-        if strict and reporter.diagnostics:
-            for diagnostic in reporter.diagnostics:
-                diagnostic.severity = ERROR
+        try:
+            if self._has_jail(source):
+                outcome = self._run_confined(compile_robot, reporter, source, has_root=has_root)
+                for line in outcome.messages:
+                    say(line)
+                for diagnostic in outcome.diagnostics:
+                    reporter.add(diagnostic)
+                if outcome.has_errors:
+                    raise YamaroError(reporter.diagnostics)
+                if outcome.root is not None and outcome.root.name == "robot":  # as it was written
+                    tree = paths.applied_to(outcome.root, {})
+                    outcome.pieces = write_pieces(*tree, self._policy.limits)
+                result = take(_build_of(outcome, paths.finder))
+            else:
+                result = self._run(lambda: take(compile_robot(self, say)), reporter, source)
+        except YamaroError as error:
+            adjustment.deny(error.diagnostics)
+            raise
+        if adjustment.deny(reporter.diagnostics):
             raise YamaroError(reporter.diagnostics)
         return result
 
@@ -448,6 +463,8 @@ def build(
     has_root: bool = True,
     output: str | os.PathLike[str] | None = None,
     meshes: str = RELATIVE,
+    allow: Iterable[str] = (),
+    deny: Iterable[str] = (),
 ) -> Build:
     """Compile a file.
 
@@ -468,12 +485,23 @@ def build(
             default at that of the main file.
         meshes: how the XML names meshes and textures that are there: "relative", "keep" (as they
             are written), "absolute" or "package://NAME".
+        allow: codes of diagnostics that are warnings, also with `strict`.
+        deny: codes of diagnostics that are errors.
 
     Raises:
         YamaroError: the input has errors; it holds them, and the warnings found before.
-        UsageError: the main file cannot be read, or a `name:=value` or `meshes` is malformed.
+        UsageError: the main file cannot be read, a `name:=value` or `meshes` is malformed, or a
+            code of `allow` or `deny` is unknown or always an error.
     """
-    program = Program(path, text=text, loader=loader, policy=policy, packages=packages)
+    program = Program(
+        path,
+        text=text,
+        loader=loader,
+        policy=policy,
+        packages=packages,
+        allow=allow,
+        deny=deny,
+    )
     return program.build(
         command_line=command_line,
         variables=variables,
@@ -484,6 +512,25 @@ def build(
         output=output,
         meshes=meshes,
     )
+
+
+def adjustment_of(
+    allow: Iterable[str], deny: Iterable[str], *, is_strict: bool = False
+) -> Adjustment:
+    """Return which codes are allowed and denied; a lone text is one code.
+
+    Raises:
+        UsageError: a code is unknown, always an error, or both allowed and denied.
+    """
+    allowed = frozenset([allow] if isinstance(allow, str) else allow)
+    denied = frozenset([deny] if isinstance(deny, str) else deny)
+    if allowed or denied:
+        from .codes import fault_of_codes
+
+        fault = fault_of_codes(allowed, denied)
+        if fault is not None:
+            raise UsageError(fault)
+    return Adjustment(allowed, denied, is_strict=is_strict)
 
 
 def reach_of(path: str, policy: Policy, packages: Mapping[str, str]) -> Reach | None:
@@ -519,16 +566,21 @@ def _finish(
     reporter: Reporter,
     *,
     advice: bool,
+    adjustment: Adjustment,
     paths: MeshPaths,
 ) -> Build:
     """Lower, check and write what was evaluated.
 
     An element that stands in several places cannot tell which calls led to each of them. So if
     there is something to tell about one, all is done again with an element for each place.
+
+    Raises:
+        YamaroError: lowering or the check found errors.
     """
     finder = paths.finder
     limits = interpreter.limits
     has_parts, shared = interpreter.has_parts, interpreter.builder.shared
+    wanted = _wanted_advice(advice, adjustment)
 
     def complete(tree: Element, shared: Shared) -> _Completed:
         return _complete(
@@ -538,7 +590,7 @@ def _finish(
             limits,
             has_parts=has_parts,
             is_yaml=interpreter.is_yaml,
-            advice=advice,
+            advice=wanted,
         )
 
     found = complete(evaluated, shared)
@@ -548,12 +600,13 @@ def _finish(
         else:
             for diagnostic in found.diagnostics:
                 diagnostic.trace = None
-    for diagnostic in found.diagnostics:
-        if diagnostic.severity != ERROR:
-            reporter.add(diagnostic)
     finished = found.root
-    if finished is None:
-        raise YamaroError(d for d in found.diagnostics if d.severity == ERROR)
+    if finished is not None:
+        adjustment.allow(found.diagnostics)
+    if finished is None or adjustment.deny(found.diagnostics):
+        raise YamaroError(found.diagnostics)
+    for diagnostic in found.diagnostics:
+        reporter.add(diagnostic)
 
     def make_root() -> Element:
         root = unshared(evaluated)
@@ -591,6 +644,13 @@ def _put_together(root: Element) -> Element:
     return settle_materials(root)
 
 
+def _wanted_advice(advice: bool, adjustment: Adjustment) -> Callable[[str], bool] | None:
+    """Return what tells which codes of advice to report, or None if no advice is asked for."""
+    if advice:
+        return lambda code: True
+    return adjustment.denied.__contains__ if adjustment.denied else None
+
+
 class _Completed:
     """A document that is lowered, checked and written, or None with the errors that forbid it."""
 
@@ -612,8 +672,9 @@ def _complete(
     *,
     has_parts: bool,
     is_yaml: bool,
-    advice: bool,
+    advice: Callable[[str], bool] | None,
 ) -> _Completed:
+    """Lower, check and write; of the advice, tell what has a code that `advice` wants."""
     reporter, finder = Reporter(), paths.finder
     try:
         root, has_files = evaluated, False
@@ -643,14 +704,22 @@ def _complete(
                 shared=shared,
             )
             for diagnostic in advisor.diagnostics if advisor else ():
-                reporter.add(diagnostic)
+                if advice is not None and advice(diagnostic.code):
+                    reporter.add(diagnostic)
         written = paths.applied_to(root, shared) if has_files else (root, shared)
         return _Completed(root, write_pieces(*written, limits), reporter.diagnostics)
     except YamaroError as error:
         return _Completed(None, [], [*reporter.diagnostics, *error.diagnostics])
 
 
-def convert(path: str | os.PathLike[str], /, *assignments: str, **variables: object) -> str:
+def convert(
+    path: str | os.PathLike[str],
+    /,
+    *assignments: str,
+    allow: Iterable[str] = (),
+    deny: Iterable[str] = (),
+    **variables: object,
+) -> str:
     """Compile a file and return the XML.
 
     What the file prints goes to standard error; warnings are issued as `YamaroWarning`.
@@ -659,6 +728,8 @@ def convert(path: str | os.PathLike[str], /, *assignments: str, **variables: obj
         path: the main file: YAML, a URDF or a robot in xacro.
         assignments: variables of the main file, or arguments of xacro, as on the command line:
             `"length:=2"`.
+        allow: codes of diagnostics that are warnings.
+        deny: codes of diagnostics that are errors.
         variables: the same as Python objects: `width=0.3`.
 
     Raises:
@@ -668,7 +739,11 @@ def convert(path: str | os.PathLike[str], /, *assignments: str, **variables: obj
     """
     if isinstance(variables.get("policy"), Policy):
         raise TypeError("convert() takes no policy: write load(path, policy=policy).convert(…)")
-    return _converted(Program(path), assignments, variables)
+    try:
+        program = Program(path, allow=allow, deny=deny)
+    except UsageError as error:
+        raise _as_built_in(error) from None
+    return _converted(program, assignments, variables)
 
 
 def load(
@@ -677,6 +752,8 @@ def load(
     loader: Loader | None = None,
     policy: Policy | None = None,
     packages: Mapping[str, str] | None = None,
+    allow: Iterable[str] = (),
+    deny: Iterable[str] = (),
 ) -> Program:
     """Return a program that converts a file again and again.
 
@@ -685,15 +762,20 @@ def load(
         loader: gives the text of files; the disk by default.
         policy: how far the file is trusted; in full by default.
         packages: folders of ROS packages by name, before those that are found.
+        allow: codes of diagnostics that are warnings in all conversions.
+        deny: codes of diagnostics that are errors in all conversions.
 
     Raises:
         YamaroError: the main file has errors, which are found without running it.
         OSError: the main file cannot be read.
+        ValueError: a code of `allow` or `deny` is unknown or always an error.
     """
     import threading  # noqa: F401 - lets `deep_stack` keep its thread for the next conversion
 
-    program = Program(path, loader=loader, policy=policy, packages=packages)
     try:
+        program = Program(
+            path, loader=loader, policy=policy, packages=packages, allow=allow, deny=deny
+        )
         program.parse()
     except UsageError as error:
         raise _as_built_in(error) from None

@@ -10,7 +10,7 @@ from .terminal import BLUE, BOLD, RED, YELLOW, painted, printable, shortened, wi
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Sequence
+    from collections.abc import Collection, Iterable, Sequence
 
 ERROR = "error"
 WARNING = "warning"
@@ -156,6 +156,45 @@ def failure(
 ) -> YamaroError:
     """Return an exception with one error, ready to be raised; see `Diagnostic`."""
     return YamaroError([Diagnostic(code, message, span, hint=hint, notes=notes, trace=trace)])
+
+
+class Adjustment:
+    """What was asked for the severity of diagnostics: codes allowed, codes denied, and strictness.
+
+    A diagnostic that is raised as an exception stays an error: there is no document without it.
+    """
+
+    __slots__ = ("allowed", "denied", "is_strict")
+
+    def __init__(
+        self,
+        allowed: Collection[str] = frozenset(),
+        denied: Collection[str] = frozenset(),
+        *,
+        is_strict: bool = False,
+    ) -> None:
+        """Allow and deny some codes; with `is_strict` deny all that are not allowed."""
+        self.allowed = allowed
+        self.denied = denied
+        self.is_strict = is_strict
+
+    def allow(self, diagnostics: Iterable[Diagnostic]) -> None:
+        """Turn errors that are allowed into warnings; for those that a document can be had with."""
+        for diagnostic in diagnostics:
+            if diagnostic.code in self.allowed:
+                diagnostic.severity = WARNING
+
+    def deny(self, diagnostics: Iterable[Diagnostic]) -> bool:
+        """Turn warnings that are denied into errors; return whether there is any error."""
+        has_errors = False
+        for diagnostic in diagnostics:
+            if diagnostic.severity == WARNING and self._denies(diagnostic.code):
+                diagnostic.severity = ERROR
+            has_errors = has_errors or diagnostic.severity == ERROR
+        return has_errors
+
+    def _denies(self, code: str) -> bool:
+        return code in self.denied or (self.is_strict and code not in self.allowed)
 
 
 class Reporter:

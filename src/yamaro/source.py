@@ -13,15 +13,20 @@ STANDARD_INPUT_NAME = "<standard input>"
 
 
 class Source:
-    """The text of one file, with the name it is shown under."""
+    """The text of one file, with the name it is shown under.
 
-    __slots__ = ("_line_starts", "name", "path", "text")
+    Attributes:
+        is_xml: whether it has been read as XML: a robot in URDF or xacro, taken as it is.
+    """
+
+    __slots__ = ("_line_starts", "is_xml", "name", "path", "text")
 
     def __init__(self, text: str, *, name: str, path: str = "") -> None:
         """Hold `text`; `name` is shown to people, `path` is absolute, or empty if there is none."""
         self.text = text
         self.name = name
         self.path = path
+        self.is_xml = False
         self._line_starts: list[int] | None = None
 
     def line_starts(self) -> list[int]:

@@ -98,6 +98,7 @@ def read_xml(source: Source, limits: Limits | None = None, *, exact: bool = Fals
         YamaroError: `xml-syntax` at the place where the text is no XML, `xml-entity` where it
             declares what other parsers would read from elsewhere, or a limit is passed.
     """
+    source.is_xml = True
     return _Reader(source, limits or Limits(), exact).read()
 
 

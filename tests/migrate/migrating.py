@@ -5,6 +5,7 @@ from __future__ import annotations
 from textwrap import dedent, indent
 
 from tests.migrate.same_robot import is_same_robot
+from yamaro.codes import ADJUSTABLE
 from yamaro.compiler import build
 from yamaro.source import Source
 from yamaro.tools.migrate.urdf import Migration, migrate_urdf
@@ -14,7 +15,9 @@ from yamaro.xmltree import Element
 
 def migration_of(xml: str, *, exact: bool = False) -> Migration:
     def build_tree(text: str) -> Element:
-        root = build("robot.yaml", text=text, on_message=lambda message: None).root
+        root = build(
+            "robot.yaml", text=text, on_message=lambda message: None, allow=ADJUSTABLE
+        ).root
         assert root is not None
         return root
 
@@ -25,7 +28,9 @@ def migrated(xml: str, *, exact: bool = False) -> str:
     """Return the YAML that a document becomes, which makes the same document."""
     migration = migration_of(xml, exact=exact)
     assert migration.differences == []
-    made = build("robot.yaml", text=migration.text, on_message=lambda message: None).xml()
+    made = build(
+        "robot.yaml", text=migration.text, on_message=lambda message: None, allow=ADJUSTABLE
+    ).xml()
     assert is_same_robot(xml.encode(), made.encode(), exact=exact)
     return migration.text
 

@@ -378,3 +378,35 @@ def test_exact_keeps_poses_as_they_are(capsys: pytest.CaptureFixture[str], xacro
         assert ("xmlns:sensor" in made.read_text()) is is_exact
         built = compiler.build(made, on_message=print).xml()
         assert is_same_robot(PREFIXED.encode(), built.encode(), exact=is_exact)
+
+
+# --- robots that parsers refuse -------------------------------------------------------------------
+
+
+def test_the_faults_of_a_urdf_are_migrated_too_and_it_is_said_how_to_build_it(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    Path("two.urdf").write_text(
+        URDF.replace("</robot>", '<link name="b"/><link name="b"/></robot>')
+    )
+    status, _, told = outcome(capsys, "two.urdf", "-o", "two.yaml")
+    allow = "--allow duplicate-link --allow several-roots"
+    assert status == 0
+    assert told == (
+        f"two.urdf: identical: 4 links, 1 joint; parsers refuse it: build it with {allow}\n"
+    )
+    assert "part: {name: tip" in Path("two.yaml").read_text()
+    assert main(["two.yaml", "-o", "out.urdf"]) == 1
+    assert main(["two.yaml", "-o", "out.urdf", *allow.split()]) == 0
+
+
+def test_the_faults_of_a_robot_in_xacro_are_migrated_too(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    text = '<robot xmlns:xacro="http://ros.org/wiki/xacro" name="r">{}</robot>'
+    macro = '<xacro:macro name="l" params="n"><link name="${n}"/></xacro:macro>'
+    Path("two.xacro").write_text(text.format(macro + '<xacro:l n="a"/><xacro:l n="b"/>'))
+    status, _, told = outcome(capsys, "two.xacro", "-o", "two")
+    assert status == 0
+    assert "identical: 2 links, 0 joints; parsers refuse it: build it with" in told
+    assert main(["two/two.yaml", "-q", "--allow", "several-roots"]) == 0

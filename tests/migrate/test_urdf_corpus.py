@@ -41,7 +41,9 @@ def test_a_robot_comes_back_the_same(path: str, sources: dict[str, str]) -> None
     migration = migrate_file(str(file), Limits())
     sources[path] = migration.text
     assert [str(difference) for difference in migration.differences] == []
-    made = build("robot.yaml", text=migration.text, on_message=lambda message: None).xml()
+    made = build(
+        "robot.yaml", text=migration.text, on_message=lambda message: None, allow=migration.allowed
+    ).xml()
     assert is_same_robot(file.read_bytes(), made.encode())
 
 

@@ -10,6 +10,7 @@ from tests.migrate.against_xacro import migrated_for, model_of
 from tests.migrate.same_robot import is_same_robot
 from tests.migrate.test_xacro_migration import HEAD, migrated
 from yamaro import build
+from yamaro.codes import ADJUSTABLE
 from yamaro.policy import Limits
 from yamaro.tools.migrate.xacro_command import migrate_robot
 from yamaro.xmlreader import decode_xml
@@ -76,7 +77,7 @@ def test_a_given_argument_that_is_not_declared_is_declared(tmp_path: Path) -> No
     (tmp_path / "r.yaml").write_text(migration.files["r.yaml"])
     for side in ("left", "right"):
         expected = xacro.process_file(str(path), mappings={"side": side}).toxml()
-        made = build(tmp_path / "r.yaml", command_line=[f"side:={side}"])
+        made = build(tmp_path / "r.yaml", command_line=[f"side:={side}"], allow=ADJUSTABLE)
         assert is_same_robot(expected.encode(), made.xml().encode())
 
 
@@ -110,7 +111,7 @@ def test_a_variable_of_the_environment_is_what_its_default_is(
     if name:
         monkeypatch.setenv(name, value)
     expected = xacro.process_file(str(tmp_path / "r.urdf.xacro"), mappings={}).toxml()
-    made = build(tmp_path / "out/r.yaml", on_message=lambda line: None)
+    made = build(tmp_path / "out/r.yaml", on_message=lambda line: None, allow=ADJUSTABLE)
     assert is_same_robot(expected.encode(), made.xml().encode())
 
 

@@ -12,6 +12,7 @@ import pytest
 from tests.migrate.same_robot import is_same_robot
 from tests.test_xacro_corpus import CORPUS, UNKNOWN, real, rows
 from yamaro import build
+from yamaro.codes import ADJUSTABLE
 from yamaro.commands.main import main
 from yamaro.policy import Limits
 from yamaro.tools.migrate.xacro_command import migrate_robot
@@ -47,7 +48,9 @@ def hold_for(folder: Path, *several: list[str]) -> list[str]:
     for arguments in several:
         given = dict(argument.split(":=") for argument in arguments)
         expected = xacro.process_file(str(folder / "r.urdf.xacro"), mappings=given).toxml()
-        made = build(folder / "out/r.yaml", command_line=arguments, on_message=said.append)
+        made = build(
+            folder / "out/r.yaml", command_line=arguments, on_message=said.append, allow=ADJUSTABLE
+        )
         assert is_same_robot(expected.encode(), made.xml().encode()), arguments
     return said
 
@@ -442,7 +445,8 @@ def test_what_cannot_be_carried_over_is_told_at_its_place(
     told = capsys.readouterr().err
     code = "not-migrated"
     assert told.startswith(f"warning[{code}]: the property 'n' is removed\n --> r.xacro:3:4\n  |\n")
-    assert told.endswith("r.xacro: identical: 0 links, 0 joints; 1 file, out/r.yaml\n")
+    refused = "parsers refuse it: build it with --allow no-link"
+    assert told.endswith(f"r.xacro: identical: 0 links, 0 joints; {refused}; 1 file, out/r.yaml\n")
     assert "# not migrated: <xacro:property>" in Path("out/r.yaml").read_text()
 
 
@@ -476,7 +480,7 @@ def test_the_folder_is_needed_and_what_is_there_stays(
     assert Path("out/r.yaml").read_text() == "mine"
     assert main(["migrate", "r.xacro", "-o", "out", "--force", "-q"]) == 0
     assert capsys.readouterr().err == ""
-    assert build("out/r.yaml").xml().count('<a n="1"/>') == 1
+    assert build("out/r.yaml", allow=ADJUSTABLE).xml().count('<a n="1"/>') == 1
 
 
 @pytest.mark.parametrize(
@@ -564,6 +568,7 @@ def test_robots_of_others_stay_the_same(monkeypatch: pytest.MonkeyPatch, tmp_pat
             command_line=arguments,
             packages=packages,
             on_message=lambda line: None,
+            allow=migration.allowed,
         ).xml()
         expected = real((CORPUS / row["expected"]).read_text("utf-8"))
         assert is_same_robot(expected.encode(), xml.encode()), row["path"]  # none silently
@@ -579,7 +584,8 @@ def test_without_the_package_xacro_it_is_compared_with_our_own_expansion(
     Path("r.xacro").write_text(f'{HEAD}<xacro:arg name="n" default="1"/><a n="$(arg n)"/></robot>')
     assert main(["migrate", "r.xacro", "-o", "out"]) == 0
     assert capsys.readouterr().err == (
-        "r.xacro: identical: 0 links, 0 joints; 1 file, out/r.yaml\n"
+        "r.xacro: identical: 0 links, 0 joints; parsers refuse it: build it with --allow no-link; "
+        "1 file, out/r.yaml\n"
         "compared with Yamaro's own expansion; with yamaro[xacro], with xacro's\n"
     )
 

@@ -274,7 +274,8 @@ def test_a_macro_that_is_nowhere_is_called_all_the_same(
     Path("r.xacro").write_text(
         f'{HEAD}\n  <xacro:arg name="n" default="1"/>\n'
         '  <xacro:property name="n" value="$(arg n)"/>\n'
-        '  <xacro:if value="${n > 1}"><xacro:ERROR_too_many/></xacro:if>\n</robot>\n'
+        '  <xacro:if value="${n > 1}"><xacro:ERROR_too_many/></xacro:if>\n'
+        '  <link name="base"/>\n</robot>\n'
     )
     assert main(["migrate", "r.xacro", "-o", "out"]) == 0
     told = capsys.readouterr().err

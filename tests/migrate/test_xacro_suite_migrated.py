@@ -49,6 +49,7 @@ def test_most_of_what_xacro_is_tested_with_can_be_migrated(tmp_path: Path) -> No
             command_line=arguments,
             packages=document.packages,
             on_message=lambda line: None,
+            allow=migration.allowed,
         ).xml()
 
     passed = []

@@ -16,7 +16,7 @@ from yamaro.tools.scene.robot import Robot
 
 REPOSITORY = Path(__file__).parents[2]
 EXAMPLES = [
-    "arm/six_axis.yaml",
+    "arm/arm.yaml",
     "diff_drive/diff_drive.yaml",
     "hexapod/hexapod.yaml",
     "leg_robot/robot.yaml",

@@ -445,9 +445,11 @@ def test_meshes_of_each_format_are_seen(page: Page, view: Start, tmp_path: Path)
     parts = "".join(
         f"- link/name={name.replace('.', '_')}:\n"
         f"    visual:\n      geometry:\n        mesh/filename={name}:\n"
+        f"- joint/name={name}, type=fixed:\n"
+        f"    parent/link=base:\n    child/link={name.replace('.', '_')}:\n"
         for name in names
     )
-    path.write_text(f"robot: meshes\nmodel:\n{parts}", encoding="utf-8")
+    path.write_text(f"robot: meshes\nmodel:\n- link/name=base:\n{parts}", encoding="utf-8")
     page.show(view(path))
     sizes = page.run(
         "yamaro.robot.shapes.map(s => { const b = new yamaro.stage.Box3().setFromObject(s.group);"

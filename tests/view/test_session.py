@@ -99,6 +99,7 @@ def test_a_warning_is_of_the_link_in_whose_call_it_arose(tmp_path: Path) -> None
           joint/name=two, type=revolute:
             parent/link=base:
             child/link=bad:
+            limit/effort=1, velocity=1:
         """,
     )
     owners = {each["code"]: (each.get("link"), each.get("joint")) for each in data["diagnostics"]}

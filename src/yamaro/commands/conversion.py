@@ -8,7 +8,7 @@ from ..streams import XML
 from .delivery import deliver, refuse_overwriting
 from .inputs import read_pipe
 from .reports import display_name, sayer, show
-from .settings import make_policy, output_of, read_packages
+from .settings import make_policy, output_of, read_adjustment, read_packages
 from .usage import INPUT_ERROR, WrongUsage
 
 TYPE_CHECKING = False
@@ -44,7 +44,8 @@ def convert_file(
             of reach, since that may run code of the user's too.
         form: that of what is taken in bytes; see `Streams.write_result`.
         prepare: is called before the build; raises YamaroError for what shall not have to wait.
-        advice: also warn of what is legal but seldom meant; any warning is then an error.
+        advice: also warn of what is legal but seldom meant; any warning that is not allowed then
+            makes the command fail.
         has_root: whether `take` needs the tree.
     """
     from ..diagnostics import YamaroError
@@ -54,6 +55,7 @@ def convert_file(
     policy = make_policy(arguments)
     if not policy.is_trusted:
         streams.silence_libraries()
+    adjustment = read_adjustment(arguments)
     try:
         if prepare is not None:
             prepare()
@@ -72,7 +74,7 @@ def convert_file(
         return INPUT_ERROR
     streams.kept.append(build)
     show(build.warnings, arguments, streams)
-    if advice and build.warnings:
+    if advice and any(warning.code not in adjustment.allowed for warning in build.warnings):
         return INPUT_ERROR
     refuse_overwriting(arguments, lambda: [*build.files, *build.meshes])
     return deliver(chunks, arguments, streams, form)
@@ -128,6 +130,8 @@ def _build(
                 packages=read_packages(arguments),
                 command_line=arguments.assignments,
                 strict=arguments.has("strict"),
+                allow=arguments.lists.get("allow", ()),
+                deny=arguments.lists.get("deny", ()),
                 on_message=sayer(streams),
                 advice=advice,
                 has_root=has_root,

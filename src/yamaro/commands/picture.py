@@ -7,7 +7,7 @@ from time import monotonic
 from ..streams import BINARY
 from .conversion import convert_file, end_process
 from .reports import display_name
-from .settings import make_policy
+from .settings import make_policy, read_adjustment
 from .usage import WrongUsage
 
 TYPE_CHECKING = False
@@ -50,15 +50,13 @@ def _request(arguments: Arguments) -> Request:
 
 
 def _picture(build: Build, arguments: Arguments, streams: Streams, began: float) -> bytes:
-    from ..diagnostics import ERROR, YamaroError
+    from ..diagnostics import YamaroError
 
     if build.root.name != "robot":
         raise WrongUsage(f"'yamaro picture' draws robots, and this is a <{build.root.name}>")
     result = _draw(build, arguments, streams, began)
     build.warnings.extend(result.warnings)
-    if arguments.has("strict") and result.warnings:
-        for warning in result.warnings:
-            warning.severity = ERROR
+    if read_adjustment(arguments).deny(result.warnings):
         raise YamaroError(result.warnings)
     if not streams.quiet:
         for remark in result.remarks:

@@ -59,6 +59,8 @@ def repeat(
                 command_line=arguments.assignments,
                 on_message=sayer(streams),
                 strict=arguments.has("strict"),
+                allow=arguments.lists.get("allow", ()),
+                deny=arguments.lists.get("deny", ()),
                 advice=looks,
                 has_root=looks,
                 output=output_of(arguments),

@@ -9,6 +9,7 @@ from .usage import WrongUsage, near, quote
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from ..diagnostics import Adjustment
     from ..policy import Policy
     from .arguments import Arguments
 
@@ -38,6 +39,23 @@ def make_policy(arguments: Arguments) -> Policy:
         return Policy(mode or TRUSTED, limits=limits, timeout=timeout, allowed_paths=allowed)
     except ValueError as error:
         raise WrongUsage(f"{error}") from None
+
+
+def read_adjustment(arguments: Arguments) -> Adjustment:
+    """Return which messages are errors.
+
+    Raises:
+        WrongUsage: a code to allow or deny is unknown, or always an error.
+    """
+    from ..compiler import UsageError, adjustment_of
+
+    lists = arguments.lists
+    try:
+        return adjustment_of(
+            lists.get("allow", ()), lists.get("deny", ()), is_strict=arguments.has("strict")
+        )
+    except UsageError as error:
+        raise WrongUsage(str(error)) from None
 
 
 def _read_limit(text: str) -> tuple[str, int]:

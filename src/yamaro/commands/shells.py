@@ -35,10 +35,16 @@ def script(shell: str) -> str:
 
 def _offered(option: Option) -> str:
     """Return the words that a shell offers as the value of an option."""
+    from ..codes import ADJUSTABLE
     from ..policy import limit_names
     from ..tools.picture.words import NAMED_VIEWS, SHOWN
 
-    tables = {"limits": limit_names(), "views": NAMED_VIEWS, "shown": SHOWN}
+    tables = {
+        "limits": limit_names(),
+        "views": NAMED_VIEWS,
+        "shown": SHOWN,
+        "codes": sorted(ADJUSTABLE),
+    }
     return " ".join(tables.get(option.completes, [option.completes]))
 
 

@@ -73,7 +73,7 @@ class Option:
         is_repeatable: whether it may be given several times; `Arguments.lists` holds the values.
         choices: the values it can have; any if empty.
         completes: what a shell offers for the value: "files", "commands", or words with spaces in
-            between; "limits", "views" and "shown" stand for the words of those tables.
+            between; "limits", "views", "shown" and "codes" stand for the words of those tables.
         excludes: names of the options that may not be given with it.
     """
 
@@ -352,6 +352,24 @@ OPTIONS = {
             short="q",
         ),
         Option("strict", "treat warnings as errors", BUILDING),
+        Option(
+            "allow",
+            "treat messages with that code as warnings, also with --strict: unknown-material",
+            BUILDING,
+            value="CODE",
+            wants="the code of a message",
+            is_repeatable=True,
+            completes="codes",
+        ),
+        Option(
+            "deny",
+            "treat messages with that code as errors; advice of 'yamaro check' too",
+            BUILDING,
+            value="CODE",
+            wants="the code of a message",
+            is_repeatable=True,
+            completes="codes",
+        ),
         Option(
             "trust",
             "let the file do whatever Python can",

@@ -88,7 +88,7 @@ def _check_robot(root: Element, links: list[Element], context: CheckContext) -> 
     if name is not None:
         check_spelling(root, name, context)
     if not links and not _is_srdf(root):
-        context.warn(
+        context.error(
             "no-link",
             "the robot has no link, and parsers refuse a robot without one",
             root,
@@ -98,7 +98,7 @@ def _check_robot(root: Element, links: list[Element], context: CheckContext) -> 
     if version is None:
         return VERSIONS[0]
     if version not in VERSIONS:
-        context.warn(
+        context.error(
             "bad-version",
             f"'{version}' is not a version of URDF",
             root,

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from math import isfinite, nan
 
-from ..diagnostics import INHERITED, WARNING, Diagnostic, suggest
+from ..diagnostics import ERROR, INHERITED, WARNING, Diagnostic, suggest
 from ..xmltree import LONGEST_ROW_REMEMBERED, Element, format_value, remember
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Collection, Sequence
 
-    from ..diagnostics import Reporter
+    from ..diagnostics import Frame, Reporter
     from ..source import Span
     from ..xmltree import Shared
 
@@ -124,36 +124,72 @@ class CheckContext:
         missing: str | None = None,
         hint: str | None = None,
         notes: Sequence[str] = (),
-        first: Element | None = None,
     ) -> None:
         """Note a finding at an attribute's value, or at the element when none is named.
 
         With `is_of_name` it is at the attribute's name.
 
         A line in a loop or a function makes many elements; what is wrong with them for the same
-        reason is told once. `missing` names what is not there, where that is the fault. `first` is
-        the element that this one repeats, where the notes tell of its trace.
+        reason is told once. `missing` names what is not there, where that is the fault.
         """
-        self.count += 1
-        if attribute is not None and is_of_name:
-            span = element.name_span(attribute)
-        else:
-            span = place_of(element, attribute)
-        found = self._found[self.stage].setdefault(
-            (code, span.key(), attribute, missing), Finding()
-        )
-        found.count += 1
-        if found.diagnostic is None:
-            is_known = first is None or first.trace is not INHERITED
-            found.diagnostic = Diagnostic(
+        self._note(
+            Diagnostic(
                 code,
                 message,
-                span,
+                element.name_span(attribute)
+                if attribute is not None and is_of_name
+                else place_of(element, attribute),
                 hint=hint,
                 notes=notes,
                 severity=WARNING,
+                trace=element.trace,
+            ),
+            (attribute, missing),
+        )
+
+    def error(
+        self,
+        code: str,
+        message: str,
+        element: Element,
+        *,
+        attribute: str | None = None,
+        missing: str | None = None,
+        hint: str | None = None,
+        notes: Sequence[str] = (),
+        among: Sequence[Element] = (),
+    ) -> None:
+        """Note a fault that parsers refuse; see `warn`.
+
+        It is an error where YAML made the robot, a warning in URDF and xacro that are taken as they
+        are. `among` are the links and joints that are at odds, where there are several: one XML
+        file may be so in itself, but what two includes of it make together was made by YAML.
+        """
+        elements = among or (element,)
+        is_known = all(other.trace is not INHERITED for other in among)
+        self._note(
+            Diagnostic(
+                code,
+                message,
+                place_of(element, attribute),
+                hint=hint,
+                notes=notes,
+                severity=WARNING if _are_taken_as_they_are(elements) else ERROR,
                 trace=element.trace if is_known else INHERITED,
-            )
+            ),
+            (attribute, missing),
+        )
+
+    def _note(self, diagnostic: Diagnostic, about: tuple[str | None, str | None]) -> None:
+        """Note a finding; what is wrong at the same place for the same reason counts as one."""
+        self.count += 1
+        key = (diagnostic.code, diagnostic.span.key(), *about)
+        found = self._found[self.stage].setdefault(key, Finding())
+        found.count += 1
+        if found.diagnostic is None:
+            found.diagnostic = diagnostic
+        elif diagnostic.severity == ERROR:
+            found.diagnostic.severity = ERROR
 
     def flush(self) -> None:
         """Report what was found, stage by stage, in the order it was found."""
@@ -218,6 +254,22 @@ class CheckContext:
         text = attribute_text(element, attribute)
         found = self.read(text) if text is not None else ()
         return found[0] if type(found) is tuple and len(found) == 1 else None
+
+
+def _are_taken_as_they_are(elements: Sequence[Element]) -> bool:
+    """Tell whether elements are all of XML, the main file or one include of it."""
+    if not all(element.span.source.is_xml for element in elements):
+        return False
+    if len(elements) == 1:
+        return True
+    return len({id(_inclusion(element.trace)) for element in elements}) == 1
+
+
+def _inclusion(trace: Frame | None) -> Frame | None:
+    """Return the step from YAML into XML on the way to an element of XML, if there is one."""
+    while trace is not None and trace.span.source.is_xml:
+        trace = trace.parent
+    return trace
 
 
 _remembered: dict[str, tuple[float, ...] | NumberFault] = {}

@@ -71,7 +71,7 @@ def _name(joint: Element) -> str:
 
 
 def _report_type(kind: str, joint: Element, context: CheckContext) -> None:
-    context.warn(
+    context.error(
         "unknown-joint-type",
         f"joint '{_name(joint)}' has the type '{kind}', which URDF does not know",
         joint,
@@ -113,7 +113,7 @@ def _check_axis(axis: Element, joint: Element, context: CheckContext) -> None:
 
 
 def _report_missing_limit(kind: str, joint: Element, context: CheckContext) -> None:
-    context.warn(
+    context.error(
         "missing-limit",
         f"joint '{_name(joint)}' is {kind} and has no limit, which URDF requires",
         joint,
@@ -172,7 +172,7 @@ def _check_dynamics(dynamics: Element, joint: Element, context: CheckContext) ->
     names = ("damping", "friction")
     if any(attribute_text(dynamics, name) is not None for name in names):
         return
-    context.warn(
+    context.error(
         "missing-attribute",
         f"the dynamics of joint '{_name(joint)}' has neither 'damping' nor 'friction'",
         dynamics,

@@ -163,7 +163,7 @@ def _check_geometry(
     where = f"a {section.name} of {label(link)}"
     if not shapes:
         if not geometry.elements():
-            context.warn(
+            context.error(
                 "missing-element",
                 f"the geometry in {where} has no shape",
                 geometry,
@@ -239,7 +239,7 @@ def _check_angles(rpy: str, origin: Element, owner: Element, context: CheckConte
 
 def _check_quaternion(origin: Element, owner: Element, context: CheckContext) -> None:
     if attribute_text(origin, "rpy") is not None:
-        context.warn(
+        context.error(
             "two-rotations",
             f"the origin in {label(owner)} has both 'rpy' and 'quat_xyzw'",
             origin,

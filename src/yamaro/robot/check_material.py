@@ -68,13 +68,14 @@ def _check_global(material: Element, known: dict[str, Element], context: CheckCo
         return
     first = known.get(name)
     if first is not None:
-        context.warn(
+        context.error(
             "duplicate-material",
             f"there are two materials named '{name}'",
             material,
             attribute="name",
             hint="define it once, and refer to it by its name",
             notes=(f"first defined at {first.value_span('name').place()}",),
+            among=(first, material),
         )
         return
     known[name] = material

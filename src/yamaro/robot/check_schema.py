@@ -24,10 +24,12 @@ from .check_material import check_used_material
 from .urdf import (
     ANY,
     ELEMENTS,
+    LIMITS_OF_1_2,
     ONCE,
     OPTIONAL_SINCE_1_2,
     OUTERMOST,
     POSITIVE,
+    SHAPES,
     TEXT,
     AttributeRule,
     ElementRule,
@@ -283,7 +285,7 @@ def _report_not_a_number(
     else:
         message = f"{where} holds '{fault.item}', which is not a number"
         hint = _hint_for_word(fault.item, text)
-    context.warn("not-a-number", message, element, attribute=name, hint=hint)
+    context.error("not-a-number", message, element, attribute=name, hint=hint)
 
 
 def _hint_for_word(item: str, text: str) -> str:
@@ -312,7 +314,7 @@ def _report_count(
         hint = f"write {rule.count} numbers: {COMPONENTS[name]}"
     if name == "rgba" and count == 3:
         hint = f"add the opacity as the fourth number: {text} 1"
-    context.warn(
+    context.error(
         "wrong-count",
         f"'{name}' of '{element.name}' in {label(owner)} needs {wanted}, but has {found}",
         element,
@@ -339,7 +341,10 @@ def _report_sign(
             hint="give the real size in metres, or leave this geometry out",
         )
         return
-    context.warn(
+    # urdfdom refuses a negative acceleration, deceleration and jerk where it reads them.
+    is_refused = context.version == "1.2" and name in LIMITS_OF_1_2
+    tell = context.error if is_refused else context.warn
+    tell(
         "negative-value",
         f"{where} is {shown(number)}, but cannot be negative",
         element,
@@ -367,7 +372,7 @@ def _report_missing_attribute(
         subject = label(owner) if name != "name" else f"a {element.name}"
     if element.name == "robot":
         subject = "the robot"
-    context.warn(
+    context.error(
         "missing-attribute", f"{subject} has no '{name}'", element, missing=name, hint=hint
     )
 
@@ -434,7 +439,7 @@ def _report_missing_child(
     name: str, element: Element, owner: Element, context: CheckContext
 ) -> None:
     subject = _holder(element, owner)
-    context.warn(
+    context.error(
         "missing-element",
         f"{subject} has no '{name}'",
         element,
@@ -456,7 +461,11 @@ def _check_unknown_child(
         message = (
             f"URDF has no element '{child.name}' in {_holder(element, owner)}; parsers ignore it"
         )
-    context.warn(
+    is_needed = child.name in rule.required and element.attributes.get(child.name) is None
+    if element.name == "geometry":
+        is_needed = not any(each.name in SHAPES for each in element.elements())
+    tell = context.error if is_needed else context.warn
+    tell(
         "unknown-element",
         message,
         child,

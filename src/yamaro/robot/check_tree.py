@@ -77,14 +77,14 @@ def _check_name(element: Element, known: dict[str, Element], context: CheckConte
         return
     if not name:
         return
-    context.warn(
+    context.error(
         f"duplicate-{element.name}",
         f"there are two {element.name}s named '{name}'",
         element,
         attribute="name",
         hint="give each a name of its own; in a function, build it from an argument: `$(side)_arm`",
         notes=(_note_of_first(first, element),),
-        first=first,
+        among=(first, element),
     )
 
 
@@ -109,7 +109,8 @@ def check_spelling(element: Element, name: str, context: CheckContext) -> None:
         message = f"the {element.name} name '{name}' has white space in it"
     else:
         message = f"the {element.name} name '{name}' holds characters that cannot be seen"
-    context.warn(
+    tell = context.warn if name or element.name == "robot" else context.error
+    tell(
         "bad-name",
         message,
         element,
@@ -162,7 +163,7 @@ def _reference(
         return name
     role = element.name
     joint_name = attribute_text(joint, "name")
-    context.warn(
+    context.error(
         f"unknown-{role}",
         f"the {role} '{name}' of joint '{joint_name}' is not a link of the robot",
         element,
@@ -188,13 +189,14 @@ def _report_two_parents(child: str, first: Element, second: Element, context: Ch
     names = [attribute_text(joint, "name") or "" for joint in (first, second)]
     if names[0] == names[1]:
         return  # Joints of one name are told of; most often all of a part is there twice.
-    context.warn(
+    context.error(
         "two-parents",
         f"link '{child}' is the child of two joints, {listed(names)}",
         child_named(second, "child") or second,
         attribute="link",
         hint="a link hangs on one joint: URDF is a tree and cannot close a loop",
         notes=(f"the first joint is at {first.span.place()}",),
+        among=(first, second),
     )
 
 
@@ -237,12 +239,13 @@ def _report_circle(circle: list[str], hanging: Hanging, context: CheckContext) -
         message = f"joint '{name}' has the link '{circle[0]}' both as parent and as child"
     else:
         message = f"the joints run in a circle: {' → '.join(way)}"
-    context.warn(
+    context.error(
         "joint-cycle",
         message,
         child_named(joint, "parent") or joint,
         attribute="link",
         hint=hint,
+        among=[hanging.joints[name] for name in circle],
     )
 
 
@@ -250,13 +253,14 @@ def _check_roots(tree: Tree, hanging: Hanging, context: CheckContext) -> None:
     roots = [name for name in tree.links if name not in hanging.parents]
     if len(roots) < 2:
         return
-    context.warn(
+    context.error(
         "several-roots",
         f"the robot falls into {len(roots)} trees: {listed(roots)} are no joint's child",
         tree.links[roots[1]],
         attribute="name",
         hint=f"make '{roots[1]}' the child of a joint; a fixed one will do",
         notes=(f"the first root link is at {tree.links[roots[0]].span.place()}",),
+        among=[tree.links[name] for name in roots],
     )
 
 
@@ -305,7 +309,7 @@ def _check_mimics(joints: list[JointParts], tree: Tree, context: CheckContext) -
             continue
         name = attribute_text(joint, "name") or ""
         if master not in tree.joints:
-            context.warn(
+            context.error(
                 "unknown-mimic",
                 f"joint '{name}' mimics '{master}', which is not a joint of the robot",
                 mimic,
@@ -340,10 +344,11 @@ def _report_mimic_circle(circle: list[str], tree: Tree, context: CheckContext) -
     else:
         way = [*circle[:MAX_PATH_SHOWN], circle[0]]
         message = f"joints mimic one another in a circle: {' → '.join(way)}"
-    context.warn(
+    context.error(
         "mimic-cycle",
         message,
         child_named(joint, "mimic") or joint,
         attribute="joint",
         hint=hint,
+        among=[tree.joints[name] for name in circle],
     )

@@ -178,6 +178,7 @@ ELEMENTS = {
 }
 """The rule of each element by its name; URDF never uses a name for two things."""
 
+LIMITS_OF_1_2 = frozenset(("acceleration", "deceleration", "jerk"))
 OPTIONAL_SINCE_1_2 = frozenset(("effort", "velocity"))
 """Limits that URDF 1.2 takes as unbounded when they are left out."""
 

@@ -76,6 +76,8 @@ class Rebuilder:
         command_line: Sequence[str],
         on_message: Callable[[str], None],
         strict: bool = False,
+        allow: Sequence[str] = (),
+        deny: Sequence[str] = (),
         advice: bool = False,
         has_root: bool = False,
         output: str | None = None,
@@ -88,6 +90,8 @@ class Rebuilder:
         self.command_line = command_line
         self._on_message = on_message
         self._strict = strict
+        self._allow = allow
+        self._deny = deny
         self._advice = advice
         self._has_root = has_root
         self._output = output
@@ -118,7 +122,13 @@ class Rebuilder:
         return turn
 
     def _try(self, variables: Mapping[str, object]) -> Turn:
-        program = self._program or Program(self.path, policy=self.policy, packages=self.packages)
+        program = self._program or Program(
+            self.path,
+            policy=self.policy,
+            packages=self.packages,
+            allow=self._allow,
+            deny=self._deny,
+        )
         self._program = program  # another thread may want it forgotten meanwhile
         try:
             build = program.build(

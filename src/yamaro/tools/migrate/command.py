@@ -9,6 +9,7 @@ from ...runtime.loader import FileLoader, LoadError, check_size
 from ...runtime.xml_includes import read_included
 from ...source import STANDARD_INPUT, STANDARD_INPUT_NAME
 from ...xmlreader import decode_xml, read_xml
+from .refused import build_allowing, options_to_allow
 from .urdf import Migration, migrate_urdf
 
 TYPE_CHECKING = False
@@ -62,12 +63,19 @@ def migrate_source(source: Source, limits: Limits, *, exact: bool = False) -> Mi
     """
     stem = os.path.splitext(source.path)[0] or "robot"
 
+    allowed: list[str] = []
+
     def build(text: str) -> Element:
-        built = Program(f"{stem}.yaml", text=text).build(on_message=ignore, meshes="keep")
-        assert built.root is not None
+        built, allowed[:] = build_allowing(
+            lambda codes: Program(f"{stem}.yaml", text=text, allow=codes).build(
+                on_message=ignore, meshes="keep"
+            )
+        )
         return built.root
 
-    return migrate_urdf(read_xml(source, limits), build, exact=exact)
+    migration = migrate_urdf(read_xml(source, limits), build, exact=exact)
+    migration.allowed = allowed
+    return migration
 
 
 def is_xacro_file(source: Source, limits: Limits) -> bool:
@@ -87,6 +95,8 @@ def report(migration: Migration | XacroMigration) -> str:
     counts = f"{_counted(links, 'link')}, {_counted(joints, 'joint')}"
     if migration.defaults:
         counts += f"; {_counted(migration.defaults, 'default')} written out"
+    if migration.allowed:
+        counts += f"; parsers refuse it: build it with {options_to_allow(migration.allowed)}"
     return f"identical: {counts}"
 
 

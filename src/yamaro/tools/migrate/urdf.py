@@ -20,7 +20,7 @@ from .parts import Names, NoPart, PartWriter, is_short_material, material_entry
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Sequence
 
     from ...xmlreader import XmlDocument
     from .compare import Difference
@@ -38,9 +38,10 @@ class Migration:
         root: the robot it was made of.
         differences: what differs.
         defaults: how many origins, or values of origins, only the source gives.
+        allowed: the codes to allow when it is built, since parsers refuse the robot.
     """
 
-    __slots__ = ("defaults", "differences", "root", "text")
+    __slots__ = ("allowed", "defaults", "differences", "root", "text")
 
     def __init__(
         self, text: str, root: Element, differences: list[Difference], defaults: int = 0
@@ -50,6 +51,7 @@ class Migration:
         self.root = root
         self.differences = differences
         self.defaults = defaults
+        self.allowed: Sequence[str] = ()
 
 
 def migrate_urdf(

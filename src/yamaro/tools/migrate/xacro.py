@@ -14,7 +14,7 @@ from .xacro_writer import FileWriter
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Collection, Iterator
+    from collections.abc import Collection, Iterator, Sequence
 
     from ...diagnostics import Diagnostic
     from ...source import Span
@@ -36,6 +36,7 @@ class XacroMigration:
         is_compared_with_xacro: whether the package xacro made what it was compared with.
         faults: the errors of the sources, if they cannot be built.
         layout: which files became sources, and which stayed as they are.
+        allowed: the codes to allow when they are built, since parsers refuse the robot.
     """
 
     def __init__(self, files: dict[str, str], main: str, root: Element) -> None:
@@ -49,6 +50,7 @@ class XacroMigration:
         self.lost: list[tuple[Span, str, str]] = []
         self.is_compared_with_xacro = False
         self.faults: list[Diagnostic] = []
+        self.allowed: Sequence[str] = ()
         self.layout: Layout
 
     @property

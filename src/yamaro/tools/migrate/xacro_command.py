@@ -15,6 +15,7 @@ from ...source import Source, Span
 from ...xmlreader import decode_xml, read_xml
 from .command import ignore
 from .compare import Difference, compare, count_defaults
+from .refused import build_allowing
 from .xacro import XacroMigration, migrate_program
 from .xacro_layout import ALL
 from .xacro_program import Program
@@ -174,13 +175,13 @@ class Judge:
         self._given = given
         self._expected = expected
         self._exact = exact
-        self._programs: dict[int, Yamaro] = {}
+        self._programs: dict[tuple[object, ...], Yamaro] = {}
 
     def tried(self, program: Program, wanted: Collection[str]) -> XacroMigration:
         """Return the sources of a robot, with their faults and differences."""
         migration = migrate_program(program, wanted)
         try:
-            built = self._built(migration, self._given)
+            built, migration.allowed = self._built(migration, self._given)
             migration.differences = compare(self._expected, built, exact=self._exact)
             migration.defaults = count_defaults(self._expected, built)
         except YamaroError as error:
@@ -191,29 +192,37 @@ class Judge:
         """Return in what the robot differs that sources make with other arguments."""
         shown = ", ".join(f"{name}:={value}" for name, value in run.changed.items())
         try:
-            built = self._built(migration, run.arguments)
+            built, _ = self._built(migration, run.arguments)
         except YamaroError as error:
             why = f"it has an error: {error.diagnostics[0].message}"
             return [Difference((f"with {shown}",), why)]
         found = compare(run.result, built, exact=self._exact)
         return [Difference((f"with {shown}", *each.path), each.message) for each in found]
 
-    def _built(self, migration: XacroMigration, arguments: Mapping[str, str]) -> Element:
+    def _built(
+        self, migration: XacroMigration, arguments: Mapping[str, str]
+    ) -> tuple[Element, list[str]]:
+        """Return what the sources make, and the codes that have to be allowed for it."""
         given = [f"{name}:={value}" for name, value in arguments.items()]
-        built = self._program(migration).build(command_line=given, on_message=ignore, meshes="keep")
-        assert built.root is not None
-        return built.root
+        built, codes = build_allowing(
+            lambda codes: self._program(migration, codes).build(
+                command_line=given, on_message=ignore, meshes="keep"
+            )
+        )
+        return built.root, codes
 
-    def _program(self, migration: XacroMigration) -> Yamaro:
-        if id(migration) not in self._programs:
+    def _program(self, migration: XacroMigration, codes: Sequence[str]) -> Yamaro:
+        key = (id(migration), *codes)
+        if key not in self._programs:
             files = migration.files.items()
             texts = {os.path.join(self._folder, name): text for name, text in files}
-            self._programs[id(migration)] = Yamaro(
+            self._programs[key] = Yamaro(
                 os.path.join(self._folder, migration.main),
                 loader=OverlayLoader(texts, self._host.limits),
                 packages=self._host.found,
+                allow=codes,
             )
-        return self._programs[id(migration)]
+        return self._programs[key]
 
 
 def expanded_by_xacro(path: str, arguments: Mapping[str, str], host: DiskHost) -> Element | None:

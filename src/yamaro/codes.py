@@ -1,0 +1,42 @@
+"""The codes of diagnostics whose severity can be chosen, with `--allow` and `--deny`."""
+
+from __future__ import annotations
+
+from .diagnostics import suggest
+from .terminal import shortened
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Collection
+
+ADJUSTABLE = frozenset(
+    """
+    anchored-expression angle-too-large assumed-limit axis-not-unit bad-color bad-inertia
+    bad-mass bad-mesh bad-name bad-size bad-version capsule-needs-urdf-1.1 comment-entry
+    dollar-in-string duplicate-joint duplicate-link duplicate-material function-replaced
+    gimbal-rpy hidden-value joint-cycle large-mesh limit-order long-chain mimic-cycle
+    misplaced-key misplaced-part missing-attribute missing-element missing-extra missing-limit
+    missing-mesh-file misspelt-statement needs-version negative-value no-link not-a-number
+    odd-density odd-inertia odd-mass quaternion-not-unit repeated-element root-inertia
+    several-roots several-shapes slash-in-name two-parents two-rotations unknown-attribute
+    unknown-child unknown-element unknown-joint-type unknown-key unknown-material unknown-mimic
+    unknown-package unknown-parent unknown-variable unused-geometry wrong-count xacro-deprecated
+    xacro-ignored xacro-lost xacro-message xacro-name xacro-no-files xacro-prefix
+    xacro-redefined xacro-scope xacro-syntax xacro-unknown-attribute zero-axis zero-limit
+    """.split()
+)
+"""What a document can be written with: the warnings, the advice, the errors of finished robots."""
+
+
+def fault_of_codes(allowed: Collection[str], denied: Collection[str]) -> str | None:
+    """Return what is wrong with codes to allow and codes to deny, or None."""
+    for code in sorted({*allowed, *denied}):
+        if code in ADJUSTABLE:
+            continue
+        near = suggest(code, ADJUSTABLE)
+        hint = f"; did you mean '{near}'?" if near else ""
+        return f"'{shortened(code)}' is not a code that can be allowed or denied{hint}"
+    for code in sorted(allowed):
+        if code in denied:
+            return f"'{code}' cannot be both allowed and denied"
+    return None
