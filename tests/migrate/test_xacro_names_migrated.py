@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.migrate.against_xacro import holds, moved
+from tests.migrate.against_xacro import holds, is_same, moved
 
 MACRO_IN_FILE = '<xacro:macro name="m" params=""><link name="l${size}"/></xacro:macro>'
 
@@ -92,3 +92,137 @@ def test_data_is_found_from_the_file_that_calls_the_macro(tmp_path: Path, base: 
     migration = moved(tmp_path, files, "main/r.xacro")
     assert migration.faults == []
     assert migration.differences == []
+
+
+@pytest.mark.parametrize(
+    "value",
+    ["$(arg never_declared)", "$(find not_there)/x", "${no_such_name + 1}", "$(env NO_SUCH)"],
+)
+@pytest.mark.parametrize("reader", ["", '<xacro:if value="$(arg on)"><b b="${p}"/></xacro:if>'])
+def test_a_property_that_nothing_reads_need_not_have_a_value(
+    tmp_path: Path, value: str, reader: str
+) -> None:
+    macro = '<xacro:macro name="m" params=""><a a="${p}"/></xacro:macro>'
+    text = f'<xacro:arg name="on" default="false"/><xacro:property name="p" value="{value}"/>'
+    holds(tmp_path, {"r.xacro": text + macro + reader + '<link name="base"/>'})
+
+
+@pytest.mark.parametrize("default", ["$(find not_there)/x.yaml", "$(env NO_SUCH)"])
+def test_a_default_that_is_not_reached_need_not_have_a_value(tmp_path: Path, default: str) -> None:
+    inside = f'<xacro:arg name="limits" default="{default}"/><link name="$(arg limits)"/>'
+    text = (
+        """<xacro:arg name="arm" default=""/><xacro:unless value="${'$(arg arm)' == ''}">"""
+        f'{inside}</xacro:unless><link name="base"/>'
+    )
+    migration = holds(tmp_path, {"r.xacro": text})
+    assert "limits is None" in migration.files["r.yaml"]
+    assert is_same(tmp_path, migration, "arm:=a", "limits:=b")
+
+
+@pytest.mark.parametrize(
+    "order",
+    [
+        "{y}{include}{macro}",
+        "{y}{macro}{include}",
+        "{y}<other/>{include}{macro}",
+        "{z}{y}{include}",
+    ],
+)
+def test_a_property_may_stand_before_the_names_it_is_made_of(tmp_path: Path, order: str) -> None:
+    text = order.format(
+        y='<xacro:property name="y" value="${length * 3}"/>',
+        z='<xacro:property name="z" value="${y + 1}"/>',
+        include='<xacro:include filename="w.xacro"/>',
+        macro='<xacro:macro name="m" params=""><link name="l${y}"/></xacro:macro>',
+    )
+    call = '<link name="l${z}"/>' if "{z}" in order else "<xacro:m/>"
+    files = {
+        "w.xacro": '<xacro:property name="length" value="2"/>',
+        "m.xacro": text,
+        "r.xacro": f'<xacro:include filename="m.xacro"/>{call}',
+    }
+    holds(tmp_path, files)
+
+
+def test_all_digits_of_a_number_stand_in_a_name(tmp_path: Path) -> None:
+    text = '<xacro:property name="y" value="${0.1 + 0.2}"/><link name="l${y}"/><a a="1 ${y}"/>'
+    made = holds(tmp_path, {"r.xacro": text}).files["r.yaml"]
+    assert "link/name=l$(str(y)):" in made
+    assert "a/a=1 $(y):" in made
+
+
+@pytest.mark.parametrize("around", ["{}", "<xacro:if value='${len(t) > 1}'>{}</xacro:if>"])
+def test_a_file_that_a_macro_includes_may_redefine_its_parameter(
+    tmp_path: Path, around: str
+) -> None:
+    lowered = '<xacro:property name="t" value="${t.lower()}" lazy_eval="false"/>'
+    chosen = (
+        """<xacro:if value="${t == 'hand_e'}"><xacro:property name="t" value="E"/></xacro:if>"""
+    )
+    files = {
+        "n.xacro": '<link name="a_${t}"/>' + around.replace("{}", lowered) + chosen,
+        "r.xacro": '<xacro:macro name="m" params="t"><xacro:include filename="n.xacro"/>'
+        '<link name="l${t}"/></xacro:macro><xacro:m t="HAND_E"/><xacro:m t="Other"/>',
+    }
+    holds(tmp_path, files)
+
+
+def test_a_property_of_a_global_one_that_an_included_macro_sets_is_kept(tmp_path: Path) -> None:
+    files = {
+        "p.xacro": '<xacro:macro name="plate" params="">'
+        '<xacro:property name="size" value="3" scope="global"/></xacro:macro>',
+        "r.xacro": '<xacro:macro name="grip" params="plate"><xacro:if value="${plate}">'
+        '<xacro:include filename="p.xacro"/><xacro:plate/>'
+        '<xacro:property name="len" value="${size}" scope="local"/></xacro:if>'
+        '<link name="l${len}"/></xacro:macro><xacro:grip plate="true"/>',
+    }
+    assert holds(tmp_path, files).lost == []
+
+
+@pytest.mark.parametrize(
+    ("default", "quoted"),
+    [("01", True), ("1", True), ("0.10", True), ("true", True), ("01", False)],
+)
+def test_a_number_in_quotes_stays_the_text_that_it_is(
+    tmp_path: Path, default: str, quoted: bool
+) -> None:
+    given = "'$(arg v)'" if quoted else "$(arg v)"
+    text = (
+        f'<xacro:arg name="v" default="{default}"/><xacro:macro name="m" params="v">'
+        f"""<xacro:if value="${{v == '{default}'}}"><link name="yes"/></xacro:if>"""
+        '<link name="l$(arg v)"/><link name="m${v}"/></xacro:macro>'
+        f'<xacro:m v="{given}"/>'
+    )
+    migration = moved(tmp_path, {"r.xacro": text})
+    assert migration.faults == []
+    assert is_same(tmp_path, migration)
+
+
+BLOCK = '<block><origin xyz="{} 0 0" rpy="0 0 0"/></block>'
+
+
+@pytest.mark.parametrize(
+    "given",
+    [
+        "<xacro:if value='${on}'>{0}</xacro:if><xacro:if value='${not on}'>{1}</xacro:if>",
+        "<xacro:if value='$(arg on)'>{0}</xacro:if><xacro:unless value='${on}'>{1}</xacro:unless>",
+        '<xacro:if value="true"><xacro:if value="true">{0}</xacro:if></xacro:if>',
+    ],
+)
+@pytest.mark.parametrize("more", ["", " *tip"])
+def test_a_block_may_be_chosen_by_conditions(tmp_path: Path, given: str, more: str) -> None:
+    tip = '<xacro:insert_block name="tip"/>' if more else ""
+    text = (
+        (
+            '<xacro:arg name="on" default="true"/><xacro:property name="on" value="$(arg on)"/>'
+            f'<xacro:macro name="m" params="name **block{more}">'
+            '<joint name="${name}" type="fixed"><parent link="base"/><child link="${name}_link"/>'
+            '<xacro:insert_block name="block"/></joint><link name="${name}_link"/>'
+            f"{tip}</xacro:macro>"
+            f'<link name="base"/><xacro:m name="a">{given}{"<tip/>" if more else ""}</xacro:m>'
+        )
+        .replace("{0}", BLOCK.format(1))
+        .replace("{1}", BLOCK.format(-1))
+    )
+    others = () if "true" in given else ("on:=false",)
+    assert holds(tmp_path, {"r.xacro": text}, *others).lost == []

@@ -12,6 +12,7 @@ from .xacro_python import CannotMigrate
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from ...xmltree import Node
     from .xacro_parts import Write
     from .xacro_program import Macro
     from .xacro_writer import FileWriter
@@ -81,16 +82,8 @@ def _add_blocks(writer: FileWriter, node: Element, macro: Macro, arguments: Body
     blocks = macro.blocks()
     remarks = _remarks_on(node)
     arguments.opening = remarks.opening
-    if len(blocks) != len(given):
-        if len(blocks) != 1 or blocks[0].startswith("**"):
-            raise CannotMigrate(f"the blocks of '{macro.name}' are computed")
-        own = blocks[0].lstrip("*")
-        with writer.within(
-            place_of_block(writer, macro, own),
-            is_in_element=writer.here.is_in_element,
-            holder=(macro.name, own),
-        ):
-            arguments.add(block_name(writer, own), writer.body(node.children))
+    if len(blocks) != len(given) or _has_choice(blocks, given):
+        _add_chosen(writer, macro, node, arguments)
         return
     for block, child, remark in zip(blocks, given, remarks, strict=True):
         name = block_name(writer, block.lstrip("*"))
@@ -109,6 +102,66 @@ def _add_blocks(writer: FileWriter, node: Element, macro: Macro, arguments: Body
             arguments.append(Entry(name, content, remark.comment))
             arguments.note_end(remark.ending)
     arguments.note(remarks.remark)
+
+
+def _has_choice(blocks: list[str], given: list[Element]) -> bool:
+    """Tell whether what a block stands for, without the element itself, is in a condition."""
+    return any(
+        block.startswith("**") and child.name in _CONDITIONS
+        for block, child in zip(blocks, given, strict=False)
+    )
+
+
+def _add_chosen(writer: FileWriter, macro: Macro, node: Element, arguments: Body) -> None:
+    """Add blocks that conditions choose: each element, or row of conditions, is one of them."""
+    blocks = macro.blocks()
+    rows = _rows(node.children)
+    if len(blocks) == 1 and not blocks[0].startswith("**"):
+        rows = [node.children]
+    if len(rows) != len(blocks):
+        raise CannotMigrate(f"the blocks of '{macro.name}' are computed")
+    for block, row in zip(blocks, rows, strict=True):
+        own = block.lstrip("*")
+        content = row
+        if block.startswith("**"):
+            content = [inner for each in row for inner in _inside(each, block, macro)]
+        with writer.within(
+            place_of_block(writer, macro, own),
+            is_in_element=writer.here.is_in_element,
+            holder=(macro.name, own),
+        ):
+            arguments.add(block_name(writer, own), writer.body(content))
+
+
+_CONDITIONS = ("xacro:if", "xacro:unless")
+
+
+def _rows(nodes: list[Node]) -> list[list[Node]]:
+    """Return elements one by one, but conditions that follow each other together."""
+    rows: list[list[Node]] = []
+    was_condition = False
+    for node in nodes:
+        if not isinstance(node, Element):
+            continue
+        is_condition = node.name in _CONDITIONS
+        if is_condition and was_condition:
+            rows[-1].append(node)
+        else:
+            rows.append([node])
+        was_condition = is_condition
+    return rows
+
+
+def _inside(node: Node, block: str, macro: Macro) -> list[Node]:
+    """Return what is in an element, or in those that a condition chooses from."""
+    if not isinstance(node, Element):
+        return []
+    if node.name in _CONDITIONS:
+        inner = [each for child in node.children for each in _inside(child, block, macro)]
+        return [node.with_children(inner)]
+    if is_statement(node):
+        raise CannotMigrate(f"the block '{block}' of '{macro.name}' is computed")
+    return node.children
 
 
 def _remarks_on(node: Element) -> Body:

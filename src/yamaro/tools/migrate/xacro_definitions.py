@@ -48,7 +48,9 @@ def is_late(writer: FileWriter, name: str) -> bool:
     if argument is None:
         return False
     known = PREDEFINED | writer.program.arguments.keys()
-    return len(argument.defaults) > 1 or not argument.made_of <= known
+    if len(argument.defaults) > 1 or not argument.made_of <= known:
+        return True
+    return not writer.program.has_what_it_needs(argument.default)
 
 
 def write_property(writer: FileWriter, node: Element, body: Body) -> None:
@@ -65,7 +67,7 @@ def write_property(writer: FileWriter, node: Element, body: Body) -> None:
     text = given.get("value", given.get("default", ""))
     if is_argument(text, name) and name not in writer.here.hides:
         return
-    if not _may_be_evaluated(writer, text):
+    if not _may_be_evaluated(writer, node, text):
         body.note(f"not evaluated: {name}: {text}")
         if name in writer.here.read:
             writer.lose(node.span, f"nothing defines what the property '{name}' is made of")
@@ -102,6 +104,8 @@ def _scope(writer: FileWriter, name: str, given: str) -> str:
         return scope
     if scope == "/parent" and writer.path in writer.program.namespaces.inside:
         raise CannotMigrate(f"the property '{name}' is handed out of a namespace")
+    if name in writer.program.names_of_includers(writer.path):
+        return "/parent"
     if scope and writer.path not in writer.program.included_by_macros:
         return scope
     if name in writer.reach.hidden:
@@ -126,9 +130,14 @@ def _sort(writer: FileWriter, variables: Body, name: str, text: str) -> None:
             return
 
 
-def _may_be_evaluated(writer: FileWriter, text: str) -> bool:
-    """Tell whether all names of a value are known: xacro evaluates only what is read."""
-    return names_in(text) <= writer.here.visible | PREDEFINED
+def _may_be_evaluated(writer: FileWriter, node: Element, text: str) -> bool:
+    """Tell whether all that a value is made of is there: xacro evaluates only what is read."""
+    known = writer.program.can_be_evaluated(node)
+    if known is not None:
+        return known
+    return names_in(text) <= (
+        writer.here.visible | PREDEFINED | writer.program.assigned_from_inside
+    )
 
 
 def _define_block(writer: FileWriter, node: Element, name: str, body: Body) -> None:

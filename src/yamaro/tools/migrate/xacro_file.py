@@ -7,7 +7,7 @@ import os
 from ...syntax.names import STATEMENTS
 from ...xmltree import format_value
 from .compare import is_used, prefixes_in
-from .document import Body, Entry, joined, literal
+from .document import Body, Entry, Quoted, joined, literal
 from .elements import comments_above, tidy_text, walk
 from .xacro_definitions import PREDEFINED, is_late
 from .xacro_python import CannotMigrate
@@ -66,6 +66,8 @@ def _arguments(writer: FileWriter) -> Body:
             default = argument.default
             is_python = writer.program.is_python(name)
             value = f"$({default.strip()})" if is_python else writer.translator.value(default)
+            if name in writer.program.spelled:
+                value = Quoted(default)
         except CannotMigrate as error:
             writer.lose(argument.span, str(error))
             continue
@@ -88,6 +90,8 @@ def _take_variables(writer: FileWriter, model: Body, declared: Body) -> None:
     for index, entry in enumerate(model.entries):
         if entry.key == "variables":
             assert isinstance(entry.value, Body)
+            if index and writer.path in writer.program.included_by_macros:
+                return  # a macro may have given them values before
             if index and not _is_independent(writer, entry.value, declared):
                 return
             if names_of(entry.value) & names_of(declared):

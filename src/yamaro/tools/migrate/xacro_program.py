@@ -10,6 +10,7 @@ import os
 import re
 
 from ...diagnostics import YamaroError
+from ...xacro.literals import guess_value
 from ...xacro.parameters import Parameter, parse_parameters
 from ...xmltree import Comment, Element, format_value
 from .document import spaced
@@ -116,6 +117,7 @@ class Program:
         runs: its expansions, the first with the arguments given.
         untried: the arguments that were changed in no run, as there were too many.
         included: the paths that an include means, by the place of its `filename`.
+        spelled: the arguments that keep the spelling of their numbers, with what these are.
         truth_arguments: the arguments that are true or false.
         truths: expressions that were truth values or lists, which Python shows in its own way.
         numbers: expressions that gave a text which xacro takes for a number: `float` or `int`.
@@ -200,6 +202,7 @@ class Program:
         self._maybe_truths = Truths(self.roots.values(), self.truth_arguments)
         for path, root in self.roots.items():
             self._names[path] |= self.forwarded_in(root)
+        self.spelled = self._spelled()
         self.at_top: set[str] = set()
         self.read: set[str] = set()
         self.inherited = self._names_of_callers()
@@ -284,6 +287,38 @@ class Program:
         span = include.value_span("filename")
         named = self.runs.named.get((span.source.path, span.start), {})
         return {name: path for name, path in named.items() if path in self.roots}
+
+    def can_be_evaluated(self, node: Element) -> bool | None:
+        """Tell whether the value of a property can be evaluated; None if no run has told."""
+        place = (node.span.source.path, node.span.start)
+        if place in self.runs.evaluated:
+            return True
+        return False if place in self.runs.failing else None
+
+    def has_what_it_needs(self, default: str) -> bool:
+        """Tell whether the packages and the environment are there that a default asks for."""
+        for command, name in re.findall(r"\$\((find|env)\s+([^()\s]+)\s*\)", default):
+            if "$" in name:
+                continue
+            is_there = self.finds(name) if command == "find" else self._host.environment(name)
+            if is_there is None:
+                return False
+        return True
+
+    def names_of_includers(self, path: str) -> set[str]:
+        """Return the names that the macros have which include a file."""
+        return set().union(
+            *(
+                set(macro.values()) | defined_in(macro.element)
+                for macro in self.definitions.values()
+                if path in self.included_by_macros
+                and any(
+                    path in self.files_of(element)
+                    for element in walk(macro.element)
+                    if element.name == "xacro:include"
+                )
+            )
+        )
 
     def finds(self, package: str) -> str | None:
         """Return the folder in which a package is found from the main file, or None."""
@@ -566,6 +601,30 @@ class Program:
     def folder_meant(self, start: str, element: Element) -> str | None:
         """Return the folder that the start of a file's name means where an element stands."""
         return folder_meant(start, element.span.source.path, self._host, element.span)
+
+    def is_typed_argument(self, name: str) -> bool:
+        """Tell whether the default of an argument is a number or truth value, and no text."""
+        argument = self.arguments.get(name)
+        if argument is None or name in self.spelled:
+            return False
+        return not isinstance(guess_value(argument.default), str)
+
+    def _spelled(self) -> dict[str, str]:
+        """Return the arguments whose texts say more than the numbers do that they stand for.
+
+        These are whole numbers such as 01, and others that stand in quotes somewhere.
+        """
+        found = {}
+        texts = [text for root in self.roots.values() for text in _texts_in(root)]
+        for name, argument in self.arguments.items():
+            value = guess_value(argument.default)
+            kind = {int: "int", float: "float"}.get(type(value))
+            if kind is None or str(value) == argument.default:
+                continue
+            quoted = (f"'$(arg {name})'", f'"$(arg {name})"')
+            if kind == "int" or any(each in text for text in texts for each in quoted):
+                found[name] = kind
+        return found
 
     def is_python(self, name: str) -> bool:
         """Tell whether an argument is a list or the like that is put into expressions only."""

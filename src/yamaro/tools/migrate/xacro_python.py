@@ -7,13 +7,13 @@ import re
 from ...runtime.predefined import CONSTANTS
 from ...xacro.faults import Fault
 from ...xacro.literals import guess_value
-from ...xacro.templates import Expression, Substitution, Template, parse_template
+from ...xacro.templates import Expression, Part, Substitution, Template, parse_template
 from .document import Quoted, literal
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     import ast
-    from collections.abc import Callable, Collection, Mapping
+    from collections.abc import Callable, Collection, Mapping, Sequence
     from typing import TypeGuard
 
 METHODS = frozenset(
@@ -39,6 +39,9 @@ class Translator:
         used: the names they read.
         argument: gives the name of the variable for an argument.
         data_folder: what stands before relative names of data.
+        long_floats: the expressions that give floats which are rounded where they are written.
+        spelled: the arguments that keep the spelling of their numbers, with what these are.
+        is_typed_argument: tells arguments that are not always texts.
     """
 
     def __init__(
@@ -68,6 +71,9 @@ class Translator:
         self._numbers = numbers
         self._truth_texts = truth_texts
         self.data_folder = ""
+        self.long_floats: Collection[str] = ()
+        self.spelled: Mapping[str, str] = {}
+        self.is_typed_argument: Callable[[str], bool] = lambda name: False
         self.imports: set[str] = set()
         self.used: set[str] = set()
 
@@ -76,14 +82,17 @@ class Translator:
     def text(self, text: str) -> str:
         """Return a text that is put out: an attribute, the content of an element, a name."""
         pieces = []
-        for part in _parsed(text).parts:
+        parts = _parsed(text).parts
+        for index, part in enumerate(parts):
             if isinstance(part, str):
                 pieces.append(literal(part))
             elif isinstance(part, Substitution):
                 pieces.append(f"$({self._substitution(part.text)})")
             else:
                 python = self.expression(part.text)
-                if self._is_shown_as_truth(part.text):
+                if self._is_shown_as_truth(part.text) or (
+                    part.text.strip() in self.long_floats and _is_in_word(parts, index)
+                ):
                     python = f"str({python})"
                 pieces.append(f"$({python})")
         return "".join(pieces)
@@ -91,7 +100,7 @@ class Translator:
     def value(self, text: str) -> str:
         """Return the value of a variable or argument, which is a number if its text is one."""
         if len(text) > 1 and text[0] == text[-1] == "'" and "$" in text:
-            return self.text(text[1:-1])
+            return self._quoted(text[1:-1])
         template = _parsed(text)
         if len(template.parts) == 1 and isinstance(template.parts[0], Expression):
             own = template.parts[0].text
@@ -102,8 +111,22 @@ class Translator:
         if plain is not None:
             return typed(plain)
         if len(template.parts) == 1 and isinstance(template.parts[0], Substitution):
-            return self._typed_environment(template.parts[0].text) or self.text(text)
+            own = template.parts[0].text
+            kind = self.spelled.get(own.removeprefix("arg").strip())
+            if kind:
+                return f"$({kind}({self._command(own)}))"
+            return self._typed_environment(own) or self.text(text)
         return self.text(text)
+
+    def _quoted(self, text: str) -> str:
+        """Return a text that stands in quotes, so that it is not taken for a number."""
+        parts = _parsed(text).parts
+        name = (
+            parts[0].text.removeprefix("arg").strip() if isinstance(parts[0], Substitution) else ""
+        )
+        if len(parts) > 1 or not self.is_typed_argument(name):
+            return self.text(text)
+        return f"$({self._as_text(self.argument(name))})"
 
     def _typed_environment(self, content: str) -> str | None:
         """Return a variable of the environment as what its default is: a number or truth value."""
@@ -453,6 +476,16 @@ def is_typed(text: str) -> bool:
     from ...syntax.scalars import type_plain
 
     return not isinstance(type_plain(text), str)
+
+
+def _is_in_word(parts: Sequence[Part], index: int) -> bool:
+    """Tell whether a part of a text is no word by itself."""
+    before = parts[index - 1] if index else ""
+    after = parts[index + 1] if index + 1 < len(parts) else ""
+    ends = (before[-1:] if isinstance(before, str) else "$") + (
+        after[:1] if isinstance(after, str) else "$"
+    )
+    return bool(ends.strip())
 
 
 def _parsed(text: str) -> Template:

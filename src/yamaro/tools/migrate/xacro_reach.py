@@ -6,12 +6,12 @@ its parameters and properties. A function of Yamaro shows them only the variable
 
 from __future__ import annotations
 
+from ...xmltree import Element, format_value
 from .elements import walk
 from .xacro_program import Program, defined_in, used_in
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from ...xmltree import Element
     from .xacro_program import Macro
 
 
@@ -34,6 +34,21 @@ class _Reads:
         self.reached = reached
 
 
+def _read_first(root: Element, inside: set[int]) -> set[str]:
+    """Return the names that a file reads before it defines them itself."""
+    first: set[str] = set()
+    defined: set[str] = set()
+    conditional: set[int] = set()
+    for element in walk(root, inside):
+        first |= used_in(Element(element.name, element.span, element.attributes)) - defined
+        first |= used_in(Element("text", element.span, {"text": element.text()})) - defined
+        if element.name in ("xacro:if", "xacro:unless"):
+            conditional.update(map(id, walk(element)))
+        elif element.name == "xacro:property" and id(element) not in conditional:
+            defined.add(format_value(element.attributes.get("name")))
+    return first & defined_in(root)
+
+
 class Reach:
     """Tells which names of macros are read elsewhere.
 
@@ -50,7 +65,9 @@ class Reach:
             within = inside - {id(macro.element)}
             self._reads[macro] = self._reads_of(macro.element, set(macro.values()), within)
         for path, root in program.roots.items():
-            self._reads[path] = self._reads_of(root, set(), inside)
+            reads = self._reads[path] = self._reads_of(root, set(), inside)
+            if path in program.included_by_macros:
+                reads.free |= _read_first(root, inside)
         self._bind_nested()
         self._hand_on()
         macros = program.definitions.values()

@@ -13,6 +13,8 @@ from ...xacro.evaluator import Evaluator
 from ...xacro.expansion import Expansion
 from ...xacro.literals import guess_value
 from ...xacro.python import Python
+from ...xacro.scope import Lazy, Scope
+from ...xmltree import format_number
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -73,6 +75,8 @@ class Runs:
         packages: the folders of the packages that were asked for, by name.
         bases: the folders that names of data are relative to, by the file that names them.
         relative: the data that is named so.
+        evaluated: the places of properties that could be evaluated in some run.
+        failing: those of properties that could not, and were read in none.
         names: those that are predefined.
     """
 
@@ -88,6 +92,8 @@ class Runs:
         self.packages = self._watch.packages
         self.bases: dict[str, set[str]] = {}
         self.relative: set[str] = set()
+        self.evaluated: set[Place] = set()
+        self.failing: set[Place] = set()
         self.documents: dict[str, XmlDocument] = {self._source.path: document}
         self.included: dict[Place, list[str]] = {}
         self.named: dict[Place, dict[str, str]] = {}
@@ -112,12 +118,13 @@ class Runs:
         given = self._given | dict(changed)
         evaluator = WatchedEvaluator(self._watch, reporter, self.python, given)
         evaluator.bases, evaluator.relative = self.bases, self.relative
-        expansion = Expansion(self._watch, reporter, evaluator)
+        expansion = WatchedExpansion(self._watch, reporter, evaluator)
         expansion.documents.update(self._parsed)
         try:
             result = expansion.expand(self._source, self._root)
         finally:
             self._left -= expansion.walked
+        self._evaluate_the_rest(expansion)
         self.names = evaluator.names
         self._parsed |= expansion.documents
         for document in expansion.documents.values():
@@ -130,6 +137,35 @@ class Runs:
             known += [path for path in map(os.path.abspath, paths) if path not in known]
         self.done.append(Run(changed, given, evaluator.arguments, result))
         return self.done[-1]
+
+    def _evaluate_the_rest(self, expansion: WatchedExpansion) -> None:
+        """Evaluate the properties that nothing has read, as the language does."""
+        for scope in expansion.scopes:
+            for name in list(scope.lazy):
+                span = scope.lazy[name].place.node.span
+                try:
+                    scope[name]
+                except (YamaroError, RecursionError):
+                    self.failing.add((span.source.path, span.start))
+        self.evaluated |= expansion.evaluator.evaluated
+        self.failing -= self.evaluated
+
+
+class WatchedExpansion(Expansion):
+    """An expansion that keeps the scopes it makes."""
+
+    evaluator: WatchedEvaluator
+
+    def scope(self, parent: dict[str, object]) -> Scope:
+        """Return a new scope in another."""
+        made = super().scope(parent)
+        self.scopes.append(made)
+        return made
+
+    @property
+    def scopes(self) -> list[Scope]:
+        """Return the scopes that were made."""
+        return self.evaluator.scopes
 
 
 class Watch:
@@ -176,6 +212,21 @@ class WatchedEvaluator(Evaluator):
     bases: dict[str, set[str]]
     relative: set[str]
 
+    def __init__(
+        self, host: Host, reporter: Reporter, python: Python, arguments: Mapping[str, str]
+    ) -> None:
+        """Begin outside of all files."""
+        super().__init__(host, reporter, python, arguments)
+        self.scopes: list[Scope] = []
+        self.evaluated: set[Place] = set()
+
+    def resolve(self, scope: Scope, name: str, lazy: Lazy) -> Any:
+        """Return the value of a property that is needed for the first time, and keep it."""
+        value = super().resolve(scope, name, lazy)
+        span = lazy.place.node.span
+        self.evaluated.add((span.source.path, span.start))
+        return value
+
     def load_yaml(self, filename: str) -> Any:
         """Return what a YAML file holds."""
         if not os.path.isabs(filename):
@@ -193,12 +244,21 @@ class WatchedPython(Python):
         evaluated: all expressions.
         truths: those that were truth values or lists, which Python shows in its own way.
         floats: those that gave a float.
+        long_floats: those of them that the language writes with fewer digits.
         numbers: those that gave a text, with what xacro takes it for: float, int or text.
         truth_texts, other_texts: those that gave a text that xacro takes for a truth value, and
             those that gave another.
     """
 
-    __slots__ = ("evaluated", "floats", "numbers", "other_texts", "truth_texts", "truths")
+    __slots__ = (
+        "evaluated",
+        "floats",
+        "long_floats",
+        "numbers",
+        "other_texts",
+        "truth_texts",
+        "truths",
+    )
 
     def __init__(self, limits: Any) -> None:
         """Keep to the limits."""
@@ -206,6 +266,7 @@ class WatchedPython(Python):
         self.evaluated: set[str] = set()
         self.truths: set[str] = set()
         self.floats: set[str] = set()
+        self.long_floats: set[str] = set()
         self.numbers: dict[str, str] = {}
         self.truth_texts: set[str] = set()
         self.other_texts: set[str] = set()
@@ -218,6 +279,8 @@ class WatchedPython(Python):
             self.truths.add(text.strip())
         elif isinstance(value, float):
             self.floats.add(text.strip())
+            if format_number(value) != str(value):
+                self.long_floats.add(text.strip())
         elif isinstance(value, str):
             self._note_kind(text.strip(), guess_value(value))
             is_truth = value in _TRUTH_TEXTS

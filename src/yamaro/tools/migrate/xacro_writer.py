@@ -22,6 +22,7 @@ from .pairing import has_text
 from .xacro_calls import write_block, write_call, write_call_by_name
 from .xacro_definitions import write_argument, write_macro, write_property
 from .xacro_includes import write_include
+from .xacro_order import in_order
 from .xacro_parts import Step, XacroPartWriter, in_steps, is_statement, stands_as_key
 from .xacro_placing import IN_PART
 from .xacro_program import names_in
@@ -96,6 +97,9 @@ class FileWriter(ElementWriter):
         )
         self.translator.argument = self.argument_name
         self.translator.data_folder = self._data_folder()
+        self.translator.long_floats = program.runs.python.long_floats
+        self.translator.spelled = program.spelled
+        self.translator.is_typed_argument = program.is_typed_argument
 
     def output_of(self, path: str) -> str:
         """Return the path of the source that a file becomes."""
@@ -150,6 +154,7 @@ class FileWriter(ElementWriter):
     def statements(self, nodes: list[Node]) -> Body:
         """Return statements for what stands in a file, a macro or an element."""
         body = Body()
+        nodes = in_order(nodes, self.program)
         endings = comments_at_ends(nodes)
         for step in self._steps(nodes, endings):
             node = step.node
