@@ -14,6 +14,7 @@ from yamaro.diagnostics import (
     did_you_mean,
     failure,
     render,
+    render_all,
     suggest,
     trace_lines,
 )
@@ -135,3 +136,66 @@ def test_an_error_shows_all_its_diagnostics() -> None:
     error = YamaroError(one + two)
     assert str(error).count("error[") == 2
     assert str(error).index("first") < str(error).index("second")
+
+
+# --- many of them -------------------------------------------------------------------------------
+
+LINES = Source("".join(f"line {number}\n" for number in range(1, 20_001)), name="r.yaml")
+
+
+def at_line(line: int, code: str, hint: str | None = None, severity: str = "warning") -> Diagnostic:
+    start = LINES.line_starts()[line - 1]
+    span = Span(LINES, start, start + 4)
+    return Diagnostic(code, f"the link 'l{line}' is odd", span, hint=hint, severity=severity)
+
+
+def test_of_many_warnings_of_a_kind_three_are_shown_and_where_the_others_are() -> None:
+    odd = [at_line(line, "odd", f"leave out 'l{line}'") for line in range(1, 29)]
+    texts = render_all(odd)
+    assert texts[:3] == [render(one) for one in odd[:3]]
+    assert texts[3:] == ["… 25 more warnings like this [odd]: r.yaml:4, 5, 6, 7, 8, 9, 10, 11, …"]
+
+
+def test_a_few_of_a_kind_are_all_shown_and_so_are_other_kinds() -> None:
+    few = [at_line(line, "odd", "leave it out") for line in (1, 2, 3, 4)]
+    other = [at_line(line, "odd", "write it again") for line in (5, 6, 7, 8)]
+    errors = [at_line(line, "odd", "leave it out", "error") for line in range(9, 19)]
+    every = [*few, *other, *errors]
+    assert render_all(every) == [render(one) for one in every]
+    assert str(YamaroError(every)).count("is odd") == len(every)
+
+
+def test_the_places_of_what_is_folded_follow_the_last_one_shown() -> None:
+    odd = [at_line(line, "odd") for line in (1, 2, 3, 4, 6)]
+    between = at_line(5, "other")
+    texts = render_all([*odd[:4], between, odd[4]])
+    assert texts == [
+        *(render(one) for one in odd[:3]),
+        "… 2 more warnings like this [odd]: r.yaml:4, 6",
+        render(between),
+    ]
+
+
+def test_places_on_one_line_are_named_once_and_files_by_their_names() -> None:
+    other = Source("a", name="\x1b[2J.yaml")
+    odd = [at_line(1, "odd") for _ in range(9)]
+    odd.append(Diagnostic("odd", "m", Span(other, 0, 1), severity="warning"))
+    assert render_all(odd)[-1] == (r"… 7 more warnings like this [odd]: r.yaml:1; \x1b[2J.yaml:1")
+
+
+@pytest.mark.parametrize("count", [200, 20_000])
+def test_however_many_there_are_what_is_shown_is_bounded(count: int) -> None:
+    of_kinds = [at_line(1 + n, f"odd-{n}", f"hint {n}") for n in range(count)]
+    texts = render_all(of_kinds)
+    assert len(texts) == 101
+    assert texts[-1] == f"… {count - 100:,} more, not shown"
+    notes = ["note"] * count
+    span = Span(LINES, 0, 4)
+    assert len(render(Diagnostic("odd", "m", span, notes=notes)).splitlines()) < 40
+
+
+def test_an_error_keeps_all_its_diagnostics() -> None:
+    error = YamaroError([at_line(1 + n, "odd", severity="error") for n in range(500)])
+    assert len(error.diagnostics) == 500
+    assert len(str(error)) < 5_000
+    assert "… 491 more errors like this [odd]: r.yaml:10, 11" in str(error)

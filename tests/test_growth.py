@@ -13,6 +13,9 @@ import pytest
 
 import yamaro
 from tests.counting import calls_of
+from yamaro import xmlreader
+from yamaro.diagnostics import render_all
+from yamaro.source import Source
 
 SMALL, LARGE = 20, 200
 
@@ -65,7 +68,41 @@ def variables(count: int, scope: str) -> str:
     return f"variables:\n{declared}functions:\n  Outer: {{body: {{Inner: }}}}\n{inner}"
 
 
+MANY_URDF: dict[str, Callable[[int], str]] = {
+    "attributes": lambda n: (
+        "<robot name='r'><link name='a' " + " ".join(f"a{i}='1'" for i in range(n)) + "/></robot>"
+    ),
+    "empty attributes": lambda n: (
+        "<robot name='r'><link name='a' " + " ".join(f"a{i}=''" for i in range(n)) + "/></robot>"
+    ),
+    "character references after a letter that is not ASCII": lambda n: (
+        "<robot name='é'><link name='a'/>" + "<g>&#38;</g>" * n + "</robot>"
+    ),
+    "CDATA sections": lambda n: (
+        "<robot name='é'><link name='a'/><g>" + "<![CDATA[é]]>&amp;" * n + "</g></robot>"
+    ),
+    "comments between texts": lambda n: (
+        "<robot name='é'><link name='a'/><g>" + "é<!--é-->" * n + "</g></robot>"
+    ),
+    "prefixes": lambda n: (
+        "<robot name='r'><link name='a'/>"
+        + "".join(f"<a xmlns:a{i}='u'>" for i in range(n))
+        + "</a>" * n
+        + "</robot>"
+    ),
+    "doubled links": lambda n: "<robot name='r'>" + "<link name='a'/>" * n + "</robot>",
+}
+EXPRESSIONS = "expressions in a scalar: "
 CASES: dict[str, Callable[[int], str]] = {
+    EXPRESSIONS + "folded": lambda n: "out: >\n" + "  a $(1) é\n" * n,
+    EXPRESSIONS + "literal": lambda n: "out: |\n" + "  a $(1) é\n" * n,
+    EXPRESSIONS + "plain over lines": lambda n: "out: a\n" + "  a $(1) é\n" * n,
+    EXPRESSIONS + "with escapes": lambda n: 'out: "' + r"\x41$(1)" * n + '"\n',
+    EXPRESSIONS + "with doubled quotes": lambda n: "out: '" + "''$(1)" * n + "'\n",
+    "repeated keys": lambda n: "out:\n" + "  a: 1\n" * n,
+    "anchors": lambda n: "out:\n" + "".join(f"  a: &x{i} 1\n" for i in range(n)),
+    "prints": lambda n: "out:\n" + "  print: a\n" * n,
+    "warnings": lambda n: "out:\n" + "  a: ${b}\n" * n,
     "parts": lambda n: loop(n, PART),
     "includes": lambda n: loop(n, INCLUDE),
     "recursion": lambda n: f"{RECURSION}model: {{Next: {n}}}\n",
@@ -86,7 +123,9 @@ def calls_to_convert(text: str, folder: Path) -> int:
     (folder / "small.yaml").write_text(INCLUDED)
     path = folder / "main.yaml"
     path.write_text(text)
-    return calls_of(lambda: yamaro.build(os.fspath(path), allow=LOOSE))
+    return calls_of(
+        lambda: yamaro.build(os.fspath(path), allow=LOOSE, on_message=lambda line: None)
+    )
 
 
 @pytest.mark.parametrize("case", CASES)
@@ -95,6 +134,63 @@ def test_the_work_grows_with_the_size_and_no_faster(case: str, tmp_path: Path) -
     calls_to_convert(source(3), tmp_path)  # imports what is needed
     small, large = (calls_to_convert(source(size), tmp_path) for size in (SMALL, LARGE))
     assert large <= LARGE / SMALL * small
+
+
+@pytest.mark.parametrize("case", MANY_URDF)
+def test_reading_and_checking_a_urdf_grows_with_its_size_and_no_faster(
+    case: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    looked_through = 0
+
+    def count(data: bytes) -> int:
+        nonlocal looked_through
+        looked_through += len(data)
+        return count_characters(data)
+
+    count_characters = xmlreader._count
+    monkeypatch.setattr(xmlreader, "_count", count)
+
+    def work(size: int) -> tuple[int, int]:
+        nonlocal looked_through
+        looked_through = 0
+        path = tmp_path / "robot.urdf"
+        path.write_text(MANY_URDF[case](size), encoding="utf-8")
+
+        def run() -> None:
+            render_all(yamaro.build(os.fspath(path), advice=True).warnings)
+
+        return calls_of(run), looked_through
+
+    work(3)
+    (small, few_bytes), (large, many_bytes) = work(SMALL), work(LARGE)
+    assert large <= LARGE / SMALL * small
+    # Each look-up goes through one block, whatever the size of the file.
+    assert many_bytes <= LARGE / SMALL * max(few_bytes, SMALL * xmlreader.BLOCK * 4)
+
+
+@pytest.mark.parametrize("line_break", ["\n", "\r", "\r\n", "\n\r"])
+def test_lines_are_found_in_one_pass(line_break: str) -> None:
+    class Watched(str):
+        """Counts the characters that are looked through."""
+
+        looked_through = 0
+
+        def find(self, piece: str, start: int = 0, end: int | None = None) -> int:  # type: ignore[override]
+            end = len(self) if end is None else end
+            found = super().find(piece, start, end)
+            Watched.looked_through += (end if found < 0 else found) - start
+            return found
+
+        def replace(self, old: str, new: str) -> Watched:  # type: ignore[override]
+            return Watched(super().replace(old, new))
+
+    text = Watched(line_break * 5000)
+    starts = Source(text, name="r").line_starts()
+    if line_break == "\n\r":  # each pair but the first and last is "\r\n"
+        assert starts == [0, 1, *range(3, 10_000, 2), 10_000]
+    else:
+        assert starts == list(range(0, len(text) + 1, len(line_break)))
+    assert Watched.looked_through <= 2 * len(text)
 
 
 def test_variables_that_are_not_read_cost_their_declaration_only(tmp_path: Path) -> None:

@@ -127,7 +127,7 @@ def test_messages_excerpts_and_file_names_are_escaped_between_colours() -> None:
     write("doc:\n  a: $(nothing)  # \u2066\u202e\n", name)
     shown = on_terminal(name, status=1)
     assert steering_in(shown) == []
-    assert "\x1b[1;31merror[undefined-variable]\x1b[0m" in shown
+    assert "\x1b[1;31merror[undefined-name]\x1b[0m" in shown
     assert r"\x1b]0;a\x07\u202e\x9b1m.yaml:2:" in shown
 
 

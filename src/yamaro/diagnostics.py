@@ -22,6 +22,14 @@ MAX_TRACE_LINES = 12
 MAX_STEPS = 10_000
 """Calls and includes to follow from a place: more than the limits let there be."""
 MAX_EXCERPT_COLUMNS = 160
+MAX_NOTES = 20
+"""Notes of a diagnostic to show."""
+MAX_ALIKE = {ERROR: 10, WARNING: 4}
+"""Diagnostics of one kind to show; of more of them, so many less one."""
+MAX_SHOWN = 100
+"""Diagnostics to show of all kinds together."""
+MAX_PLACES = 8
+"""Places to name of those that are not shown."""
 MAX_SUGGESTED_LETTERS = 255
 """The longest word that a suggestion is looked for: file names are no longer."""
 
@@ -114,7 +122,7 @@ class YamaroError(Exception):
         self.diagnostics = list(diagnostics)
 
     def __str__(self) -> str:
-        return "\n".join(render(diagnostic) for diagnostic in self.diagnostics)
+        return "\n".join(render_all(self.diagnostics))
 
 
 class YamaroWarning(UserWarning):
@@ -291,9 +299,9 @@ def render(diagnostic: Diagnostic, *, color: bool = False) -> str:
     """Return the diagnostic as text: head, place, excerpt, hint and trace; no final line break."""
     paint = painted if color else _plain
     style = _STYLES[diagnostic.severity]
-    head = f"{diagnostic.severity}[{diagnostic.code}]"
+    head = f"{diagnostic.severity}[{printable(diagnostic.code)}]"
     lines = [f"{paint(head, style)}{paint(': ' + shortened(diagnostic.message), BOLD)}"]
-    lines.append(f" {paint('-->', BLUE)} {printable(diagnostic.span.place())}")
+    lines.append(f" {paint('-->', BLUE)} {shortened(diagnostic.span.place())}")
     line_number, excerpt, underline = _excerpt(diagnostic.span)
     gutter = " " * (len(str(line_number)) + 1)
     if excerpt.strip():
@@ -306,6 +314,56 @@ def render(diagnostic: Diagnostic, *, color: bool = False) -> str:
     return "\n".join(lines)
 
 
+def render_all(diagnostics: Sequence[Diagnostic], *, color: bool = False) -> list[str]:
+    """Return all diagnostics as texts; of many that are alike, the first and where the others are.
+
+    Those are alike that have the same severity, code and hint, but for what is quoted in it.
+    """
+    groups: dict[tuple[str, str, str], list[Diagnostic]] = {}
+    for diagnostic in diagnostics:
+        groups.setdefault(_kind_of(diagnostic), []).append(diagnostic)
+    followers: dict[int, list[Diagnostic]] = {}  # behind the last one of a kind that is shown
+    hidden: set[int] = set()
+    for group in groups.values():
+        most = MAX_ALIKE[group[0].severity]
+        if len(group) > most:
+            rest = group[most - 1 :]
+            followers[id(group[most - 2])] = rest
+            hidden.update(map(id, rest))
+    shown = [diagnostic for diagnostic in diagnostics if id(diagnostic) not in hidden]
+    texts = []
+    for diagnostic in shown[:MAX_SHOWN]:
+        texts.append(render(diagnostic, color=color))
+        if id(diagnostic) in followers:
+            texts.append(_places_of(followers[id(diagnostic)]))
+    if len(shown) > MAX_SHOWN:
+        texts.append(f"… {len(shown) - MAX_SHOWN:,} more, not shown")
+    return texts
+
+
+def _kind_of(diagnostic: Diagnostic) -> tuple[str, str, str]:
+    hint = (diagnostic.hint or "").split("'")
+    return diagnostic.severity, diagnostic.code, "'".join(hint[::2])
+
+
+def _places_of(alike: Sequence[Diagnostic]) -> str:
+    """Return a line that tells where diagnostics of a kind are."""
+    first = alike[0]
+    lines: dict[str, list[int]] = {}
+    for diagnostic in alike[:MAX_PLACES]:
+        line, _ = diagnostic.span.location()
+        lines.setdefault(diagnostic.span.source.name, []).append(line)
+    places = [
+        f"{shortened(name)}:{', '.join(map(str, dict.fromkeys(numbers)))}"
+        for name, numbers in lines.items()
+    ]
+    more = "" if len(alike) <= MAX_PLACES else ", …"
+    kind = f"{first.severity}{'s' if len(alike) > 1 else ''}"
+    return (
+        f"… {len(alike)} more {kind} like this [{printable(first.code)}]: {'; '.join(places)}{more}"
+    )
+
+
 def _plain(text: str, style: str) -> str:
     return text
 
@@ -315,7 +373,7 @@ def _remarks(diagnostic: Diagnostic) -> list[tuple[str, str]]:
     remarks = []
     if diagnostic.hint:
         remarks.append(("hint: ", diagnostic.hint))
-    remarks.extend(("note: ", note) for note in diagnostic.notes)
+    remarks.extend(("note: ", note) for note in diagnostic.notes[:MAX_NOTES])
     remarks.extend(("", line) for line in trace_lines(diagnostic.trace))
     return remarks
 

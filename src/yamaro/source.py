@@ -34,18 +34,12 @@ class Source:
         if self._line_starts is None:
             starts = [0]
             text = self.text
-            position = 0
-            has_cr = "\r" in text
-            while True:
-                end = text.find("\n", position)
-                if has_cr:
-                    cr = text.find("\r", position, end if end >= 0 else len(text))
-                    if cr >= 0 and cr + 1 != end:
-                        end = cr
-                if end < 0:
-                    break
-                position = end + 1
-                starts.append(position)
+            if "\r" in text:
+                text = text.replace("\r\n", " \n").replace("\r", "\n")  # of the same length
+            end = text.find("\n")
+            while end >= 0:
+                starts.append(end + 1)
+                end = text.find("\n", end + 1)
             self._line_starts = starts
         return self._line_starts
 

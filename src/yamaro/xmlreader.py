@@ -105,29 +105,48 @@ def read_xml(source: Source, limits: Limits | None = None, *, exact: bool = Fals
 class TagSpan(Span):
     """The place of a tag's name, which finds those of its attributes' values when asked."""
 
-    __slots__ = ()
+    __slots__ = ("_values",)
+
+    _values: dict[str, Span]
 
     def get(self, attribute: str, /) -> Span | None:
         """Return the place of an attribute's value, without its quotes."""
-        text, position = self.source.text, self.start
-        while found := _ATTRIBUTE.search(text, position):
-            if found["end"]:
-                return None
-            if found["name"] == attribute:
-                start, end = found.span("value")
-                if start + 1 == end - 1:  # the place of an empty value is its name
-                    return Span(self.source, *found.span("name"))
-                return Span(self.source, start + 1, end - 1)
+        try:
+            values = self._values
+        except AttributeError:  # most tags are never asked
+            values = self._values = self._find_values()
+        return values.get(attribute)
+
+    def _find_values(self) -> dict[str, Span]:
+        """Return the places of all values; that of an empty value is its name."""
+        values: dict[str, Span] = {}
+        text, position = self.source.text, self.end
+        while (found := _ATTRIBUTE.match(text, position)) and found["name"]:
+            start, end = found.span("value")
+            is_empty = start + 1 == end - 1
+            place = found.span("name") if is_empty else (start + 1, end - 1)
+            values.setdefault(found["name"], Span(self.source, *place))
             position = found.end()
-        return None
+        return values
 
 
 _ATTRIBUTE = re.compile(
-    r"""(?P<end>/?>)|\s(?P<name>[^\s=<>"'/]+)\s*=\s*(?P<value>"[^"]*"|'[^']*')"""
+    r"""\s*(?:(?P<end>/?>)|(?P<name>[^\s=<>"'/]+)\s*=\s*(?P<value>"[^"]*"|'[^']*'))"""
 )
 
 
 _TOKEN = re.compile(r"""<!--.*?-->|<!\[CDATA\[|\]\]>|<(?:[^"'<>]|"[^"]*"|'[^']*')*>""", re.DOTALL)
+
+
+BLOCK = 1024
+"""Bytes to look through at most for an offset in characters."""
+_CONTINUING = bytes(range(0x80, 0xC0))
+"""The bytes of UTF-8 that begin no character."""
+
+
+def _count(data: bytes) -> int:
+    """Return how many characters of UTF-8 begin in some bytes."""
+    return len(data.translate(None, _CONTINUING))
 
 
 class _Reader:
@@ -137,7 +156,8 @@ class _Reader:
         self._source = source
         self._exact = exact
         self._is_cdata = False
-        self._prefixes: list[tuple[int, set[str]]] = [(0, {"xml"})]  # from which depth on
+        self._prefixes = {"xml": 1}  # how many of the open elements declare each
+        self._declared: list[tuple[int, list[str]]] = []  # at which depth which are
         self._limits = limits
         self._before: list[Comment] = []
         self._after: list[Comment] = []
@@ -148,7 +168,7 @@ class _Reader:
         self._token = 0  # where the tag, comment or the like begins that came last, in bytes
         self._is_ascii = source.text.isascii()
         self._bytes = b""
-        self._known = (0, 0)  # an offset in bytes and the same in characters
+        self._starts = [0]  # how many characters are before each block of bytes
 
     def read(self) -> XmlDocument:
         from pyexpat import ExpatError
@@ -211,8 +231,9 @@ class _Reader:
             self._flush()
         self._token = self._parser.CurrentByteIndex
         self._open.pop()
-        if len(self._open) < self._prefixes[-1][0]:
-            self._prefixes.pop()
+        if self._declared and len(self._open) < self._declared[-1][0]:
+            for prefix in self._declared.pop()[1]:
+                self._prefixes[prefix] -= 1
 
     def _start_cdata(self) -> None:
         self._flush()
@@ -284,14 +305,16 @@ class _Reader:
         """Refuse prefixes that are not declared here, having noted those that are."""
         used = [name for name in element.attributes if ":" in name]
         if used:
-            new = {name[6:] for name in used if name.startswith("xmlns:")}
+            new = [name[6:] for name in used if name.startswith("xmlns:")]
             if new:
-                self._prefixes.append((len(self._open), self._prefixes[-1][1] | new))
+                self._declared.append((len(self._open), new))
+                for prefix in new:
+                    self._prefixes[prefix] = self._prefixes.get(prefix, 0) + 1
         if ":" in element.name:
             used.append(element.name)
         for name in used:
             prefix = name.partition(":")[0]
-            if prefix != "xmlns" and prefix not in self._prefixes[-1][1]:
+            if prefix != "xmlns" and not self._prefixes.get(prefix):
                 message = "unbound prefix"
                 raise failure(
                     "xml-syntax",
@@ -307,12 +330,11 @@ class _Reader:
     def _offset(self, index: int) -> int:
         if self._is_ascii:
             return index
-        known_index, known = self._known
-        if index < known_index:
-            known_index = known = 0
-        known += len(self._bytes[known_index:index].decode("utf-8", "ignore"))
-        self._known = (index, known)
-        return known
+        block = index // BLOCK
+        while len(self._starts) <= block:
+            end = len(self._starts) * BLOCK
+            self._starts.append(self._starts[-1] + _count(self._bytes[end - BLOCK : end]))
+        return self._starts[block] + _count(self._bytes[block * BLOCK : index])
 
     def _fault(self, error: Any) -> YamaroError:
         from pyexpat import ErrorString

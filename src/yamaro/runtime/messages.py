@@ -21,7 +21,7 @@ class Messages:
         self._on_message = on_message
         self._limits = limits
         self._left = limits.printed
-        self._unfinished = ""  # what was printed with another `end` than a line break
+        self._unfinished: list[str] = []  # what was printed with another `end` than a line break
 
     def say(self, text: str) -> None:
         """Take printed text, and pass it on as soon as its line is complete.
@@ -36,15 +36,18 @@ class Messages:
                 f"more than {self._limits.printed:,} characters are printed, which is the limit",
                 self._limits.hint("printed"),
             )
-        *lines, self._unfinished = f"{self._unfinished}{text}".rsplit("\n", 1)
-        if lines:
-            self._on_message(lines[0])
+        lines, has_end, rest = text.rpartition("\n")
+        if has_end:
+            self._on_message("".join([*self._unfinished, lines]))
+            self._unfinished.clear()
+        if rest:
+            self._unfinished.append(rest)
 
     def close(self) -> None:
         """Pass on a last line that was never ended."""
         if self._unfinished:
-            self._on_message(self._unfinished)
-            self._unfinished = ""
+            self._on_message("".join(self._unfinished))
+            self._unfinished.clear()
 
     def print(
         self,

@@ -5,6 +5,10 @@ from __future__ import annotations
 from ..source import Source, Span
 from .flexidict import FlexiDict
 
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from array import array
+
 PLAIN, SINGLE, DOUBLE, LITERAL, FOLDED = "", "'", '"', "|", ">"
 
 
@@ -15,7 +19,9 @@ class ScalarNode(Span):
     needs no other object for it.
     """
 
-    __slots__ = ("anchor", "style", "text")
+    __slots__ = ("_offsets", "anchor", "style", "text")
+
+    _offsets: array[int]  # of the characters of the text, once they were asked for
 
     def __init__(
         self,
@@ -69,7 +75,12 @@ class ScalarNode(Span):
             return self.start + index
         if self.style in (SINGLE, DOUBLE) and raw_length == length + 2:
             return self.start + 1 + index
-        offsets = _align(self)
+        try:
+            offsets = self._offsets
+        except AttributeError:  # few scalars are asked, but some for each of many expressions
+            from array import array
+
+            offsets = self._offsets = array("q", _align(self))
         return offsets[index] if index < len(offsets) else self.end
 
     def __eq__(self, other: object) -> bool:
