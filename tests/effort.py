@@ -12,6 +12,11 @@ USUAL = 100
 QUICK = 20
 
 
+def is_quick() -> bool:
+    """Tell whether this is the quick run."""
+    return examples(USUAL) < USUAL
+
+
 def examples(count: int) -> int:
     """Return how many of `count` examples the run asks for; call it where a module begins."""
     profile: Any = settings.default

@@ -350,6 +350,7 @@ def test_eight_threads_give_what_one_gives(
     compare(at_once, all_jobs, expected)
 
 
+@pytest.mark.slow
 @pytest.mark.usefixtures("frequent_switches")
 def test_threads_that_switch_a_hundred_times_as_often_give_the_same(
     all_jobs: list[Job], expected: list[tuple[object, ...]]
@@ -357,6 +358,7 @@ def test_threads_that_switch_a_hundred_times_as_often_give_the_same(
     compare(at_once, all_jobs[:500], expected[:500])
 
 
+@pytest.mark.slow
 def test_one_after_the_other_they_give_the_same_again(
     all_jobs: list[Job], expected: list[tuple[object, ...]]
 ) -> None:
