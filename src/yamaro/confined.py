@@ -18,9 +18,12 @@ from .source import Source, Span
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
+    from typing import TypeVar
 
     from .jail import JailError, JailLimits
     from .transfer import Outcome
+
+    T = TypeVar("T")
 
 GRACE = 2.0
 """Seconds that a conversion in a jail has to tell that its time is over, before it is ended."""
@@ -83,24 +86,63 @@ def run_confined(
         YamaroError: there is no result.
         FaultInJail: Yamaro itself failed.
     """
-    from .jail import (
-        KEPT_VARIABLES,
-        JailAnswerBroken,
-        JailError,
-        JailUnavailable,
-        JailWorkFailed,
-        run_jailed,
-    )
+    from .jail import JailAnswerBroken, JailUnavailable
     from .transfer import from_bytes, to_bytes
 
     def work_in_jail() -> bytes:
-        policy.is_confined = True  # in this process, which is a copy
         printed: list[str] = []
         sys.stdout = sys.stderr = _Printed(Messages(printed.append, policy.limits))
         outcome = work(printed.append)
         sys.stdout.close()
         outcome.messages = printed
         return to_bytes(outcome)
+
+    def read(data: bytes) -> Outcome:
+        outcome = from_bytes(data, policy.limits)
+        if has_root and outcome.root is None and not outcome.has_errors:
+            raise JailAnswerBroken("the answer holds no tree")
+        if has_document and not outcome.pieces and not outcome.has_errors:
+            raise JailAnswerBroken("the answer holds no document")
+        return outcome
+
+    try:
+        return run_in_jail(work_in_jail, read, policy=policy, readable=readable, name=name)
+    except JailUnavailable as error:
+        if policy.mode == JAIL:
+            raise _no_jail(str(error), name) from None
+        printed: list[str] = []
+        outcome = work(printed.append)
+        outcome.messages = printed
+        return outcome
+
+
+def run_in_jail(
+    work: Callable[[], bytes],
+    read: Callable[[bytes], T],
+    *,
+    policy: Policy,
+    readable: Sequence[str],
+    name: str,
+) -> T:
+    """Return what `read` makes of the bytes that `work` returns in a jail.
+
+    Args:
+        work: is run in the jail.
+        read: checks what came out, which may be a lie; raises JailAnswerBroken.
+        policy: the limits.
+        readable: the folders that may be read.
+        name: what the file is called in messages.
+
+    Raises:
+        YamaroError: there is no result.
+        FaultInJail: Yamaro itself failed.
+        JailUnavailable: there is no jail; nothing was run.
+    """
+    from .jail import KEPT_VARIABLES, JailError, JailUnavailable, JailWorkFailed, run_jailed
+
+    def work_in_jail() -> bytes:
+        policy.is_confined = True  # in this process, which is a copy
+        return work()
 
     try:
         data = run_jailed(
@@ -109,25 +151,11 @@ def run_confined(
             limits=_jail_limits(policy),
             environment=[*KEPT_VARIABLES, *MODEL_PATHS],
         )
-
-        def read() -> Outcome:
-            return run_within(_seconds(policy), lambda: from_bytes(data, policy.limits))
-
-        outcome = run_on_deep_stack(read)
-        if has_root and outcome.root is None and not outcome.has_errors:
-            raise JailAnswerBroken("the answer holds no tree")
-        if has_document and not outcome.pieces and not outcome.has_errors:
-            raise JailAnswerBroken("the answer holds no document")
-        return outcome
+        return run_on_deep_stack(lambda: run_within(_seconds(policy), lambda: read(data)))
     except TimeOver:
         raise time_is_over(name, policy) from None
-    except JailUnavailable as error:
-        if policy.mode == JAIL:
-            raise _no_jail(str(error), name) from None
-        printed: list[str] = []
-        outcome = work(printed.append)
-        outcome.messages = printed
-        return outcome
+    except JailUnavailable:
+        raise
     except JailWorkFailed as error:
         if error.is_fault:
             raise FaultInJail(error.kind, error.text, error.place) from None
