@@ -7,9 +7,12 @@ from pathlib import Path
 import pytest
 
 import yamaro
+from yamaro import jail
 from yamaro.commands.main import main
 from yamaro.commands.usage import USAGE
 from yamaro.runtime.packages import PackageFinder
+
+needs_jail = pytest.mark.skipif(jail.check_available() is not None, reason="no jail here")
 
 ROBOT = "robot: arm\nmodel:\n  include: $(find('hand'))/hand.yaml\n"
 HAND = "model:\n  link/name=hand:\n"
@@ -138,3 +141,20 @@ def test_xacro_files_find_it(folder: Path) -> None:
     )
     robot = "robot: arm\nmodel:\n  include: arm.xacro\n"
     assert yamaro.build("robot.yaml", text=robot, packages={"hand": "../far/hand"}).xml() == XML
+
+
+# --- beside the package of the file ---------------------------------------------------------------
+
+
+@pytest.mark.parametrize("mode", ["trusted", "safe", pytest.param("jail", marks=needs_jail)])
+def test_packages_beside_that_of_the_file_are_found_without_a_workspace(
+    mode: str, tmp_path: Path
+) -> None:
+    for name, folder in (("arm", "arm"), ("hand", "a_hand")):
+        (tmp_path / folder).mkdir()
+        (tmp_path / folder / "package.xml").write_text(f"<package><name>{name}</name></package>")
+    (tmp_path / "a_hand" / "hand.yaml").write_text("model:\n  link/name=hand:\n")
+    main_file = tmp_path / "arm" / "arm.yaml"
+    main_file.write_text("robot: arm\nmodel:\n  include: package://hand/hand.yaml\n")
+    built = yamaro.build(main_file, policy=yamaro.Policy(mode))
+    assert '<link name="hand"/>' in built.xml()

@@ -170,6 +170,29 @@ def test_without_a_jail_safe_mode_works_all_the_same(
     assert codes(write(tmp_path, "out: $(open(1))\n"), Policy("safe")) == ["unsafe-code"]
 
 
+@needs_jail
+@pytest.mark.parametrize("mode", ["trusted", "safe", "jail"])
+@pytest.mark.parametrize("path", ["~/.bashrc", "~/a/../.bashrc"])
+def test_the_home_folder_is_known_where_nothing_tells_it(
+    path: str, mode: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """In a jail HOME is hidden and the user database closed: it must not be asked there."""
+    import pwd
+
+    def getpwuid(_: int) -> None:
+        raise KeyError("the user database cannot be read")
+
+    monkeypatch.setattr(pwd, "getpwuid", getpwuid)
+    monkeypatch.setenv("HOME", "/home/someone")
+    file = write(tmp_path, f"model:\n  include: {path}\n")
+    with pytest.raises(YamaroError) as caught:
+        yamaro.build(file, policy=Policy(mode))
+    (found,) = caught.value.diagnostics
+    expected = "missing-file" if mode == "trusted" else "path-outside"
+    assert found.code == expected
+    assert "looked for /home/someone" in found.notes[0]
+
+
 OWN_FILES = {
     "a loop in process": "process: |\n  n = 0\n  for i in range(3):\n    n += i\nout: $(n)\n",
     "a condition in process": "process: |\n  if True: n = 3\nout: $(n)\n",

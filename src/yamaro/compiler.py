@@ -251,7 +251,7 @@ class Program:
         a jail the tree comes only with `has_root`, since that takes time.
         """
         evaluate = self._evaluation(command_line, variables)
-        packages = PackageFinder(given=self._packages)
+        packages = finder_for(self._path, self._reach, self._packages)
         paths = self._mesh_paths(meshes, output, packages)
         source = self._main_file()
         reporter = Reporter()
@@ -541,6 +541,14 @@ def reach_of(path: str, policy: Policy, packages: Mapping[str, str]) -> Reach | 
 
     allowed = [*policy.allowed_paths, *packages.values()]
     return Reach(roots_of(os.path.abspath(path), allowed, PackageFinder()))
+
+
+def finder_for(path: str, reach: Reach | None, given: Mapping[str, str]) -> PackageFinder:
+    """Return what finds packages for a main file, also in a jail that only they can be read in."""
+    finder = PackageFinder(given=given)
+    if reach is not None:
+        finder.around(os.path.dirname(os.path.abspath(path)))
+    return finder
 
 
 def _build_of(outcome: Outcome, finder: MeshFinder) -> Build:

@@ -59,7 +59,7 @@ def has_jail(policy: Policy, name: str) -> bool:
 
     reason = check_available()
     if reason is not None and policy.mode == JAIL:
-        raise _no_jail(reason, name)
+        raise no_jail(reason, name)
     return reason is None
 
 
@@ -109,7 +109,7 @@ def run_confined(
         return run_in_jail(work_in_jail, read, policy=policy, readable=readable, name=name)
     except JailUnavailable as error:
         if policy.mode == JAIL:
-            raise _no_jail(str(error), name) from None
+            raise no_jail(str(error), name) from None
         printed: list[str] = []
         outcome = work(printed.append)
         outcome.messages = printed
@@ -249,7 +249,8 @@ class _Printed(io.TextIOBase):
         super().close()
 
 
-def _no_jail(reason: str, name: str) -> YamaroError:
+def no_jail(reason: str, name: str) -> YamaroError:
+    """Return the error for a file that has to be run in a jail where there is none."""
     hint = "--safe works everywhere; nothing of the file was run"
     return failure_of_all(NO_JAIL, f"there can be no jail: {reason}", name, hint)
 

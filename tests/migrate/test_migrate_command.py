@@ -191,7 +191,7 @@ def test_what_cannot_be_read_is_wrong_usage(
         (["arm.urdf", "leg.urdf"], "'leg.urdf' is one FILE too many after 'arm.urdf'"),
         (["arm.urdf", "n:=1"], "a URDF has no argument to set: 'n:=1'"),
         (["arm.urdf", "--strict"], "'--strict' has no meaning for 'yamaro migrate'"),
-        (["arm.urdf", "--jail"], "'--jail' has no meaning for 'yamaro migrate'"),
+        (["arm.urdf", "--jail", "--safe"], "'--jail' and '--safe' exclude each other"),
     ],
 )
 def test_wrong_usage_is_told(

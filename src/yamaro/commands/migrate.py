@@ -12,15 +12,14 @@ from .delivery import (
     refuse_replacing,
 )
 from .inputs import read_bytes
-from .reports import display_name, show
+from .reports import display_name, sayer, show
 from .settings import make_policy, read_packages
 from .usage import DONE, INPUT_ERROR, WrongUsage, quote
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from ..policy import Limits
-    from ..source import Source
     from ..streams import Streams
+    from ..tools.migrate.job import Job, Result
     from .arguments import Arguments
 
 
@@ -28,61 +27,90 @@ def run(arguments: Arguments, streams: Streams) -> int:
     """Write the source or sources; return the exit status."""
     from ..compiler import UsageError
     from ..diagnostics import YamaroError
-    from ..tools.migrate import command
 
     arguments.resolve_output()
     refuse_overwriting(arguments, lambda: arguments.words)
-    path = arguments.words[0]
-    limits = make_policy(arguments).limits
-    data = read_bytes(path, limits.file + 1)
+    refuse_replacing(arguments, [arguments.output_path])
     try:
-        source = command.read_file(path, limits, data)
-        if command.is_xacro_file(source, limits):
-            return _migrate_xacro(source, arguments, streams, limits)
-        if arguments.assignments:
-            raise WrongUsage(f"a URDF has no argument to set: {quote(arguments.assignments[0])}")
-        refuse_replacing(arguments, [arguments.output_path])
-        migration = command.migrate_source(source, limits, exact=arguments.has("exact"))
+        result = _job(arguments).run()
     except YamaroError as error:
         show(error.diagnostics, arguments, streams)
         return INPUT_ERROR
     except UsageError as error:
         raise WrongUsage(str(error)) from None
-    status = deliver([migration.text.encode()], arguments, streams)
-    if not streams.quiet or migration.differences:
-        streams.say(f"{display_name(arguments)}: {command.report(migration)}")
-    return status or (INPUT_ERROR if migration.differences else DONE)
+    return _deliver(result, arguments, streams)
 
 
-def _migrate_xacro(source: Source, arguments: Arguments, streams: Streams, limits: Limits) -> int:
-    """Write the files of a robot in xacro into a folder, and say whether it is the same."""
-    from ..tools.migrate import command, xacro_command
+def _job(arguments: Arguments) -> Job:
+    """Return what is to be migrated; raise YamaroError or UsageError if it cannot be read."""
+    from ..tools.migrate import command
+    from ..tools.migrate.job import Job
 
-    folder = arguments.output_path
+    path = arguments.words[0]
+    policy = make_policy(arguments)
+    data = read_bytes(path, policy.limits.file + 1)
+    source = command.read_file(path, policy.limits, data)
     if goes_to_standard_output(arguments):
-        raise WrongUsage("a robot in xacro becomes several files: give a folder, as in '-o robot/'")
-    if os.path.isfile(folder):
-        raise WrongUsage(f"{quote(arguments.options['output'])} is a file, and a folder is needed")
-    migration = xacro_command.migrate_robot(
+        folder = os.path.dirname(source.path) or os.getcwd()
+    elif _wants_file(arguments):
+        folder = os.path.dirname(arguments.output_path)
+    else:
+        folder = arguments.output_path
+    return Job(
         source,
         os.path.abspath(folder),
         arguments=arguments.assignments,
         packages=read_packages(arguments),
-        limits=limits,
+        policy=policy,
         exact=arguments.has("exact"),
     )
-    files = {os.path.join(folder, name): text.encode() for name, text in migration.files.items()}
-    refuse_replacing(arguments, list(files))
-    show([*xacro_command.warnings_of(migration), *migration.faults], arguments, streams)
-    if deliver_files(files, streams) != DONE:
+
+
+def _wants_file(arguments: Arguments) -> bool:
+    """Tell whether the output that is named is a file, and no folder of files."""
+    path = arguments.output_path
+    if os.path.isdir(path):
+        return False
+    return os.path.exists(path) or path.endswith((".yaml", ".yml"))
+
+
+def _deliver(result: Result, arguments: Arguments, streams: Streams) -> int:
+    """Write a source to where it is wanted, or several into their folder, and report."""
+    name, say = display_name(arguments), sayer(streams)
+    end = ""
+    if "" in result.files:  # a URDF
+        status = deliver([result.files[""].encode()], arguments, streams)
+    elif goes_to_standard_output(arguments) or _wants_file(arguments):
+        if len(result.files) > 1:
+            raise WrongUsage(_several_files(len(result.files), arguments))
+        show(result.diagnostics, arguments, streams)
+        status = deliver([result.files[result.main].encode()], arguments, streams)
+    else:
+        folder = arguments.output_path
+        files = {os.path.join(folder, path): text.encode() for path, text in result.files.items()}
+        refuse_replacing(arguments, list(files))
+        show(result.diagnostics, arguments, streams)
+        status = deliver_files(files, streams)
+        main = os.path.normpath(os.path.join(arguments.options["output"], result.main))
+        end = f"; {len(files)} file{'s' if len(files) > 1 else ''}, {main}"
+    if status != DONE:
+        return status
+    if result.has_errors:
+        streams.say(f"{name}: the sources have errors; see above")
         return INPUT_ERROR
-    count = f"{len(files)} file{'s' if len(files) > 1 else ''}"
-    if migration.faults:
-        streams.say(f"{display_name(arguments)}: the sources ({count}) have errors; see above")
-        return INPUT_ERROR
-    if not streams.quiet or migration.differences:
-        main = os.path.normpath(os.path.join(arguments.options["output"], migration.main))
-        streams.say(f"{display_name(arguments)}: {command.report(migration)}; {count}, {main}")
-        if not migration.is_compared_with_xacro:
-            streams.say("compared with Yamaro's own expansion; with yamaro[xacro], with xacro's")
-    return INPUT_ERROR if migration.differences else DONE
+    if not result.is_same:
+        say = streams.say
+    say(f"{name}: {result.report}{end}")
+    if result.remark:
+        say(result.remark)
+    return DONE if result.is_same else INPUT_ERROR
+
+
+def _several_files(count: int, arguments: Arguments) -> str:
+    """Return what is wrong with one file for a robot that becomes several."""
+    path = arguments.options.get("output", "-")
+    if goes_to_standard_output(arguments):
+        path = os.path.basename(arguments.words[0])
+    stem = os.path.splitext(path.removesuffix(".xacro"))[0]
+    folder = stem if stem not in ("", "-") else "robot"
+    return f"this robot becomes {count} files: give a folder, as in {quote(f'-o {folder}/')}"

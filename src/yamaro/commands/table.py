@@ -239,8 +239,8 @@ OPTIONS = {
             completes="files",
             help_in={
                 "picture": ".png or .jpg; .gif or .mp4 for a film; - for a PNG on standard output",
-                "migrate": "write to FILE instead of standard output; for a robot in xacro, the "
-                "folder to write to",
+                "migrate": "write to FILE instead of standard output; a robot in xacro of several "
+                "files needs a folder",
             },
         ),
         Option("force", "replace a file that is there already", ("migrate",)),
@@ -373,33 +373,33 @@ OPTIONS = {
         Option(
             "trust",
             "let the file do whatever Python can",
-            BUILDING,
+            WORKING,
             excludes=("jail", "safe"),
         ),
         Option(
             "jail",
             "let it do so in a process that can only read: its own folder and packages; it can "
             "write nothing, and reach no network (Linux only)",
-            BUILDING,
+            WORKING,
             excludes=("trust", "safe"),
         ),
         Option(
             "safe",
             "let it do nothing but compute: no Python modules, no loops in `process`",
-            BUILDING,
+            WORKING,
             excludes=("trust", "jail"),
         ),
         Option(
             "timeout",
             "end it after that time; with --jail and --safe after 60 by default",
-            BUILDING,
+            WORKING,
             value="SECONDS",
             wants="a number of seconds",
         ),
         Option(
             "allow-path",
             "with --jail and --safe, let it read a file or folder",
-            BUILDING,
+            WORKING,
             value="PATH",
             wants="a file or folder",
             is_repeatable=True,

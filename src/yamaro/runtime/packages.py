@@ -29,7 +29,7 @@ class PackageFinder:
     Threads may share one: at worst two of them read the same folder.
     """
 
-    __slots__ = ("_environ", "_found", "_given", "_scans")
+    __slots__ = ("_environ", "_found", "_given", "_home", "_scans")
 
     def __init__(
         self,
@@ -40,6 +40,7 @@ class PackageFinder:
         """Use the search paths of `environ`, or else of the process, after the folders given."""
         self._given = {name: os.path.abspath(path) for name, path in (given or {}).items()}
         self._environ = os.environ if environ is None else environ
+        self._home = os.path.expanduser("~")  # a jail hides what tells it
         self._found: dict[tuple[str, str], str | None] = {}
         self._scans: dict[tuple[str, int], dict[str, str]] = {}
 
@@ -114,7 +115,10 @@ class PackageFinder:
         return [*shares, *self._paths("ROS_PACKAGE_PATH"), *models]
 
     def around(self, start: str) -> list[str]:
-        """Return the folders of the packages that `start` lies in, and of those beside them."""
+        """Return the folders of the packages that `start` lies in, and of those beside them.
+
+        They are found from then on even if the folder that holds them can no longer be listed.
+        """
         folders = [folder for folder in _ancestors(start) if manifest_name(folder)]
         for root, depth in surroundings(start):
             if depth == 1:
@@ -135,7 +139,7 @@ class PackageFinder:
         """
         scheme, separator, rest = uri.partition("://")
         if not separator:
-            return _absolute(os.path.expanduser(uri), base_dir)
+            return _absolute(self._expanded(uri), base_dir)
         scheme = scheme.lower()
         if scheme == "file":
             return _absolute(_unquoted(_without_host(rest), base_dir), base_dir)
@@ -145,6 +149,12 @@ class PackageFinder:
         folder = self._find_model(name) if scheme == "model" else None
         folder = folder or self.find(name, base_dir)
         return _absolute(_unquoted(inner, folder), folder) if folder else None
+
+    def _expanded(self, path: str) -> str:
+        """Return a path with the home folder in place of `~`."""
+        if path == "~" or path.startswith("~/"):
+            return self._home + path[1:]
+        return os.path.expanduser(path)
 
     def _find_model(self, name: str) -> str | None:
         """Return the folder of a Gazebo model."""

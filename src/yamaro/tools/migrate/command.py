@@ -6,7 +6,6 @@ import os
 
 from ...compiler import Program, UsageError, refusal_of_main
 from ...runtime.loader import FileLoader, LoadError, check_size
-from ...runtime.xml_includes import read_included
 from ...source import STANDARD_INPUT, STANDARD_INPUT_NAME
 from ...xmlreader import decode_xml, read_xml
 from .refused import build_allowing, options_to_allow
@@ -14,7 +13,7 @@ from .urdf import Migration, migrate_urdf
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from ...policy import Limits
+    from ...policy import Limits, Policy
     from ...source import Source
     from ...xmltree import Element
     from .xacro import XacroMigration
@@ -56,7 +55,9 @@ def migrate_file(
     return migrate_source(read_file(path, limits, data), limits, exact=exact)
 
 
-def migrate_source(source: Source, limits: Limits, *, exact: bool = False) -> Migration:
+def migrate_source(
+    source: Source, limits: Limits, *, policy: Policy | None = None, exact: bool = False
+) -> Migration:
     """Return the Yamaro source of an XML file that was read; raise YamaroError if it is not XML.
 
     With `exact`, poses that the file leaves out are left out of what the source makes.
@@ -67,7 +68,7 @@ def migrate_source(source: Source, limits: Limits, *, exact: bool = False) -> Mi
 
     def build(text: str) -> Element:
         built, allowed[:] = build_allowing(
-            lambda codes: Program(f"{stem}.yaml", text=text, allow=codes).build(
+            lambda codes: Program(f"{stem}.yaml", text=text, policy=policy, allow=codes).build(
                 on_message=ignore, meshes="keep"
             )
         )
@@ -76,11 +77,6 @@ def migrate_source(source: Source, limits: Limits, *, exact: bool = False) -> Mi
     migration = migrate_urdf(read_xml(source, limits), build, exact=exact)
     migration.allowed = allowed
     return migration
-
-
-def is_xacro_file(source: Source, limits: Limits) -> bool:
-    """Tell whether an XML file is one of xacro; raise YamaroError if it is no XML."""
-    return read_included(source, limits)[1]
 
 
 def report(migration: Migration | XacroMigration) -> str:

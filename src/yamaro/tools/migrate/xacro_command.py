@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from collections.abc import Collection, Mapping, Sequence
 
     from ...policy import Limits
+    from ...runtime.reach import Reach
     from ...xmltree import Element
     from .xacro_runs import Run
 
@@ -32,11 +33,25 @@ if TYPE_CHECKING:
 class DiskHost:
     """Gives a robot that is migrated its files and packages, and notes the packages."""
 
-    def __init__(self, limits: Limits, packages: Mapping[str, str]) -> None:
-        """Take folders of packages by name, before those that are found."""
+    def __init__(
+        self,
+        limits: Limits,
+        packages: Mapping[str, str],
+        *,
+        finder: PackageFinder | None = None,
+        reach: Reach | None = None,
+    ) -> None:
+        """Take folders of packages by name, before those that are found.
+
+        Args:
+            limits: how large the files may be.
+            packages: the folders given.
+            finder: finds the others.
+            reach: where files may lie; anywhere if it is None.
+        """
         self.limits = limits
-        self._loader = FileLoader(limits)
-        self._packages = PackageFinder(given=packages)
+        self._loader = FileLoader(limits, reach)
+        self._packages = finder or PackageFinder(given=packages)
         self.found: dict[str, str] = dict(packages)
 
     def read(self, path: str, span: Span) -> Source:
@@ -110,6 +125,8 @@ def migrate_robot(
     limits: Limits,
     exact: bool = False,
     wanted: Collection[str] = (),
+    finder: PackageFinder | None = None,
+    reach: Reach | None = None,
 ) -> XacroMigration:
     """Return the sources of a robot in xacro, compared with what xacro makes of it.
 
@@ -121,11 +138,13 @@ def migrate_robot(
         limits: how large the files may be.
         exact: whether an origin that is missing has to stay missing.
         wanted: packages whose files become sources, too; `ALL` stands for all.
+        finder: finds ROS packages, the given ones among them.
+        reach: where the files may lie; anywhere if it is None.
 
     Raises:
         YamaroError: the robot cannot be expanded.
     """
-    host = DiskHost(limits, packages)
+    host = DiskHost(limits, packages, finder=finder, reach=reach)
     given = dict(argument.split(":=", 1) for argument in arguments)
     return run_on_deep_stack(lambda: _migrate(source, folder, host, given, wanted, exact=exact))
 

@@ -1,0 +1,253 @@
+"""A migration as the command asks for it: run in a jail, unless the file is trusted."""
+
+from __future__ import annotations
+
+import os
+
+from ...compiler import UsageError, finder_for, reach_of
+from ...confined import has_jail, no_jail, run_in_jail, time_is_over
+from ...diagnostics import ERROR, YamaroError
+from ...jail.limits import JailAnswerBroken, JailUnavailable
+from ...jail.packing import pack, unpack
+from ...policy import JAIL, SAFE, Policy
+from ...runtime.deadline import TimeOver, run_within
+from ...runtime.deep_stack import run_on_deep_stack
+from ...runtime.xml_includes import read_included, xacro_in_safe_mode
+from ...transfer import Outcome, from_bytes, to_bytes
+from . import command, xacro_command
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Mapping, Sequence
+
+    from ...diagnostics import Diagnostic
+    from ...source import Source
+
+ENDINGS = (".yaml", ".yml", ".json")
+"""Endings of the files that a migration writes: sources, and the data that they load."""
+
+
+class Result:
+    """What a migration gives.
+
+    Attributes:
+        files: the texts by their paths, relative to a folder; of a URDF under "".
+        main: the path of the main file.
+        diagnostics: what could not be carried over, and the errors of the sources.
+        report: what is said of the comparison.
+        remark: what else is said of it, or "".
+        is_same: whether the sources make the robot that they were made of.
+    """
+
+    __slots__ = ("diagnostics", "files", "is_same", "main", "remark", "report")
+
+    def __init__(
+        self,
+        files: Mapping[str, str],
+        main: str,
+        *,
+        diagnostics: Sequence[Diagnostic] = (),
+        report: str,
+        remark: str = "",
+        is_same: bool,
+    ) -> None:
+        """Hold it."""
+        self.files = dict(files)
+        self.main = main
+        self.diagnostics = list(diagnostics)
+        self.report = report
+        self.remark = remark
+        self.is_same = is_same
+
+    @property
+    def has_errors(self) -> bool:
+        """Tell whether the sources have errors, so that nothing could be compared."""
+        return any(each.severity == ERROR for each in self.diagnostics)
+
+
+class Job:
+    """What is to be migrated, and how.
+
+    Attributes:
+        source: the XML file.
+        folder: where the sources are to be, absolute.
+        arguments: those of xacro, as `name:=value`.
+        packages: folders of ROS packages by name.
+        policy: how far the file is trusted.
+        exact: whether an origin that is missing has to stay missing.
+    """
+
+    __slots__ = (
+        "_finder",
+        "_reach",
+        "arguments",
+        "exact",
+        "folder",
+        "packages",
+        "policy",
+        "source",
+    )
+
+    def __init__(
+        self,
+        source: Source,
+        folder: str,
+        *,
+        arguments: Sequence[str] = (),
+        packages: Mapping[str, str] | None = None,
+        policy: Policy | None = None,
+        exact: bool = False,
+    ) -> None:
+        """Say what is wanted; by default the file is trusted."""
+        self.source = source
+        self.folder = folder
+        self.arguments = list(arguments)
+        self.packages = dict(packages or {})
+        self.policy = policy or Policy()
+        self.exact = exact
+        path = source.path or "-"
+        self._reach = reach_of(path, self.policy, self.packages)
+        self._finder = finder_for(path, self._reach, self.packages)
+
+    def run(self) -> Result:
+        """Return the sources.
+
+        Raises:
+            YamaroError: the file has errors, or may not be run.
+            UsageError: an argument makes no sense.
+        """
+        if self._reach is None or not has_jail(self.policy, self.source.name):
+            return self._in_time()
+        try:
+            return run_in_jail(
+                self._packed,
+                _unpacked,
+                policy=self.policy,
+                readable=self._reach.roots,
+                name=self.source.name,
+            )
+        except JailUnavailable as error:
+            if self.policy.mode == JAIL:
+                raise no_jail(str(error), self.source.name) from None
+            return self._in_time()
+
+    def _in_time(self) -> Result:
+        try:
+            return run_on_deep_stack(lambda: run_within(self.policy.timeout, self._migrate))
+        except TimeOver:
+            raise time_is_over(self.source.name, self.policy) from None
+
+    def _migrate(self) -> Result:
+        limits = self.policy.limits
+        root, is_xacro = read_included(self.source, limits)
+        is_guarded = not self.policy.is_trusted and not self.policy.is_confined
+        if is_xacro:
+            if is_guarded:
+                raise xacro_in_safe_mode(root.span)
+            return self._migrate_xacro()
+        if self.arguments:
+            raise UsageError(f"a URDF has no argument to set: '{self.arguments[0]}'")
+        policy = Policy(SAFE) if is_guarded else Policy()
+        migration = command.migrate_source(self.source, limits, policy=policy, exact=self.exact)
+        return Result(
+            {"": migration.text},
+            "",
+            report=command.report(migration),
+            is_same=not migration.differences,
+        )
+
+    def _migrate_xacro(self) -> Result:
+        migration = xacro_command.migrate_robot(
+            self.source,
+            self.folder,
+            arguments=self.arguments,
+            packages=self.packages,
+            limits=self.policy.limits,
+            exact=self.exact,
+            finder=self._finder,
+            reach=self._reach,
+        )
+        remark = "compared with Yamaro's own expansion; with yamaro[xacro], with xacro's"
+        return Result(
+            migration.files,
+            migration.main,
+            diagnostics=[*xacro_command.warnings_of(migration), *migration.faults],
+            report=command.report(migration),
+            remark="" if migration.is_compared_with_xacro else remark,
+            is_same=not migration.differences,
+        )
+
+    # --- out of a jail ----------------------------------------------------------------------
+
+    def _packed(self) -> bytes:
+        """Return the result as bytes, or what was raised."""
+        try:
+            result = self._in_time()
+        except YamaroError as error:
+            return pack([to_bytes(Outcome(diagnostics=error.diagnostics))])
+        except UsageError as error:
+            return pack([to_bytes(Outcome()), str(error).encode("utf-8", "surrogatepass")])
+        said = Outcome(
+            messages=[result.main, result.report, result.remark, *["same"] * result.is_same],
+            diagnostics=result.diagnostics,
+        )
+        files = [each.encode("utf-8") for pair in result.files.items() for each in pair]
+        return pack([to_bytes(said), b"", *files])
+
+
+def _unpacked(data: bytes) -> Result:
+    """Return the result that some bytes describe, which may come from an attacker.
+
+    Raises:
+        JailAnswerBroken: they do not describe one.
+        YamaroError: the file has errors.
+        UsageError: an argument makes no sense.
+    """
+    try:
+        packed, *rest = unpack(data)
+        outcome = from_bytes(packed)
+        if not rest:
+            if not outcome.has_errors:
+                raise ValueError("there is no error")
+            raise YamaroError(outcome.diagnostics)
+        usage, *texts = rest
+        if usage:
+            raise UsageError(usage.decode())
+        main, report, remark, *is_same = outcome.messages
+        files = {
+            _checked_name(name.decode()): _checked_text(text.decode())
+            for name, text in zip(texts[::2], texts[1::2], strict=True)
+        }
+    except (ValueError, IndexError) as error:
+        raise JailAnswerBroken(f"its answer is malformed: {error}") from None
+    if main not in files:
+        raise JailAnswerBroken("its answer holds no main file")
+    return Result(
+        files,
+        main,
+        diagnostics=outcome.diagnostics,
+        report=report,
+        remark=remark,
+        is_same=bool(is_same),
+    )
+
+
+def _checked_name(name: str) -> str:
+    """Return the name of a file to write, which must lie in the folder and not be hidden."""
+    parts = name.split("/")
+    if name and (
+        os.path.isabs(name)
+        or not name.isprintable()
+        or not name.endswith(ENDINGS)
+        or any(not part or part.startswith(".") for part in parts)
+    ):
+        raise ValueError("a file cannot have such a name")
+    return name
+
+
+def _checked_text(text: str) -> str:
+    """Return a text to write, which must not steer a terminal that it is shown on."""
+    for line in text.split("\n"):
+        if not line.isprintable() and any(ord(char) < 32 and char not in "\t\r" for char in line):
+            raise ValueError("a file holds control characters")
+    return text
