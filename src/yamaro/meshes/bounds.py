@@ -19,6 +19,8 @@ MOST_PLACED = 10_000
 """Bodies that a file may place, each as often as it is placed."""
 MOST_BYTES_PLACED = 512 << 20
 """Bytes of the descriptions of those bodies, each counted as often as it is placed."""
+MOST_CORNERS_SORTED = 200_000_000
+"""Corners of an OBJ, times its materials."""
 MOST_NAMES = 256
 """Other files that a mesh or material may name."""
 LARGEST_MATERIALS = 4 << 20
@@ -123,18 +125,26 @@ def _inside(body: Body, known: dict[str, list[Body]]) -> list[Body]:
 
 
 def _check_obj(data: bytes) -> list[str]:
-    """Return the names after `mtllib`; each line is looked at once."""
-    if sum(data.count(b"\n" + word) for word in (b"usemtl", b"o ", b"g ")) > MOST_PLACED:
-        raise MeshFileError(f"it has more than {MOST_PLACED:,} groups")
-    names: list[str] = []
+    """Return the names after `mtllib`."""
+    materials = _lines_after(data, b"usemtl", MOST_PLACED)
+    if len(materials) * data.count(b"v ") > MOST_CORNERS_SORTED:  # the library sorts them for each
+        raise MeshFileError("it has too many materials")
+    names = _lines_after(data, b"mtllib", MOST_NAMES)
+    return [name.decode("utf-8", "replace") for name in names]
+
+
+def _lines_after(data: bytes, word: bytes, most: int) -> list[bytes]:
+    """Return what follows a word at the start of a line, each once; a line is looked at once."""
+    found: dict[bytes, None] = {}
     end = 0
-    while (place := data.find(b"mtllib", end)) >= 0 and len(names) < MOST_NAMES:
+    while (place := data.find(word, end)) >= 0 and len(found) < most:
         start = data.rfind(b"\n", end, place) + 1 or end
         end = data.find(b"\n", place)
         end = len(data) if end < 0 else end
-        if not data[start:place].strip() and data[place + 6 : place + 7] in (b" ", b"\t"):
-            names.append(data[place + 7 : end].strip().decode("utf-8", "replace"))
-    return list(dict.fromkeys(names))
+        after = place + len(word)
+        if not data[start:place].strip() and data[after : after + 1] in (b" ", b"\t"):
+            found.setdefault(data[after:end].strip())
+    return list(found)
 
 
 def names_in_materials(data: bytes) -> list[str]:

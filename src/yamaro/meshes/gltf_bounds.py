@@ -76,15 +76,16 @@ def _check_tree(nodes: list[Any]) -> None:
 
 def _check_numbers(document: dict[str, Any]) -> None:
     counts = [_count_of(accessor) for accessor in _list(document, "accessors")]
-    sizes = []
+    sizes, bodies = [], []
     for mesh in _list(document, "meshes"):
         size = 0
         for primitive in mesh["primitives"]:
             used = [*primitive.get("attributes", {}).values(), primitive.get("indices", -1)]
-            size += 1 + sum(_index(each, counts) for each in used if each != -1)
+            size += sum(_index(each, counts) for each in used if each != -1)
         sizes.append(size)
+        bodies.append(len(mesh["primitives"]))
     placed = [node["mesh"] for node in _list(document, "nodes") if "mesh" in node]
-    if len(placed) > MOST_PLACED:
+    if max(sum(bodies), sum(_index(each, bodies) for each in placed)) > MOST_PLACED:
         raise MeshFileError(f"it places more than {MOST_PLACED:,} bodies")
     if sum(sizes) + sum(_index(each, sizes) for each in placed) > MOST_NUMBERS:
         raise MeshFileError("its accessors have too many items")

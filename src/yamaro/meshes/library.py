@@ -37,6 +37,8 @@ if TYPE_CHECKING:
 MOST_PIXELS = 64 << 20
 """Pixels of an image that is decoded."""
 MOST_TRIANGLES = 20_000_000
+OWN_IMAGE = "of the file"
+"""Marks an image that was read: trimesh makes up one where a material is missing."""
 _LOGGERS = ("trimesh", "collada", "PIL")
 _SILENT = 1000
 
@@ -96,7 +98,8 @@ def read_bodies(
         except (MeshFileError, OSError, MemoryError):
             raise
         except Exception as error:
-            raise MeshFileError(f"trimesh cannot read it: {error}") from error
+            reason = str(error) or type(error).__name__
+            raise MeshFileError(f"trimesh cannot read it: {reason}") from error
 
 
 def _read(data: bytes, kind: str, companions: Companions, has_colors: bool) -> list[Body]:
@@ -116,10 +119,20 @@ def _read(data: bytes, kind: str, companions: Companions, has_colors: bool) -> l
         if not isinstance(mesh, trimesh.Trimesh):
             continue
         triangles += len(mesh.faces)
-        if len(bodies) >= MOST_PLACED or triangles > MOST_TRIANGLES:
+        if len(bodies) >= MOST_PLACED:
+            raise MeshFileError(f"it places more than {MOST_PLACED:,} bodies")
+        if triangles > MOST_TRIANGLES:
             raise MeshFileError(f"it has more than {MOST_TRIANGLES:,} triangles")
-        bodies.append(Body(mesh, place, factor))
+        body = Body(mesh, place, factor)
+        check_corners(body.triangles, len(body.points))
+        bodies.append(body)
     return bodies
+
+
+def check_corners(triangles: Whole, count: int) -> None:
+    """Raise MeshFileError if a triangle has a corner beyond so many points."""
+    if triangles.size and not (triangles.min() >= 0 and triangles.max() < count):
+        raise MeshFileError("a triangle has a corner that is not there")
 
 
 def _metres(scene: Any) -> float:
@@ -151,6 +164,7 @@ class Companions:
                     return read_start(target, LARGEST_FILE)
                 except OSError:
                     break
+        name = name if len(name) <= 80 else f"{name[:80]}…"
         raise MeshFileError(f"the file '{name}' that it names is not there, or may not be read")
 
     def resolver(self) -> Any:
@@ -237,4 +251,5 @@ def open_image(data: bytes, usual: Callable[..., Any]) -> Any:
     width, height = image.size
     if not 0 < width * height <= MOST_PIXELS:
         raise MeshFileError("a texture has too many pixels")
+    image.info[OWN_IMAGE] = True
     return image

@@ -11,11 +11,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from .formats import STL, STL_HEADER_BYTES, MeshFileError, is_binary_stl
-from .library import Body, read_bodies
+from .library import OWN_IMAGE, Body, check_corners, read_bodies
 from .triangles import read_by, read_stl
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Sequence
 
     from numpy.typing import NDArray
 
@@ -25,6 +25,8 @@ if TYPE_CHECKING:
 LARGEST_COORDINATE = 1e9
 WIDEST_TEXTURE = 4096
 """Pixels along a side of a texture; a larger one is made smaller."""
+
+MOST_TEXTURE_BYTES = 512 << 20
 
 _FACET = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute", "<u2")])
 
@@ -77,7 +79,7 @@ def read_surfaces(path: str, allows: Callable[[str], bool] | None) -> list[Surfa
     def read(data: bytes, kind: str, path: str) -> list[Surface]:
         if kind == STL:
             return _of_stl(data)
-        return [_surface(body) for body in read_bodies(data, kind, path, allows, has_colors=True)]
+        return _surfaces(read_bodies(data, kind, path, allows, has_colors=True))
 
     found = [surface for surface in read_by(read, path) if len(surface.triangles)]
     if not found:
@@ -95,8 +97,7 @@ def check_surface(surface: Surface) -> None:
         raise MeshFileError("its corners are no points")
     if not (abs(surface.points) <= LARGEST_COORDINATE).all():
         raise MeshFileError("a coordinate is no number, or too large for one")
-    if triangles.size and not (triangles.min() >= 0 and triangles.max() < count):
-        raise MeshFileError("a triangle has a corner that is not there")
+    check_corners(triangles, count)
     for numbers, width in (
         (surface.point_colors, 4), (surface.texture_points, 2), (surface.normals, 3)
     ):  # fmt: skip
@@ -110,7 +111,10 @@ def check_surface(surface: Surface) -> None:
         raise MeshFileError("its colour is none")
     texture = surface.texture
     if texture is not None and not (
-        texture.ndim == 3 and texture.shape[2] == 3 and 0 < max(texture.shape) <= WIDEST_TEXTURE
+        texture.ndim == 3
+        and texture.shape[2] == 3
+        and min(texture.shape) > 0
+        and max(texture.shape) <= WIDEST_TEXTURE
     ):
         raise MeshFileError("its texture is no image")
 
@@ -123,6 +127,19 @@ def _of_stl(data: bytes) -> list[Surface]:
     facets = np.frombuffer(data, _FACET, offset=STL_HEADER_BYTES)
     points = facets["corners"].reshape(-1, 3).astype(float)
     return [Surface(points, np.arange(len(points)).reshape(-1, 3))]
+
+
+def _surfaces(bodies: Sequence[Body]) -> list[Surface]:
+    """Return bodies as surfaces, if their textures do not take too much memory."""
+    found = []
+    size = 0
+    for body in bodies:
+        surface = _surface(body)
+        size += surface.texture.nbytes if surface.texture is not None else 0
+        if size > MOST_TEXTURE_BYTES:
+            raise MeshFileError("its textures take too much memory")
+        found.append(surface)
+    return found
 
 
 def _surface(body: Body) -> Surface:
@@ -143,6 +160,8 @@ def _surface(body: Body) -> Surface:
 def _add_material(surface: Surface, body: Body) -> None:
     material = body.mesh.visual.material
     image = getattr(material, "image", None) or getattr(material, "baseColorTexture", None)
+    if image is not None and OWN_IMAGE not in image.info:
+        return
     uv = body.mesh.visual.uv
     if image is not None and uv is not None and len(uv) == len(surface.points):
         image.thumbnail((WIDEST_TEXTURE, WIDEST_TEXTURE))
