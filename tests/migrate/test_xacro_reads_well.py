@@ -284,3 +284,73 @@ def test_a_macro_that_is_nowhere_is_called_all_the_same(
     assert main(["out/r.yaml", "-q"]) == 0
     assert main(["out/r.yaml", "-q", "n:=2"]) == 1
     assert "ERRORTooMany" in capsys.readouterr().err
+
+
+def test_a_minus_before_an_expression_goes_into_it(tmp_path: Path) -> None:
+    made = migrated(
+        tmp_path,
+        """\
+        <xacro:property name="x" value="2"/>
+        <xacro:property name="name" value="left"/>
+        <xacro:property name="back" value="-${x}"/>
+        <xacro:property name="row" value="1 2"/>
+        <a p="-${x} 0 -${x + 1}" q="${x}-${x}" r="arm-${name}" s="-${name}" t="-${2*x}"
+           u="-${row}" v="-${max(x, 1)} 0" w="${back}"/>
+        """,
+    )
+    assert "  back: $(-x)\n" in made["r.yaml"]
+    assert (
+        "a/p=$(-x) 0 $(-(x + 1)), q=$(x)-$(x), r=arm-$(name), s=-$(name), t=$(-(2*x)), "
+        "u=-$(row), v=$(-max(x, 1)) 0, w=$(back):"
+    ) in made["r.yaml"]
+
+
+@pytest.mark.parametrize(
+    ("lib", "scope"),
+    [
+        # a parameter or property of a macro, a text, a word of a path
+        ('<xacro:macro name="m" params="size"><b v="${size}"/></xacro:macro>', ""),
+        ('<xacro:macro name="m" params="">SIZE<b v="${size}"/></xacro:macro><xacro:m/>', ""),
+        ("<b v=\"${dict(size=3)['size']}\"/>", ""),
+        ('<b v="${1}size"/>', ""),
+        # the variable itself
+        ('<b v="${size}"/>', "/global"),
+        ('<xacro:macro name="m" params="n"><b v="${n + size}"/></xacro:macro>', "/global"),
+        (
+            '<xacro:macro name="m" params="size:=^"><b v="${size}"/></xacro:macro><xacro:m/>',
+            "/global",
+        ),
+        ('<xacro:macro name="m" params="n:=${size}"><b v="${n}"/></xacro:macro>', "/global"),
+        ('<xacro:if value="${size > 1}"><b/></xacro:if>', "/global"),
+    ],
+)
+def test_a_variable_is_global_only_if_another_file_reads_it(
+    tmp_path: Path, lib: str, scope: str
+) -> None:
+    made = migrated(
+        tmp_path,
+        """\
+        <xacro:property name="size" value="2"/>
+        <a v="${size}"/>
+        <xacro:include filename="lib.xacro"/>
+        """,
+        lib=lib.replace("SIZE", '<xacro:property name="size" value="3"/>'),
+    )
+    assert f"  size{scope}: 2\n" in made["r.yaml"]
+
+
+def test_an_argument_is_global_only_if_another_file_reads_it(tmp_path: Path) -> None:
+    made = migrated(
+        tmp_path,
+        """\
+        <xacro:arg name="size" default="2"/>
+        <xacro:arg name="width" default="3"/>
+        <xacro:include filename="lib.xacro"/>
+        <a v="$(arg size)" w="$(arg width)"/>
+        """,
+        lib="""\
+        <b w="$(arg width)"/>
+        <xacro:macro name="m" params="size"><b v="${size}"/></xacro:macro>
+        """,
+    )
+    assert "  size: 2\n  width/global: 3\n" in made["r.yaml"]

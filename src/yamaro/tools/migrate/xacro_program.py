@@ -20,6 +20,7 @@ from .xacro_choices import Choices
 from .xacro_data import with_plain_units
 from .xacro_includes import folder_meant
 from .xacro_namespaces import Namespaces
+from .xacro_readers import Readers
 from .xacro_runs import Runs
 from .xacro_truths import Truths
 
@@ -179,6 +180,7 @@ class Program:
         self.truth_texts = python.truth_texts - python.other_texts
         self.numbers = {text: kind for text, kind in python.numbers.items() if kind != "text"}
         self.floats = python.floats
+        self._others = python.others
         self.macros: dict[str, Macro] = {}
         self.definitions: dict[tuple[str, int], Macro] = {}
         self._macros_of_name: dict[str, list[Macro]] = {}
@@ -211,6 +213,7 @@ class Program:
         )
         self._declare_given(arguments)
         self.included_by_macros = self._included_by_macros()
+        self._readers = Readers(self)
 
     def _try_others(self) -> None:
         """Expand the robot with other values of its arguments, one at a time.
@@ -655,6 +658,11 @@ class Program:
             return own in self.truths
         return self._maybe_truths.may_give(own)
 
+    def is_number(self, expression: str) -> bool:
+        """Tell whether an expression gave numbers whenever it was evaluated."""
+        own = expression.strip()
+        return own in self._evaluated and own not in self._others
+
     def is_defined_again(self, macro: Macro) -> bool:
         """Tell whether a macro of a file is replaced by one further down in it."""
         return macro.name not in self._in_a_row and any(
@@ -666,7 +674,7 @@ class Program:
         """Tell whether a name stands in an expression, or a tag, of another file."""
         if self._has_computed_calls and name.startswith("xacro:"):
             return True
-        return any(name in names for other, names in self._names.items() if other != path)
+        return bool(self._readers.files.get(name, set()) - {path})
 
 
 def camel(name: str) -> str:

@@ -35,6 +35,7 @@ class Translator:
     """Translates the expressions of one file.
 
     Attributes:
+        is_number: tells which expressions give numbers.
         imports: the modules that they need.
         used: the names they read.
         argument: gives the name of the variable for an argument.
@@ -74,6 +75,7 @@ class Translator:
         self.long_floats: Collection[str] = ()
         self.spelled: Mapping[str, str] = {}
         self.is_typed_argument: Callable[[str], bool] = lambda name: False
+        self.is_number: Callable[[str], bool] = lambda text: False
         self.imports: set[str] = set()
         self.used: set[str] = set()
 
@@ -94,6 +96,9 @@ class Translator:
                     part.text.strip() in self.long_floats and _is_in_word(parts, index)
                 ):
                     python = f"str({python})"
+                elif _ends_in_minus(pieces) and self.is_number(part.text):
+                    pieces[-1] = pieces[-1][:-1]
+                    python = _minus(python)
                 pieces.append(f"$({python})")
         return "".join(pieces)
 
@@ -355,6 +360,20 @@ class Translator:
         """Return what follows `$(eval`, where arguments are names, or called as arg('name')."""
         text = re.sub(r"""\barg\((['"])(\w+)\1\)""", r"\2", text)
         return self.expression(text)
+
+
+def _ends_in_minus(pieces: list[str]) -> bool:
+    """Tell whether the pieces of a text end in a sign for the number that follows."""
+    return "".join(pieces).split(" ")[-1:] == ["-"]
+
+
+def _minus(python: str) -> str:
+    """Return an expression with the other sign."""
+    import ast
+
+    tree = ast.parse(python, mode="eval").body
+    is_whole = isinstance(tree, (ast.Name, ast.Call, ast.Attribute, ast.Subscript, ast.Constant))
+    return f"-{python}" if is_whole else f"-({python})"
 
 
 _OPPOSITES = {"==": "!=", "!=": "==", "in": "not in", "not in": "in"}

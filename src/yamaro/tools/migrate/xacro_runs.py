@@ -245,6 +245,7 @@ class WatchedPython(Python):
         truths: those that were truth values or lists, which Python shows in its own way.
         floats: those that gave a float.
         long_floats: those of them that the language writes with fewer digits.
+        others: those that gave something else than a number.
         numbers: those that gave a text, with what xacro takes it for: float, int or text.
         truth_texts, other_texts: those that gave a text that xacro takes for a truth value, and
             those that gave another.
@@ -256,6 +257,7 @@ class WatchedPython(Python):
         "long_floats",
         "numbers",
         "other_texts",
+        "others",
         "truth_texts",
         "truths",
     )
@@ -267,6 +269,7 @@ class WatchedPython(Python):
         self.truths: set[str] = set()
         self.floats: set[str] = set()
         self.long_floats: set[str] = set()
+        self.others: set[str] = set()
         self.numbers: dict[str, str] = {}
         self.truth_texts: set[str] = set()
         self.other_texts: set[str] = set()
@@ -275,6 +278,8 @@ class WatchedPython(Python):
         """Return the value of an expression."""
         value = super().evaluate(text, names)
         self.evaluated.add(text.strip())
+        if not isinstance(value, (int, float)) or isinstance(value, bool):
+            self.others.add(text.strip())
         if isinstance(value, (bool, list, tuple)):
             self.truths.add(text.strip())
         elif isinstance(value, float):

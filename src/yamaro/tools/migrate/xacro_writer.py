@@ -96,6 +96,7 @@ class FileWriter(ElementWriter):
             program.truth_texts,
         )
         self.translator.argument = self.argument_name
+        self.translator.is_number = program.is_number
         self.translator.data_folder = self._data_folder()
         self.translator.long_floats = program.runs.python.long_floats
         self.translator.spelled = program.spelled
