@@ -134,16 +134,16 @@ def test_statements_stand_among_the_sections_of_a_link(tmp_path: Path) -> None:
         name: a
         link:
           - geometry: box
-          - scale: 1 1 1
-          - visual:
+            scale: 1 1 1
+            visual:
               xyz: 0 0 1
               Red:
-          - if:
+            if:
               condition: n > 1
               body:
                 visual:
                 inertial: {mass: 2, inertia: 1 0 0 1 0 1}
-          - Shell: {size: 1 2 3}
+            Shell: {size: 1 2 3}
           - visual:
               if:
                 condition: n > 1

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.migrate.test_xacro_migration import HEAD, migrated
+from tests.migrate.test_xacro_migration import HEAD, hold_for, migrated
 from yamaro.commands.main import main
 from yamaro.tools.migrate.document import Body, Row, write_document
 from yamaro.tools.migrate.xacro_python import negated
@@ -95,8 +95,8 @@ def test_opposite_conditions_stay_two_where_the_first_changes_what_they_read(
         <xacro:unless value="${is_first}"><b/></xacro:unless>
         """,
     )
-    assert "else" not in made["r.yaml"]
-    assert made["r.yaml"].count("if:") == 2
+    assert "else:" not in made["r.yaml"]
+    assert "$('b' if not is_first else ''):" in made["r.yaml"]
 
 
 @pytest.mark.parametrize(
@@ -354,3 +354,156 @@ def test_an_argument_is_global_only_if_another_file_reads_it(tmp_path: Path) -> 
         """,
     )
     assert "  size: 2\n  width/global: 3\n" in made["r.yaml"]
+
+
+INERTIA = """\
+    <xacro:macro name="box_inertia" params="m x y z *origin">
+      <inertial>
+        <xacro:insert_block name="origin"/>
+        <mass value="${m}"/>
+        <inertia ixx="${m*(y*y+z*z)/12}" ixy="0" ixz="0" iyy="${m*(x*x+z*z)/12}" iyz="0"
+                 izz="${m*(x*x+y*y)/12}"/>
+      </inertial>
+    </xacro:macro>
+    """
+
+
+def test_a_parameter_that_nothing_reads_any_more_goes(tmp_path: Path) -> None:
+    made = migrated(
+        tmp_path,
+        f"""\
+        {INERTIA}
+        <xacro:macro name="outer" params="name size">
+          <xacro:inner name="${{name}}" size="${{size}}"/>
+        </xacro:macro>
+        <xacro:macro name="inner" params="name size unused">
+          <xacro:property name="double" value="${{size * missing}}"/>
+          <link name="${{name}}_link">
+            <collision><geometry><box size="1 1 1"/></geometry></collision>
+            <xacro:box_inertia m="2" x="1" y="1" z="1"><origin xyz="0 0 0"/></xacro:box_inertia>
+          </link>
+        </xacro:macro>
+        <xacro:outer name="a" size="2"/>
+        """.replace(" unused", " unused:=1"),
+    )["r.yaml"]
+    assert "BoxInertia" not in made
+    assert "  Outer:\n    input: name\n    body:\n      Inner: {name: $(name)}\n" in made
+    assert "  Inner:\n    input: name, unused=1\n" in made  # which was never read
+    assert "  Outer: {name: a}\n" in made
+
+
+def test_another_name_of_an_argument_that_nothing_reads_goes(tmp_path: Path) -> None:
+    made = migrated(
+        tmp_path,
+        """\
+        <xacro:arg name="prefix" default="my_"/>
+        <xacro:macro name="arm" params="prefix"><a n="${prefix}"/></xacro:macro>
+        <xacro:macro name="leg" params="prefix"><xacro:arm prefix="$(arg prefix)"/></xacro:macro>
+        <xacro:arm prefix="$(arg prefix)"/>
+        """,
+    )
+    assert "arg_prefix: $(prefix)" in made["r.yaml"]
+    made = migrated(
+        tmp_path,
+        """\
+        <xacro:arg name="prefix" default="my_"/>
+        <xacro:macro name="arm" params="prefix:=$(arg prefix)"><a n="${prefix}"/></xacro:macro>
+        <xacro:arm prefix="$(arg prefix)"/>
+        """,
+    )
+    assert made["r.yaml"].count("arg_prefix") in (0, 2)
+
+
+def test_a_file_of_which_nothing_is_left_is_not_included(tmp_path: Path) -> None:
+    made = migrated(
+        tmp_path,
+        """\
+        <!-- the arguments -->
+        <xacro:include filename="arguments.xacro"/>
+        <xacro:include filename="lib.xacro"/>
+        <a n="$(arg n)"/>
+        """,
+        arguments='<xacro:arg name="n" default="1"/>',
+        lib='<xacro:include filename="arguments.xacro"/><b/>',
+    )
+    assert list(made) == ["r.yaml", "lib.yaml"]
+    assert made["r.yaml"] == (
+        "robot: r\nvariables:\n  n: 1\nmodel:\n  include: lib.yaml\n  a/n=$(n):\n"
+    )
+
+
+def test_files_that_would_have_one_name_keep_their_endings(tmp_path: Path) -> None:
+    made = migrated(tmp_path, '<xacro:include filename="r.xacro"/>', r="<a/>")
+    assert list(made) == ["r.yaml", "r_xacro.yaml"]
+    assert "include: r_xacro.yaml" in made["r.yaml"]
+
+
+def test_one_entry_under_a_condition_has_a_key_that_may_be_empty(tmp_path: Path) -> None:
+    made = migrated(
+        tmp_path,
+        """\
+        <xacro:arg name="n" default="2"/>
+        <xacro:macro name="leg" params="x"><a x="${x}"/></xacro:macro>
+        <xacro:if value="${$(arg n) > 1}"><xacro:leg x="1"/></xacro:if>
+        <xacro:if value="${$(arg n) > 2}"><xacro:leg x="1"/></xacro:if>
+        <xacro:if value="${$(arg n) > 1}"><b x="1"/></xacro:if>
+        <xacro:if value="${$(arg n) > 1}"><!-- why --><c/></xacro:if>
+        <xacro:if value="${$(arg n) == 1}"><d/></xacro:if>
+        <xacro:unless value="${$(arg n) == 1}"><e/></xacro:unless>
+        <link name="base_link"/>
+        <joint name="a_joint" type="fixed"><parent link="base_link"/><child link="a_link"/>
+          <xacro:if value="${$(arg n) > 1}"><limit effort="1" velocity="2" lower="0" upper="1"/>
+          </xacro:if>
+          <xacro:if value="${$(arg n) > 2}"><dynamics damping="1"/></xacro:if>
+        </joint>
+        <link name="a_link"/>
+        """,
+    )["r.yaml"]
+    assert "  - $('Leg' if n > 1 else ''): {x: 1}\n  - $('Leg' if n > 2 else ''): {x: 1}\n" in made
+    assert "        $('limit' if n > 1 else ''): {effort: 1, velocity: 2, lower: 0" in made
+    assert "        $('dynamics' if n > 2 else ''): {damping: 1}\n" in made
+    assert made.count("if:") == 3  # an element with attributes, with a comment, with an else
+    hold_for(tmp_path, ["n:=1"], ["n:=2"], ["n:=3"])
+
+
+def test_only_what_comes_again_begins_an_item_of_a_list(tmp_path: Path) -> None:
+    box = '<geometry><box size="1 1 1"/></geometry>'
+    made = migrated(
+        tmp_path,
+        f"""\
+        <link name="a_link">
+          <inertial><mass value="1"/>
+          <inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial>
+          <visual name="one"><origin xyz="0 0 1"/>{box}</visual>
+          <visual><origin xyz="0 0 2"/><geometry><sphere radius="1"/></geometry></visual>
+          <visual><origin xyz="0 0 3"/><geometry><sphere radius="2"/></geometry></visual>
+          <collision>{box}</collision>
+        </link>
+        """,
+    )
+    assert made["r.yaml"].partition("link:\n")[2] == textwrap.indent(
+        textwrap.dedent("""\
+        - geometry: box
+          scale: 1 1 1
+          inertial: {mass: 1, inertia: 1 0 0 1 0 1}
+          visual/name=one: {xyz: 0 0 1}
+          visual: {geometry: sphere, scale: 1, xyz: 0 0 2}
+        - visual: {geometry: sphere, scale: 2, xyz: 0 0 3}
+          collision:
+        """),
+        "      ",
+    )
+
+
+def test_a_long_key_goes_on_in_the_next_line(tmp_path: Path) -> None:
+    names = " ".join(f"quite_a_long_parameter_{number}" for number in range(6))
+    values = " ".join(f'v{number}="${{{name}}}"' for number, name in enumerate(names.split()))
+    given = " ".join(f'{name}="1"' for name in names.split())
+    made = migrated(
+        tmp_path,
+        f"""\
+        <xacro:macro name="m" params="{names}"><a {values}><b/></a><a {values}/></xacro:macro>
+        <xacro:m {given}/>
+        """,
+    )
+    assert all(len(line) <= 100 for line in made["r.yaml"].splitlines())

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import re
+from collections import Counter
 
+from ...syntax.names import STATEMENTS
 from ...syntax.scalars import type_plain
 
 TYPE_CHECKING = False
@@ -233,16 +235,26 @@ def _write_comment(comment: str, margin: str, out: list[str]) -> None:
 
 
 def _write_entries(body: Body, margin: str, out: list[str]) -> None:
-    """Write entries as a mapping, or as a list if a key comes again."""
+    """Write entries as a mapping, or as a list of mappings if a key comes again."""
     keys = [entry.key for entry in body]
-    is_list = len(set(keys)) < len(keys)
+    times = Counter(keys)
+    repeated = [key for key in keys if times[key] > 1]
+    is_row = 2 * len(repeated) >= len(keys) or any(map(_is_statement, repeated))
+    seen: set[str] = set()
     for entry in body:
         _write_comment(entry.comment, margin, out)
-        if is_list:
-            _write_entry(entry, f"{margin}- ", f"{margin}  ", out)
-        else:
+        if not repeated:
             _write_entry(entry, margin, margin, out)
+            continue
+        is_item = is_row or not seen or entry.key in seen
+        seen = {entry.key} if is_item else seen | {entry.key}
+        _write_entry(entry, f"{margin}- " if is_item else f"{margin}  ", f"{margin}  ", out)
     _write_comment(body.remark, margin, out)
+
+
+def _is_statement(key: str) -> bool:
+    """Tell whether a key is that of a statement: each of a row of these has an item of its own."""
+    return key in STATEMENTS or key.rpartition(".")[2][:1].isupper()
 
 
 def _write_entry(entry: Entry, head: str, margin: str, out: list[str]) -> None:
@@ -268,8 +280,10 @@ def _write_pair(entry: Entry, head: str, margin: str, out: list[str], remarks: l
     What is remarked in a mapping in braces is added to `remarks`.
     """
     key = _scalar(entry.key, in_flow=False)
-    if len(key) > LONGEST_KEY:
-        out.append(f"{head}? {key}")
+    if len(key) > LONGEST_KEY or len(head) + len(key) + 1 > RECORD_WIDTH:
+        words = _foldable(entry.key, key) or [key]
+        first, *others = _filled(words, WIDTH - len(margin) - 2)
+        out += [f"{head}? {first}", *(f"{margin}  {line}" for line in others)]
         head, key = margin, ""
     value = entry.value
     if value is None:

@@ -10,6 +10,7 @@ from .xacro_layout import Layout
 from .xacro_placing import Placing
 from .xacro_program import Program
 from .xacro_reach import Reach
+from .xacro_tidying import tidy
 from .xacro_writer import FileWriter
 
 TYPE_CHECKING = False
@@ -69,7 +70,6 @@ def migrate_program(program: Program, wanted: Collection[str] = ()) -> XacroMigr
     contents = Contents(program)
     layout = Layout(program, wanted)
     migration = XacroMigration({}, layout.outputs[program.main], program.result)
-    migration.origins = layout.outputs
     migration.layout = layout
     reach = Reach(program)
     placing = Placing(() if program.exact else contents.in_parts())
@@ -89,7 +89,11 @@ def migrate_program(program: Program, wanted: Collection[str] = ()) -> XacroMigr
         {program.macros[name].function for name in solids.replaced},
         [sections for sections, _ in written.values()],
     )
-    for output, (sections, header) in written.items():
+    sources = {output: sections for output, (sections, _) in written.items()}
+    tidy(sources, migration.main, program)
+    migration.origins = {path: name for path, name in layout.outputs.items() if name in sources}
+    for output, sections in sources.items():
+        header = written[output][1]
         migration.files[output] = write_document(sections, header)
     for path, text in program.data.items():
         copy = layout.output_of_data(path)

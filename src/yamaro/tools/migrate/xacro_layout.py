@@ -130,8 +130,12 @@ class Layout:
         else:
             relative = os.path.relpath(path, self._folder)
         stem = source_name(relative).removesuffix(".yaml")
-        unique, number = f"{stem}.yaml", 2
         taken = set(self.outputs.values()) | self._program.data.keys()
+        unique, number = f"{stem}.yaml", 2
+        if unique in taken:  # arm.urdf.xacro beside arm.xacro: the ending tells them apart
+            endings = os.path.basename(path)[len(os.path.basename(stem)) :].split(".")[1:]
+            stem = "_".join([stem, *(endings[:-1] or endings)])
+            unique = f"{stem}.yaml"
         while unique in taken:
             unique, number = f"{stem}_{number}.yaml", number + 1
         return unique
