@@ -12,7 +12,6 @@ from .diagnostics import (
     Reporter,
     YamaroError,
     YamaroWarning,
-    suggest,
 )
 from .policy import NO_JAIL, UNSAFE, Limits, Policy
 from .runtime.collector import RareCollection
@@ -25,7 +24,15 @@ from .runtime.mesh_paths import RELATIVE, MeshPaths
 from .runtime.meshes import MeshFinder
 from .runtime.packages import PackageFinder
 from .runtime.predefined import plain_data
-from .source import STANDARD_INPUT, STANDARD_INPUT_NAME, Source, Span
+from .runtime.unread import warn_of_unread, warn_of_unread_includes
+from .source import (
+    COMMAND_LINE,
+    KEYWORD_ARGUMENT,
+    STANDARD_INPUT,
+    STANDARD_INPUT_NAME,
+    Source,
+    Span,
+)
 from .syntax.context import ParseContext
 from .syntax.includes import is_xml_file
 from .syntax.names import is_identifier, python_name
@@ -321,18 +328,22 @@ class Program:
                 places = _places_of(command_line)
                 root, is_xacro = run_xml_main(source, interpreter, arguments, places, reporter)
                 if not is_xacro:
-                    _warn_of_unknown_variables(interpreter, places, reporter)
+                    warn_of_unread(places, interpreter.files, reporter)
                 return root
 
             return evaluate_xml
         passed, places = read_command_line(command_line)
         passed.update(variables)
+        for name in variables:
+            source = Source(f"{name}=…", name=KEYWORD_ARGUMENT)
+            places[name] = Span(source, 0, len(name))
 
         def evaluate(source: Source, interpreter: Interpreter, reporter: Reporter) -> Element:
             evaluated = interpreter.run_main(
                 source, stem=_stem(self._path), variables=passed, places=places
             )
-            _warn_of_unknown_variables(interpreter, places, reporter)
+            warn_of_unread(places, interpreter.files, reporter)
+            warn_of_unread_includes(interpreter.passed.values(), interpreter.files, reporter)
             return evaluated
 
         return evaluate
@@ -858,7 +869,7 @@ def read_command_line(arguments: Sequence[str]) -> tuple[dict[str, object], dict
         name, separator, _ = argument.partition(":=")
         if not separator or not is_identifier(name):
             raise UsageError(f"'{argument}' is not of the form name:=value")
-        source = Source(argument, name="<command line>")
+        source = Source(argument, name=COMMAND_LINE)
         node = ScalarNode(argument, PLAIN, source, 0, len(argument))
         reporter = Reporter()
         try:
@@ -890,29 +901,5 @@ def _places_of(command_line: Sequence[str]) -> dict[str, Span]:
     places = {}
     for argument in command_line:
         name = argument.partition(":=")[0]
-        places[name] = Span(Source(argument, name="<command line>"), 0, len(name))
+        places[name] = Span(Source(argument, name=COMMAND_LINE), 0, len(name))
     return places
-
-
-def _warn_of_unknown_variables(
-    interpreter: Interpreter, places: Mapping[str, Span], reporter: Reporter
-) -> None:
-    """Warn of command-line variables that nothing in the program declares or reads."""
-    if not places:
-        return
-    declared = {
-        name
-        for document in interpreter.files.documents
-        for name, scope, _ in document.declarations
-        if scope != "import" and not name[0].isupper()
-    }
-    read = interpreter.files.names_read()
-    for name, span in places.items():
-        if name not in declared and name not in read:
-            near = suggest(name, declared)
-            reporter.warn(
-                "unknown-variable",
-                f"nothing in the program declares or reads the variable '{name}'",
-                span,
-                hint=f"did you mean '{near}'?" if near else None,
-            )

@@ -10,6 +10,10 @@ STANDARD_INPUT = "-"
 """The path that stands for standard input."""
 STANDARD_INPUT_NAME = "<standard input>"
 """What standard input is called in messages."""
+COMMAND_LINE = "<command line>"
+"""What the source is called that holds a `name:=value`."""
+KEYWORD_ARGUMENT = "<keyword argument>"
+"""What the source is called that holds a variable given from Python."""
 
 
 class Source:

@@ -73,6 +73,7 @@ from .loops import iterate, too_many_turns, unpack
 from .messages import Messages
 from .packages import PackageFinder
 from .scope import MISSING, BlockScope, Namespace, Scope, Shared, function_key
+from .unread import Passed
 from .values import Values
 
 TYPE_CHECKING = False
@@ -141,6 +142,7 @@ class Interpreter:
         self.frame: Frame | None = None
         self.holder: Frame | None = None  # the frame in which the element around was made
         self.is_yaml = False  # whether the main file is
+        self.passed: dict[tuple[int, int], Passed] = {}  # by the include and the file
         self.has_parts = False
         self.has_frames = False
         self.depth = 0
@@ -629,6 +631,9 @@ class Interpreter:
         self._enter(frame, node.path_span)
         try:
             document = self.files.parse(source)
+            if node.arguments:
+                passed_to = Passed(node, document, frame.parent)
+                self.passed.setdefault((id(node), id(document)), passed_to)
             before = len(self.shared.declared)
             inner = self._begin_file(document, caller=context)
             for argument in node.arguments:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ..source import Span
+from ..source import COMMAND_LINE, KEYWORD_ARGUMENT, Span
 from ..syntax.python import PythonCode
 from .scope import MISSING, Scope
 from .words import a_kind_of
@@ -67,10 +67,6 @@ def set_at(place: Span) -> str:
     if place.source.name == KEYWORD_ARGUMENT:
         return "set from Python"
     return f"set at {place.place()}"
-
-
-COMMAND_LINE = "<command line>"
-KEYWORD_ARGUMENT = "<keyword argument>"
 
 
 def names_in(text: str) -> list[str]:

@@ -14,6 +14,7 @@ from .yaml_nodes import ScalarNode
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from .python import PythonCode
     from .yaml_nodes import YamlNode
 
 
@@ -27,6 +28,10 @@ OTHER_WORDS = ("file", "filename", "src", "from", "uri", "url")
 def is_xml_file(path: str) -> bool:
     """Tell whether a file holds XML."""
     return path.lower().endswith(XML_ENDINGS)
+
+
+_FOLDERS = frozenset(("find", "file_dir", "dirname", "cwd", "env"))
+"""What paths may be put together of that mean the same in each run."""
 
 
 def parse_include(key: ScalarNode, node: YamlNode, context: ParseContext) -> IncludeNode:
@@ -103,7 +108,23 @@ def _parse_path(node: YamlNode, key: ScalarNode, context: ParseContext) -> str |
             key.span(),
             hint="write include: other.yaml, or include: {path: other.yaml, length: 2}",
         )
-    return parse_template(node, context=context)
+    path = parse_template(node, context=context)
+    if isinstance(path, Template) and is_computed(path):
+        context.declarations.append(("", "computed", node.span()))
+    return path
+
+
+def is_computed(path: Template) -> bool:
+    """Tell whether it depends on variables which file a path means."""
+    return any(not _FOLDERS.issuperset(_names_read(part)) for part in path.parts)
+
+
+def _names_read(part: str | PythonCode) -> list[str]:
+    if isinstance(part, str):
+        return []
+    if part.name is not None:
+        return [part.name]
+    return [name for name in part.code.co_names if name in part.text]  # no guards of safe mode
 
 
 def _parse_namespace(node: YamlNode, context: ParseContext) -> str | Template:

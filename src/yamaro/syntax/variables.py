@@ -54,6 +54,8 @@ def parse_variables(key: ScalarNode, node: YamlNode, context: ParseContext) -> V
                 continue
             entries[entry.name] = entry
             context.declarations.append((entry.name, entry.scope, entry.span))
+        else:
+            context.declarations.append(("", "computed", entry.span))
         every.append(entry)
     return VariablesNode(every, is_root=False, span=key.span())
 
