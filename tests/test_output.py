@@ -65,6 +65,39 @@ def test_owner_of_an_old_file_is_kept(tmp_path: Path) -> None:
     assert (result.st_uid, result.st_gid, stat.S_IMODE(result.st_mode)) == (12345, 23456, 0o664)
 
 
+@pytest.mark.skipif(sys.platform != "linux", reason="Python knows them on Linux only")
+def test_extended_attributes_of_an_old_file_are_kept(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    path = tmp_path / "a.urdf"
+    path.write_bytes(OLD)
+    try:
+        os.setxattr(path, "user.origin", b"the lab\0")
+        os.setxattr(path, "user.tag", b"")
+    except OSError:
+        pytest.skip("this file system has none")
+    write_file(str(path), [NEW])
+    assert path.read_bytes() == NEW
+    assert sorted(os.listxattr(path)) == ["user.origin", "user.tag"]
+    assert os.getxattr(path, "user.origin") == b"the lab\0"
+
+    link = tmp_path / "link.urdf"
+    link.symlink_to(path)
+    write_file(str(link), [OLD])
+    assert os.getxattr(path, "user.origin") == b"the lab\0"
+
+    set_attribute = os.setxattr
+
+    def refuse(target: int, name: str, value: bytes) -> None:
+        if name == "user.origin":
+            raise PermissionError
+        set_attribute(target, name, value)
+
+    monkeypatch.setattr(os, "setxattr", refuse)
+    write_file(str(path), [NEW])  # what cannot be kept is no reason not to write
+    assert os.listxattr(path) == ["user.tag"]
+
+
 def test_a_reader_of_the_old_file_keeps_the_old_text(tmp_path: Path) -> None:
     target = tmp_path / "a"
     target.write_bytes(OLD)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import stat
+import sys
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -22,8 +23,8 @@ def write_file(path: str, chunks: Iterable[bytes]) -> None:
     """Write a file so that it is seen either whole or as it was before.
 
     The content goes to a temporary file in the same folder, which then takes the name of the
-    target. A symbolic link stays, and its target is replaced; the mode of an old file is kept;
-    folders on the way are made. What is no regular file, such as a pipe or `/dev/null`, is
+    target. A symbolic link stays, and its target is replaced; the mode of an old file is kept, and
+    as far as the system allows its owner and extended attributes; folders on the way are made. What is no regular file, such as a pipe or `/dev/null`, is
     written to directly.
 
     The temporary file is removed on any failure, an interrupt included, and in the main thread a
@@ -104,7 +105,7 @@ def _replace(target: str, chunks: Iterable[bytes], old: os.stat_result | None) -
     guard = _TerminationGuard(temporary)
     try:
         guard.set()
-        _write_new(temporary, chunks, old)
+        _write_new(temporary, chunks, target, old)
         os.replace(temporary, target)
     except BaseException:
         _remove(temporary)
@@ -113,8 +114,8 @@ def _replace(target: str, chunks: Iterable[bytes], old: os.stat_result | None) -
         guard.reset()
 
 
-def _write_new(path: str, chunks: Iterable[bytes], old: os.stat_result | None) -> None:
-    """Write a new file through to the disk, with the mode and, if allowed, the owner of `old`."""
+def _write_new(path: str, chunks: Iterable[bytes], target: str, old: os.stat_result | None) -> None:
+    """Write a new file through to the disk, with what is known of the old one at `target`."""
     descriptor = os.open(
         path, os.O_WRONLY | os.O_CREAT | os.O_EXCL | getattr(os, "O_BINARY", 0), 0o666
     )
@@ -123,6 +124,8 @@ def _write_new(path: str, chunks: Iterable[bytes], old: os.stat_result | None) -
             _keep_owner(descriptor, old)
             _keep_mode(descriptor, old)
         write_all(descriptor, chunks)
+        if old is not None:
+            _keep_attributes(descriptor, target)
         os.fsync(descriptor)
     finally:
         os.close(descriptor)
@@ -142,6 +145,21 @@ def _keep_mode(descriptor: int, old: os.stat_result) -> None:
     mode = stat.S_IMODE(old.st_mode)
     if stat.S_IMODE(os.fstat(descriptor).st_mode) != mode:
         os.fchmod(descriptor, mode)
+
+
+def _keep_attributes(descriptor: int, target: str) -> None:
+    """Copy the extended attributes, access lists among them, that may be read and set."""
+    if sys.platform != "linux":
+        return
+    try:
+        names = os.listxattr(target)
+    except OSError:
+        return
+    for name in names:
+        try:
+            os.setxattr(descriptor, name, os.getxattr(target, name))
+        except OSError:
+            continue
 
 
 def _remove(path: str) -> None:
