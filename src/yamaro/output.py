@@ -24,8 +24,8 @@ def write_file(path: str, chunks: Iterable[bytes]) -> None:
 
     The content goes to a temporary file in the same folder, which then takes the name of the
     target. A symbolic link stays, and its target is replaced; the mode of an old file is kept, and
-    as far as the system allows its owner and extended attributes; folders on the way are made. What is no regular file, such as a pipe or `/dev/null`, is
-    written to directly.
+    as far as the system allows its owner and extended attributes; folders on the way are made.
+    What is no regular file, such as a pipe or `/dev/null`, is written to directly.
 
     The temporary file is removed on any failure, an interrupt included, and in the main thread a
     termination signal. Nothing can do so after `kill -9` or a loss of power: a file named

@@ -483,3 +483,83 @@ def test_a_port_that_is_taken_is_told(view: Callable[..., Viewer], tmp_path: Pat
         viewer = view(path, "--port", port)
         assert viewer.process.wait(PATIENCE) == 2
     assert f"the port {port} cannot be had: Address already in use" in viewer.said
+
+
+# --- clients that dawdle ------------------------------------------------------------------------
+
+
+@pytest.fixture
+def patient(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Let no client go because of the time."""
+    monkeypatch.setattr(serving, "SECONDS_TO_READ", PATIENCE)
+    monkeypatch.setattr(serving.Handler, "timeout", PATIENCE)
+
+
+def dawdlers(served: Served, count: int) -> list[socket.socket]:
+    """Return connections that each have sent the beginning of a request."""
+    found = []
+    for _ in range(count):
+        stranger = socket.create_connection(("127.0.0.1", served.port), timeout=PATIENCE)
+        stranger.sendall(b"GET /")
+        found.append(stranger)
+    return found
+
+
+def is_ended(connection: socket.socket) -> bool:
+    connection.setblocking(False)
+    try:
+        return connection.recv(1) == b""
+    except BlockingIOError:
+        return False
+    except OSError:
+        return True
+
+
+@pytest.mark.usefixtures("patient")
+def test_clients_that_dawdle_do_not_keep_the_page_away(served: Served) -> None:
+    strangers = dawdlers(served, serving.MOST_CONNECTIONS + serving.MOST_STRANGERS + 10)
+    try:
+        for _ in range(3):
+            assert served.ask("state")[0] == 200
+        surplus = len(strangers) - serving.MOST_STRANGERS
+        wait_for(lambda: sum(map(is_ended, strangers)) >= surplus)
+        assert not is_ended(strangers[-1])  # it is the oldest that have to go
+    finally:
+        for stranger in strangers:
+            stranger.close()
+    wait_for(lambda: not served.server._strangers and not served.server._known)
+
+
+def test_a_client_that_sends_bit_by_bit_is_ended_after_a_time(served: Served) -> None:
+    (stranger,) = dawdlers(served, 1)
+    with served.server._lock:
+        served.server._strangers = dict.fromkeys(served.server._strangers, -1000000000.0)
+    wait_for(lambda: is_ended(stranger))
+    stranger.close()
+
+
+@pytest.mark.usefixtures("patient")
+def test_a_client_with_the_token_stays_when_strangers_come(served: Served) -> None:
+    own = http.client.HTTPConnection("127.0.0.1", served.port, timeout=PATIENCE)
+    own.request("GET", served.base + "state")
+    assert own.getresponse().read()
+    strangers = dawdlers(served, 2 * serving.MOST_STRANGERS)
+    wait_for(lambda: is_ended(strangers[0]))
+    own.request("GET", served.base + "state")  # by the same connection
+    answer = own.getresponse()
+    assert answer.status == 200 and answer.read()
+    for connection in (own, *strangers):
+        connection.close()
+
+
+def test_there_are_not_more_known_clients_than_may_be(
+    served: Served, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(serving, "MOST_CONNECTIONS", 1)
+    own = http.client.HTTPConnection("127.0.0.1", served.port, timeout=PATIENCE)
+    own.request("GET", served.base + "state")
+    assert own.getresponse().read()
+    assert served.ask("state")[0] == 503
+    own.close()
+    wait_for(lambda: not served.server._known)
+    assert served.ask("state")[0] == 200

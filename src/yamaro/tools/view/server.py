@@ -12,8 +12,10 @@ import hmac
 import json
 import os
 import secrets
+import socket
 import sys
 import threading
+import time
 from http import HTTPStatus
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from socketserver import TCPServer
@@ -22,16 +24,20 @@ from .fields import WrongValue
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Mapping
+    from collections.abc import Callable, Iterable, Mapping
+    from typing import Any
 
     from .editors import Editor
     from .session import Session
 
 HOST = "127.0.0.1"
 MOST_CONNECTIONS = 64
+"""Connections at once of clients that know the token."""
+MOST_STRANGERS = 32
+"""Connections at once of clients that have not shown it yet; a further one ends the oldest."""
 MOST_BODY = 64 << 10
 SECONDS_TO_READ = 10.0
-"""Seconds that a client has for its request, and for taking each piece of an answer."""
+"""Seconds that a client has to show the token, and then for each piece of request or answer."""
 SECONDS_BETWEEN_SIGNS = 5.0
 """Seconds after which an event stream with nothing to tell shows that it lives; so it is noticed
 when nobody listens any more."""
@@ -99,7 +105,9 @@ class Server(ThreadingHTTPServer):
         self.token = secrets.token_urlsafe(18)
         self.static = read_static()
         self.hosts = frozenset(f"{name}:{self.server_port}" for name in (HOST, "localhost"))
-        self._slots = threading.BoundedSemaphore(MOST_CONNECTIONS)
+        self._lock = threading.Lock()
+        self._strangers: dict[socket.socket, float] = {}  # since when, the oldest first
+        self._known: set[socket.socket] = set()
 
     @property
     def url(self) -> str:
@@ -111,23 +119,56 @@ class Server(ThreadingHTTPServer):
         TCPServer.server_bind(self)
         self.server_name, self.server_port = HOST, self.server_address[1]
 
-    def process_request(self, request: object, client_address: object) -> None:
-        """Answer in a thread of its own, unless there are too many already."""
-        if not self._slots.acquire(blocking=False):
-            self.shutdown_request(request)  # type: ignore[arg-type]
-            return
+    def process_request(self, request: Any, client_address: Any) -> None:
+        """Answer in a thread of its own; clients that dawdle make room for this one."""
+        with self._lock:
+            self._strangers[request] = time.monotonic()
+            surplus = list(self._strangers)[:-MOST_STRANGERS]
+        self._end(surplus)
         try:
-            super().process_request(request, client_address)  # type: ignore[arg-type]
+            super().process_request(request, client_address)
         except RuntimeError:  # no thread can be started
-            self._slots.release()
-            self.shutdown_request(request)  # type: ignore[arg-type]
+            self._forget(request)
+            self.shutdown_request(request)
 
-    def process_request_thread(self, request: object, client_address: object) -> None:
+    def process_request_thread(self, request: Any, client_address: Any) -> None:
         """Answer, and make room for another."""
         try:
-            super().process_request_thread(request, client_address)  # type: ignore[arg-type]
+            super().process_request_thread(request, client_address)
         finally:
-            self._slots.release()
+            self._forget(request)
+
+    def service_actions(self) -> None:
+        """End the connections of clients that take too long to show the token."""
+        since = time.monotonic() - SECONDS_TO_READ
+        with self._lock:
+            late = [each for each, begun in self._strangers.items() if begun < since]
+        self._end(late)
+
+    def let_in(self, request: Any) -> bool:
+        """Count a client among those that know the token, if there are not too many."""
+        with self._lock:
+            if request not in self._known:
+                if len(self._known) >= MOST_CONNECTIONS:
+                    return False
+                self._known.add(request)
+                self._strangers.pop(request, None)
+        return True
+
+    def _forget(self, request: Any) -> None:
+        with self._lock:
+            self._strangers.pop(request, None)
+            self._known.discard(request)
+
+    def _end(self, requests: Iterable[socket.socket]) -> None:
+        """End connections: the threads that read from them notice, and close them."""
+        for request in requests:
+            with self._lock:
+                self._strangers.pop(request, None)
+            try:
+                request.shutdown(socket.SHUT_RDWR)
+            except OSError:
+                continue
 
     def handle_error(self, request: object, client_address: object) -> None:
         """Say nothing of clients that go away or talk garbage; show all else to developers."""
@@ -187,6 +228,8 @@ class Handler(BaseHTTPRequestHandler):
         is_known = hmac.compare_digest(token.encode(), self.server.token.encode())
         if not is_known or not slash:
             raise Refused(HTTPStatus.NOT_FOUND)
+        if not self.server.let_in(self.connection):
+            raise Refused(HTTPStatus.SERVICE_UNAVAILABLE)
         return rest
 
     # --- GET ------------------------------------------------------------------------------------
