@@ -548,8 +548,9 @@ def test_a_client_with_the_token_stays_when_strangers_come(served: Served) -> No
     own.request("GET", served.base + "state")  # by the same connection
     answer = own.getresponse()
     assert answer.status == 200 and answer.read()
-    for connection in (own, *strangers):
-        connection.close()
+    own.close()
+    for stranger in strangers:
+        stranger.close()
 
 
 def test_there_are_not_more_known_clients_than_may_be(
