@@ -45,6 +45,7 @@ def _job(arguments: Arguments) -> Job:
     """Return what is to be migrated; raise YamaroError or UsageError if it cannot be read."""
     from ..tools.migrate import command
     from ..tools.migrate.job import Job
+    from ..tools.migrate.xacro_layout import ALL
 
     path = arguments.words[0]
     policy = make_policy(arguments)
@@ -63,6 +64,7 @@ def _job(arguments: Arguments) -> Job:
         packages=read_packages(arguments),
         policy=policy,
         exact=arguments.has("exact"),
+        wanted=(ALL,) if arguments.has("all") else arguments.lists.get("with", ()),
     )
 
 

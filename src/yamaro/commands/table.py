@@ -251,6 +251,17 @@ OPTIONS = {
             ("migrate",),
         ),
         Option(
+            "with",
+            "migrate the files of that package as well; by default those of the robot's own "
+            "package, and what they cannot do without",
+            ("migrate",),
+            value="PACKAGE",
+            wants="the name of a package",
+            is_repeatable=True,
+            excludes=("all",),
+        ),
+        Option("all", "migrate the files of all packages", ("migrate",), excludes=("with",)),
+        Option(
             "deps",
             "list the files read and the meshes used, one a line, instead of the XML",
             ("build",),

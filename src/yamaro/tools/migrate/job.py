@@ -75,6 +75,7 @@ class Job:
         packages: folders of ROS packages by name.
         policy: how far the file is trusted.
         exact: whether an origin that is missing has to stay missing.
+        wanted: packages whose files are migrated as well.
     """
 
     __slots__ = (
@@ -86,6 +87,7 @@ class Job:
         "packages",
         "policy",
         "source",
+        "wanted",
     )
 
     def __init__(
@@ -97,6 +99,7 @@ class Job:
         packages: Mapping[str, str] | None = None,
         policy: Policy | None = None,
         exact: bool = False,
+        wanted: Sequence[str] = (),
     ) -> None:
         """Say what is wanted; by default the file is trusted."""
         self.source = source
@@ -105,6 +108,7 @@ class Job:
         self.packages = dict(packages or {})
         self.policy = policy or Policy()
         self.exact = exact
+        self.wanted = list(wanted)
         path = source.path or "-"
         self._reach = reach_of(path, self.policy, self.packages)
         self._finder = finder_for(path, self._reach, self.packages)
@@ -164,16 +168,19 @@ class Job:
             packages=self.packages,
             limits=self.policy.limits,
             exact=self.exact,
+            wanted=self.wanted,
             finder=self._finder,
             reach=self._reach,
         )
-        remark = "compared with Yamaro's own expansion; with yamaro[xacro], with xacro's"
+        remarks = xacro_command.packages_of(migration)
+        if not migration.is_compared_with_xacro:
+            remarks.append("compared with Yamaro's own expansion; with yamaro[xacro], with xacro's")
         return Result(
             migration.files,
             migration.main,
             diagnostics=[*xacro_command.warnings_of(migration), *migration.faults],
             report=command.report(migration),
-            remark="" if migration.is_compared_with_xacro else remark,
+            remark="\n".join(remarks),
             is_same=not migration.differences,
         )
 

@@ -17,7 +17,7 @@ from .command import ignore
 from .compare import Difference, compare, count_defaults
 from .refused import build_allowing
 from .xacro import XacroMigration, migrate_program
-from .xacro_layout import ALL
+from .xacro_layout import ALL, ASKED
 from .xacro_program import Program
 
 TYPE_CHECKING = False
@@ -280,6 +280,34 @@ def warnings_of(migration: XacroMigration) -> list[Diagnostic]:
         )
         for span, why, hint in migration.lost
     ]
+
+
+def packages_of(migration: XacroMigration) -> list[str]:
+    """Return what is said of other packages: of which files became sources, and which did not."""
+    layout = migration.layout
+    brought: dict[str, list[str]] = {}
+    for path in (path for path, reason in layout.brought.items() if reason != ASKED):
+        brought.setdefault(layout.package_of(path)[0], []).append(path)
+    lines = []
+    for name, paths in brought.items():
+        first = paths[0]
+        relative = os.path.relpath(first, layout.package_of(first)[1])
+        lines.append(
+            f"migrated as well: {_counted(len(paths))} of the package '{name}'; "
+            f"{relative}: {layout.brought[first]}"
+        )
+    left = [name for name, _ in layout.theirs.values()]
+    lines += [
+        f"included as {'it is' if left.count(name) == 1 else 'they are'}: "
+        f"{_counted(left.count(name))} of the package '{name}'; --with {name} migrates "
+        f"{'it' if left.count(name) == 1 else 'them'}"
+        for name in dict.fromkeys(left)
+    ]
+    return lines
+
+
+def _counted(count: int) -> str:
+    return f"{count} file{'' if count == 1 else 's'}"
 
 
 def _shown(path: str) -> str:

@@ -24,6 +24,8 @@ _WORDS = ("path", "namespace")
 """The words of an include, which are no arguments."""
 ALL = "*"
 """Stands for every package."""
+ASKED = "asked for"
+"""Why files become sources whose packages were named."""
 
 
 class Layout:
@@ -53,7 +55,7 @@ class Layout:
             if package != self._own and self._may_be_found(*package):
                 foreign[path] = package
                 if package[0] in wanted or ALL in wanted:
-                    self.brought[path] = "as asked"
+                    self.brought[path] = ASKED
         self._bring_coupled(foreign)
         for path, (name, folder) in foreign.items():
             if path not in self.brought:
@@ -177,12 +179,12 @@ class Layout:
             around = around | without.parameters
         read = within.read - within.defined - within.parameters
         for what, one, other in (
-            ("the macro '{}' of it is called", within.macros, without.calls),
+            ("its macro '{}' is called", within.macros, without.calls),
             ("it calls the macro '{}'", without.macros, within.calls - within.macros),
-            ("the block '{}' of it is inserted", within.blocks, without.inserted),
+            ("its block '{}' is inserted", within.blocks, without.inserted),
             ("it inserts the block '{}'", without.blocks, within.inserted - within.blocks),
             ("it reads the property '{}'", around, read),
-            ("the property '{}' of it is read", within.defined, without.read),
+            ("its property '{}' is read", within.defined, without.read),
         ):
             shared = sorted(one & other - self._program.constants(inside))
             if shared:
