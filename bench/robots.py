@@ -7,7 +7,8 @@ paths of files below its `src/`, and for xacro the arguments, the packages and a
 xacro makes of it. Three things are tried:
 
 - each URDF is migrated and built again;
-- each robot in xacro is migrated, its sources built with its arguments;
+- each robot in xacro is migrated, its sources built with its arguments, and with others
+  (bench/others.py);
 - each xacro file is included in a Yamaro file that holds nothing else.
 
 The lines of what was migrated are counted as well, and what in them is not as a person would write
@@ -31,12 +32,15 @@ from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
 from xml.dom import minidom
 
+from others import Arguments, Others, expanded
 from reading import reading_table
 
 import yamaro
 from yamaro.policy import Limits
 from yamaro.tools.migrate.command import migrate_file
 from yamaro.tools.migrate.document import element_key
+from yamaro.tools.migrate.refused import build_allowing
+from yamaro.tools.migrate.xacro import XacroMigration
 from yamaro.tools.migrate.xacro_command import migrate_robot
 from yamaro.xmlreader import decode_xml
 
@@ -136,6 +140,7 @@ def migrates_xacro(
     lines: dict[str, tuple[int, int]],
     texts: dict[str, str],
     tally: Tally,
+    others: Others,
 ) -> bool:
     """Tell whether the migrated sources of a robot make what xacro makes of it."""
     path = corpus.path(row)
@@ -166,9 +171,45 @@ def migrates_xacro(
         )
         tally.note_allowed(path, migration.allowed)
         is_same = is_same_robot(expected.encode(), built.xml().encode())
+        try_others(corpus, row, migration, Path(folder), others)
     if not is_same and not is_told:
         raise AssertionError("differs, and nothing says so")
     return is_same
+
+
+def try_others(
+    corpus: Corpus, row: Row, migration: XacroMigration, folder: Path, others: Others
+) -> None:
+    """Build the sources of a robot with other arguments, and compare that with xacro's."""
+    given, packages = corpus.arguments(row), corpus.packages(row)
+    files = [*migration.origins, *migration.layout.theirs]
+    path = corpus.path(row)
+    told = {str(each) for each in (*migration.differences, *migration.faults)}
+    told |= {why for _, why, _ in migration.lost}
+    others.robots += 1
+    for name, value in Arguments(files, given, packages).others():
+        arguments = given | {name: value}
+        expected = expanded(path, arguments, lambda own: packages.get(own, f"{UNKNOWN}/{own}"))
+        if expected is None:
+            continue
+        line = [f"{own}:={text}" for own, text in arguments.items()]
+        try:
+            built, _ = build_allowing(
+                lambda codes, line=line: yamaro.build(
+                    folder / migration.main,
+                    command_line=line,
+                    packages=packages,
+                    on_message=lambda line: None,
+                    allow=codes,
+                )
+            )
+            is_same = is_same_robot(expected.encode(), built.xml().encode())
+            result = "same" if is_same else "silent"
+        except yamaro.YamaroError:
+            result = "told"  # by the error
+        if result == "silent" and any(f"{name}:={value}" in each for each in told):
+            result = "told"
+        others.add(row["path"], f"{name}:={value}", result)
 
 
 def includes(corpus: Corpus, row: Row) -> bool:
@@ -208,16 +249,20 @@ def main() -> None:
     texts: dict[str, str] = {}
     migrated, included = Tally("URDF migrated"), Tally("xacro included")
     moved = Tally("xacro migrated")
+    others = Others()
     for row in corpus.rows("urdf.tsv"):
         path = corpus.path(row)
         migrated.add(row["path"], lambda path=path: migrates(path, lines, texts, migrated))
     for row in corpus.rows("xacro.tsv"):
-        moved.add(row["path"], lambda row=row: migrates_xacro(corpus, row, both, texts, moved))
+        moved.add(
+            row["path"], lambda row=row: migrates_xacro(corpus, row, both, texts, moved, others)
+        )
         included.add(row["path"], lambda row=row: includes(corpus, row))
     print("| | robots | same | | median time |\n|---|--:|--:|--:|--:|")
     tallies = (migrated, moved, included)
     for tally in tallies:
         print(tally.row())
+    print(f"\n{others.table()}")
     if lines:
         print(f"\nlines of migrated URDF: {statistics.median(lines):.2f} of the source's (median)")
     if both:
@@ -229,7 +274,9 @@ def main() -> None:
             codes = sorted({code for each in tally.allowed.values() for code in each})
             print(f"{tally.name}: parsers refuse {len(tally.allowed)}: {', '.join(codes)}")
     print("", *(failure for tally in tallies for failure in tally.failures), sep="\n")
-    sys.exit(1 if any(tally.failures for tally in tallies) else 0)
+    print(*(f"told: {each}" for each in others.differing), sep="\n")
+    print(*(f"differs, and nothing says so: {each}" for each in others.silent), sep="\n")
+    sys.exit(1 if others.silent or any(tally.failures for tally in tallies) else 0)
 
 
 if __name__ == "__main__":
