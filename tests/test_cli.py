@@ -832,6 +832,79 @@ def test_colour_is_for_terminals(term: str, is_colored: bool, stream: str) -> No
     assert (b"\033[" in shown) == is_colored
 
 
+# --- the summary ------------------------------------------------------------------------------
+
+WEIGHED = """\
+robot: arm
+model:
+- part: {name: base, link: {inertial: {mass: 2.5, inertia: 1 0 0 1 0 1}}}
+- part:
+    name: tip
+    joint: {type: fixed, parent: base}
+    link: {inertial: {mass: 0.25, inertia: 1 0 0 1 0 1}}
+- gazebo: {link/name=ghost: {inertial: {mass/value=7: }}}
+"""
+OTHER = "sdf/version=1.9:\n  world/name=w:\n    gravity: 0 0 -9.8\n"
+
+
+def on_terminal(*words: str) -> str:
+    """Return what the command writes to standard error if that is a terminal."""
+    import pty
+
+    master, slave = pty.openpty()
+    subprocess.run(
+        [sys.executable, "-m", "yamaro", *words],
+        env={**os.environ, "TERM": "dumb"},
+        stdout=subprocess.DEVNULL,
+        stderr=slave,
+        check=False,
+        timeout=PATIENCE,
+    )
+    os.write(slave, b".")  # so that there is something to read
+    os.close(slave)
+    said = os.read(master, 65536).decode()
+    os.close(master)
+    return said.replace("\r\n", "\n").removesuffix(".")
+
+
+@pytest.mark.parametrize(
+    ("text", "summary"),
+    [
+        (WEIGHED, "2 links, 1 joint, 2.75 kg"),
+        (PLAIN, "1 link, 0 joints"),
+        (OTHER, "3 elements, 111 bytes"),
+    ],
+)
+@pytest.mark.parametrize("mode", ["--trust", "--safe"])
+def test_a_file_that_is_written_is_summed_up_on_a_terminal(
+    text: str, summary: str, mode: str
+) -> None:
+    write(text)
+    assert on_terminal("robot.yaml", "-o", "out/r.xml", mode) == f"out/r.xml: {summary}\n"
+    if text == OTHER:
+        assert summary.endswith(f", {Path('out/r.xml').stat().st_size} bytes")
+
+
+@pytest.mark.parametrize(
+    "words", [["-q", "-o", "r.urdf"], [], ["-o", "-"], ["--deps", "-o", "deps"], ["-qo", "r.urdf"]]
+)
+def test_there_is_no_summary_without_an_output_or_if_quiet(words: list[str]) -> None:
+    write(PLAIN)
+    assert on_terminal("robot.yaml", *words) == ""
+
+
+def test_there_is_no_summary_of_what_could_not_be_written() -> None:
+    write(PLAIN)
+    os.mkdir("folder")
+    said = on_terminal("robot.yaml", "-o", "folder")
+    assert said == "yamaro: error: cannot write 'folder': Is a directory\n"
+
+
+def test_there_is_no_summary_where_standard_error_is_no_terminal() -> None:
+    result = run(write(WEIGHED), "-o", "r.urdf")
+    assert (result.returncode, result.stdout, result.stderr) == (0, b"", b"")
+
+
 # --- a process of its own ---------------------------------------------------------------------
 
 NOISY = """\

@@ -6,6 +6,7 @@ import os
 
 from ..streams import NAMES
 from .conversion import convert_file
+from .delivery import goes_to_standard_output
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -20,7 +21,15 @@ def run(arguments: Arguments, streams: Streams) -> int:
     """Write the XML, or with `--deps` the files it is made of; return the exit status."""
     if arguments.has("deps"):
         return convert_file(arguments, streams, _dependencies, form=NAMES)
-    return convert_file(arguments, streams, _document)
+
+    def conclude(build: Build) -> None:
+        """Sum up what was written, for people: programs take what is said for complaints."""
+        if not streams.quiet and not goes_to_standard_output(arguments) and streams.is_terminal():
+            from ..tools.summary import summary_of
+
+            streams.say(f"{arguments.options['output']}: {summary_of(build.encoded())}")
+
+    return convert_file(arguments, streams, _document, conclude=conclude)
 
 
 def _document(build: Build) -> Iterable[bytes]:

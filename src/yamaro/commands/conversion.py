@@ -9,7 +9,7 @@ from .delivery import deliver, refuse_overwriting
 from .inputs import read_pipe
 from .reports import display_name, sayer, show
 from .settings import make_policy, output_of, read_adjustment, read_packages
-from .usage import INPUT_ERROR, WrongUsage
+from .usage import DONE, INPUT_ERROR, WrongUsage
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -32,6 +32,7 @@ def convert_file(
     *,
     form: str = XML,
     prepare: Callable[[], object] | None = None,
+    conclude: Callable[[Build], object] | None = None,
     advice: bool = False,
     has_root: bool = False,
 ) -> int:
@@ -44,6 +45,7 @@ def convert_file(
             of reach, since that may run code of the user's too.
         form: that of what is taken in bytes; see `Streams.write_result`.
         prepare: is called before the build; raises YamaroError for what shall not have to wait.
+        conclude: is called when the result is written.
         advice: also warn of what is legal but seldom meant; any warning that is not allowed then
             makes the command fail.
         has_root: whether `take` needs the tree.
@@ -77,7 +79,10 @@ def convert_file(
     if advice and any(warning.code not in adjustment.allowed for warning in build.warnings):
         return INPUT_ERROR
     refuse_overwriting(arguments, lambda: [*build.files, *build.meshes])
-    return deliver(chunks, arguments, streams, form)
+    status = deliver(chunks, arguments, streams, form)
+    if conclude is not None and status == DONE:
+        conclude(build)
+    return status
 
 
 def _bound_process(arguments: Arguments, streams: Streams, policy: Policy) -> None:

@@ -120,14 +120,14 @@ class _Robot:
         moving = [joint for joint in self.joints if joint.kind in DEGREES_OF_FREEDOM]
         free = sum(DEGREES_OF_FREEDOM[joint.kind] for joint in moving if not joint.mimic)
         mimics = sum(bool(joint.mimic) for joint in moving)
-        joints = f"{_counted(len(self.joints), 'joint')} ({len(moving)} movable"
-        joints += f", {_counted(mimics, 'mimic')})" if mimics else ")"
+        joints = f"{counted(len(self.joints), 'joint')} ({len(moving)} movable"
+        joints += f", {counted(mimics, 'mimic')})" if mimics else ")"
         masses = [mass for mass in self.links.values() if mass is not None]
         parts = [
-            _counted(len(self.links), "link"),
+            counted(len(self.links), "link"),
             joints,
-            _counted(free, "degree") + " of freedom",
-            _mass_text(sum(masses)) if masses else "no mass",
+            counted(free, "degree") + " of freedom",
+            mass_text(sum(masses)) if masses else "no mass",
         ]
         return f"{self.name or 'robot'}: {', '.join(parts)}"
 
@@ -185,7 +185,7 @@ def _line(robot: _Robot, link: str, seen: set[str], *, branch: str, joint: Joint
     elif joint is None and link in robot.children:
         line.remark = "part of a loop"
     mass = robot.links.get(link)
-    line.mass = "" if mass is None else _mass_text(mass)
+    line.mass = "" if mass is None else mass_text(mass)
     return line
 
 
@@ -261,7 +261,7 @@ def _mass(link: Element) -> float | None:
     return None
 
 
-def _mass_text(mass: float) -> str:
+def mass_text(mass: float) -> str:
     """Return a mass in kg with up to four digits."""
     return f"{mass:.0f} kg" if abs(mass) >= 1000 else f"{mass:.4g} kg"
 
@@ -288,5 +288,6 @@ def _axis_name(text: str) -> str:
     return f"({' '.join(text.split())})"
 
 
-def _counted(count: int, noun: str) -> str:
+def counted(count: int, noun: str) -> str:
+    """Return a number of things, as in "1 link" and "2 links"."""
     return f"{count} {noun}" if count == 1 else f"{count} {noun}s"
