@@ -56,6 +56,11 @@ def pytest_configure(config: pytest.Config) -> None:
         config.pluginmanager.register(Forecast(config))
 
 
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    # These load simulators and renderers, and a large process forks slowly, as for each jail.
+    items.sort(key=lambda item: item.path.parent.name in ("consumers", "picture", "scene", "view"))
+
+
 @pytest.fixture(autouse=True)
 def _no_outside_influence(monkeypatch: pytest.MonkeyPatch) -> None:
     for name in _OUTSIDE_INFLUENCES:
