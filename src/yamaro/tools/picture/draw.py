@@ -97,11 +97,11 @@ class Drawing:
         cameras = self._cameras(points)
         before: Moment | None = None
         for moment, row in zip(self._moments, cameras, strict=True):
+            self._reader.check_time()
             if before is None or before.positions != moment.positions:
                 self._figure.place(moment.positions)
                 self._figure.lay_floor(low, extent)
             before = moment
-            self._reader.check_time()
             yield _sheet([self._shot(camera) for camera in row])
 
     def _shot(self, camera: Camera) -> Image:
@@ -116,6 +116,7 @@ class Drawing:
         found = []
         before: Moment | None = None
         for moment in self._moments:
+            self._reader.check_time()
             if before is None or before.positions != moment.positions:
                 self._figure.place(moment.positions)
                 found.append(self._figure.outline())
