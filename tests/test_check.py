@@ -91,6 +91,8 @@ def read(text: str) -> Element:
 BAD_ROBOTS = Path(__file__).parent / "bad_robots"
 SHORTHANDS = {
     "{links}": '<link name="a"/><link name="b"/>',
+    "{body}": '<link name="a"/><link name="b"><inertial><mass value="1"/>'
+    '<inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial></link>',
     "{ends}": '<parent link="a"/><child link="b"/>',
     "{limit}": '<limit lower="-1" upper="1" effort="1" velocity="1"/>',
     "{inertia}": '<inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/>',
@@ -131,7 +133,8 @@ def bad_robots(group: str) -> list[BadRobot]:
     return robots
 
 
-FAULTY = [robot for group in ("tree", "joints", "links") for robot in bad_robots(group)]
+GROUPS = ("tree", "joints", "links", "references")
+FAULTY = [robot for group in GROUPS for robot in bad_robots(group)]
 
 
 def found(text: str, *, advice: bool = False) -> list[Diagnostic]:
@@ -165,6 +168,12 @@ def test_an_odd_robot_gets_advice_and_no_warning(robot: BadRobot) -> None:
     assert [(d.span.start, d.span.end) for d in findings] == robot.places
 
 
+@pytest.mark.parametrize("robot", bad_robots("fine"), ids=lambda robot: robot.name)
+def test_what_is_near_a_fault_is_fine(robot: BadRobot) -> None:
+    told = {each.code for each in found(robot.text) + found(robot.text, advice=True)}
+    assert told.isdisjoint(robot.codes)
+
+
 def test_there_are_at_least_as_many_bad_robots_as_promised() -> None:
     assert len(FAULTY) >= 60
     assert len({robot.name for robot in FAULTY}) == len(FAULTY)
@@ -174,7 +183,7 @@ def test_every_code_is_explained() -> None:
     page = (Path(__file__).parent.parent / "docs" / "checks.md").read_text(encoding="utf-8")
     explained = set(re.findall(r"^### `([a-z0-9.-]+)`", page, re.MULTILINE))
     used = {code for robot in FAULTY + bad_robots("advice") for code in robot.codes}
-    used |= {"missing-mesh-file", "unknown-package", "large-mesh", "long-chain"}
+    used |= {"missing-mesh-file", "unknown-package", "large-mesh", "long-chain", "not-urdf"}
     assert used == explained
 
 

@@ -27,6 +27,7 @@ TESTED_ELSEWHERE = {
     "no-jail": "test_policy.py",
     "no-opengl": "picture/test_pictures.py",
     "not-migrated": "migrate/test_migrate_command.py",
+    "not-urdf": "test_xml_main.py",
     "unknown-package": "test_check.py",
 }
 

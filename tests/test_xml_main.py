@@ -220,3 +220,19 @@ def test_an_argument_that_a_xacro_file_does_not_know_is_warned_of(tmp_path: Path
     (warning,) = built.warnings
     assert warning.message == "'r.xacro' has no argument 'sied'"
     assert warning.hint == "did you mean 'side'?"
+
+
+@pytest.mark.parametrize(
+    ("text", "what"),
+    [
+        ('<sdf version="1.9"><model name="m"/></sdf>', "this is SDF, not URDF: its root is 'sdf'"),
+        ("<mujoco/>", "this is MJCF, not URDF: its root is 'mujoco'"),
+        ('<Robot name="r"/>', "this is not URDF: its root is 'Robot'"),
+    ],
+)
+def test_another_format_that_is_called_urdf_is_warned_of(
+    tmp_path: Path, text: str, what: str
+) -> None:
+    (warning,) = opened(tmp_path / "m.urdf", text).warnings
+    assert (warning.code, warning.message) == ("not-urdf", what)
+    assert opened(tmp_path / "m.xml", text).warnings == []

@@ -725,6 +725,10 @@ def _complete(
             for diagnostic in advisor.diagnostics if advisor else ():
                 if advice is not None and advice(diagnostic.code):
                     reporter.add(diagnostic)
+        elif root.span.source.is_xml:
+            from .robot.check import check_format
+
+            check_format(root, reporter)
         written = paths.applied_to(root, shared) if has_files else (root, shared)
         return _Completed(root, write_pieces(*written, limits), reporter.diagnostics)
     except YamaroError as error:

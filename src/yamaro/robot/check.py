@@ -9,9 +9,10 @@ from ..xmltree import Element
 from .check_context import FILES, MATERIALS, TREE, CheckContext, attribute_text
 from .check_files import check_files
 from .check_material import check_materials
+from .check_references import check_references
 from .check_schema import check_elements
 from .check_tree import check_spelling, check_tree
-from .urdf import SRDF_ELEMENTS, VERSIONS
+from .urdf import OTHER_FORMATS, SRDF_ELEMENTS, VERSIONS
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -61,6 +62,7 @@ def check(
     tree = check_tree(links, joints, context)
     context.stage = MATERIALS
     check_materials(materials, context)
+    check_references(root, joints, tree, context)
     if resolve_mesh is not None:
         context.stage = FILES
         check_files(
@@ -73,8 +75,21 @@ def check(
     if advice is not None:
         from .check_advice import check_advice
 
-        check_advice(tree, context, advice=advice, resolve_mesh=resolve_mesh)
+        check_advice(root, tree, context, advice=advice, resolve_mesh=resolve_mesh)
     return bool(context.file_owners)
+
+
+def check_format(root: Element, reporter: Reporter) -> None:
+    """Report another format in a file that is called .urdf; parsers of URDF refuse it."""
+    if root.span.source.path.lower().endswith(".urdf"):
+        known = OTHER_FORMATS.get(root.name)
+        what = "this is not URDF" if known is None else f"this is {known}, not URDF"
+        reporter.warn(
+            "not-urdf",
+            f"{what}: its root is '{root.name}'",
+            root.span,
+            hint="the root of a URDF is 'robot'; give the file the ending of its own format",
+        )
 
 
 def _is_srdf(root: Element) -> bool:

@@ -5,10 +5,13 @@ Each of these is right in some good robot, so they are shown only to those who a
 
 from __future__ import annotations
 
-from math import fabs, pi, sqrt
+from math import fabs, pi, remainder, sqrt
 
 from ..xmltree import Element
+from .check_center import advise_on_center
 from .check_context import CheckContext, attribute_text, child_named, label, shown
+from .check_leftovers import advise_on_leftovers
+from .check_motion import advise_on_motion
 from .shapes import Box, Capsule, Cylinder, Sphere
 
 TYPE_CHECKING = False
@@ -33,10 +36,13 @@ LARGEST_MESH = 10.0
 LARGEST_MESH_READ = 100 << 20
 """Bytes of a mesh that is read only to give advice."""
 GIMBAL_TOLERANCE = 1e-3
+QUARTER_TOLERANCE = 5e-3
+"""How far 1.57, 3.14 and 4.71 are from quarter turns, and some room."""
 MOST_TURNS = 4 * pi
 
 
 def check_advice(
+    root: Element,
     tree: Tree,
     context: CheckContext,
     *,
@@ -49,19 +55,21 @@ def check_advice(
         attribute_text(child_named(joint, "child"), "link") for joint in tree.joints.values()
     }
     sizes: dict[tuple[str, str], float | None] = {}
+    _advise_on_names(tree, told)
     for name, link in tree.links.items():
-        _advise_on_name(name, link, told)
         if name not in children:
             _advise_on_root(link, told)
         _advise_on_mass(link, told)
+        advise_on_center(link, told)
         for section in _sections(link):
             _advise_on_pose(section, link, told)
             if resolve_mesh is not None:
                 _advise_on_mesh(section, link, told, resolve_mesh, sizes)
-    for name, joint in tree.joints.items():
-        _advise_on_name(name, joint, told)
+    for joint in tree.joints.values():
         _advise_on_pose(joint, joint, told)
         _advise_on_limit(joint, told)
+    advise_on_motion(tree, told)
+    advise_on_leftovers(root, told)
     told.flush()
 
 
@@ -71,9 +79,14 @@ def _sections(link: Element) -> Iterator[Element]:
             yield child
 
 
-def _advise_on_name(name: str, element: Element, context: CheckContext) -> None:
-    if "/" not in name:
+def _advise_on_names(tree: Tree, context: CheckContext) -> None:
+    """Report, once, that names have slashes: where one has, most have."""
+    elements = [*tree.links.items(), *tree.joints.items()]
+    found = [(name, element) for name, element in elements if "/" in name]
+    if not found:
         return
+    name, element = found[0]
+    more = len(found) - 1
     context.warn(
         "slash-in-name",
         f"the {element.name} name '{name}' has a '/' in it",
@@ -81,6 +94,7 @@ def _advise_on_name(name: str, element: Element, context: CheckContext) -> None:
         attribute="name",
         hint="tools that name topics or files after it fail; use '_', and a frame_prefix for "
         "robot_state_publisher",
+        notes=[f"{more} more name{'s have' if more > 1 else ' has'} one"] if more else (),
     )
 
 
@@ -232,6 +246,8 @@ def _advise_on_pose(element: Element, owner: Element, context: CheckContext) -> 
     if origin is None or not rpy:
         return
     roll, pitch, yaw = rpy
+    if all(_is_quarter(angle) for angle in rpy):
+        return  # as CAD and careful people write a turned part
     if fabs(fabs(pitch) - pi / 2) < GIMBAL_TOLERANCE and roll and yaw:
         context.warn(
             "gimbal-rpy",
@@ -241,6 +257,11 @@ def _advise_on_pose(element: Element, owner: Element, context: CheckContext) -> 
             attribute="rpy",
             hint="put both into the roll: tools may print it back with other numbers",
         )
+
+
+def _is_quarter(angle: float) -> bool:
+    """Tell whether an angle is 0 or a number of quarter turns."""
+    return fabs(remainder(angle, pi / 2)) < QUARTER_TOLERANCE
 
 
 # --- meshes -----------------------------------------------------------------------------------

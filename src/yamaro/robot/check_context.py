@@ -38,7 +38,7 @@ class NumberFault:
         self.kind = kind
 
 
-SCHEMA, TREE, LINKS, JOINTS, MATERIALS, COLORS, USES, FILES = range(8)
+SCHEMA, TREE, LINKS, JOINTS, MATERIALS, COLORS, USES, REFERENCES, FILES = range(9)
 """The stages of the check, in the order in which findings are told.
 
 One walk over the elements finds what belongs to several stages.

@@ -27,6 +27,7 @@ from .urdf import (
     LIMITS_OF_1_2,
     ONCE,
     OPTIONAL_SINCE_1_2,
+    OTHER_FORMATS,
     OUTERMOST,
     POSITIVE,
     SHAPES,
@@ -502,6 +503,14 @@ def _check_outermost(child: Element, context: CheckContext) -> None:
             f"'{name}' means nothing directly under 'robot'; parsers ignore it",
             child,
             hint=f"it belongs in {PARENTS[name]}",
+        )
+        return
+    if OTHER_FORMATS.get(name) == "SDF":  # MuJoCo reads a `mujoco` element in URDF
+        context.warn(
+            "unknown-element",
+            f"'{name}' is an element of {OTHER_FORMATS[name]}; parsers of URDF ignore it",
+            child,
+            hint="describe links and joints in URDF, or use the file where its format is read",
         )
         return
     near = _near_outermost(child)

@@ -168,19 +168,20 @@ def _reference(
         f"the {role} '{name}' of joint '{joint_name}' is not a link of the robot",
         element,
         attribute="link",
-        hint=_near(name, tree, "_link", context)
+        hint=near_name(name, tree, "_link", context)
         or f"add a link named '{name}', or name one there is",
     )
     return None
 
 
-def _near(name: str, tree: Tree, ending: str, context: CheckContext) -> str | None:
+def near_name(name: str, tree: Tree, ending: str, context: CheckContext) -> str | None:
     """Return the hint at a name that is near, also where the name of its part is the near one."""
-    known = tree.named(ending)
-    near = context.near(name, known)
+    parts = tree.parts(ending)
+    if name in parts:
+        return f"did you mean '{parts[name]}'?"
+    near = context.near(name, tree.named(ending))
     if near is not None:
         return near
-    parts = tree.parts(ending)
     part = context.near_word(name, parts)
     return f"did you mean '{parts[part]}'?" if part is not None else None
 
@@ -296,6 +297,11 @@ def _check_depth(hanging: Hanging, tree: Tree, context: CheckContext) -> None:
     )
 
 
+def is_fixed(joint: Element) -> bool:
+    """Tell whether a joint holds its child still."""
+    return attribute_text(joint, "type") == "fixed"
+
+
 # --- mimic ------------------------------------------------------------------------------------
 
 
@@ -314,7 +320,7 @@ def _check_mimics(joints: list[JointParts], tree: Tree, context: CheckContext) -
                 f"joint '{name}' mimics '{master}', which is not a joint of the robot",
                 mimic,
                 attribute="joint",
-                hint=_near(master, tree, "_joint", context) or "name a joint that exists",
+                hint=near_name(master, tree, "_joint", context) or "name a joint that exists",
             )
         elif tree.joints.get(name) is joint:
             masters[name] = master

@@ -187,6 +187,9 @@ SRDF_ELEMENTS = frozenset(
 )
 """Elements of the Semantic Robot Description Format, whose root is a `<robot>` too."""
 
+OTHER_FORMATS = {"sdf": "SDF", "world": "SDF", "model": "SDF", "mujoco": "MJCF"}
+"""The outermost elements of other formats for robots."""
+
 OUTERMOST = ("link", "joint", "material", "gazebo", "transmission", "ros2_control", "sensor")
 """Element names well known directly under `robot`, where any other name may stand as well."""
 
