@@ -160,7 +160,7 @@ def _read_messages(data: bytes, limits: Limits) -> list[str]:
 def _read_code(data: bytes) -> str:
     """Return the code of a diagnostic, which is in kebab-case, perhaps with a version in it."""
     code = data.decode("ascii")
-    words = code.split("-")
+    words = code.replace(".", "-").split("-")  # as in `capsule-needs-urdf-1.1`
     if len(code) > LONGEST_CODE or not all(
         word.isalnum() and word == word.lower() for word in words
     ):
