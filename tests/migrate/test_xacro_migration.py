@@ -465,13 +465,11 @@ def test_a_difference_is_told(
     assert "this definition of 'm' is left out: there is another one below" in told
 
 
-def test_the_folder_is_needed_and_what_is_there_stays(
+def test_what_is_in_the_folder_stays(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     monkeypatch.chdir(tmp_path)
     Path("r.xacro").write_text(f'{HEAD}<xacro:arg name="n" default="1"/><a n="$(arg n)"/></robot>')
-    assert main(["migrate", "r.xacro"]) == 2
-    assert "give a folder, as in '-o robot/'" in capsys.readouterr().err
     assert main(["migrate", "r.xacro", "-o", "out/", "n:=5"]) == 0
     capsys.readouterr()
     Path("out/r.yaml").write_text("mine")

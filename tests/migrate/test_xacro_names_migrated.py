@@ -226,3 +226,13 @@ def test_a_block_may_be_chosen_by_conditions(tmp_path: Path, given: str, more: s
     )
     others = () if "true" in given else ("on:=false",)
     assert holds(tmp_path, {"r.xacro": text}, *others).lost == []
+
+
+@pytest.mark.parametrize("value", ["false", "1", "007", "a", ""])
+def test_a_default_in_quotes_is_the_text_that_it_is(tmp_path: Path, value: str) -> None:
+    text = (
+        f"""<xacro:macro name="m" params="on:='{value}'">"""
+        f"""<xacro:if value="${{on == '{value}'}}"><link name="yes"/></xacro:if>"""
+        '<link name="l${on}"/></xacro:macro><xacro:m/>'
+    )
+    holds(tmp_path, {"r.xacro": text})

@@ -92,7 +92,7 @@ def test_a_relative_path_to_another_package_is_that_of_the_package(tmp_path: Pat
          "it reads the property 'size'"),
         ('<xacro:property name="tip"><tip/></xacro:property>',
          INCLUDE + BASE + '<xacro:insert_block name="tip"/>', "its block 'tip' is inserted"),
-        ('<xacro:arg name="n" default="x"/>',
+        ('<xacro:arg name="n" default="x"/><a/>',
          INCLUDE + '<link name="$(arg n)"/>', "its argument 'n' is read by others"),
         ('<xacro:property name="q" value="2"/>',
          INCLUDE.replace("/>", ' ns="cam"/>') + '<link name="l${cam.q}"/>',

@@ -213,10 +213,8 @@ def _default(writer: FileWriter, own: Parameter) -> str:
     if value == "":
         return "''"
     outside = without_expressions(value)
-    is_quoted = (own.default or "").startswith("'")
-    is_misread = isinstance(value, Quoted) and is_typed(value) and not is_quoted
     if (
-        is_misread
+        (isinstance(value, Quoted) and is_typed(value))
         or any(char in outside for char in ",[]{}#'\"&*!|>%@`")
         or ": " in outside
         or " " in outside

@@ -99,7 +99,9 @@ def _names_of(expression: str) -> set[str]:
         tree = ast.parse(expression.strip(), mode="eval")
     except (SyntaxError, ValueError):
         return set(_WORD.findall(expression))
-    return {node.id for node in ast.walk(tree) if isinstance(node, ast.Name)}
+    names = {node.id for node in ast.walk(tree) if isinstance(node, ast.Name)}
+    in_namespaces = {node.attr for node in ast.walk(tree) if isinstance(node, ast.Attribute)}
+    return names | in_namespaces
 
 
 def _defined_in(macro: Element) -> set[str]:
