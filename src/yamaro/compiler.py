@@ -622,6 +622,11 @@ def _finish(
     finished = found.root
     if finished is not None:
         adjustment.allow(found.diagnostics)
+    else:
+        from .runtime.origins import add_origins
+
+        for diagnostic in found.diagnostics:
+            add_origins(diagnostic, interpreter.files, interpreter.places)
     if finished is None or adjustment.deny(found.diagnostics):
         raise YamaroError(found.diagnostics)
     for diagnostic in found.diagnostics:

@@ -10,7 +10,7 @@ from .terminal import BLUE, BOLD, RED, YELLOW, painted, printable, shortened, wi
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Collection, Iterable, Sequence
+    from collections.abc import Collection, Iterable, Mapping, Sequence
 
 ERROR = "error"
 WARNING = "warning"
@@ -37,7 +37,7 @@ MAX_SUGGESTED_LETTERS = 255
 class Frame:
     """One step of the way to a place: a function call or an include, and where it was written."""
 
-    __slots__ = ("home", "kind", "name", "parent", "span")
+    __slots__ = ("home", "kind", "name", "parent", "places", "span")
 
     def __init__(
         self, kind: str, name: str, span: Span, *, parent: Frame | None, home: Frame | None = None
@@ -56,6 +56,7 @@ class Frame:
         self.span = span
         self.parent = parent
         self.home = home
+        self.places: Mapping[str, Span] = {}  # where what is passed is written, by its name
 
 
 INHERITED = Frame("inherited", "", Span(Source("", name=""), 0, 0), parent=None)

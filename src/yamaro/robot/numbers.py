@@ -254,7 +254,7 @@ def _bad_word(word: str, span: Span, name: str, trace: Frame | None) -> YamaroEr
     value = _parse(word)
     if value is not None and value - value != 0:
         return _not_finite(word, span, name, trace)
-    return _not_a_number(word, span, name, trace, hint=_word_hint(word, name))
+    return _not_a_number(word, span, name, trace, hint=_word_hint(word, name, span))
 
 
 def _bad_item(
@@ -304,10 +304,12 @@ def _hint_for_units(number: str) -> str:
     return f"numbers are in SI units and radians, written without the unit: {number}"
 
 
-def _word_hint(word: str, name: str) -> str:
+def _word_hint(word: str, name: str, span: Span) -> str:
     if name == "rgba":
         return "write red green blue alpha, each from 0 to 1: 0.8 0.1 0.1 1"
-    if word.isidentifier() and word.lower() not in ("none", "true", "false", "null"):
+    is_computed = word not in span.written()
+    is_name = word.isidentifier() and word.lower() not in ("none", "true", "false", "null")
+    if is_name and not is_computed:
         return f"to use a variable or an expression, write $({word})"
     number = word.rstrip("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ°%")
     if number and number != word and _parse(number) is not None:

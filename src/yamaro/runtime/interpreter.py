@@ -86,6 +86,10 @@ if TYPE_CHECKING:
     from .safe_runtime import SafeRuntime
 
 
+LONGEST_CYCLE = 20
+"""Calls and includes, one in the other, that are named where they come again."""
+
+
 class Interpreter:
     """One conversion: runs the main file and everything it includes."""
 
@@ -142,6 +146,7 @@ class Interpreter:
         self.frame: Frame | None = None
         self.holder: Frame | None = None  # the frame in which the element around was made
         self.is_yaml = False  # whether the main file is
+        self.places: Mapping[str, Span] = {}  # where the variables of the main file are set
         self.passed: dict[tuple[int, int], Passed] = {}  # by the include and the file
         self.has_parts = False
         self.has_frames = False
@@ -172,7 +177,7 @@ class Interpreter:
         Raises:
             YamaroError: the input has errors.
         """
-        places = places or {}
+        self.places = places = places or {}
         self.is_yaml = True
         try:
             document = self.files.parse(source)
@@ -534,6 +539,7 @@ class Interpreter:
             or frame.name != name
         ):
             frame = match.frame = self._step("called", name, span, home)
+            frame.places = match.places
         self._enter(frame, span)
         try:
             bind(match, given, callee, self.values)
@@ -569,13 +575,27 @@ class Interpreter:
             self.depth -= 1
             self.frame = self.evaluator.frame = frame.parent
 
+    def _cycle(self) -> str | None:
+        """Return a note on the calls and includes that come again in the steps that led here."""
+        names: list[str] = []
+        frame = self.frame
+        first = frame
+        while frame is not None and len(names) < LONGEST_CYCLE:
+            names.append(frame.name)
+            frame = frame.parent
+            if frame and first and (frame.kind, frame.name) == (first.kind, first.name):
+                return f"the cycle is {' → '.join([*reversed(names), names[-1]])}"
+        return None
+
     def _too_deep(self, span: Span) -> YamaroError:
+        cycle = self._cycle()
         return failure(
             "too-deep",
             f"calls and includes are nested {self.depth:,} deep here, which is taken as endless",
             span,
             hint="a function or file that uses itself needs a condition under which it stops; "
             + self.limits.hint("nesting"),
+            notes=[cycle] if cycle else [],
         )
 
     def _too_many_statements(self, span: Span) -> YamaroError:
@@ -632,6 +652,7 @@ class Interpreter:
         try:
             document = self.files.parse(source)
             if node.arguments:
+                frame.places = {each.name: each.span for each in node.arguments if each.name}
                 passed_to = Passed(node, document, frame.parent)
                 self.passed.setdefault((id(node), id(document)), passed_to)
             before = len(self.shared.declared)

@@ -48,6 +48,7 @@ def iterate(node: ForNode, scope: Scope, values_of: Values) -> Iterator[Any]:
             hint="write range: for a number of turns"
             if isinstance(values, (int, float))
             else "write in: [left, right], or the name of a list",
+            notes=_origins(iterable, values, scope),
         )
     iterator = evaluator.guard(iter, values, span)
     while True:
@@ -60,12 +61,14 @@ def iterate(node: ForNode, scope: Scope, values_of: Values) -> Iterator[Any]:
 def _range(node: ForNode, scope: Scope, evaluator: Evaluator) -> range:
     iterable = node.iterable
     spans: list[Span]
+    codes: dict[int, object] = {}  # what stands at each of them
     whole: list[Any] | None = None  # a variable's list in place of numbers
     if isinstance(iterable, PythonCode):
         result = evaluator.evaluate(iterable, scope)
         whole = result if isinstance(result, list) else None
         values = list(result) if isinstance(result, (tuple, list)) else [result]
         spans = [iterable.span()] * len(values)
+        codes = {} if whole is not None else dict.fromkeys(map(id, spans), iterable)
     else:
         assert isinstance(iterable, list)
         values, spans = [], []
@@ -75,6 +78,7 @@ def _range(node: ForNode, scope: Scope, evaluator: Evaluator) -> range:
                 evaluator.evaluate(item, scope) if is_code else item.value  # type: ignore[union-attr, arg-type]
             )
             spans.append(item.span() if is_code else item.node.span())  # type: ignore[union-attr]
+            codes[id(spans[-1])] = item
     check_range_count(len(values), spans[0] if spans else node.span)
     numbers = []
     for value, span in zip(values, spans, strict=True):
@@ -85,6 +89,8 @@ def _range(node: ForNode, scope: Scope, evaluator: Evaluator) -> range:
                 f"`range` takes whole numbers, and this is {a_kind_of(whole or value)}",
                 span,
                 hint=_range_hint(value, node),
+                notes=_origins(codes.get(id(span)), value, scope)
+                or _origins(iterable, whole, scope),
             )
         numbers.append(number)
     if len(numbers) == 3 and numbers[2] == 0:
@@ -99,6 +105,15 @@ def _range(node: ForNode, scope: Scope, evaluator: Evaluator) -> range:
     if turns[:most] != turns:  # len() of a long range is an error
         raise too_many_turns(spans[1] if len(spans) > 1 else spans[0], evaluator.limits)
     return turns
+
+
+def _origins(code: object, value: Any, scope: Scope) -> list[str]:
+    """Return notes on the variables of a piece of Python that have its value."""
+    from .origins import names_of_value, notes_on_names
+
+    if not isinstance(code, PythonCode):
+        return []
+    return notes_on_names(names_of_value(code, scope, value), scope)
 
 
 def _whole_number(value: Any) -> int | None:

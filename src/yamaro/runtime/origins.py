@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 from ..source import COMMAND_LINE, KEYWORD_ARGUMENT, Span
-from ..syntax.python import PythonCode
+from ..syntax.python import PythonCode, find_close
 from .scope import MISSING, Scope
 from .words import a_kind_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterable
+    from collections.abc import Iterable, Mapping
     from types import CodeType
     from typing import Any
+
+    from ..diagnostics import Diagnostic
+    from .files import Files
 
 MAX_NOTES = 3
 _EXPLAINED = (TypeError, ValueError, AttributeError, LookupError, ArithmeticError)
@@ -112,3 +115,64 @@ def _is_text_or_none(value: Any) -> bool:
 
 def _is_number(value: Any) -> bool:
     return isinstance(value, (int, float))
+
+
+def add_origins(diagnostic: Diagnostic, files: Files, passed: Mapping[str, Span]) -> None:
+    """Note where the variables come from that are written at the place of an error in a part.
+
+    The value is not at hand any more, so this tells only what the text of the program says: a
+    variable that is declared at one place, or given by the call or include that led there.
+
+    Args:
+        diagnostic: the error.
+        files: the files of the program.
+        passed: where the variables of the main file are set.
+    """
+    span = diagnostic.span
+    names = _names_written(span.written())
+    places = ((name, _only_place(name, diagnostic, files, passed)) for name in names)
+    notes = [
+        f"it comes from '{name}', {set_at(place)}"
+        if len(names) == 1
+        else f"'{name}' is {set_at(place)}"
+        for name, place in places
+        if place is not None
+    ]
+    diagnostic.notes = (*diagnostic.notes, *notes[:MAX_NOTES])
+
+
+def _names_written(text: str) -> list[str]:
+    """Return the names that the `$(…)` in a text read."""
+    names: list[str] = []
+    start = text.find("$(")
+    while start >= 0:
+        end = find_close(text, start + 2)
+        if end < 0:
+            break
+        names += names_in(text[start + 2 : end])
+        start = text.find("$(", end)
+    return list(dict.fromkeys(names))
+
+
+def _only_place(
+    name: str, diagnostic: Diagnostic, files: Files, passed: Mapping[str, Span]
+) -> Span | None:
+    """Return the one place that gives a name its value where it is read, if there is just one."""
+    span = diagnostic.span
+    near = [
+        each
+        for each in files.where_declared(name)
+        if each.scope not in ("import", "passed") and each.shares_context_with(span)
+    ]
+    inner = [each for each in near if each.extent is not None] or near
+    if len(inner) > 1:
+        return None
+    is_local = bool(inner) and inner[0].extent is not None
+    frame = diagnostic.trace
+    while frame is not None and frame.kind != ("called" if is_local else "included"):
+        frame = frame.parent
+    if frame is not None and name in frame.places:
+        return frame.places[name]
+    if frame is None and name in passed and not is_local:
+        return passed[name]
+    return inner[0].span if inner else None
