@@ -488,6 +488,36 @@ def write_meshes(folder: Path) -> None:
     (folder / "centimetres.dae").write_text(text, encoding="utf-8")
 
 
+def test_names_that_javascript_objects_have_are_names_like_others(
+    page: Page, view: Start, tmp_path: Path
+) -> None:
+    names = ["__proto__", "constructor", "toString", "hasOwnProperty", "valueOf", "length"]
+    links = "".join(
+        f'<link name="{name}"><visual><geometry><sphere radius="0.1"/></geometry>'
+        f'<material name="{name}"/></visual></link>'
+        for name in ["base", *names]
+    )
+    joints = "".join(
+        f'<joint name="{name}" type="continuous"><parent link="{parent}"/><child link="{name}"/>'
+        f'<axis xyz="0 0 1"/><mimic joint="{names[0] if name != names[0] else "nobody"}"/></joint>'
+        for parent, name in zip(["base", *names], names, strict=False)
+    )
+    odd = '<link name="odd"/><joint name="odd" type="constructor"><parent link="base"/>'
+    odd += '<child link="odd"/></joint>'
+    path = tmp_path / "names.urdf"
+    path.write_text(f'<robot name="r">{links}{joints}{odd}</robot>', encoding="utf-8")
+    page.show(view(path))
+    rows = "[...document.querySelectorAll('#tree .row')].map(r => r.dataset.link)"
+    assert sorted(page.run(rows)) == sorted(["base", "odd", *names])
+    assert sorted(page.run("[...yamaro.robot.joints.keys()]")) == sorted(["odd", *names])
+    assert page.run("yamaro.robot.shapes.length") == len(names) + 1
+    page.press("#tree [data-link=__proto__]")
+    assert page.text("#origin [data-kind=joint] .what") == "__proto__"
+    page.run("yamaro.setJoint('__proto__', 1)")
+    assert page.run("yamaro.robot.joints.get('valueOf').angle") == 1  # which mimics it
+    assert page.run("({}).polluted === undefined && Object.keys(Object.prototype).length") == 0
+
+
 def test_a_robot_in_ruins_is_shown_as_far_as_it_goes(
     page: Page, view: Start, tmp_path: Path
 ) -> None:

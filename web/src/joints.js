@@ -5,7 +5,10 @@ import { childOf } from "./urdf.js";
 
 const FEW = 7;
 const STEPS = 500;
-const PART_NAMES = { planar: ["x", "y", "turn"], floating: ["x", "y", "z", "roll", "pitch", "yaw"] };
+const PART_NAMES = new Map([
+  ["planar", ["x", "y", "turn"]],
+  ["floating", ["x", "y", "z", "roll", "pitch", "yaw"]],
+]);
 const DEGREES = 180 / Math.PI;
 
 export class Joints {
@@ -161,7 +164,7 @@ function partsOf(joint, size) {
   const turn = { lower: -Math.PI, upper: Math.PI, isAngle: true, unit: "°", isFree: true };
   const slide = { lower: -2 * size, upper: 2 * size, isAngle: false, unit: "m", isFree: true };
   const { lower, upper } = joint.limit;
-  const names = PART_NAMES[joint.jointType] ?? [""];
+  const names = PART_NAMES.get(joint.jointType) ?? [""];
   return names.map((label, index) => {
     let range = slide;
     if (joint.jointType === "continuous" || ["turn", "roll", "pitch", "yaw"].includes(label)) {

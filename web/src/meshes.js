@@ -58,11 +58,12 @@ export function loadTexture(file, onLoad) {
 /** Return a manager that gives a mesh the files that its names stand for, and no others. */
 function managerOf(file) {
   const manager = new THREE.LoadingManager();
+  const companions = new Map(Object.entries(file.companions));
   manager.addHandler(/\.tga$/i, new TGALoader(manager));
   manager.setURLModifier((url) => {
     if (/^(blob|data):/.test(url)) return url;
     const name = decodeURI(url).replace(/^(\.\/)+/, "");
-    const key = file.companions[name] ?? file.companions[url];
+    const key = companions.get(name) ?? companions.get(url);
     return key ? addressOf(key) : "data:,";
   });
   return manager;

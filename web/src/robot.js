@@ -6,7 +6,7 @@ import { equivalentBox } from "./inertia.js";
 import { beginRobot, endRobot } from "./meshes.js";
 import { axesMark, centreMark, equivalentBoxMark, jointMark, outlineMark } from "./marks.js";
 import { Materials, makeShape } from "./shapes.js";
-import { childOf, childrenOf, numbersIn, readUrdf } from "./urdf.js";
+import { byName, childOf, childrenOf, numbersIn, parseWith, readUrdf } from "./urdf.js";
 
 const MISSING_SHARE = 0.07; // of the robot's size
 const USUAL_SIDE = 0.1; // m, where it has none
@@ -30,10 +30,10 @@ export class Robot {
     this.materials = new Materials(robot, description.textures);
     const loader = new URDFLoader();
     loader.parseVisual = loader.parseCollision = false;
-    this.object = loader.parse(robot);
+    this.object = parseWith(loader, robot);
     this.object.name = this.name;
-    this.links = new Map(Object.entries(this.object.links));
-    this.joints = new Map(Object.entries(this.object.joints));
+    this.links = byName(this.object.links);
+    this.joints = byName(this.object.joints);
     for (const joint of this.joints.values()) joint.ignoreLimits = true;
     this.jointAbove = new Map();
     this.shapes = []; // {kind, link, index, group}

@@ -14,7 +14,7 @@ const MISSING_COLOR = 0xd6336c;
 export class Materials {
   constructor(robot, textures) {
     this.byName = new Map();
-    this.textures = textures;
+    this.textures = new Map(Object.entries(textures));
     const inLinks = [...robot.querySelectorAll("link > visual > material")];
     for (const material of [...childrenOf(robot, "material"), ...inLinks]) {
       const name = material.getAttribute("name");
@@ -39,7 +39,7 @@ export class Materials {
     const material = new THREE.MeshStandardMaterial({ roughness: 0.62, metalness: 0.05 });
     material.color.setRGB(r, g, b, THREE.SRGBColorSpace);
     setOpacity(material, a);
-    const texture = isDefined ? shape?.texture : this.textures[name];
+    const texture = isDefined ? shape?.texture : this.textures.get(name);
     if (texture) material.map = loadTexture(texture, onLoad);
     return material;
   }

@@ -3,14 +3,14 @@
 import { byId, h, show } from "./dom.js";
 import { childOf } from "./urdf.js";
 
-const JOINT_SIGNS = {
-  revolute: "↻",
-  continuous: "⟳",
-  prismatic: "↕",
-  planar: "▱",
-  floating: "✦",
-  fixed: "·",
-};
+const JOINT_SIGNS = new Map([
+  ["revolute", "↻"],
+  ["continuous", "⟳"],
+  ["prismatic", "↕"],
+  ["planar", "▱"],
+  ["floating", "✦"],
+  ["fixed", "·"],
+]);
 const FEW = 9; // rows that need no search
 
 export class Tree {
@@ -62,7 +62,7 @@ export class Tree {
       },
     });
     fold.hidden = isLeaf;
-    const sign = joint ? JOINT_SIGNS[joint.jointType] ?? "?" : "◆";
+    const sign = joint ? JOINT_SIGNS.get(joint.jointType) ?? "?" : "◆";
     const row = h(
       "div.row",
       {

@@ -47,6 +47,32 @@ export function readUrdf(text) {
   return { robot, roots: [...links].filter((link) => !parentOf.has(link)), dropped };
 }
 
+// The one name that an object cannot have a value under, and what stands in for it: no XML holds it.
+const NO_KEY = "__proto__";
+const STAND_IN = "\u0001";
+
+/** Return what urdf-loader makes of a robot; it keeps links and joints in objects by their names. */
+export function parseWith(loader, robot) {
+  const changed = [];
+  for (const element of robot.querySelectorAll("*")) {
+    for (const { name, value } of [...element.attributes]) {
+      if (value !== NO_KEY) continue;
+      element.setAttribute(name, STAND_IN);
+      changed.push([element, name]);
+    }
+  }
+  const object = loader.parse(robot);
+  for (const [element, name] of changed) element.setAttribute(name, NO_KEY);
+  object.traverse((one) => {
+    if (one.name === STAND_IN) one.name = one.urdfName = NO_KEY;
+  });
+  return object;
+}
+
+/** Return the links or joints of urdf-loader by their names, whatever these are. */
+export const byName = (found) =>
+  new Map(Object.entries(found).map(([name, one]) => [name === STAND_IN ? NO_KEY : name, one]));
+
 /** Tell whether a link is another one or lies below it. */
 function leadsTo(link, ancestor, parentOf) {
   for (let step = link; step !== undefined; step = parentOf.get(step)) {

@@ -77,11 +77,8 @@ export class Variables {
   }
 
   reset() {
-    const values = {};
-    for (const [name, row] of this.rows) {
-      if (row.variable.value !== row.variable.default) values[name] = null;
-    }
-    if (Object.keys(values).length) this.told.onChange(values);
+    const changed = [...this.rows].filter(([, row]) => row.variable.value !== row.variable.default);
+    if (changed.length) this.told.onChange(Object.fromEntries(changed.map(([name]) => [name, null])));
   }
 
   /** Return what to write on the command line for the same robot. */
