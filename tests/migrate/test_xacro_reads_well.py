@@ -507,3 +507,106 @@ def test_a_long_key_goes_on_in_the_next_line(tmp_path: Path) -> None:
         """,
     )
     assert all(len(line) <= 100 for line in made["r.yaml"].splitlines())
+
+
+def test_variables_of_opposite_conditions_have_conditional_values(tmp_path: Path) -> None:
+    made = migrated(
+        tmp_path,
+        """\
+        <xacro:arg name="is_left" default="true"/>
+        <link name="base_link"/>
+        <!-- which side -->
+        <xacro:if value="$(arg is_left)">
+          <xacro:property name="side" value="left"/>
+          <xacro:property name="sign" value="1"/>
+        </xacro:if>
+        <xacro:unless value="$(arg is_left)">
+          <xacro:property name="side" value="right"/>
+          <xacro:property name="sign" value="${-1}"/>
+        </xacro:unless>
+        <a s="${side}" y="${sign * 0.5}"/>
+        """,
+    )
+    assert made["r.yaml"] == textwrap.dedent("""\
+        robot: r
+        variables:
+          is_left: true
+          # which side
+          side: $('left' if is_left else 'right')
+          sign: $(1 if is_left else -1)
+        model:
+          link/name=base_link:
+          a/s=$(side), y=$(sign * 0.5):
+        """)
+    hold_for(tmp_path, ["is_left:=true"], ["is_left:=false"])
+
+
+@pytest.mark.parametrize(
+    ("inside", "other"),
+    [
+        ('<xacro:property name="b" value="1"/>', '<xacro:property name="c" value="2"/>'),
+        ('<xacro:property name="b" value="1"/>', '<xacro:property name="b" value="2"/><x/>'),
+        ('<xacro:property name="b" value="1"/><!-- m -->', '<xacro:property name="b" value="2"/>'),
+        ('<xacro:property name="b" value="1_${n}"/>', '<xacro:property name="b" value="2"/>'),
+    ],
+)
+def test_other_variables_stay_in_their_conditions(tmp_path: Path, inside: str, other: str) -> None:
+    made = migrated(
+        tmp_path,
+        f"""\
+        <xacro:arg name="n" default="1"/>
+        <xacro:property name="n" value="$(arg n)"/>
+        <xacro:if value="${{n > 1}}">{inside}</xacro:if>
+        <xacro:unless value="${{n > 1}}">{other}</xacro:unless>
+        """,
+    )
+    assert "  if:" in made["r.yaml"]
+    hold_for(tmp_path, ["n:=1"], ["n:=2"])
+
+
+def test_variables_amid_a_model_stand_at_the_top_if_nothing_keeps_them(tmp_path: Path) -> None:
+    made = migrated(
+        tmp_path,
+        """\
+        <xacro:property name="a" value="1"/>
+        <xacro:macro name="m" params="x"><b x="${x}"/></xacro:macro>
+        <xacro:m x="${a}"/>
+        <!-- how wide -->
+        <xacro:property name="width" value="${a * 2}"/> <!-- m -->
+        <xacro:property name="from_lib" value="${height * 2}"/>
+        <xacro:include filename="lib.xacro"/>
+        <xacro:m x="${width}"/>
+        <xacro:property name="twice" value="${width * 2}"/>
+        <xacro:property name="again" value="1"/>
+        <xacro:m x="${twice + again + from_lib}"/>
+        <xacro:property name="again" value="2"/>
+        <xacro:m x="${again}"/>
+        """,
+        lib='<xacro:property name="height" value="3"/>',
+    )["r.yaml"]
+    head, _, model = made.partition("functions:")
+    assert head == textwrap.dedent("""\
+        robot: r
+        variables:
+          a: 1
+          # how wide
+          width: $(a * 2)  # m
+          twice: $(width * 2)
+        """)
+    assert model.index("lib.yaml") < model.index("M: {x: $(width)}") < model.index("again: 2")
+
+
+def test_variables_that_a_macro_sets_anew_stay_where_they_are(tmp_path: Path) -> None:
+    made = migrated(
+        tmp_path,
+        """\
+        <xacro:macro name="set" params="">
+          <xacro:property name="n" value="5" scope="global"/>
+        </xacro:macro>
+        <xacro:set/>
+        <a n="${n}"/>
+        <xacro:property name="m" value="${n + 1}"/>
+        <a n="${m}"/>
+        """,
+    )["r.yaml"]
+    assert made.index("Set:\n") < made.index("m: $(n + 1)")

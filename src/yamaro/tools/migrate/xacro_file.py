@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 
 from ...syntax.names import STATEMENTS
 from ...xmltree import format_value
@@ -27,6 +28,7 @@ def sections_of(writer: FileWriter, *, is_main: bool) -> Body:
     writer.here.hides = writer.program.hidden.everywhere
     model = writer.statements(root.children)
     _take_variables(writer, model, declared)
+    _take_later_variables(writer, model, declared)
     if writer.translator.imports:
         sections.add("import", f"[{', '.join(sorted(writer.translator.imports))}]")
     if declared:
@@ -102,6 +104,51 @@ def _take_variables(writer: FileWriter, model: Body, declared: Body) -> None:
             return
         if entry.key != "include" and not _is_constant(entry):
             return
+
+
+def _take_later_variables(writer: FileWriter, model: Body, declared: Body) -> None:
+    """Take variables further down to those declared for the file, if they do not depend on it.
+
+    They are defined once, and made of nothing but variables above that are.
+    """
+    for entry in [entry for entry in model if entry.key == "variables"]:
+        assert isinstance(entry.value, Body)
+        variables = entry.value
+        if variables.remark or variables.opening or entry.ending:
+            continue
+        first = variables.entries[0] if variables.entries else None
+        for own in list(variables):
+            if _depends_on_nothing(writer, own, declared):
+                comment = entry.comment if own is first else ""
+                if own is first:
+                    entry.comment = ""
+                variables.entries.remove(own)
+                own.comment = joined(comment, own.comment)
+                declared.append(own)
+        if not variables.entries:
+            model.entries.remove(entry)
+
+
+def _depends_on_nothing(writer: FileWriter, variable: Entry, declared: Body) -> bool:
+    """Tell whether a variable may as well be declared above the model."""
+    program = writer.program
+    (name,) = names_of([variable])
+    known = names_of(declared)
+    if name in known or name in program.arguments or not isinstance(variable.value, str):
+        return False
+    words = set(re.findall(r"[^\W\d]\w*", variable.value)) if "$(" in variable.value else set()
+    made_of = {word for word in words if word in program.properties or word in program.arguments}
+    late = {own for own in made_of if is_late(writer, own)}
+    fixed = {own for own in (name, *made_of) if own not in program.assigned_from_inside}
+    return (
+        made_of <= known
+        and not late
+        and len(fixed) == 1 + len(made_of)
+        and program.times_defined.get(name, 1) == (2 if id(variable) in writer.choices else 1)
+        and all(program.times_defined.get(own, 1) == 1 for own in made_of)
+        and not words & program.namespaces.names(writer.path)
+        and not any(word.startswith("arg_") for word in words)
+    )
 
 
 def _is_constant(entry: Entry) -> bool:

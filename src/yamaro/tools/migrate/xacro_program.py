@@ -188,6 +188,7 @@ class Program:
         self.arguments: dict[str, Argument] = {}
         self.assigned_from_inside: set[str] = set()
         self.properties: dict[str, set[str]] = {}
+        self.times_defined: dict[str, int] = {}
         self.blocks: set[str] = set()
         self._names: dict[str, set[str]] = {}
         self._has_computed_calls = False
@@ -418,6 +419,7 @@ class Program:
                 self.definitions[path, element.span.start] = macro
                 self._macros_of_name.setdefault(name, []).append(macro)
             elif element.name == "xacro:property" and "name" in given:
+                self.times_defined[given["name"]] = self.times_defined.get(given["name"], 0) + 1
                 self.properties.setdefault(given["name"], set()).add(path)
                 if given.get("scope") in ("parent", "global"):
                     self.assigned_from_inside.add(given["name"])

@@ -20,14 +20,14 @@ from .elements import (
 )
 from .pairing import has_text
 from .xacro_calls import write_block, write_call, write_call_by_name
+from .xacro_conditions import write_condition
 from .xacro_definitions import write_argument, write_macro, write_property
 from .xacro_includes import write_include
 from .xacro_order import in_order
 from .xacro_parts import Step, XacroPartWriter, in_steps, is_statement, stands_as_key
 from .xacro_placing import IN_PART
-from .xacro_program import names_in
-from .xacro_python import CannotMigrate, Translator, negated
-from .xacro_surroundings import Surroundings, move_opening, names_of
+from .xacro_python import CannotMigrate, Translator
+from .xacro_surroundings import Surroundings
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -61,6 +61,7 @@ class FileWriter(ElementWriter):
         here: what stands around what is being written.
         functions: those that the file defines.
         made_of: the names that variables are made of, by the identity of their entries.
+        choices: the identities of the variables that two opposite conditions define.
         lost: what could not be carried over: where, why, and what is said below that.
     """
 
@@ -86,6 +87,7 @@ class FileWriter(ElementWriter):
         self.here = Surroundings(program)
         self.functions = Body()
         self.made_of: dict[int, set[str]] = {}
+        self.choices: set[int] = set()
         self.lost: list[tuple[Span, str, str]] = []
         self.translator = Translator(
             self.variable,
@@ -312,30 +314,6 @@ class FileWriter(ElementWriter):
         return rest
 
 
-def _write_condition(writer: FileWriter, node: Element, body: Body) -> None:
-    """Write a condition, or what is done else below its opposite."""
-    text = format_value(node.attributes.get("value"))
-    condition = writer.translator.condition(text)
-    if node.name == "xacro:unless":
-        condition = negated(condition)
-    content = writer.body(node.children)
-    if content is not None:
-        content.in_braces = False
-    last = body.entries[-1] if body.entries else None
-    if last is not None and last.key == "if" and not body.remark:
-        assert isinstance(last.value, Body)
-        before = str(last.value.entries[0].value)
-        are_opposite = before == negated(condition) or negated(before) == condition
-        if are_opposite and not (
-            names_in(text) & (_declared_in(last.value) | writer.program.assigned_from_inside)
-        ):
-            body.add("else", content)
-            return
-    statement = Body([Entry("condition", condition), Entry("body", content)])
-    move_opening(content, statement)
-    body.add("if", statement)
-
-
 def _write_element(writer: FileWriter, node: Element, body: Body) -> None:
     """Write an element whose name is computed."""
     name = writer.translator.text(format_value(node.attributes.get("xacro:name")))
@@ -344,17 +322,6 @@ def _write_element(writer: FileWriter, node: Element, body: Body) -> None:
     bracketed = "$(" in name or needs_brackets(name, attributes)
     key = writer.key(name, attributes, bracketed=bracketed)
     body.append(Entry(key, writer.content(node, children)))
-
-
-def _declared_in(body: Body) -> set[str]:
-    """Return the names of the variables declared in a body, however deep."""
-    names: set[str] = set()
-    for entry in body:
-        if isinstance(entry.value, Body):
-            if entry.key == "variables":
-                names |= names_of(entry.value)
-            names |= _declared_in(entry.value)
-    return names
 
 
 def _tidied(text: str) -> str:
@@ -367,8 +334,8 @@ _HANDLERS: dict[str, Callable[[FileWriter, Element, Body], None]] = {
     "xacro:property": write_property,
     "xacro:macro": write_macro,
     "xacro:insert_block": write_block,
-    "xacro:if": _write_condition,
-    "xacro:unless": _write_condition,
+    "xacro:if": write_condition,
+    "xacro:unless": write_condition,
     "xacro:include": write_include,
     "xacro:element": _write_element,
     "xacro:call": write_call_by_name,
