@@ -15,10 +15,14 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
 
     from ...xmltree import Node
+    from .elements import Endings
 
 
-def in_order(nodes: list[Node], program: Program) -> list[Node]:
-    """Return what stands in one place, properties behind what their values are made of."""
+def in_order(nodes: list[Node], endings: Endings, program: Program) -> list[Node]:
+    """Return what stands in one place, properties behind what their values are made of.
+
+    They take along the comments above them, and those at the ends of their lines (`endings`).
+    """
     elements = [node for node in nodes if isinstance(node, Element)]
     if not any(element.name == "xacro:property" for element in elements):
         return nodes
@@ -36,15 +40,35 @@ def in_order(nodes: list[Node], program: Program) -> list[Node]:
     away = {id(element) for row in moved.values() for element in row}
     result: list[Node] = []
 
+    groups = _with_comments(nodes, endings)
+
     def put(node: Node) -> None:
-        result.append(node)
+        result.extend(groups[id(node)])
         for element in moved.get(id(node), ()):
             put(element)
 
+    for element in elements:
+        if id(element) not in away:
+            put(element)
+    return result + groups[0]
+
+
+def _with_comments(nodes: list[Node], endings: Endings) -> dict[int, list[Node]]:
+    """Return each element with what is around it, by identity, and what comes last under 0."""
+    groups: dict[int, list[Node]] = {}
+    above: list[Node] = []
+    latest: list[Node] = []
     for node in nodes:
-        if id(node) not in away:
-            put(node)
-    return result
+        if isinstance(node, Element):
+            latest = groups[id(node)] = [*above, node]
+            above = []
+        elif latest and endings.get(id(node)) == "following":
+            latest += [*above, node]
+            above = []
+        else:
+            above.append(node)
+    groups[0] = above
+    return groups
 
 
 def _is_lazy(element: Element) -> bool:

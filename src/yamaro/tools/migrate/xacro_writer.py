@@ -157,8 +157,8 @@ class FileWriter(ElementWriter):
     def statements(self, nodes: list[Node]) -> Body:
         """Return statements for what stands in a file, a macro or an element."""
         body = Body()
-        nodes = in_order(nodes, self.program)
         endings = comments_at_ends(nodes)
+        nodes = in_order(nodes, endings, self.program)
         for step in self._steps(nodes, endings):
             node = step.node
             if isinstance(node, Comment):
