@@ -350,19 +350,14 @@ def _kind_of(diagnostic: Diagnostic) -> tuple[str, str, str]:
 def _places_of(alike: Sequence[Diagnostic]) -> str:
     """Return a line that tells where diagnostics of a kind are."""
     first = alike[0]
-    lines: dict[str, list[int]] = {}
-    for diagnostic in alike[:MAX_PLACES]:
-        line, _ = diagnostic.span.location()
-        lines.setdefault(diagnostic.span.source.name, []).append(line)
-    places = [
-        f"{shortened(name)}:{', '.join(map(str, dict.fromkeys(numbers)))}"
-        for name, numbers in lines.items()
-    ]
-    more = "" if len(alike) <= MAX_PLACES else ", …"
-    kind = f"{first.severity}{'s' if len(alike) > 1 else ''}"
-    return (
-        f"… {len(alike)} more {kind} like this [{printable(first.code)}]: {'; '.join(places)}{more}"
-    )
+    places = dict.fromkeys((one.span.source.name, one.span.location()[0]) for one in alike)
+    lines: dict[str, list[str]] = {}
+    for name, line in list(places)[:MAX_PLACES]:
+        lines.setdefault(shortened(name), []).append(str(line))
+    told = "; ".join(f"{name}:{', '.join(numbers)}" for name, numbers in lines.items())
+    more = ", …" if len(places) > MAX_PLACES else ""
+    count = f"{len(alike):,} more {first.severity}{'s' if len(alike) > 1 else ''}"
+    return f"… {count} like this [{printable(first.code)}]: {told}{more}"
 
 
 def _plain(text: str, style: str) -> str:
