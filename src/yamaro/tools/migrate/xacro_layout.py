@@ -49,6 +49,12 @@ class Layout:
         self.theirs: dict[str, tuple[str, str]] = {}
         self.brought: dict[str, str] = {}
         self._own = self.package_of(program.main)
+        self._in_macros = {
+            id(element)
+            for macro in program.definitions.values()
+            for element in walk(macro.element)
+            if element.name == "xacro:include"
+        }
         foreign = {}
         for path in program.roots:
             package = self.package_of(path)
@@ -175,7 +181,7 @@ class Layout:
         within = _Names.of(names[own] for own in inside)
         without = _Names.of(own for other, own in names.items() if other not in inside)
         around = without.defined
-        if any(include in walk(macro.element) for macro in self._program.definitions.values()):
+        if id(include) in self._in_macros:
             around = around | without.parameters
         read = within.read - within.defined - within.parameters
         for what, one, other in (

@@ -206,6 +206,11 @@ class Program:
         for path, root in self.roots.items():
             self._names[path] |= self.forwarded_in(root)
         self.spelled = self._spelled()
+        self._constants = self._named_constants()
+        self._visible: dict[str, set[str]] = {}
+        self._own_names: dict[str, set[str]] = {}
+        self._callers: dict[str, set[str]] = {}
+        self._look_at_callers()
         self.at_top: set[str] = set()
         self.read: set[str] = set()
         self.inherited = self._names_of_callers()
@@ -344,20 +349,24 @@ class Program:
 
     def constants(self, inside: set[str]) -> set[str]:
         """Return the properties that files, and others as well, define as the same constant."""
+        return {
+            name
+            for name in self._constants
+            if self.properties[name] & inside and self.properties[name] - inside
+        }
+
+    def _named_constants(self) -> set[str]:
+        """Return the properties whose definitions all are the same constant."""
         found: dict[str, set[str]] = {}
         for path, root in self.roots.items():
             for element in walk(root):
                 if element.name == "xacro:property":
                     text = format_value(element.attributes.get("value"))
                     name = format_value(element.attributes.get("name"))
-                    found.setdefault(name, set()).add(
-                        text if "$" not in text else f"{path}: {text}"
-                    )
-        return {
-            name
-            for name, texts in found.items()
-            if len(texts) == 1 and self.properties[name] & inside and self.properties[name] - inside
-        }
+                    value = f"{path}: {text}" if "$" in text else text
+                    found.setdefault(name, set()).add(value)
+        several = {name for name, paths in self.properties.items() if len(paths) > 1}
+        return {name for name, texts in found.items() if len(texts) == 1} & several
 
     def _included_by_macros(self) -> set[str]:
         return {
@@ -523,21 +532,29 @@ class Program:
 
     def visible_in(self, macro: Macro) -> set[str]:
         """Return the names that a macro may see: its own, and those of all who may call it."""
-        visible = set(self.at_top)
-        seen: set[str] = set()
-        pending = [macro.name]
-        while pending:
-            name = pending.pop()
-            if name in seen:
-                continue
-            seen.add(name)
-            for own in self.definitions.values():
-                if own.name == name:
-                    visible |= set(own.values()) | defined_in(own.element, nested=True)
-                    visible |= self.handed_to(own.element)
-                elif any(called.name == f"xacro:{name}" for called in walk(own.element)):
-                    pending.append(own.name)
-        return visible
+        known = self._visible.get(macro.name)
+        if known is None:
+            visible = set(self.at_top)
+            pending, seen = [macro.name], {macro.name}
+            while pending:
+                name = pending.pop()
+                visible |= self._own_names.get(name, set())
+                new = self._callers.get(name, set()) - seen
+                seen |= new
+                pending += new
+            known = self._visible[macro.name] = visible
+        return known
+
+    def _look_at_callers(self) -> None:
+        """Note the names that macros have, and which macros call them, by their names."""
+        for own in self.definitions.values():
+            names = set(own.values()) | defined_in(own.element, nested=True)
+            names |= self.handed_to(own.element)
+            self._own_names.setdefault(own.name, set()).update(names)
+            for called in walk(own.element):
+                if called.name.startswith("xacro:"):
+                    callers = self._callers.setdefault(called.name.removeprefix("xacro:"), set())
+                    callers.add(own.name)
 
     def handed_to(self, element: Element) -> set[str]:
         """Return the properties that the macros called in an element hand to it."""
