@@ -129,7 +129,7 @@ def migrates(path: Path, lines: list[float], texts: dict[str, str], tally: Tally
     with tempfile.TemporaryDirectory() as folder:
         made = Path(folder) / "robot.yaml"
         made.write_text(migration.text, encoding="utf-8")
-        xml = yamaro.build(made, on_message=print, allow=migration.allowed).xml()
+        xml = yamaro.build(made, on_message=print, allow=migration.allowed, meshes="keep").xml()
     tally.note_allowed(path, migration.allowed)
     return is_same_robot(source, xml.encode())
 
@@ -168,6 +168,7 @@ def migrates_xacro(
             packages=packages,
             on_message=lambda line: None,
             allow=migration.allowed,
+            meshes="keep",
         )
         tally.note_allowed(path, migration.allowed)
         is_same = is_same_robot(expected.encode(), built.xml().encode())
@@ -201,6 +202,7 @@ def try_others(
                     packages=packages,
                     on_message=lambda line: None,
                     allow=codes,
+                    meshes="keep",
                 )
             )
             is_same = is_same_robot(expected.encode(), built.xml().encode())
@@ -227,6 +229,7 @@ def includes(corpus: Corpus, row: Row) -> bool:
         text=f"{quoted(key)}:\n  include:\n    path: {quoted(path.name)}{passed}\n",
         packages=corpus.packages(row),
         on_message=lambda line: None,
+        meshes="keep",
     )
     return is_same_robot(expected.encode(), built.xml().encode())
 

@@ -664,3 +664,24 @@ def test_two_roots_of_one_urdf_are_warned_of_and_a_root_beside_it_is_an_error(fo
         with pytest.raises(yamaro.YamaroError) as caught:
             yamaro.build(file)
         assert codes_of(caught) == [("error", "several-roots")]
+
+
+def test_a_variable_given_by_keyword_that_nothing_reads_is_reported(tmp_path: Path) -> None:
+    path = tmp_path / "r.yaml"
+    path.write_text("variables: {length: 1}\nout: {a: $(length)}\n")
+    with pytest.warns(yamaro.YamaroWarning, match="unknown-variable") as caught:
+        xml = yamaro.convert(path, lenght=2)
+    assert "<a>1</a>" in xml
+    assert "did you mean 'length'?" in str(caught[0].message)
+    assert "<keyword argument>:1:1" in str(caught[0].message)
+
+
+def test_a_text_given_by_keyword_is_no_condition(tmp_path: Path) -> None:
+    path = tmp_path / "r.yaml"
+    path.write_text("variables: {on: true}\nout: {if: {condition: on, body: {a: }}}\n")
+    assert "<a/>" not in yamaro.convert(path, on=False)
+    with pytest.raises(yamaro.YamaroError) as caught:
+        yamaro.convert(path, on="no")
+    (error,) = caught.value.diagnostics
+    assert error.code == "bad-condition"
+    assert error.notes == ("the text 'no' comes from 'on', set from Python",)

@@ -241,3 +241,33 @@ def test_a_program_names_files_for_each_output_anew(robot: Path, tmp_path: Path)
     assert names_in(first)[0] == "arm/meshes/a.obj"
     assert names_in(program.convert())[0] == "meshes/a.obj"
     assert program.build(output=tmp_path / "a.urdf").xml() == first
+
+
+def test_a_path_that_is_passed_to_another_folder_starts_at_the_main_file(
+    robot: Path, tmp_path: Path
+) -> None:
+    (robot / "lib").mkdir()
+    (robot / "lib" / "link.yaml").write_text(
+        "functions:\n  Link/parent:\n    input: mesh\n    body:\n"
+        "    - part: {name: l, link: {geometry: $(mesh), mass: 1, visual: }}\n"
+    )
+    (robot / "arm.yaml").write_text(
+        "model:\n- include: lib/link.yaml\n- Link: {mesh: meshes/a.obj}\n"
+    )
+    assert names_in(build(robot / "arm.yaml").xml()) == ["meshes/a.obj"]
+    for mode in ("trusted", "safe"):
+        built = build(robot / "arm.yaml", output=tmp_path / "o.urdf", policy=Policy(mode))
+        assert names_in(built.xml()) == ["arm/meshes/a.obj"]
+        assert built.meshes == [str(robot / "meshes/a.obj")]
+
+
+def test_a_path_through_a_symbolic_link_that_leads_elsewhere_is_written_anew(
+    robot: Path, tmp_path: Path
+) -> None:
+    (tmp_path / "far" / "away").mkdir(parents=True)
+    (robot / "urdf").symlink_to(tmp_path / "far" / "away")
+    (robot / "parts/up.yaml").write_text(
+        "model: {link/name=a: {visual: {geometry: {mesh/filename=../meshes/a.obj: }}}}\n"
+    )
+    xml = build(robot / "parts/up.yaml", output=robot / "urdf" / "o.urdf").xml()
+    assert names_in(xml) == ["../../arm/meshes/a.obj"]

@@ -306,10 +306,10 @@ class Program:
         self, mode: str, output: str | os.PathLike[str] | None, packages: PackageFinder
     ) -> MeshPaths:
         """Return how the output names meshes; raise UsageError if it cannot as asked."""
-        place = self._path if output is None else os.fspath(output)
-        folder = os.getcwd() if place == STANDARD_INPUT else os.path.dirname(os.path.abspath(place))
+        start = _folder_of(self._path)
+        folder = start if output is None else _folder_of(os.fspath(output))
         try:
-            return MeshPaths(mode, folder, MeshFinder(packages, self._reach))
+            return MeshPaths(mode, folder, MeshFinder(packages, self._reach, start=start))
         except ValueError as error:
             raise UsageError(str(error)) from None
 
@@ -838,6 +838,11 @@ def _as_built_in(error: UsageError) -> Exception:
 
 def _print_to_standard_error(text: str) -> None:
     print(harmless(text), file=sys.stderr)
+
+
+def _folder_of(path: str) -> str:
+    """Return the folder in which relative paths of a file start."""
+    return os.getcwd() if path == STANDARD_INPUT else os.path.dirname(os.path.abspath(path))
 
 
 def _stem(path: str) -> str:

@@ -87,12 +87,12 @@ class MeshPaths:
             inner = _below(path, self._package)
             if inner is not None:
                 return f"{self._mode}/{inner}"
-        return self._from_folder(filename, path, span) if is_relative else filename
+        return self._from_folder(filename, path) if is_relative else filename
 
-    def _from_folder(self, filename: str, path: str, span: Span) -> str:
+    def _from_folder(self, filename: str, path: str) -> str:
         """Return the path of a file from the folder of the output."""
-        written_in = os.path.dirname(span.source.path) if span.source.path else os.getcwd()
-        if written_in == self._folder and not filename.startswith("~"):
+        as_written = os.path.join(self._folder, filename)
+        if os.path.realpath(as_written) == os.path.realpath(path):
             return filename
         folder, name = os.path.split(path)
         try:  # `..` leads up from where a link leads to

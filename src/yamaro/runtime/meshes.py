@@ -25,12 +25,22 @@ class MeshFinder:
     relative to the file in which it is written. `PackageFinder.find` tells where packages are.
     """
 
-    __slots__ = ("_found", "_packages", "_reach")
+    __slots__ = ("_found", "_packages", "_reach", "_start")
 
-    def __init__(self, packages: PackageFinder, reach: Reach | None = None) -> None:
-        """Look with the help of `packages`, and for no files outside of `reach`."""
+    def __init__(
+        self, packages: PackageFinder, reach: Reach | None = None, *, start: str = ""
+    ) -> None:
+        """Look for files.
+
+        Args:
+            packages: knows where packages are.
+            reach: the files that may be read; None allows all.
+            start: the folder of the main file. A relative path may come from there, as an argument
+                of a function or macro in another folder.
+        """
         self._packages = packages
         self._reach = reach
+        self._start = start
         self._found: dict[tuple[str, str], str | None] = {}
 
     def resolve(self, filename: str, span: Span) -> str | None:
@@ -41,11 +51,21 @@ class MeshFinder:
         """
         key = (filename, _directory(span))
         if key not in self._found:
-            path = self.path_meant(filename, span)
-            if path is not None and self._reach is not None:  # whether or not a file is there
-                self._check_reach(self._reach, path, filename, span)
-            self._found[key] = path if path is not None and os.path.isfile(path) else None
+            self._found[key] = self._find(filename, span)
         return self._found[key]
+
+    def _find(self, filename: str, span: Span) -> str | None:
+        path = self.path_meant(filename, span)
+        if path is None:
+            return None
+        if self._reach is not None:  # whether or not a file is there
+            self._check_reach(self._reach, path, filename, span)
+        if os.path.isfile(path):
+            return path
+        if not self._start or "://" in filename:
+            return None
+        path = self._packages.resolve_uri(filename, self._start)
+        return path if path and self.allows(path) and os.path.isfile(path) else None
 
     def reachable(self, filename: str, span: Span) -> str | None:
         """Return what `resolve` does, and None for a file that may not be read."""
