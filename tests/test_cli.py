@@ -1303,3 +1303,88 @@ def test_fish_completes(line: str, expected: str) -> None:
     )
     found = [found.partition("\t")[0] for found in result.stdout.splitlines()]
     assert sorted(found) == expected.split()
+
+
+# --- the severity of messages -----------------------------------------------------------------
+
+TWO_ROOTS = "robot: r\nmodel:\n- link/name=a:\n- link/name=b:\n"
+
+
+def test_a_robot_that_parsers_refuse_does_not_replace_a_good_file(
+    capsys: pytest.CaptureFixture[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    Path("two.yaml").write_text(TWO_ROOTS)
+    Path("robot.urdf").write_text("good")
+    status, _, said = outcome(capsys, "two.yaml", "-o", "robot.urdf")
+    assert status == 1
+    assert said.startswith("error[several-roots]")
+    assert Path("robot.urdf").read_text() == "good"
+    status, _, said = outcome(capsys, "two.yaml", "-o", "robot.urdf", "--allow", "several-roots")
+    assert status == 0
+    assert said.startswith("warning[several-roots]")
+    assert '<link name="b"/>' in Path("robot.urdf").read_text()
+
+
+@pytest.mark.parametrize("command", [(), ("check",), ("tree",)])
+@pytest.mark.parametrize("mode", ["--trust", "--safe", "--jail"])
+def test_what_is_allowed_is_a_warning_in_each_command_and_mode(
+    capsys: pytest.CaptureFixture[str],
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    command: tuple[str, ...],
+    mode: str,
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    Path("two.yaml").write_text(TWO_ROOTS)
+    words = (*command, "two.yaml", mode)
+    assert outcome(capsys, *words)[0] == 1
+    status, _, said = outcome(capsys, *words, "--allow=several-roots", "--strict")
+    assert (status, said.partition("[")[0]) == (0, "warning")
+
+
+def test_what_is_denied_is_an_error_also_if_it_is_only_advice(
+    capsys: pytest.CaptureFixture[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    box = "    visual:\n      geometry:\n        box/size=1 1 0:\n"
+    Path("r.yaml").write_text(f"robot: r\nmodel:\n- link/name=a/b:\n{box}")
+    status, _, said = outcome(capsys, "r.yaml")
+    assert (status, said.count("slash-in-name")) == (0, 0)
+    for codes in (["bad-size"], ["slash-in-name"], ["bad-size", "slash-in-name"]):
+        options = [word for code in codes for word in ("--deny", code)]
+        status, out, said = outcome(capsys, "r.yaml", *options)
+        assert (status, out) == (1, "")
+        assert [code for code in codes if f"error[{code}]" not in said] == []
+        assert "slash-in-name" in codes or "slash-in-name" not in said
+
+
+@pytest.mark.parametrize("command", ["", "check", "tree", "view", "watch", "picture"])
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [
+        (["--allow", "several-rots"], "did you mean 'several-roots'?"),
+        (["--deny", "nonsense"], "'nonsense' is not a code that can be allowed or denied"),
+        (["--allow", "yaml-syntax"], "'yaml-syntax' is not a code that can be allowed or denied"),
+        (
+            ["--allow", "no-link", "--deny", "no-link"],
+            "'no-link' cannot be both allowed and",
+        ),
+        (["--allow"], "'--allow' needs the code of a message after it"),
+    ],
+)
+def test_a_code_that_cannot_be_chosen_is_wrong_usage(
+    capsys: pytest.CaptureFixture[str],
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    command: str,
+    options: list[str],
+    message: str,
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    Path("two.yaml").write_text(TWO_ROOTS)
+    words = [command] if command else []
+    output = {"watch": ["-o", "a.urdf"], "picture": ["-o", "a.png"]}.get(command, [])
+    status, out, said = outcome(capsys, *words, "two.yaml", *output, *options)
+    assert (status, out) == (2, "")
+    assert message in said

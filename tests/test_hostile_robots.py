@@ -15,7 +15,8 @@ from yamaro.commands.main import main
 from yamaro.xmltree import Element, Text
 
 NAMED_AFTER_THE_FILE = "no robot name"  # in YAML a robot has a name in any case
-ODD = bad_robots("advice")
+# In YAML, what xacro left is told of where it is read.
+ODD = [one for one in bad_robots("advice") if one.codes != ["leftover-expression"]]
 
 
 class YamlWriter:
