@@ -610,3 +610,38 @@ def test_variables_that_a_macro_sets_anew_stay_where_they_are(tmp_path: Path) ->
         """,
     )["r.yaml"]
     assert made.index("Set:\n") < made.index("m: $(n + 1)")
+
+
+def test_a_word_with_arg_in_it_reads_no_argument(tmp_path: Path) -> None:
+    made = migrated(
+        tmp_path,
+        """\
+        <xacro:arg name="margin" default="2"/>
+        <xacro:include filename="lib.xacro"/>
+        <xacro:m margin="$(arg margin)"/>
+        """,
+        lib='<xacro:macro name="m" params="margin"><b v="${margin} large"/></xacro:macro>',
+    )
+    assert "  margin: 2\n" in made["r.yaml"]
+    assert "arg_margin" not in made["r.yaml"]
+
+
+@pytest.mark.parametrize(("inside", "joined"), [("<b/>", True), ("<xacro:set/>", False)])
+def test_opposite_conditions_are_joined_if_nothing_changes_what_they_read(
+    tmp_path: Path, inside: str, joined: bool
+) -> None:
+    made = migrated(
+        tmp_path,
+        f"""\
+        <xacro:macro name="set" params="">
+          <xacro:property name="kind" value="a" scope="parent"/>
+        </xacro:macro>
+        <xacro:macro name="m" params="">
+          <xacro:set/>
+          <xacro:if value="${{kind == 'a'}}">{inside}<c v="1"/></xacro:if>
+          <xacro:unless value="${{kind == 'a'}}"><d v="1"/></xacro:unless>
+        </xacro:macro>
+        <xacro:m/>
+        """,
+    )
+    assert ("else:" in made["r.yaml"]) is joined

@@ -32,9 +32,10 @@ def write_condition(writer: FileWriter, node: Element, body: Body) -> None:
         assert isinstance(last.value, Body)
         before = str(last.value.entries[0].value)
         are_opposite = before == negated(condition) or negated(before) == condition
-        if are_opposite and not (
-            names_in(text) & (_declared_in(last.value) | writer.program.assigned_from_inside)
-        ):
+        changed = _declared_in(last.value)
+        if _may_change_others(last.value):
+            changed |= writer.program.assigned_from_inside
+        if are_opposite and not names_in(text) & changed:
             if not _join_variables(writer, last, content, body):
                 body.add("else", content)
             return
@@ -125,3 +126,14 @@ def _declared_in(body: Body) -> set[str]:
                 names |= names_of(entry.value)
             names |= _declared_in(entry.value)
     return names
+
+
+def _may_change_others(body: Body) -> bool:
+    """Tell whether a body has calls or includes, which may set variables of others."""
+    return any(
+        entry.key == "include"
+        or entry.key.startswith("$(")
+        or entry.key.rpartition(".")[2][:1].isupper()
+        or (isinstance(entry.value, Body) and _may_change_others(entry.value))
+        for entry in body
+    )

@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from .xacro_program import Program
 
 _WORD = re.compile(r"[^\W\d]\w*")
+_ARGUMENT = re.compile(r"\$\(\s*(?:arg|eval)\b|\barg\s*\(")
 
 
 class Readers:
@@ -54,7 +55,7 @@ class Readers:
             names |= _read_in(inner)
             for value in (*inner.attributes.values(), inner.text()):
                 text = format_value(value)
-                if "arg" in text or "$(eval" in text:
+                if _ARGUMENT.search(text):
                     arguments.update(_WORD.findall(text))
         for name in (names - own) | (arguments & program.arguments.keys()):
             self.files.setdefault(name, set()).add(path)
@@ -93,7 +94,7 @@ def _names_in(text: str) -> set[str]:
 def _names_of(expression: str) -> set[str]:
     import ast
 
-    if "$" in expression or "arg" in expression:
+    if "$" in expression or _ARGUMENT.search(expression):
         return set(_WORD.findall(expression))
     try:
         tree = ast.parse(expression.strip(), mode="eval")
