@@ -100,6 +100,9 @@ CASES: dict[str, Callable[[int], str]] = {
     EXPRESSIONS + "with escapes": lambda n: 'out: "' + r"\x41$(1)" * n + '"\n',
     EXPRESSIONS + "with doubled quotes": lambda n: "out: '" + "''$(1)" * n + "'\n",
     "repeated keys": lambda n: "out:\n" + "  a: 1\n" * n,
+    "attributes in a key": lambda n: (
+        "robot: r\nmodel:\n  ? link/name=a, " + ", ".join(f"b{i}=1" for i in range(n)) + "\n  :\n"
+    ),
     "anchors": lambda n: "out:\n" + "".join(f"  a: &x{i} 1\n" for i in range(n)),
     "prints": lambda n: "out:\n" + "  print: a\n" * n,
     "warnings": lambda n: "out:\n" + "  a: ${b}\n" * n,

@@ -62,7 +62,7 @@ class _Checker:
         self._depth += 1
         if self._depth > self._most:
             raise NotWellFormed(f"the document is more than {self._most:,} elements deep")
-        if ":" in name or any(":" in key for key in attributes):
+        if ":" in name or ":" in "".join(attributes):
             self._check_prefixes([name, *attributes])
 
     def _check_prefixes(self, names: list[str]) -> None:

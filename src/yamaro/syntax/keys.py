@@ -236,17 +236,15 @@ def parse_plain_key(text: str) -> PlainKey | None:
     return name, attributes
 
 
-def place_of_attribute(key: ScalarNode, attribute: str) -> Span | None:
-    """Return the place of an attribute's value in a key that `parse_plain_key` has read.
+def places_of_attributes(key: ScalarNode) -> dict[str, Span]:
+    """Return the places of the attributes' values in a key that `parse_plain_key` has read.
 
-    None if the key has no such attribute. It takes a while, and is seldom asked.
+    It takes a while, and is seldom asked.
     """
     text = key.text
     context = ParseContext(Reporter())
-    for own in parse_attributes(key, text.index("/") + 1, len(text), context=context):
-        if own.name == attribute:
-            return own.span
-    return None
+    attributes = parse_attributes(key, text.index("/") + 1, len(text), context=context)
+    return {own.name: own.span for own in attributes if isinstance(own.name, str)}
 
 
 def _trim(text: str, start: int, end: int) -> tuple[int, int]:

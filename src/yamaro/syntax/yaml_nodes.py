@@ -19,9 +19,10 @@ class ScalarNode(Span):
     needs no other object for it.
     """
 
-    __slots__ = ("_offsets", "anchor", "style", "text")
+    __slots__ = ("_offsets", "_places", "anchor", "style", "text")
 
     _offsets: array[int]  # of the characters of the text, once they were asked for
+    _places: dict[str, Span]  # of the values of attributes in a key, likewise
 
     def __init__(
         self,
@@ -57,9 +58,13 @@ class ScalarNode(Span):
 
         So that a key is what `xmltree.Places` asks for, and no object besides is needed.
         """
-        from .keys import place_of_attribute
+        try:
+            places = self._places
+        except AttributeError:  # few keys are asked, but some for each of many attributes
+            from .keys import places_of_attributes
 
-        return place_of_attribute(self, attribute)
+            places = self._places = places_of_attributes(self)
+        return places.get(attribute)
 
     def anchor_span(self) -> Span:
         """Return the place of the scalar's anchor, such as `&name`."""
