@@ -123,9 +123,9 @@ export class Stage {
     this.layGround();
     const { center } = sphere;
     const reach = 1.35 * this.radius;
-    this.sun.position.copy(center).add(new THREE.Vector3(1.5, -1.1, 3.2).setLength(4 * reach));
+    this.sun.position.copy(center).add(new THREE.Vector3(1.5, 1.1, 3.2).setLength(4 * reach));
     this.sun.target.position.copy(center);
-    this.fill.position.copy(center).add(new THREE.Vector3(-2, 2.4, 1).setLength(4 * reach));
+    this.fill.position.copy(center).add(new THREE.Vector3(-2, -2.4, 1).setLength(4 * reach));
     const shadow = this.sun.shadow.camera;
     Object.assign(shadow, { left: -reach, right: reach, top: reach, bottom: -reach });
     Object.assign(shadow, { near: 0.5 * reach, far: 8 * reach });
