@@ -538,8 +538,14 @@ def test_words_after_two_dashes_are_no_options() -> None:
         ),
         ("a.yaml --limit turns=", "the limit 'turns' needs a whole number, not ''"),
         ("a.yaml --limit turns=1e6", "the limit 'turns' needs a whole number, not '1e6'"),
-        ("a.yaml --limit turns=0", "the limit 'turns' is a whole number from 1 on"),
-        ("a.yaml --limit turns=-5", "the limit 'turns' is a whole number from 1 on"),
+        (
+            "a.yaml --limit turns=0",
+            "the limit 'turns' is a whole number from 1 to 1,125,899,906,842,624",
+        ),
+        (
+            "a.yaml --limit turns=-5",
+            "the limit 'turns' is a whole number from 1 to 1,125,899,906,842,624",
+        ),
         ("a.yaml --limit turn=9", "there is no limit 'turn'; did you mean 'turns'?"),
         ("a.yaml --limit xml_depth=9", "there is no limit 'xml_depth'; did you mean 'xml-depth'?"),
         ("a.yaml --limit steps=9", "the limit 'steps' has a meaning in safe mode only"),

@@ -15,7 +15,7 @@ from tests.waiting import PATIENCE
 from yamaro import Policy, YamaroError, compiler, confined, jail
 from yamaro.commands.main import main
 from yamaro.jail import JailLimits
-from yamaro.policy import Limits, limit_names
+from yamaro.policy import Limits, limit_names, limit_range
 
 needs_jail = pytest.mark.skipif(jail.check_available() is not None, reason="no jail here")
 COMMAND = [sys.executable, "-m", "yamaro"]
@@ -41,8 +41,16 @@ def codes(path: str, policy: Policy) -> list[str]:
     [
         (["trust"], {}, "there is no mode 'trust'; the modes are trusted, jail, safe"),
         (["safe"], {"limits": {"step": 1}}, "there is no limit 'step'"),
-        (["safe"], {"limits": {"steps": 0}}, "the limit 'steps' is a whole number from 1 on"),
-        (["safe"], {"limits": {"steps": True}}, "the limit 'steps' is a whole number from 1 on"),
+        (
+            ["safe"],
+            {"limits": {"steps": 0}},
+            "the limit 'steps' is a whole number from 1 to 1,125,899,906,842,624",
+        ),
+        (
+            ["safe"],
+            {"limits": {"steps": True}},
+            "the limit 'steps' is a whole number from 1 to 1,125,899,906,842,624",
+        ),
         (["safe"], {"limits": {"xml_depth": 2.5}}, "the limit 'xml-depth' is a whole number"),
         (["trusted"], {"limits": {"steps": 9}}, "the limit 'steps' has a meaning in safe mode"),
         (["jail"], {"timeout": 0}, "a time-out is a number of seconds above 0"),
@@ -73,7 +81,49 @@ def test_every_limit_is_described_and_named() -> None:
 
 def test_each_limit_can_be_set() -> None:
     for name in Limits.__slots__:
-        assert getattr(Limits("safe", **{name: 7}), name) == 7
+        least, most = limit_range(name)
+        for value in (least, least + 6, most):
+            assert getattr(Limits("safe", **{name: value}), name) == value
+        for value in (least - 1, most + 1, 10**30):
+            with pytest.raises(ValueError, match=f"whole number from {least:,} to {most:,}$"):
+                Limits("safe", **{name: value})
+
+
+@pytest.mark.parametrize("mode", ["trusted", pytest.param("jail", marks=needs_jail), "safe"])
+@pytest.mark.parametrize("name", ["file", "memory", "output", "text", "xml-depth"])
+def test_a_robot_is_built_with_the_largest_value_of_each_limit(
+    name: str, mode: str, tmp_path: Path
+) -> None:
+    path = write(tmp_path, "robot: r\nmodel:\n  link/name=a:\n")
+    most = limit_range(name)[1]
+    words = [*COMMAND, path, "--limit", f"{name}={most}", f"--{mode}".replace("trusted", "trust")]
+    done = subprocess.run(words, capture_output=True, check=False, timeout=PATIENCE)
+    assert (done.returncode, done.stderr) == (0, b"")
+
+
+@needs_jail
+def test_a_jail_works_with_the_least_memory(tmp_path: Path) -> None:
+    path = write(tmp_path, "robot: r\nmodel:\n  link/name=a:\n")
+    least = limit_range("memory")[0]
+    words = [*COMMAND, path, "--limit", f"memory={least}", "--jail"]
+    done = subprocess.run(words, capture_output=True, check=False, timeout=PATIENCE)
+    assert (done.returncode, done.stderr) == (0, b"")
+
+
+@pytest.mark.parametrize("mode", ["trusted", "safe"])
+@pytest.mark.parametrize(
+    ("name", "text"),
+    [("r.urdf", "<a>" * 4999 + "</a>" * 4999), ("r.yaml", "a: " + "{a: " * 4998 + "}" * 4998)],
+)
+def test_the_deepest_files_that_a_limit_can_allow_are_built(
+    name: str, text: str, mode: str, tmp_path: Path
+) -> None:
+    path = write(tmp_path, text, name)
+    policy = Policy(mode, limits={"xml-depth": 5000, "yaml-depth": 5000})
+    assert (
+        yamaro.build(path, policy=policy).xml().count("<a>")
+        == text.count("a") // (2 if name == "r.urdf" else 1) - 1
+    )
 
 
 # --- time ---------------------------------------------------------------------------------------

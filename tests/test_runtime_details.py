@@ -280,7 +280,7 @@ def test_a_package_that_is_nowhere_is_told_with_the_places(
     assert error.hint == (
         "looked in /opt/a (AMENT_PREFIX_PATH), /opt/b (AMENT_PREFIX_PATH), "
         f"ROS_PACKAGE_PATH (not set), {tmp_path} and the folders it lies in; "
-        "source its workspace, or set ROS_PACKAGE_PATH"
+        "source its workspace, or give its folder: --package nowhere_to_be_found:=FOLDER"
     )
 
 
@@ -288,7 +288,7 @@ def test_a_name_that_no_package_has_is_looked_for_nowhere() -> None:
     error = fault("out: $(find('a b'))")
     assert (error.code, error.hint) == (
         "unknown-package",
-        "source its workspace, or set ROS_PACKAGE_PATH",
+        "source its workspace, or give its folder: --package a b:=FOLDER",
     )
 
 

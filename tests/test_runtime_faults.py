@@ -178,7 +178,7 @@ def test_a_package_that_is_nowhere_is_told_by_its_name_alone() -> None:
     assert (error.code, error.message, error.hint) == (
         "unknown-package",
         "the package 'none' is not found",
-        "source its workspace, or set ROS_PACKAGE_PATH",
+        "source its workspace, or give its folder: --package none:=FOLDER",
     )
 
 

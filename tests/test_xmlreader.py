@@ -183,9 +183,11 @@ def test_a_file_is_decoded_as_it_says(encoding: str) -> None:
         (b"<a>\n\xff</a>", "a:2:1", "the byte 0xFF is not UTF-8"),
         (
             b'<?xml version="1.0" encoding="none-such"?><a/>',
-            "a:1:1",
-            "there is no encoding 'none-such'",
+            "a:1:31",
+            "unknown encoding 'none-such'",
         ),
+        (b'<?xml version="1.0" encoding="utf-16"?><a/>', "a:1:31", "the file is not in utf-16"),
+        (b'\n<?xml version="1.0" encoding="UTF_32"?><a/>', "a:2:31", "the file is not in UTF_32"),
     ],
 )
 def test_bytes_of_no_encoding_are_an_error(data: bytes, place: str, message: str) -> None:
@@ -194,6 +196,33 @@ def test_bytes_of_no_encoding_are_an_error(data: bytes, place: str, message: str
     (diagnostic,) = caught.value.diagnostics
     assert diagnostic.code == "xml-encoding"
     assert (diagnostic.span.place(), diagnostic.message) == (place, message)
+
+
+def codecs_of_python() -> list[str]:
+    """Return the names of all codecs that Python comes with, and their aliases."""
+    import encodings.aliases
+    import pkgutil
+
+    modules = [module.name for module in pkgutil.iter_modules(encodings.__path__)]
+    others = ["unicode_internal", "string-escape", "rot13", "zlib", "bz2", "mbcs", "oem", "UTF-7"]
+    return [*modules, *encodings.aliases.aliases, *others]
+
+
+def test_no_codec_of_python_but_text_encodings_is_used() -> None:
+    """Whatever a file declares, it is read as text in which ASCII is ASCII, or refused."""
+    for name in codecs_of_python():
+        data = f'<?xml version="1.0" encoding="{name}"?><robot name="r-x"/>'.encode()
+        try:
+            text = decode_xml(data, name="a", path="/a").text
+        except YamaroError:
+            continue
+        assert text == data.decode(), name
+
+
+@pytest.mark.parametrize("encoding", ["utf-16-le", "utf-16-be"])
+def test_wide_text_without_a_mark_is_read(encoding: str) -> None:
+    text = '<?xml version="1.0" encoding="UTF-16"?><a>é</a>'
+    assert decode_xml(text.encode(encoding), name="a", path="/a").text == text
 
 
 @pytest.mark.parametrize("text", ["", "links: []"])

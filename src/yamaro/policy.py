@@ -49,6 +49,16 @@ _LIMITS: dict[str, tuple[int, int]] = {
 }
 
 
+_RANGES = {
+    "file": (1, 1 << 30),
+    "memory": (64 << 20, 1 << 50),  # with less, no thread can be started in a jail
+    "xml_depth": (1, 5_000),  # Python recurses into what is nested
+    "yaml_depth": (1, 5_000),
+}
+_RANGE = (1, 1 << 50)
+"""Of all other limits."""
+
+
 class Limits:
     """How much one conversion may use; a number for each, 0 where there is none.
 
@@ -115,8 +125,10 @@ class Limits:
                 raise ValueError(f"there is no limit '{shown(name)}'")
             if not getattr(self, name):
                 raise ValueError(f"the limit '{shown(name)}' has a meaning in safe mode only")
-            if type(value) is not int or value < 1:
-                raise ValueError(f"the limit '{shown(name)}' is a whole number from 1 on")
+            least, most = limit_range(name)
+            if type(value) is not int or not least <= value <= most:
+                of_which = f"a whole number from {least:,} to {most:,}"
+                raise ValueError(f"the limit '{shown(name)}' is {of_which}")
             setattr(self, name, value)
 
     def hint(self, name: str) -> str:
@@ -196,6 +208,11 @@ class Policy:
     def is_trusted(self) -> bool:
         """Tell whether a file may do whatever Python can."""
         return self.mode == TRUSTED
+
+
+def limit_range(name: str) -> tuple[int, int]:
+    """Return the least and the largest value of a limit."""
+    return _RANGES.get(name.replace("-", "_"), _RANGE)
 
 
 def limit_names() -> list[str]:

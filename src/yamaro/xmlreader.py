@@ -23,6 +23,21 @@ _BYTE_ORDER_MARKS = (
     (b"\xff\xfe", "utf-16-le"),
     (b"\xfe\xff", "utf-16-be"),
 )
+_WITHOUT_MARK = ((b"<\x00?\x00", "utf-16-le"), (b"\x00<\x00?", "utf-16-be"))
+"""How a declaration begins in UTF-16."""
+_ENCODINGS = frozenset(
+    [
+        *"utf-8 utf8 us-ascii ascii latin1 latin-1 koi8-r koi8-u tis-620 macintosh".split(),
+        *"gb2312 gbk gb18030 big5 big5-hkscs euc-kr euc-jp shift-jis iso-2022-jp".split(),
+        *(f"iso-8859-{number}" for number in range(1, 17) if number != 12),
+        *(f"{start}125{digit}" for start in ("windows-", "cp") for digit in range(9)),
+        *(f"{start}{page}" for start in ("ibm", "cp") for page in (437, 850, 852, 855, 866)),
+    ]
+)
+"""The encodings that a file may declare: those of text in which the declaration itself can be read.
+
+Python has codecs besides that are not for text (punycode, undefined), or that hide text.
+"""
 _ADVICE = {
     "mismatched tag": "each <tag> needs its </tag>, and what is opened last is closed first",
     "not well-formed (invalid token)": "a < or & in a text or value is written &lt; or &amp;",
@@ -63,20 +78,31 @@ def decode_xml(data: bytes, *, name: str, path: str) -> Source:
     for mark, of_mark in _BYTE_ORDER_MARKS:
         if data.startswith(mark):
             encoding, start = of_mark, len(mark)
+            declared = None
             break
-    try:
-        return Source(data[start:].decode(encoding), name=name, path=path)
-    except LookupError:
-        message, at = f"there is no encoding '{encoding}'", 0
-    except UnicodeDecodeError as error:
-        at = start + error.start
-        message = f"the byte 0x{data[at]:02X} is not {encoding.upper()}"
+    for beginning, of_beginning in _WITHOUT_MARK:
+        if data.startswith(beginning):
+            encoding = of_beginning
+    if declared and encoding.lower().replace("_", "-") not in _ENCODINGS:
+        at = len(data) - len(data.lstrip()) + declared.start(1)
+        end = at + len(encoding)
+        is_wide = encoding.lower().replace("_", "-").startswith(("utf-16", "utf-32"))
+        message = f"the file is not in {encoding}" if is_wide else f"unknown encoding '{encoding}'"
+    else:
+        try:
+            return Source(data[start:].decode(encoding), name=name, path=path)
+        except UnicodeDecodeError as error:
+            at = start + error.start
+            end = at + 1
+            message = f"the byte 0x{data[at]:02X} is not {encoding.upper()}"
     source = Source(data.decode("latin-1"), name=name, path=path)
     raise failure(
         "xml-encoding",
         message,
-        Span(source, at, at + 1),
-        hint='say what the file is written in: <?xml version="1.0" encoding="ISO-8859-1"?>',
+        Span(source, at, end),
+        hint='say what the file is written in: <?xml version="1.0" encoding="UTF-8"?>'
+        if declared
+        else 'say what the file is written in: <?xml version="1.0" encoding="ISO-8859-1"?>',
     )
 
 

@@ -13,7 +13,7 @@ from .expressions import Evaluator
 from .late import Late
 from .loader import LoadError
 from .modules import LocalModules, import_names, import_safe_names
-from .packages import PackageFinder
+from .packages import PackageFinder, package_hint
 from .predefined import CONSTANTS, Helpers
 from .scope import Home
 
@@ -252,7 +252,7 @@ class Files:
             "unknown-package",
             f"the package '{package}' is not found",
             span,
-            hint="source its workspace, or set ROS_PACKAGE_PATH",
+            hint=package_hint(package),
             notes=[f"looked in {place}" for place in places[:6]],
         )
 

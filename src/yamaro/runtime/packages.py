@@ -190,6 +190,11 @@ def is_package_name(name: str) -> bool:
     return name.isascii() and name.replace("_", "a").replace("-", "a").isalnum()
 
 
+def package_hint(package: str) -> str:
+    """Return how to say where a package is that is not found."""
+    return f"source its workspace, or give its folder: --package {package}:=FOLDER"
+
+
 def manifest_name(folder: str) -> str | None:
     """Return the name that the folder's package.xml gives, or None if there is none to read."""
     try:

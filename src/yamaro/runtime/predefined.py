@@ -12,6 +12,7 @@ from ..syntax.nodes import Constant, DictValue, ListValue
 from ..syntax.values import parse_value
 from ..syntax.yaml_reader import read
 from .loader import LoadError, decode
+from .packages import package_hint
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -121,9 +122,7 @@ class Helpers:
         return InputFault(
             "unknown-package",
             f"the package '{package}' is not found",
-            f"looked in {', '.join(places)}; source its workspace, or set ROS_PACKAGE_PATH"
-            if places
-            else "source its workspace, or set ROS_PACKAGE_PATH",
+            (f"looked in {', '.join(places)}; " if places else "") + package_hint(package),
         )
 
     def env(self, name: str, default: Any = _REQUIRED) -> Any:
