@@ -595,6 +595,7 @@ def run_interpreter(program: dict[str, Any]) -> tuple[list[str], str | None]:
             loader=MemoryLoader(files),
             variables=program["passed"],
             on_message=printed.append,
+            allow=["no-link"],  # which is no matter of scopes
         )
     except YamaroError as error:
         return printed, error.diagnostics[-1].code

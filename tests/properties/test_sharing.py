@@ -15,6 +15,7 @@ import pytest
 
 from tests.effort import examples
 from yamaro import YamaroError, compiler
+from yamaro.codes import ADJUSTABLE
 from yamaro.diagnostics import render
 from yamaro.runtime.interpreter import Interpreter
 from yamaro.runtime.loader import MemoryLoader
@@ -218,7 +219,9 @@ def result_of(files: dict[str, str]) -> tuple[str, list[str]]:
     folder = os.path.abspath("robots")
     loader = MemoryLoader({os.path.join(folder, name): text for name, text in files.items()})
     try:
-        build = compiler.build(os.path.join(folder, "robot.yaml"), loader=loader, advice=True)
+        build = compiler.build(
+            os.path.join(folder, "robot.yaml"), loader=loader, advice=True, allow=ADJUSTABLE
+        )
     except YamaroError as error:
         return "", [render(diagnostic) for diagnostic in error.diagnostics]
     return build.xml(), [render(diagnostic) for diagnostic in build.warnings]
