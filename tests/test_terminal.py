@@ -12,6 +12,7 @@ from pathlib import Path
 
 import pytest
 
+import yamaro
 from yamaro import jail
 from yamaro.commands.main import main
 from yamaro.streams import BINARY, NAMES, XML, NotForTerminal, Streams
@@ -251,6 +252,17 @@ def test_names_of_files_are_escaped_on_a_terminal_only() -> None:
 
 
 # --- the one place -------------------------------------------------------------------------------
+
+
+def test_what_a_file_prints_in_a_python_program_is_escaped_unless_it_is_taken(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    yamaro.convert(write(PRINTS))
+    assert steering_in(capsys.readouterr().err) == []
+    taken: list[str] = []
+    yamaro.build("robot.yaml", on_message=taken.append)
+    assert taken == [EVIL]  # what a program takes is data
+    assert capsys.readouterr().err == ""
 
 
 def test_our_styles_pass_only_where_there_is_colour() -> None:
