@@ -105,6 +105,91 @@ def test_an_include_that_no_arguments_reach_is_kept_and_told(tmp_path: Path) -> 
     assert "include: x_$(n).yaml" in migration.files["r.yaml"]
 
 
+DICT = """<xacro:property name="files" value="${dict(h='h.xacro', b='t.xacro')}"/>"""
+KIND = '<xacro:property name="kind" value="$(arg kind)"/>'
+LOADED = """<xacro:property name="d" value="${xacro.load_yaml(NAME)}"/><link name="l${d['x']}"/>"""
+NUMBERS = {"c/h.yaml": "x: 1\n", "c/t.yaml": "x: 2\n"}
+INCLUDER = '<xacro:macro name="m" params="k"><xacro:include filename="${k}.xacro"/></xacro:macro>'
+
+
+@pytest.mark.parametrize(
+    ("files", "other"),
+    [
+        (
+            {
+                **TWO_PARTS,
+                "r.xacro": ARGUMENT + KIND + DICT + '<xacro:include filename="${files[kind]}"/>',
+            },
+            "kind:=b",
+        ),
+        (
+            {**NUMBERS, "r.xacro": ARGUMENT + LOADED.replace("NAME", "'c/$(arg kind).yaml'")},
+            "kind:=t",
+        ),
+        (
+            {
+                **NUMBERS,
+                "r.xacro": ARGUMENT + KIND + LOADED.replace("NAME", "'c/' + kind + '.yaml'"),
+            },
+            "kind:=t",
+        ),
+        (
+            {
+                "parts/h.xacro": H,
+                "parts/t.xacro": T,
+                "lib/m.xacro": INCLUDER,
+                "r.xacro": ARGUMENT
+                + '<xacro:include filename="lib/m.xacro"/><xacro:m k="parts/$(arg kind)"/>',
+            },
+            "kind:=t",
+        ),
+        (
+            {
+                "h.xacro": '<xacro:property name="p" value="1"/>',
+                "t.xacro": '<xacro:property name="p" value="2"/>',
+                "r.xacro": ARGUMENT
+                + '<xacro:include filename="$(arg kind).xacro" ns="n"/><link name="l${n.p}"/>',
+            },
+            "kind:=t",
+        ),
+        (
+            {
+                "h.xacro": '<xacro:arg name="n" default="1"/>',
+                "t.xacro": '<xacro:arg name="n" default="2"/>',
+                "r.xacro": ARGUMENT
+                + '<xacro:include filename="$(arg kind).xacro"/><link name="l$(arg n)"/>',
+            },
+            "kind:=t",
+        ),
+    ],
+    ids=["dict", "data", "data in a sum", "macro of a library", "namespace", "defaults"],
+)
+def test_files_for_other_arguments_come_along(
+    tmp_path: Path, files: dict[str, str], other: str
+) -> None:
+    holds(tmp_path, files, other)
+
+
+def test_an_optional_file_that_is_not_there_is_left_out_and_told(tmp_path: Path) -> None:
+    include = '<xacro:include filename="$(arg kind)_x.xacro" optional="true"/>'
+    migration = holds(tmp_path, {"r.xacro": ARGUMENT + H + include})
+    assert [why for _, why, _ in migration.lost] == [
+        "the file '$(arg kind)_x.xacro' is optional, and is not there"
+    ]
+
+
+def test_a_difference_with_other_arguments_is_told(tmp_path: Path) -> None:
+    chosen = (
+        """<xacro:if value="${'$(arg v)' == '02'}"><link name="two"/></xacro:if>"""
+        """<xacro:if value="${'$(arg v)' == '01'}"><link name="one"/></xacro:if>"""
+    )
+    migration = moved(tmp_path, {"r.xacro": f'<xacro:arg name="v" default="01"/>{chosen}'})
+    assert [str(each) for each in migration.differences] == [
+        "with v:=02, robot 'r', link 'two': is missing"
+    ]
+    assert is_same(tmp_path, migration)
+
+
 @pytest.mark.parametrize("include", ["../lib/m.xacro", "../main/../lib/m.xacro"])
 def test_nothing_is_written_outside_of_the_output_folder(tmp_path: Path, include: str) -> None:
     files = {"main/r.xacro": f'<xacro:include filename="{include}"/>', "lib/m.xacro": H}

@@ -42,11 +42,14 @@ class Choices:
     def __init__(self, roots: Mapping[str, Element], host: Host) -> None:
         """Look at all files."""
         self._host = host
+        self._folder_of_main = os.path.dirname(next(iter(roots)))
         self._texts: dict[str, list[str]] = {}
         """What names are given, wherever that is; those of arguments begin with a mark."""
         self._compared: dict[str, dict[str, None]] = {}
         self._conditions: set[str] = set()
         self._file_names: list[tuple[str, Span]] = []
+        self._literal_names: dict[str, None] = {}
+        """The names of files in Python, such as the values of a dict."""
         for root in roots.values():
             for element in walk(root):
                 self._look_at(element)
@@ -63,9 +66,11 @@ class Choices:
             texts.append((own, element.span))
         for text, span in texts:
             for expression, is_eval in _expressions_in(text):
+                names = re.findall(r"'([^'$]+)'", expression)
+                self._literal_names |= dict.fromkeys(n for n in names if n.endswith(_FILES))
                 self._look_at_expression(expression, is_eval=is_eval)
-            if text.endswith(_FILES) and "\n" not in text:
-                self._file_names.append((text, span))
+            if "\n" not in text:
+                self._file_names += [(name, span) for name in _names_of_files(text)]
         if element.name in ("xacro:if", "xacro:unless"):
             name = _name_alone(given.get("value", ""))
             if name:
@@ -130,7 +135,7 @@ class Choices:
     def _named_by_files(self, values: Mapping[str, str]) -> dict[str, set[str]]:
         """Return what names may be so that the files are there whose names are made of them."""
         found: dict[str, set[str]] = {}
-        for text, span in self._file_names:
+        for text, span in [pair for own in self._file_names for pair in self._with_given(*own)]:
             for _, bound in self._files(text, span):
                 for name in {name for name, _ in bound}:
                     own = {value for other, value in bound if other == name}
@@ -143,20 +148,28 @@ class Choices:
                         found.setdefault(name, set()).update(own)
         return {name: set(sorted(own)[:MOST_FILES]) for name, own in found.items()}
 
+    def _with_given(self, text: str, span: Span) -> Iterator[tuple[str, Span]]:
+        """Return a name of a file, also with what a name in it is given, if that is computed."""
+        yield text, span
+        for name in re.findall(r"\$\{(\w+)\}", text):
+            for given in self._texts.get(name, ())[:MOST_FILES]:
+                if "$" in given and not _name_alone(given):
+                    yield text.replace(f"${{{name}}}", given), span
+
     def _files(self, text: str, span: Span) -> Iterator[tuple[str, list[tuple[str, str]]]]:
         """Return the files that there are for a computed name, with what the names in it are."""
         pieces = self._pieces(text, span) or []
         if len(pieces) < 2 or all(kind == "text" for kind, _ in pieces):
             return
-        start = os.path.dirname(span.source.path)
         shell = "".join("*" if kind == "name" else _escaped(own) for kind, own in pieces)
         pattern = "".join("([^/]+)" if kind == "name" else re.escape(own) for kind, own in pieces)
         names = [own for kind, own in pieces if kind == "name"]
-        for path in sorted(self._host.glob(os.path.join(start, shell))):
-            written = path if os.path.isabs(shell) else path.removeprefix(f"{start}/")
-            match = re.fullmatch(pattern, written)
-            if match is not None and path != span.source.path:
-                yield path, list(zip(names, match.groups(), strict=True))
+        for start in dict.fromkeys((os.path.dirname(span.source.path), self._folder_of_main)):
+            for path in sorted(self._host.glob(os.path.join(start, shell))):
+                written = path if os.path.isabs(shell) else path.removeprefix(f"{start}/")
+                match = re.fullmatch(pattern, written)
+                if match is not None and path != span.source.path:
+                    yield path, list(zip(names, match.groups(), strict=True))
 
     def _pieces(self, text: str, span: Span) -> list[tuple[str, str]] | None:
         """Return a name of a file in pieces, `("text", …)` and `("name", …)`; None if unknown."""
@@ -196,7 +209,10 @@ class Choices:
         """
         start = os.path.dirname(span.source.path)
         found = {}
-        for name in sorted(self._possible(text, span, 4)):
+        known = sorted(self._possible(text, span, 4))
+        if not known and not by_pattern:
+            known = list(self._literal_names)
+        for name in known:
             path = os.path.normpath(os.path.join(start, name))
             if os.path.isfile(path) and path != span.source.path:
                 found[name] = path
@@ -235,6 +251,16 @@ class Choices:
         for alias in self._aliases(name):
             found |= self._compared.get(alias, {}).keys()
         return {value.strip("'") for value in found}
+
+
+def _names_of_files(text: str) -> list[str]:
+    """Return the computed names of files in a text: all of it, or texts of Python in it."""
+    names = [text] if text.endswith(_FILES) else []
+    for part in re.findall(r"\$\{([^}]*)\}", text):
+        names += [name for name in re.findall(r"'([^']*)'", part) if name.endswith(_FILES)]
+        for before, name, after in re.findall(r"'([^']*)'\s*\+\s*(\w+)\s*\+\s*'([^']*)'", part):
+            names.append(f"{before}${{{name}}}{after}")
+    return [name for name in names if "$" in name and name.endswith(_FILES)]
 
 
 def _given_by(element: Element, given: Mapping[str, str]) -> Iterator[tuple[str, str]]:

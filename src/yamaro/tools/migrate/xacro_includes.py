@@ -101,6 +101,8 @@ def write_include(writer: FileWriter, node: Element, body: Body) -> None:
     paths = writer.program.files_of(node)
     filename = format_value(node.attributes.get("filename"))
     computed = computed_name(filename)
+    if not paths and "optional" in node.attributes:
+        raise CannotMigrate(f"the file '{filename}' is optional, and is not there")
     if not paths and computed is None:
         raise CannotMigrate(f"the file '{filename}' is not included for these arguments")
     theirs = [path for path in paths if path in writer.layout.theirs]
@@ -111,7 +113,7 @@ def write_include(writer: FileWriter, node: Element, body: Body) -> None:
             return
     folder = os.path.dirname(writer.output_of(writer.path))
     names = [literal(os.path.relpath(writer.output_of(path), folder)) for path in paths]
-    if computed is None or any(char in filename for char in "*?["):
+    if computed is None or _is_pattern(filename):
         for path, name in zip(paths, names, strict=True):
             body.add("include", _in_namespace(writer, node, path, name) or name)
         return
@@ -124,7 +126,7 @@ def _write_theirs(writer: FileWriter, node: Element, paths: list[str], body: Bod
     """Include files of other packages as they are, with the arguments that they read."""
     filename = format_value(node.attributes["filename"])
     names = ["$(find {})/{}".format(*writer.layout.theirs[path]) for path in paths]
-    if computed_name(filename) is not None and not any(char in filename for char in "*?["):
+    if computed_name(filename) is not None and not _is_pattern(filename):
         names = [writer.translator.text(filename)]
     arguments = dict.fromkeys(own for path in paths for own in writer.layout.arguments_of(path))
     for name in names:
@@ -170,6 +172,12 @@ def _computed_name(
         return f"$({python}.removesuffix({ending!r})).yaml"
     keys = [f"{_as_python(writer, name)}: {by_name[name]!r}" for name in by_name]
     return f"$({{{', '.join(keys)}}}.get({python}, {_in_sum(python)} + '.yaml'))"
+
+
+def _is_pattern(filename: str) -> bool:
+    """Tell whether a name means all files that it matches."""
+    parts = [part for part in parse_template(filename).parts if isinstance(part, str)]
+    return any(char in part for part in parts for char in "*?[")
 
 
 def _likely(writer: FileWriter, folder: str) -> dict[str, str]:
