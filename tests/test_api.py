@@ -685,3 +685,18 @@ def test_a_text_given_by_keyword_is_no_condition(tmp_path: Path) -> None:
     (error,) = caught.value.diagnostics
     assert error.code == "bad-condition"
     assert error.notes == ("the text 'no' comes from 'on', set from Python",)
+
+
+def test_every_span_of_a_build_has_what_the_manual_says(tmp_path: Path) -> None:
+    path = tmp_path / "robot.yaml"
+    path.write_text("doc:\n- link/name=$('a'): {note: text}\n- include: b.yaml\n")
+    (tmp_path / "b.yaml").write_text("model:\n  joint/name=b: {x: 1}\n")
+    pending = [yamaro.build(path).root]
+    while pending:
+        element = pending.pop()
+        for span in (element.span, *map(element.value_span, element.attributes)):
+            line, column = span.location()
+            file = Path(span.source.path)
+            assert span.place() == f"{file}:{line}:{column}"
+            assert file.read_text().splitlines()[line - 1][column - 1 :].startswith(span.written())
+        pending += element.elements()

@@ -1,8 +1,8 @@
 """Runs the Python in a file, and turns what goes wrong in it into diagnostics.
 
-The only module that calls `eval` and `exec`. An error is shown at the innermost place in the YAML
-that its traceback goes through: the expression, or the line of the process block whose function
-it called.
+The only module that calls `eval` and `exec` for Yamaro's own files; for those of xacro it is
+`xacro/python.py`. An error is shown at the innermost place in the YAML that its traceback goes
+through: the expression, or the line of the process block whose function it called.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Evaluates Python in xacro files: the only place of `eval`, so that another can take its place."""
+"""Evaluates Python in xacro files: the only module that calls `eval` for them."""
 
 from __future__ import annotations
 
