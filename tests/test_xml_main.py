@@ -8,6 +8,7 @@ from yamaro import Build, UsageError, YamaroError, build, convert, jail, load
 from yamaro.commands.main import main
 from yamaro.policy import Policy
 from yamaro.source import Source
+from yamaro.tools.rebuilding import Rebuilder
 from yamaro.xmlreader import _Reader, read_xml
 from yamaro.xmltree import write
 
@@ -236,3 +237,21 @@ def test_another_format_that_is_called_urdf_is_warned_of(
     (warning,) = opened(tmp_path / "m.urdf", text).warnings
     assert (warning.code, warning.message) == ("not-urdf", what)
     assert opened(tmp_path / "m.xml", text).warnings == []
+
+
+def test_a_robot_in_xacro_is_watched(tmp_path: Path) -> None:
+    path = tmp_path / "robot.urdf.xacro"
+    path.write_text(XACRO)
+    rebuilder = Rebuilder(
+        str(path),
+        policy=Policy(),
+        packages={},
+        command_line=["last:=hand"],
+        on_message=lambda line: None,
+    )
+    first = rebuilder.build().build
+    assert first is not None and '<link name="hand"/>' in first.xml()
+    path.write_text(XACRO.replace('"a"', '"base"'))
+    assert rebuilder.has_changed()
+    second = rebuilder.build().build
+    assert second is not None and '<link name="base"/>' in second.xml()
