@@ -10,6 +10,7 @@ from hypothesis import strategies as st
 from tests.effort import examples
 from tests.migrate.same_robot import is_same_robot
 from yamaro import build
+from yamaro.codes import ADJUSTABLE
 from yamaro.source import Source
 from yamaro.tools.migrate.urdf import migrate_urdf
 from yamaro.xmlreader import read_xml
@@ -121,7 +122,7 @@ robots = st.builds(
 
 
 def tree_of(text: str) -> Element:
-    root = build("robot.yaml", text=text, on_message=lambda line: None).root
+    root = build("robot.yaml", text=text, on_message=lambda line: None, allow=ADJUSTABLE).root
     assert root is not None
     return root
 
@@ -130,6 +131,8 @@ def tree_of(text: str) -> Element:
 @given(robots)
 def test_a_robot_comes_back_as_it_was(urdf: str) -> None:
     migration = migrate_urdf(read_xml(Source(urdf, name="robot.urdf")), tree_of)
-    made = build("robot.yaml", text=migration.text, on_message=lambda line: None).xml()
+    made = build(
+        "robot.yaml", text=migration.text, on_message=lambda line: None, allow=ADJUSTABLE
+    ).xml()
     assert migration.differences == []
     assert is_same_robot(urdf.encode(), made.encode()), migration.text
