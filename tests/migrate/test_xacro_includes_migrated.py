@@ -214,3 +214,12 @@ def test_data_above_the_main_file_is_copied_into_the_output_folder(tmp_path: Pat
     migration = moved(tmp_path, files, "urdf/r.xacro")
     assert migration.faults == []
     assert sorted(migration.files) == ["config/d.yaml", "urdf/r.yaml"]
+
+
+def test_files_that_are_tried_in_vain_are_not_copied(tmp_path: Path) -> None:
+    wrong = '<xacro:include filename="$(arg nowhere).xacro"/>'
+    files = TWO_PARTS | {
+        "wrong.xacro": wrong,
+        "r.xacro": f'{ARGUMENT}<xacro:include filename="$(arg kind).xacro"/>',
+    }
+    assert sorted(holds(tmp_path, files).files) == ["h.yaml", "r.yaml", "t.yaml"]

@@ -18,7 +18,7 @@ from .elements import comments_at_ends, tidy_text, walk
 from .xacro_arguments import HiddenArguments, arguments_in
 from .xacro_choices import Choices
 from .xacro_data import with_plain_units
-from .xacro_includes import folder_meant
+from .xacro_includes import ENDINGS, folder_meant
 from .xacro_namespaces import Namespaces
 from .xacro_readers import Readers
 from .xacro_runs import Runs
@@ -173,7 +173,7 @@ class Program:
         self.data = {
             path: with_plain_units(text, lambda python_text: python.evaluate(python_text, names))
             for path, text in self.runs.texts.items()
-            if path not in self.roots
+            if path not in self.roots and not path.endswith(ENDINGS)  # a file of a failed run
         }
         self.truths = python.truths
         self._evaluated = python.evaluated
