@@ -34,17 +34,19 @@ class Forecast:
         if self._count:
             return
         self._count, self._start = len(ids), time.monotonic()
-        assert self._config.cache is not None
-        seconds = self._count * float(self._config.cache.get(self._key, self._assumed))
+        cache = getattr(self._config, "cache", None)  # there is none with -p no:cacheprovider
+        seconds = self._count * float(
+            cache.get(self._key, self._assumed) if cache else self._assumed
+        )
         reporter: Any = self._config.pluginmanager.get_plugin("terminalreporter")
         reporter.write_line(f"{self._count:,} tests, {in_words(seconds)}")
 
     def pytest_sessionfinish(self, exitstatus: int) -> None:
         """Remember the time, if all tests were run."""
         has_run_all = exitstatus in (pytest.ExitCode.OK, pytest.ExitCode.TESTS_FAILED)
-        if has_run_all and self._count and not self._config.option.maxfail:
-            assert self._config.cache is not None
-            self._config.cache.set(self._key, (time.monotonic() - self._start) / self._count)
+        cache = getattr(self._config, "cache", None)
+        if has_run_all and self._count and cache and not self._config.option.maxfail:
+            cache.set(self._key, (time.monotonic() - self._start) / self._count)
 
 
 def in_words(seconds: float) -> str:

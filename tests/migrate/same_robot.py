@@ -4,7 +4,9 @@ Aside from what means nothing: the order of attributes, white space, the spellin
 comments, and in what order a robot, link, joint, visual, collision or inertial holds children of
 different names, which URDF leaves open (the schema of urdfdom says `all`). Unless the comparison is
 exact, so does a pose that is left out: to every reader of URDF, a joint, visual, collision or
-inertial without `<origin>` is at zeros, and so is an origin without `xyz` or `rpy`.
+inertial without `<origin>` is at zeros, and so is an origin without `xyz` or `rpy`. So does a
+material under the robot that says just what an earlier one does: parsers take the first, or refuse
+both.
 """
 
 from __future__ import annotations
@@ -28,6 +30,19 @@ def write_poses(root: Any) -> None:
         for origin in holder.findall("origin"):
             for name in ("xyz", "rpy"):
                 origin.set(name, origin.get(name, "0 0 0"))
+
+
+def drop_repeated_materials(root: Any) -> None:
+    """Take out each material of a robot that an earlier one equals."""
+    if root.tag != "robot":
+        return
+    kept: list[Shape] = []
+    for material in root.findall("material"):
+        shape = shape_of(material)
+        if shape in kept:
+            root.remove(material)
+        else:
+            kept.append(shape)
 
 
 def shape_of(element: Any) -> Shape:
@@ -78,6 +93,7 @@ def is_same_robot(first: bytes, second: bytes, *, exact: bool = False) -> bool:
     parser = etree.XMLParser(huge_tree=True, remove_pis=True, resolve_entities=False)
     one, other = (etree.fromstring(text, parser) for text in (first, second))
     if not exact:
-        write_poses(one)
-        write_poses(other)
+        for root in (one, other):
+            write_poses(root)
+            drop_repeated_materials(root)
     return shape_of(one) == shape_of(other)

@@ -168,3 +168,24 @@ def test_a_prefix_that_no_name_has_makes_no_difference() -> None:
     assert differences(used, used.replace("uri", "other")) != []
     in_attribute = '<robot xmlns:s="uri"><a s:b="1"/></robot>'
     assert differences(in_attribute, in_attribute.replace("uri", "other")) != []
+
+
+RED = '<material name="red"><color rgba="1 0 0 1"/></material>'
+
+
+@pytest.mark.parametrize(
+    ("second", "is_same"),
+    [
+        (RED, True),
+        (RED.replace("1 0 0 1", "1.0 0 0 1.0"), True),
+        (RED.replace("1 0 0 1", "0 0 1 1"), False),
+        (RED.replace("red", "blue"), False),
+    ],
+)
+def test_only_a_material_that_repeats_another_may_be_left_out(second: str, is_same: bool) -> None:
+    twice, once = (f'<robot name="r">{own}<link name="a"/></robot>' for own in (RED + second, RED))
+    for expected, actual in ((twice, once), (once, twice)):
+        assert (differences(expected, actual) == []) is is_same
+        assert is_same_robot(expected.encode(), actual.encode()) is is_same
+        assert compare(tree(expected), tree(actual), exact=True)
+        assert not is_same_robot(expected.encode(), actual.encode(), exact=True)

@@ -42,7 +42,8 @@ def compare(
         expected: the robot, or an element of it.
         actual: what is compared with it.
         exact: whether a missing `<origin>`, or a missing `xyz` or `rpy` in one, differs from zeros,
-            and a declared prefix of XML that no name has is a difference.
+            and a declared prefix of XML that no name has is a difference, and a material of the
+            robot that repeats an earlier one.
         around: the names of the elements that an element of a robot is in.
     """
     return _compared(expected, actual, exact=exact, around=around).differences
@@ -88,6 +89,8 @@ class _Comparison:
             self._note(path, f"its text is {_text(actual)!r}, not {_text(expected)!r}")
         if not self._exact and self._is_posed():
             children, others = self._with_origins(expected, children, others)
+        if not self._exact and self._around == ["robot"]:
+            children, others = without_repeated(children), without_repeated(others)
         self._compare_children(expected.name, children, others, path)
         self._around.pop()
 
@@ -154,6 +157,19 @@ class _Comparison:
 
     def _note(self, path: tuple[str, ...], message: str) -> None:
         self.differences.append(Difference(path, message))
+
+
+def without_repeated(children: list[Element]) -> list[Element]:
+    """Return the children of a robot without materials that repeat an earlier one of their name."""
+    first: dict[str, Element] = {}
+    kept = []
+    for child in children:
+        if child.name == "material":
+            earlier = first.setdefault(values_of(child).get("name", ""), child)
+            if earlier is not child and not compare(earlier, child):
+                continue
+        kept.append(child)
+    return kept
 
 
 def prefixes_in(root: Element) -> set[str]:
