@@ -20,7 +20,7 @@ from .runtime.deep_stack import run_on_deep_stack
 from .runtime.interpreter import Interpreter
 from .runtime.library import Library, rules_of
 from .runtime.loader import FileLoader, LoadError
-from .runtime.mesh_paths import RELATIVE, MeshPaths
+from .runtime.mesh_paths import COPY, RELATIVE, MeshPaths
 from .runtime.meshes import MeshFinder
 from .runtime.packages import PackageFinder
 from .runtime.predefined import plain_data
@@ -46,6 +46,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
     from typing import TypeVar
 
+    from .runtime.assets import Assets
     from .runtime.loader import Loader
     from .runtime.reach import Reach
     from .transfer import Outcome
@@ -65,14 +66,23 @@ PIECES_IN_CHUNK = 10_000
 class Build:
     """A finished robot or other document."""
 
-    __slots__ = ("_find_meshes", "_make_root", "_pieces", "_root", "files", "finder", "warnings")
+    __slots__ = (
+        "_find_assets",
+        "_find_meshes",
+        "_make_root",
+        "_pieces",
+        "_root",
+        "files",
+        "finder",
+        "warnings",
+    )
 
     def __init__(
         self,
         make_root: Callable[[], Element],
         find_meshes: Callable[[], list[str]],
         *,
-        finder: MeshFinder,
+        paths: MeshPaths,
         pieces: list[str],
         warnings: list[Diagnostic],
         files: list[str],
@@ -82,7 +92,7 @@ class Build:
         Args:
             make_root: makes the finished tree, each element traced to its origin.
             find_meshes: gives the meshes referred to.
-            finder: tells where the file of a mesh is.
+            paths: tells where the file of a mesh is, and how it is named.
             pieces: the document, in pieces.
             warnings: what was noticed, in order.
             files: the absolute path of every file read, in order.
@@ -91,7 +101,8 @@ class Build:
         self._find_meshes = find_meshes
         self._root: Element | None = None
         self._pieces = pieces
-        self.finder = finder
+        self._find_assets = paths.assets
+        self.finder = paths.finder
         self.warnings = warnings
         self.files = files
 
@@ -99,6 +110,15 @@ class Build:
     def meshes(self) -> list[str]:
         """Return the meshes referred to: absolute paths, or as written if not found."""
         return self._find_meshes()
+
+    @property
+    def assets(self) -> dict[str, bytes]:
+        """Return what belongs beside the output with `meshes="copy"`, by paths relative to it.
+
+        Raises:
+            OSError: a mesh cannot be read any more.
+        """
+        return self._find_assets.of(self.meshes) if self._find_assets else {}
 
     @property
     def root(self) -> Element:
@@ -292,7 +312,7 @@ class Program:
                 if outcome.root is not None and outcome.root.name == "robot":  # as it was written
                     tree = paths.applied_to(outcome.root, {})
                     outcome.pieces = write_pieces(*tree, self._policy.limits)
-                result = take(_build_of(outcome, paths.finder))
+                result = take(_build_of(outcome, paths))
             else:
                 result = self._run(lambda: take(compile_robot(self, say)), reporter, source)
         except YamaroError as error:
@@ -308,10 +328,25 @@ class Program:
         """Return how the output names meshes; raise UsageError if it cannot as asked."""
         start = _folder_of(self._path)
         folder = start if output is None else _folder_of(os.fspath(output))
+        finder = MeshFinder(packages, self._reach, start=start)
+        if mode == COPY and output is None:
+            raise UsageError("'copy' needs an output file (-o FILE): the meshes go beside it")
         try:
-            return MeshPaths(mode, folder, MeshFinder(packages, self._reach, start=start))
+            return MeshPaths(mode, folder, finder, self._assets(finder) if mode == COPY else None)
         except ValueError as error:
             raise UsageError(str(error)) from None
+
+    def _assets(self, finder: MeshFinder) -> Assets:
+        """Return the copies of meshes, which are looked into in a jail if they are not trusted."""
+        from .confined import Reader
+        from .runtime.assets import Assets
+
+        def run(work: Callable[[], bytes]) -> bytes:
+            if self._policy.is_confined:
+                return work()
+            return Reader(self._policy, readable=finder.roots, name=self._path).run(work)
+
+        return Assets(finder, run)
 
     def _evaluation(
         self, command_line: Sequence[str], variables: Mapping[str, object]
@@ -495,7 +530,8 @@ def build(
         output: where the XML is to be written; relative paths of meshes start at its folder. By
             default at that of the main file.
         meshes: how the XML names meshes and textures that are there: "relative", "keep" (as they
-            are written), "absolute" or "package://NAME".
+            are written), "absolute", "copy" (the files of `Build.assets`, which are not written),
+            "package://NAME", or "none", without shapes that are meshes.
         allow: codes of diagnostics that are warnings, also with `strict`.
         deny: codes of diagnostics that are errors.
 
@@ -562,7 +598,7 @@ def finder_for(path: str, reach: Reach | None, given: Mapping[str, str]) -> Pack
     return finder
 
 
-def _build_of(outcome: Outcome, finder: MeshFinder) -> Build:
+def _build_of(outcome: Outcome, paths: MeshPaths) -> Build:
     """Return the build that came out of a jail."""
 
     def make_root() -> Element:
@@ -572,7 +608,7 @@ def _build_of(outcome: Outcome, finder: MeshFinder) -> Build:
     return Build(
         make_root,
         lambda: outcome.meshes,
-        finder=finder,
+        paths=paths,
         pieces=outcome.pieces,
         warnings=outcome.diagnostics,
         files=outcome.files,
@@ -649,7 +685,7 @@ def _finish(
     return Build(
         make_root,
         lambda: finder.referred_to(finished),
-        finder=finder,
+        paths=paths,
         pieces=found.pieces,
         warnings=reporter.diagnostics,
         files=list(interpreter.files.read),

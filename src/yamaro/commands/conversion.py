@@ -5,7 +5,7 @@ from __future__ import annotations
 import sys
 
 from ..streams import XML
-from .delivery import deliver, refuse_overwriting
+from .delivery import deliver, deliver_assets, refuse_overwriting
 from .inputs import read_pipe
 from .reports import display_name, sayer, show
 from .settings import make_policy, output_of, read_adjustment, read_packages
@@ -79,7 +79,9 @@ def convert_file(
     if advice and any(warning.code not in adjustment.allowed for warning in build.warnings):
         return INPUT_ERROR
     refuse_overwriting(arguments, lambda: [*build.files, *build.meshes])
-    status = deliver(chunks, arguments, streams, form)
+    status = deliver_assets(lambda: build.assets, arguments, streams)
+    if status == DONE:
+        status = deliver(chunks, arguments, streams, form)
     if conclude is not None and status == DONE:
         conclude(build)
     return status

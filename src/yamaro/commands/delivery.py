@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 
 from ..output import STANDARD_OUTPUT, is_input, write_file
+from ..regular_files import read_start
 from ..streams import XML, NotForTerminal
 from .usage import DONE, INPUT_ERROR, WrongUsage, quote
 
@@ -62,6 +63,35 @@ def deliver_files(files: dict[str, bytes], streams: Streams) -> int:
             streams.say(f"yamaro: error: cannot write {quote(path)}: {error.strerror or error}")
             return INPUT_ERROR
     return DONE
+
+
+def deliver_assets(
+    find: Callable[[], dict[str, bytes]], arguments: Arguments, streams: Streams
+) -> int:
+    """Write files beside the output, such as copies of meshes; replace none that differs."""
+    if arguments.options.get("meshes") != "copy" or arguments.has("deps"):
+        return DONE
+    output = os.path.realpath(arguments.output_path)
+    if os.path.exists(output) and not os.path.isfile(output):
+        raise WrongUsage("'--meshes copy' needs a regular file as the output, beside which they go")
+    try:
+        folder = os.path.dirname(output)
+        files = {os.path.join(folder, name): data for name, data in find().items()}
+        new = {path: data for path, data in files.items() if not _is_written(path, data)}
+    except OSError as error:
+        name = os.fspath(error.filename or "a mesh")
+        streams.say(f"yamaro: error: cannot copy {quote(name)}: {error.strerror or error}")
+        return INPUT_ERROR
+    return deliver_files(new, streams)
+
+
+def _is_written(path: str, data: bytes) -> bool:
+    """Tell whether a file is there with this content; raise OSError if it has another."""
+    if not os.path.lexists(path):
+        return False
+    if os.path.isfile(path) and read_start(path, len(data) + 1) == data:
+        return True
+    raise FileExistsError(17, "another file of that name is there", path)
 
 
 def refuse_overwriting(arguments: Arguments, inputs: Callable[[], Sequence[str]]) -> None:

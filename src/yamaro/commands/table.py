@@ -269,11 +269,12 @@ OPTIONS = {
         Option(
             "meshes",
             "name meshes and textures that are there: relative to the output (the default), keep "
-            "them as written, absolute, or package://NAME",
+            "them as written, absolute, copy them to assets/ beside the output, package://NAME; "
+            "none leaves meshes out",
             ("build", "watch"),
             value="HOW",
-            wants="relative, keep, absolute or package://NAME",
-            completes="relative keep absolute package://",
+            wants="relative, keep, absolute, copy, package://NAME or none",
+            completes="relative keep absolute copy package:// none",
         ),
         Option(
             "port",

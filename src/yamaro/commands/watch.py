@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from .delivery import deliver, goes_to_standard_output, refuse_overwriting
+from .delivery import deliver, deliver_assets, goes_to_standard_output, refuse_overwriting
 from .repetition import repeat
 from .reports import sayer, show
 from .usage import DONE, WrongUsage
@@ -33,7 +33,8 @@ def _watch(arguments: Arguments, streams: Streams, rebuilder: Rebuilder) -> None
 
     def write(build: Build) -> bool:
         refuse_overwriting(arguments, lambda: [*build.files, *build.meshes])
-        return deliver(build.encoded(), arguments, streams) == DONE
+        status = deliver_assets(lambda: build.assets, arguments, streams)
+        return status == DONE and deliver(build.encoded(), arguments, streams) == DONE
 
     refuse_overwriting(arguments, lambda: arguments.words)
     watch(

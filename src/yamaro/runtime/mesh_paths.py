@@ -7,6 +7,7 @@ output starts at the folder of that, or at the folder of a package.
 from __future__ import annotations
 
 import os
+from operator import is_
 
 from ..xmltree import Element, format_value
 from .meshes import FILE_ELEMENTS, MeshFinder
@@ -17,12 +18,13 @@ if TYPE_CHECKING:
 
     from ..source import Span
     from ..xmltree import Node, Shared
+    from .assets import Assets
 
     Rename = Callable[[str, Span], str]
 
-RELATIVE, KEEP, ABSOLUTE = "relative", "keep", "absolute"
+RELATIVE, KEEP, ABSOLUTE, COPY, NONE = "relative", "keep", "absolute", "copy", "none"
 PACKAGE = "package://"
-MODES = (RELATIVE, KEEP, ABSOLUTE, PACKAGE + "NAME")
+MODES = (RELATIVE, KEEP, ABSOLUTE, COPY, PACKAGE + "NAME", NONE)
 
 
 class MeshPaths:
@@ -31,19 +33,23 @@ class MeshPaths:
     What is not there, or may not be read, is named as it is written.
 
     Attributes:
+        assets: the copies of files, with the mode `COPY`.
         finder: tells where files and packages are.
     """
 
-    __slots__ = ("_folder", "_mode", "_package", "finder")
+    __slots__ = ("_folder", "_mode", "_package", "assets", "finder")
 
-    def __init__(self, mode: str, folder: str, finder: MeshFinder) -> None:
+    def __init__(
+        self, mode: str, folder: str, finder: MeshFinder, assets: Assets | None = None
+    ) -> None:
         """Name files for an output in a folder.
 
         Args:
-            mode: one of `MODES`: paths relative to the folder, as written, absolute, or in a
-                package.
+            mode: one of `MODES`: paths relative to the folder, as written, absolute, to copies, in
+                a package, or no meshes at all.
             folder: where the output is, absolute.
             finder: tells where files and packages are.
+            assets: the copies, with the mode `COPY`.
 
         Raises:
             ValueError: the package is not found, or there is no such mode.
@@ -51,6 +57,7 @@ class MeshPaths:
         self.finder = finder
         self._folder = folder
         self._mode = mode
+        self.assets = assets
         self._package = ""
         name = mode.removeprefix(PACKAGE)
         if name != mode:
@@ -64,7 +71,7 @@ class MeshPaths:
         """Return a robot with these paths, and the elements shared in it; `root` stays as it is."""
         if self._mode == KEEP:
             return root, shared
-        renaming = _Renaming(self.named, shared)
+        renaming = _Renaming(self.named, shared, has_meshes=self._mode != NONE)
         children = [
             renaming.element(child)
             if isinstance(child, Element) and child.name in ("link", "material")
@@ -76,13 +83,15 @@ class MeshPaths:
     def named(self, filename: str, span: Span) -> str:
         """Return the name of a file that is referred to at a span."""
         is_relative = "://" not in filename and not os.path.isabs(filename)
-        if self._mode == RELATIVE and not is_relative:
+        if self._mode in (RELATIVE, NONE) and not is_relative:
             return filename
         path = self.finder.reachable(filename, span)
         if path is None:
             return filename
         if self._mode == ABSOLUTE:
             return path
+        if self.assets is not None:
+            return self.assets.name_of(path) or filename
         if self._package:
             inner = _below(path, self._package)
             if inner is not None:
@@ -102,6 +111,20 @@ class MeshPaths:
         return os.path.normpath(os.path.join(found, name)).replace(os.sep, "/")
 
 
+def _is_mesh_shape(node: Node) -> bool:
+    """Tell whether a node is a visual or collision that shows a mesh."""
+    return (
+        isinstance(node, Element)
+        and node.name in ("visual", "collision")
+        and any(
+            shape.name == "mesh"
+            for child in node.elements()
+            if child.name == "geometry"
+            for shape in child.elements()
+        )
+    )
+
+
 def _below(path: str, folder: str) -> str | None:
     """Return the way from a folder to a file in it, or None if it is not in it."""
     for one, other in ((path, folder), (os.path.realpath(path), os.path.realpath(folder))):
@@ -114,10 +137,11 @@ def _below(path: str, folder: str) -> str | None:
 class _Renaming:
     """Copies what holds a file whose name changes; all else stands in both trees."""
 
-    __slots__ = ("_done", "_lists", "_rename", "_shared", "shared")
+    __slots__ = ("_done", "_has_meshes", "_lists", "_rename", "_shared", "shared")
 
-    def __init__(self, rename: Rename, shared: Shared) -> None:
+    def __init__(self, rename: Rename, shared: Shared, *, has_meshes: bool) -> None:
         self._rename = rename
+        self._has_meshes = has_meshes
         self._shared = shared
         self._done: dict[int, Element] = {}
         self._lists: dict[int, list[Node]] = {}
@@ -151,8 +175,11 @@ class _Renaming:
     def _children(self, children: list[Node]) -> list[Node]:
         if id(children) in self._lists:
             return self._lists[id(children)]
-        made = [self.element(child) if isinstance(child, Element) else child for child in children]
-        if all(one is other for one, other in zip(made, children, strict=True)):
+        wanted = children
+        if not self._has_meshes:
+            wanted = [child for child in children if not _is_mesh_shape(child)]
+        made = [self.element(child) if isinstance(child, Element) else child for child in wanted]
+        if len(made) == len(children) and all(map(is_, made, children)):
             made = children
         if id(children) in self._shared:
             self._lists[id(children)] = made
