@@ -16,6 +16,7 @@ from tests.counting import calls_of
 from yamaro import xmlreader
 from yamaro.diagnostics import render_all
 from yamaro.source import Source
+from yamaro.xmltree import Element
 
 SMALL, LARGE = 20, 200
 
@@ -169,6 +170,29 @@ def test_reading_and_checking_a_urdf_grows_with_its_size_and_no_faster(
     assert large <= LARGE / SMALL * small
     # Each look-up goes through one block, whatever the size of the file.
     assert many_bytes <= LARGE / SMALL * max(few_bytes, SMALL * xmlreader.BLOCK * 4)
+
+
+@pytest.mark.parametrize("outer", ["link", "visual", "geometry"])
+def test_what_stands_beside_unknown_elements_is_looked_through_once(
+    outer: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    looked_at = 0
+
+    def elements(element: Element) -> list[Element]:
+        nonlocal looked_at
+        looked_at += len(element.children)
+        return elements_of(element)
+
+    elements_of = Element.elements
+    monkeypatch.setattr(Element, "elements", elements)
+    inner = "".join(f"<x{i}/>" for i in range(200))
+    around = {"link": "{}", "visual": "<visual>{}</visual>"}.get(
+        outer, "<visual><geometry>{}</geometry></visual>"
+    )
+    path = tmp_path / "robot.urdf"
+    path.write_text(f"<robot name='r'><link name='a'>{around.format(inner)}</link></robot>")
+    assert len(yamaro.build(os.fspath(path)).warnings) >= 200
+    assert looked_at < 10 * 200
 
 
 @pytest.mark.parametrize("line_break", ["\n", "\r", "\r\n", "\n\r"])

@@ -178,13 +178,15 @@ def _check_children(
     known = rule.children
     shared = context.sound_elements
     first: Children = {}
+    names: set[str] = set()  # of all of them, once one is unknown
     for child in element.children:
         if not isinstance(child, Element):
             continue
         name = child.name
         many = known.get(name)
         if many is None:
-            _check_unknown_child(child, element, rule, owner, context)
+            names = names or {each.name for each in element.elements()}
+            _check_unknown_child(child, element, names, rule, owner, context)
             continue
         if many == ONCE:
             if name in first:
@@ -450,8 +452,14 @@ def _report_missing_child(
 
 
 def _check_unknown_child(
-    child: Element, element: Element, rule: ElementRule, owner: Element, context: CheckContext
+    child: Element,
+    element: Element,
+    names: set[str],
+    rule: ElementRule,
+    owner: Element,
+    context: CheckContext,
 ) -> None:
+    """Tell of an element that URDF does not have there; `names` are those of all beside it."""
     if ":" in child.name or child.name in rule.extensions:
         return
     if child.name == "material":
@@ -464,17 +472,17 @@ def _check_unknown_child(
         )
     is_needed = child.name in rule.required and element.attributes.get(child.name) is None
     if element.name == "geometry":
-        is_needed = not any(each.name in SHAPES for each in element.elements())
+        is_needed = names.isdisjoint(SHAPES)
     tell = context.error if is_needed else context.warn
     tell(
         "unknown-element",
         message,
         child,
-        hint=_hint_for_stray(child, element, rule),
+        hint=_hint_for_stray(child, element, names, rule),
     )
 
 
-def _hint_for_stray(child: Element, element: Element, rule: ElementRule) -> str:
+def _hint_for_stray(child: Element, element: Element, present: set[str], rule: ElementRule) -> str:
     name = child.name
     if name in rule.attributes:
         text = child.text().strip() or "…"
@@ -483,7 +491,6 @@ def _hint_for_stray(child: Element, element: Element, rule: ElementRule) -> str:
         return f"Gazebo reads '{name}' in a block of its own, `gazebo/reference=my_link:`"
     if name == "gazebo":
         return f"write it directly under the robot: `gazebo/reference=my_{element.name}:`"
-    present = {other.name for other in element.elements()}
     near = did_you_mean(
         name, [word for word, many in rule.children.items() if many != ONCE or word not in present]
     )
