@@ -71,7 +71,7 @@ def deliver_assets(
     """Write files beside the output, such as copies of meshes; replace none that differs."""
     if arguments.options.get("meshes") != "copy" or arguments.has("deps"):
         return DONE
-    output = os.path.realpath(arguments.output_path)
+    output = arguments.output_path
     if os.path.exists(output) and not os.path.isfile(output):
         raise WrongUsage("'--meshes copy' needs a regular file as the output, beside which they go")
     try:

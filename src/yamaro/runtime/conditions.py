@@ -15,6 +15,9 @@ if TYPE_CHECKING:
 
     from ..diagnostics import YamaroError
 
+_TESTS = ("not ", "not(", "and ", "or ", "if ")
+"""What an expression has in it that asks whether one of its parts is true."""
+
 
 def holds(condition: PythonCode | Constant, scope: Scope, evaluator: Evaluator) -> bool:
     """Tell whether a condition is true, by Python's rules for the value it has.
@@ -24,6 +27,8 @@ def holds(condition: PythonCode | Constant, scope: Scope, evaluator: Evaluator) 
     """
     if isinstance(condition, Constant):
         return bool(condition.value)
+    if condition.name is None and any(word in condition.text for word in _TESTS):
+        _check_operands(condition, scope, evaluator)
     hint = "a text to compare with needs quotes: '{name}'"
     value = evaluate_bare(condition, scope, evaluator, hint=hint)
     if value is True or value is False:
@@ -31,6 +36,33 @@ def holds(condition: PythonCode | Constant, scope: Scope, evaluator: Evaluator) 
     if isinstance(value, (str, bytes, bytearray)) or _is_always_true(value):
         raise _refusal(value, condition, scope, evaluator)
     return bool(evaluator.guard(bool, value, condition.span()))
+
+
+def _check_operands(condition: PythonCode, scope: Scope, evaluator: Evaluator) -> None:
+    """Raise YamaroError for a text such as 'no' that `not`, `and`, `or` or `if` takes for true."""
+    from .origins import names_in, names_tested, notes_on_names
+
+    if not any(_means_false(scope.find(name)) for name in names_in(condition.text)):
+        return
+    for name in names_tested(condition.text):
+        value = scope.find(name)
+        if _means_false(value):
+            raise failure(
+                "bad-condition",
+                f"'{name}' is used as a condition here, and is {a_kind_of(value)}",
+                condition.span(),
+                hint=_hint(value, name),
+                notes=notes_on_names([name], scope),
+                trace=evaluator.frame,
+            )
+
+
+def _means_false(value: Any) -> bool:
+    """Tell whether a value is a text that means false, which Python takes for true."""
+    if not isinstance(value, str):
+        return False
+    word = value.strip().lower()
+    return word == "0" or YAML_1_1_BOOLEANS.get(word) == "false"
 
 
 def _is_always_true(value: Any) -> bool:

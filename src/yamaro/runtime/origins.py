@@ -9,6 +9,7 @@ from .words import a_kind_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    import ast
     from collections.abc import Iterable, Mapping
     from types import CodeType
     from typing import Any
@@ -76,17 +77,42 @@ def names_in(text: str) -> list[str]:
     """Return the names that a piece of Python reads, each once, in order."""
     import ast
 
+    return _names_of(node for node in _nodes(text) if isinstance(node, ast.Name))
+
+
+def names_tested(text: str) -> list[str]:
+    """Return the names that `not`, `and`, `or` or `if` asks for their truth."""
+    import ast
+
+    tested: list[ast.AST] = []
+    for node in _nodes(text):
+        if isinstance(node, ast.BoolOp):
+            tested += node.values
+        elif isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.Not):
+            tested.append(node.operand)
+        elif isinstance(node, ast.IfExp):
+            tested.append(node.test)
+    return _names_of(node for node in tested if isinstance(node, ast.Name))
+
+
+def _nodes(text: str) -> Iterable[ast.AST]:
+    """Return the syntax of a piece of Python, or nothing if it is none."""
+    import ast
+
     text = text.strip().replace("$(", "(")
     try:
-        tree: ast.AST = ast.parse(f"({text}\n)", mode="eval")
+        return ast.walk(ast.parse(f"({text}\n)", mode="eval"))
     except SyntaxError:
         try:
-            tree = ast.parse(text)
+            return ast.walk(ast.parse(text))
         except SyntaxError:
             return []
-    names = [node for node in ast.walk(tree) if isinstance(node, ast.Name)]
-    names.sort(key=lambda node: (node.lineno, node.col_offset))
-    return list(dict.fromkeys(node.id for node in names))
+
+
+def _names_of(nodes: Iterable[ast.Name]) -> list[str]:
+    """Return the names at some places, each once, in the order of the text."""
+    ordered = sorted(nodes, key=lambda node: (node.lineno, node.col_offset))
+    return list(dict.fromkeys(node.id for node in ordered))
 
 
 def _suspects(values: dict[str, Any], *, is_zero_fault: bool, has_text: bool) -> list[str]:
