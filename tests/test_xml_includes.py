@@ -424,3 +424,18 @@ def test_a_file_of_xacros_is_shown_as_the_one_that_includes_it(
         with pytest.raises(YamaroError) as caught:
             build(start)
         assert caught.value.diagnostics[0].span.source.name == expected.replace("/", os.sep)
+
+
+@pytest.mark.parametrize("name", ["texture.gazebo", "texture", "texture.v2.inc"])
+@pytest.mark.parametrize("before", ["", "\ufeff", "\n  ", "<?xml version='1.0'?>\n", "<!-- : -->"])
+def test_xml_under_another_ending_was_an_error(name: str, before: str) -> None:
+    files = {name: f'{before}<robot {XACRO}><l n="${{1+1}}"/></robot>'}
+    assert '<l n="2"/>' in run(files, name).xml()
+
+
+def test_what_begins_with_a_tag_stays_yaml_by_its_name() -> None:
+    assert '<l n="2"/>' in run({"part.yaml": "<out>:\n  l/n=$(1 + 1):\n"}, "part.yaml").xml()
+
+
+def test_yaml_may_begin_with_a_tag_under_any_name() -> None:
+    assert '<l n="2"/>' in run({"part": "<out>:\n  l/n=$(1 + 1):\n"}, "part").xml()

@@ -255,3 +255,14 @@ def test_a_robot_in_xacro_is_watched(tmp_path: Path) -> None:
     assert rebuilder.has_changed()
     second = rebuilder.build().build
     assert second is not None and '<link name="base"/>' in second.xml()
+
+
+@pytest.mark.parametrize("encoding", ["utf-8", "utf-8-sig", "utf-16"])
+def test_a_main_file_under_another_ending_was_read_as_yaml(encoding: str, tmp_path: Path) -> None:
+    path = tmp_path / "two.robot"
+    path.write_bytes(URDF.encode(encoding))
+    assert build(path).xml() == opened(tmp_path / "two.urdf", URDF).xml()
+
+
+def test_xml_on_standard_input_was_read_as_yaml(tmp_path: Path) -> None:
+    assert build("-", text=URDF).xml() == opened(tmp_path / "two.urdf", URDF).xml()

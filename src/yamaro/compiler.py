@@ -34,7 +34,7 @@ from .source import (
     Span,
 )
 from .syntax.context import ParseContext
-from .syntax.includes import is_xml_file
+from .syntax.includes import holds_xml
 from .syntax.names import is_identifier, python_name
 from .syntax.values import parse_inline
 from .syntax.yaml_nodes import PLAIN, ScalarNode
@@ -150,7 +150,6 @@ class Program:
     __slots__ = (
         "_adjustment",
         "_in_jail",
-        "_is_xml",
         "_library",
         "_packages",
         "_path",
@@ -179,7 +178,6 @@ class Program:
         self._adjustment = adjustment_of(allow, deny)
         self._path = path = os.fspath(path)
         self._text = text
-        self._is_xml = is_xml_file(path)
         self._policy = policy or Policy()
         self._packages = dict(packages or {})
         self._reach = reach_of(path, self._policy, self._packages)
@@ -213,7 +211,7 @@ class Program:
         self._run(lambda: self._parse(source, reporter), reporter, source)
 
     def _parse(self, source: Source, reporter: Reporter) -> None:
-        if self._is_xml:
+        if source.is_xml:
             from .runtime.xml_includes import read_included
 
             read_included(source, self._policy.limits)
@@ -352,7 +350,7 @@ class Program:
         self, command_line: Sequence[str], variables: Mapping[str, object]
     ) -> Callable[[Source, Interpreter, Reporter], Element]:
         """Return what evaluates the main file; raise UsageError if a `name:=value` is malformed."""
-        if self._is_xml:
+        if self._main_file().is_xml:
             arguments = _read_xacro_arguments(command_line, variables)
 
             def evaluate_xml(
@@ -385,7 +383,7 @@ class Program:
 
     def _main_file(self) -> Source:
         if self._source is None:
-            self._source = _read_main(self._path, self._text, self._library, is_xml=self._is_xml)
+            self._source = _read_main(self._path, self._text, self._library)
         return self._source
 
     def _has_jail(self, source: Source) -> bool:
@@ -889,15 +887,16 @@ def _stem(path: str) -> str:
     return stem or "robot"
 
 
-def _read_main(path: str, text: str | None, library: Library, *, is_xml: bool) -> Source:
+def _read_main(path: str, text: str | None, library: Library) -> Source:
     if text is not None:
         is_file = path != STANDARD_INPUT
         name = path if is_file else STANDARD_INPUT_NAME
-        return Source(
-            text.removeprefix("\ufeff"), name=name, path=os.path.abspath(path) if is_file else ""
-        )
+        text = text.removeprefix("\ufeff")
+        source = Source(text, name=name, path=os.path.abspath(path) if is_file else "")
+        source.is_xml = holds_xml(path, text)
+        return source
     try:
-        return library.source(os.path.abspath(path), path, is_xml=is_xml)
+        return library.source(os.path.abspath(path), path)
     except LoadError as error:
         if error.hint is not None:
             raise refusal_of_main(path, error) from None

@@ -163,14 +163,13 @@ class Files:
             self._modules[directory] = LocalModules(directory, self._library.modules)
         return self._modules[directory]
 
-    def load(self, path: str, span: Span, home: Home, *, is_xml: bool = False) -> Source:
+    def load(self, path: str, span: Span, home: Home) -> Source:
         """Return the source of the file that `path` means in a file.
 
         Args:
             path: relative to that file, or with `~`, `package://` or `file://`.
             span: where the path is written.
             home: the file it is written in.
-            is_xml: the file says itself what encoding it is in.
 
         Raises:
             YamaroError: there is no such file or package, or it is not text in its encoding.
@@ -185,7 +184,7 @@ class Files:
             return known.source
         try:
             name = _shown_name(path, absolute, home.source)
-            source = self._library.source(absolute, name, is_xml=is_xml)
+            source = self._library.source(absolute, name)
         except LoadError as error:
             neighbours = self._library.loader.neighbours(absolute)
             likely = [name for name in neighbours if name.endswith((".yaml", ".yml"))]

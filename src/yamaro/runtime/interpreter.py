@@ -9,7 +9,6 @@ from __future__ import annotations
 from ..diagnostics import INHERITED, Frame, InputFault, Reporter, YamaroError, failure
 from ..policy import JAIL, Policy
 from ..source import Source, Span
-from ..syntax.includes import is_xml_file
 from ..syntax.keys import NAME_RULE, attribute_twice, name_fault
 from ..syntax.names import (
     STATEMENTS,
@@ -638,14 +637,14 @@ class Interpreter:
         path = path_of(node, scope, self.values)
         namespace = namespace_of(node, scope, self.values)
         passed = passed_by(node, scope, self.values)
-        if is_xml_file(path):
-            self._include_xml(node, path, passed, scope, out)
-            return
         try:
             source = self.files.load(path, node.path_span, scope.home)
         except YamaroError as error:
             self._trace_into(error, node)
             raise
+        if source.is_xml:
+            self._include_xml(node, source, passed, scope, out)
+            return
         context = scope.context
         frame = self._step("included", source.name, node.span, None)
         self._enter(frame, node.path_span)
@@ -673,7 +672,12 @@ class Interpreter:
         self._hand_back(inner, scope, namespace, before, node.span)
 
     def _include_xml(
-        self, node: IncludeNode, path: str, passed: dict[str, Any], scope: Scope, out: list[Node]
+        self,
+        node: IncludeNode,
+        source: Source,
+        passed: dict[str, Any],
+        scope: Scope,
+        out: list[Node],
     ) -> None:
         """Put out what an XML file holds: URDF as it is, or what a xacro file expands to."""
         from .xml_includes import (
@@ -685,11 +689,6 @@ class Interpreter:
             xml_content,
         )
 
-        try:
-            source = self.files.load(path, node.path_span, scope.home, is_xml=True)
-        except YamaroError as error:
-            self._trace_into(error, node)
-            raise
         frame = self._step("included", source.name, node.span, None)
         try:
             root, is_xacro = read_included(source, self.limits)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from ..diagnostics import Diagnostic, Reporter
 from ..source import Source
+from ..syntax.includes import holds_xml
 from ..syntax.nodes import Document
 from ..syntax.parser import parse
 from ..syntax.rules import Rules
@@ -41,12 +42,12 @@ class Library:
         self._parsed: dict[tuple[str, str], tuple[Document, list[Diagnostic]]] = {}
 
     def source(self, path: str, name: str, *, is_xml: bool = False) -> Source:
-        """Return a file.
+        """Return a file, which is marked if it holds XML, and so says itself how it is encoded.
 
         Args:
             path: where it is, absolute.
             name: what it is called in messages.
-            is_xml: it says itself what encoding it is in.
+            is_xml: it holds XML, whatever it is called.
 
         Raises:
             LoadError: it cannot be read.
@@ -54,12 +55,15 @@ class Library:
         """
         text = self._texts.get(path)
         if text is not None:
-            return Source(text, name=name, path=path)
+            source = Source(text, name=name, path=path)
+            source.is_xml = is_xml or holds_xml(path, text)
+            return source
         data = self.loader.read(path)
-        if is_xml:
+        if is_xml or holds_xml(path, data):
             from ..xmlreader import decode_xml
 
             source = decode_xml(data, name=name, path=path)
+            source.is_xml = True
         else:
             source = decode(data, name=name, path=path)
         self._texts[path] = source.text

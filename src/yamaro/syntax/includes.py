@@ -25,9 +25,27 @@ OTHER_WORDS = ("file", "filename", "src", "from", "uri", "url")
 """What other formats call the path of an include."""
 
 
+YAML_ENDINGS = (".yaml", ".yml")
+"""Endings of the names of files that hold YAML, though it may begin with `<`, as in `<arm>:`."""
+
+
 def is_xml_file(path: str) -> bool:
-    """Tell whether a file holds XML."""
+    """Tell whether a file holds XML by its name alone."""
     return path.lower().endswith(XML_ENDINGS)
+
+
+def holds_xml(path: str, data: bytes | str) -> bool:
+    """Tell whether a file holds XML: by its name, or if that tells nothing, by how it begins.
+
+    `<arm>:` begins YAML all the same.
+    """
+    if path.lower().endswith((*XML_ENDINGS, *YAML_ENDINGS)):
+        return is_xml_file(path)
+    if isinstance(data, str):
+        start = data.lstrip("\ufeff \t\r\n")
+    else:
+        start = data.lstrip(b"\xef\xbb\xbf\xff\xfe\0 \t\r\n").decode("latin-1").replace("\0", "")
+    return start.startswith("<") and not start.partition(">")[2].startswith(":")
 
 
 _FOLDERS = frozenset(("find", "file_dir", "dirname", "cwd", "env"))

@@ -7,7 +7,7 @@ import math
 from ...diagnostics import Reporter
 from ...policy import Limits
 from ...source import Source, Span
-from ...syntax.includes import is_xml_file
+from ...syntax.includes import holds_xml
 from ...syntax.names import python_name
 from ...syntax.scalars import type_plain
 from ...syntax.yaml_nodes import PLAIN, MappingNode, ScalarNode, SequenceNode
@@ -99,7 +99,7 @@ def read_fields(text: str, name: str) -> dict[str, Field]:
         YamaroError: the file cannot be read as YAML or XML.
     """
     source = Source(text, name=name)
-    return _xacro_fields(source) if is_xml_file(name) else _yaml_fields(source)
+    return _xacro_fields(source) if holds_xml(name, text) else _yaml_fields(source)
 
 
 def _yaml_fields(source: Source) -> dict[str, Field]:

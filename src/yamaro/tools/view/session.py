@@ -11,7 +11,7 @@ from ...confined import Reader
 from ...diagnostics import YamaroError
 from ...regular_files import open_regular
 from ...runtime.loader import FileLoader, LoadError, decode
-from ...syntax.includes import is_xml_file
+from ...syntax.includes import holds_xml
 from .description import Description, fault_data
 from .fields import Field, WrongValue, read_fields
 from .mesh_files import Library, MeshFiles
@@ -55,6 +55,7 @@ class Session:
         self._fault_places = Places()
         self._seconds = 0.0
         self._fields: dict[str, Field] = {}
+        self._is_xml = False
         self._values: dict[str, Value] = {}
         self._files = [MeshFiles(None), MeshFiles(None)]  # of this robot, and of the one before it
         self._encoded: tuple[int, bytes] = (-1, b"")
@@ -104,6 +105,7 @@ class Session:
             data = self._loader.read(os.path.abspath(self._path))
             text = decode(data, name=self._path, path=self._path).text
             fields = read_fields(text, self._path)
+            self._is_xml = holds_xml(self._path, text)
         except (LoadError, YamaroError):
             return
         with self._changed:
@@ -150,7 +152,7 @@ class Session:
 
     def _given(self) -> dict[str, Value]:
         """Return what the command line sets, where it fits the field."""
-        if is_xml_file(self._path):
+        if self._is_xml:
             texts = dict(
                 word.split(":=", 1) for word in self._rebuilder.command_line if ":=" in word
             )
