@@ -10,6 +10,7 @@ import importlib
 import os
 import shutil
 import subprocess
+import sysconfig
 import tempfile
 from pathlib import Path
 from typing import Any
@@ -52,17 +53,36 @@ def require_module(name: str) -> Any:
 # --- urdfdom: the parser of ROS ---------------------------------------------------------------
 
 
+def run_check_urdf(path: str | Path) -> subprocess.CompletedProcess[str]:
+    """Return how check_urdf ended on a file, and what it said.
+
+    Where pip installed it with pinocchio, `bin/check_urdf` is a script of Python that takes longer
+    to start than the program behind it to run; so that is run itself.
+    """
+    prefix = Path(sysconfig.get_path("purelib"), "cmeel.prefix")
+    program, environment = str(prefix / "bin" / "check_urdf"), dict(os.environ)
+    if os.path.exists(program):
+        environment["LD_LIBRARY_PATH"] = str(prefix / "lib")
+    else:
+        program = require_program("check_urdf")
+    return subprocess.run(
+        [program, str(path)],
+        env=environment,
+        capture_output=True,
+        text=True,
+        timeout=PATIENCE,
+        check=False,
+    )
+
+
 class CheckUrdf:
     """What urdfdom's check_urdf says of a robot."""
 
     def __init__(self, urdf: str) -> None:
-        program = require_program("check_urdf")
         with tempfile.NamedTemporaryFile("w", suffix=".urdf", encoding="utf-8") as file:
             file.write(urdf)
             file.flush()
-            run = subprocess.run(
-                [program, file.name], capture_output=True, text=True, timeout=PATIENCE, check=False
-            )
+            run = run_check_urdf(file.name)
         self.output = run.stdout + run.stderr
         # It exits 0 after some errors, such as a mass that is no number, and only prints them.
         self.accepts = run.returncode == 0 and "error" not in self.output.lower()

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-import subprocess
 from collections.abc import Callable
 from pathlib import Path
+from xml.etree import ElementTree
 
 import pytest
 
@@ -12,6 +12,7 @@ from tests.consumers import oracles
 from tests.test_check import BadRobot, bad_robots, read
 from yamaro.diagnostics import ERROR, Reporter
 from yamaro.robot.check import check
+from yamaro.robot.urdf import VERSIONS
 
 ROBOTS = [robot for group in ("tree", "joints", "links") for robot in bad_robots(group)]
 READ_BY_ALL = (
@@ -32,13 +33,20 @@ def is_error(robot: BadRobot) -> bool:
     return any(diagnostic.severity == ERROR for diagnostic in reporter.diagnostics)
 
 
+def urdfdom_refuses(text: str, folder: Path) -> bool:
+    path = folder / "robot.urdf"
+    path.write_text(text, encoding="utf-8")
+    return oracles.run_check_urdf(path).returncode != 0
+
+
 @pytest.mark.parametrize("robot", ROBOTS, ids=lambda robot: robot.name)
 def test_what_urdfdom_refuses_is_an_error(robot: BadRobot, tmp_path: Path) -> None:
-    path = tmp_path / "robot.urdf"
-    path.write_text(robot.text, encoding="utf-8")
-    program = oracles.require_program("check_urdf")
-    run = subprocess.run([program, str(path)], capture_output=True, check=False)
-    if run.returncode != 0:
+    version = ElementTree.fromstring(robot.text).get("version", "1.0")
+    if version in VERSIONS[1:]:
+        sound = f'<robot name="r" version="{version}"><link name="a"/></robot>'
+        if urdfdom_refuses(sound, tmp_path):
+            pytest.skip(f"this urdfdom does not know version {version} of URDF")
+    if urdfdom_refuses(robot.text, tmp_path):
         assert is_error(robot)
 
 
