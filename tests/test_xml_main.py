@@ -266,3 +266,18 @@ def test_a_main_file_under_another_ending_was_read_as_yaml(encoding: str, tmp_pa
 
 def test_xml_on_standard_input_was_read_as_yaml(tmp_path: Path) -> None:
     assert build("-", text=URDF).xml() == opened(tmp_path / "two.urdf", URDF).xml()
+
+
+@pytest.mark.parametrize(("name", "text"), [("robot.xacro", XACRO), ("robot.urdf", URDF)])
+def test_a_misspelt_keyword_for_a_main_file_in_xml_is_warned_of(
+    tmp_path: Path, name: str, text: str
+) -> None:
+    (tmp_path / name).write_text(text)
+    (warning,) = build(tmp_path / name, variables={"lsat": "hand"}).warnings
+    assert (warning.code, warning.span.written()) == ("unknown-variable", "lsat")
+
+
+def test_a_keyword_that_a_main_file_in_xacro_knows_is_not_warned_of(tmp_path: Path) -> None:
+    (tmp_path / "robot.xacro").write_text(XACRO)
+    built = build(tmp_path / "robot.xacro", variables={"last": "hand"})
+    assert (built.warnings, links(built)) == ([], ["a", "hand"])

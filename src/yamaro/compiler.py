@@ -358,7 +358,7 @@ class Program:
             ) -> Element:
                 from .runtime.xml_main import run_xml_main
 
-                places = _places_of(command_line)
+                places = _places_of(command_line) | _places_of_keywords(variables)
                 root, is_xacro = run_xml_main(source, interpreter, arguments, places, reporter)
                 if not is_xacro:
                     warn_of_unread(places, interpreter.files, reporter)
@@ -367,9 +367,7 @@ class Program:
             return evaluate_xml
         passed, places = read_command_line(command_line)
         passed.update(variables)
-        for name in variables:
-            source = Source(f"{name}=…", name=KEYWORD_ARGUMENT)
-            places[name] = Span(source, 0, len(name))
+        places.update(_places_of_keywords(variables))
 
         def evaluate(source: Source, interpreter: Interpreter, reporter: Reporter) -> Element:
             evaluated = interpreter.run_main(
@@ -952,3 +950,10 @@ def _places_of(command_line: Sequence[str]) -> dict[str, Span]:
         name = argument.partition(":=")[0]
         places[name] = Span(Source(argument, name=COMMAND_LINE), 0, len(name))
     return places
+
+
+def _places_of_keywords(variables: Iterable[str]) -> dict[str, Span]:
+    """Return where the name of each variable passed from Python stands."""
+    return {
+        name: Span(Source(f"{name}=…", name=KEYWORD_ARGUMENT), 0, len(name)) for name in variables
+    }
