@@ -16,6 +16,7 @@ from tests.counting import calls_of
 from yamaro import xmlreader
 from yamaro.diagnostics import render_all
 from yamaro.source import Source
+from yamaro.syntax.keys import find_outside
 from yamaro.xmltree import Element
 
 SMALL, LARGE = 20, 200
@@ -218,6 +219,32 @@ def test_lines_are_found_in_one_pass(line_break: str) -> None:
     else:
         assert starts == list(range(0, len(text) + 1, len(line_break)))
     assert Watched.looked_through <= 2 * len(text)
+
+
+@pytest.mark.parametrize(
+    "attribute", ["a='1', ", "a=$(f(1, 2)), ", "a='$(1)' , ", "a=1, ", "a$(1)=$(2)$(3), "]
+)
+def test_the_ends_of_attributes_are_found_in_one_pass(attribute: str) -> None:
+    class Watched(str):
+        """Counts the characters that are looked through."""
+
+        looked_through = 0
+
+        def find(self, piece: str, start: int = 0, end: int | None = None) -> int:  # type: ignore[override]
+            end = len(self) if end is None else end
+            found = super().find(piece, start, end)
+            Watched.looked_through += max((end if found < 0 else found) - start, 0)
+            return found
+
+    count = 300
+    text = Watched(attribute * count)
+    at = found = 0
+    while (at := find_outside(text, ",", at, len(text)) + 1) > 0:
+        found += 1
+        equals = find_outside(text, "=", at, len(text))
+        assert equals < 0 or text[equals] == "="
+    assert found == count
+    assert Watched.looked_through < 20 * len(text)
 
 
 def test_variables_that_are_not_read_cost_their_declaration_only(tmp_path: Path) -> None:

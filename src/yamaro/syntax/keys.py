@@ -21,10 +21,12 @@ NAME_RULE = "a name begins with a letter or _ and goes on with letters, digits, 
 
 def find_outside(text: str, characters: str, start: int, end: int) -> int:
     """Return the index of the first of `characters` that is not inside a `$(…)`, or -1."""
+    found = start - 1
     while True:
-        found = _find_first(text, characters, start, end)
-        dollar = text.find("$(", start, end)
-        if dollar < 0 or 0 <= found < dollar:
+        if found < start:
+            found = _find_first(text, characters, start, end)
+        dollar = text.find("$(", start, found) if found >= 0 else -1
+        if dollar < 0:
             return found
         start = max(skip_expression(text, dollar), dollar + 1)
 
