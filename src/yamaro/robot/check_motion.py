@@ -10,6 +10,8 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from .check_tree import Tree
 
+ROUNDING = 1e-6
+"""How far beside 0 a bound may be that is meant to be 0, in m and rad."""
 LIMITED = ("revolute", "prismatic")
 
 
@@ -44,7 +46,7 @@ def _advise_on_joint(name: str, joint: Element, tree: Tree, context: CheckContex
             hint="give it a range, or make it fixed",
         )
         return
-    if child_named(joint, "mimic") is None and not lower <= 0 <= upper:
+    if child_named(joint, "mimic") is None and not lower - ROUNDING <= 0 <= upper + ROUNDING:
         _advise_on_zero(name, limit, lower, upper, context)
     _advise_on_soft_limits(name, joint, lower, upper, context)
 
