@@ -223,3 +223,17 @@ def test_files_that_are_tried_in_vain_are_not_copied(tmp_path: Path) -> None:
         "r.xacro": f'{ARGUMENT}<xacro:include filename="$(arg kind).xacro"/>',
     }
     assert sorted(holds(tmp_path, files).files) == ["h.yaml", "r.yaml", "t.yaml"]
+
+
+def test_files_named_by_python_were_left_behind(tmp_path: Path) -> None:
+    argument = '<xacro:arg name="n" default="1"/>'
+    include = '<xacro:include filename="part_${$(arg n) % 2}.xacro"/>'
+    files = {"r.xacro": f"{argument}{include}", "part_0.xacro": H, "part_1.xacro": T}
+    migration = holds(tmp_path, files, "n:=2")
+    assert sorted(migration.files) == ["part_0.yaml", "part_1.yaml", "r.yaml"]
+
+
+def test_of_files_named_by_python_alone_not_all_of_the_folder_are_taken(tmp_path: Path) -> None:
+    include = """<xacro:include filename="${'h' + ''}.xacro"/>"""
+    migration = moved(tmp_path, TWO_PARTS | {"r.xacro": include, "other.xacro": "<x/>"})
+    assert "other.yaml" not in migration.files

@@ -236,3 +236,17 @@ def test_a_default_in_quotes_is_the_text_that_it_is(tmp_path: Path, value: str) 
         '<link name="l${on}"/></xacro:macro><xacro:m/>'
     )
     holds(tmp_path, {"r.xacro": text})
+
+
+def test_a_property_of_the_main_file_that_a_macro_sets_globally_hid_what_is_set(
+    tmp_path: Path,
+) -> None:
+    files = {
+        "r.xacro": """<xacro:property name="g" value="0"/>
+        <xacro:macro name="set" params="v">
+          <xacro:property name="g" value="${v}" scope="global"/>
+        </xacro:macro>
+        <xacro:macro name="wrap" params="v"><xacro:set v="${v + 1}"/><a v="${g}"/></xacro:macro>
+        <xacro:wrap v="3"/><b v="${g}"/><xacro:set v="9"/><c v="${g}"/>"""
+    }
+    holds(tmp_path, files)

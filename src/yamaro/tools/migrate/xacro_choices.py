@@ -172,7 +172,10 @@ class Choices:
                     yield path, list(zip(names, match.groups(), strict=True))
 
     def _pieces(self, text: str, span: Span) -> list[tuple[str, str]] | None:
-        """Return a name of a file in pieces, `("text", …)` and `("name", …)`; None if unknown."""
+        """Return a name of a file in pieces, `("text", …)` and `("name", …)`; None if unknown.
+
+        Python has no name; of a file named by it, something must be known, as in `arm_${…}.xacro`.
+        """
         template = _parsed(text)
         if template is None:
             return None
@@ -186,9 +189,12 @@ class Choices:
                 pieces.append(("name", name))
                 continue
             folder = self._folder(part, span)
-            if folder is None:
+            if folder is None and not isinstance(part, Expression):
                 return None
-            pieces.append(("text", folder))
+            pieces.append(("name", "") if folder is None else ("text", folder))
+        own = "".join(own for kind, own in pieces if kind == "text")
+        if ("name", "") in pieces and not _is_telling(os.path.basename(own)):
+            return None
         return pieces
 
     def _folder(self, part: Expression | Substitution, span: Span) -> str | None:
@@ -216,8 +222,8 @@ class Choices:
             path = os.path.normpath(os.path.join(start, name))
             if os.path.isfile(path) and path != span.source.path:
                 found[name] = path
-        if by_pattern:
-            for path, _ in self._files(text, span):
+        for path, bound in self._files(text, span):
+            if by_pattern or any(not name for name, _ in bound):
                 is_relative = not text.startswith(("/", "$(find"))
                 found[os.path.relpath(path, start) if is_relative else path] = path
         return dict(list(found.items())[:MOST_FILES])
@@ -251,6 +257,11 @@ class Choices:
         for alias in self._aliases(name):
             found |= self._compared.get(alias, {}).keys()
         return {value.strip("'") for value in found}
+
+
+def _is_telling(name: str) -> bool:
+    """Tell whether what is known of the name of a file is more than its ending."""
+    return any(char.isalnum() for char in name[: name.rfind(".")])
 
 
 def _names_of_files(text: str) -> list[str]:

@@ -128,6 +128,7 @@ class Program:
         namespaces: which files are in one.
         arguments: by name.
         assigned_from_inside: the properties that macros define for those who call them.
+        assigned_globally: those of them that are set for all files.
         included_by_macros: the files that macros include: their properties are the macros' own.
         hidden: the arguments that something of the same name hides.
         result: what the robot expands to.
@@ -187,6 +188,7 @@ class Program:
         self._in_a_row: set[str] = set()
         self.arguments: dict[str, Argument] = {}
         self.assigned_from_inside: set[str] = set()
+        self.assigned_globally: set[str] = set()
         self.properties: dict[str, set[str]] = {}
         self.times_defined: dict[str, int] = {}
         self.blocks: set[str] = set()
@@ -432,6 +434,8 @@ class Program:
                 self.properties.setdefault(given["name"], set()).add(path)
                 if given.get("scope") in ("parent", "global"):
                     self.assigned_from_inside.add(given["name"])
+                if given.get("scope") == "global":
+                    self.assigned_globally.add(given["name"])
                 if "value" not in given and "default" not in given and "remove" not in given:
                     self.blocks.add(given["name"])
             self._gather_arguments(element)
@@ -690,7 +694,9 @@ class Program:
         )
 
     def is_used_elsewhere(self, name: str, path: str) -> bool:
-        """Tell whether a name stands in an expression, or a tag, of another file."""
+        """Tell whether another file has a name in an expression or tag, or any sets it globally."""
+        if name in self.assigned_globally:
+            return True
         if self._has_computed_calls and name.startswith("xacro:"):
             return True
         return bool(self._readers.files.get(name, set()) - {path})
