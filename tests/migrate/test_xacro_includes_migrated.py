@@ -237,3 +237,24 @@ def test_of_files_named_by_python_alone_not_all_of_the_folder_are_taken(tmp_path
     include = """<xacro:include filename="${'h' + ''}.xacro"/>"""
     migration = moved(tmp_path, TWO_PARTS | {"r.xacro": include, "other.xacro": "<x/>"})
     assert "other.yaml" not in migration.files
+
+
+def test_files_named_by_python_or_an_argument_through_properties_were_left_behind(
+    tmp_path: Path,
+) -> None:
+    files = {
+        "r.xacro": f"""{ARGUMENT}<xacro:arg name="n" default="1"/>
+        <xacro:property name="kinds" value="${{['h', 't']}}"/>
+        <xacro:property name="folder" value="parts/$(arg kind)"/>
+        <xacro:macro name="m" params="f n">
+          <xacro:property name="kind" value="${{kinds[n - 1]}}"/>
+          <xacro:include filename="${{f}}/real.xacro"/>
+          <xacro:include filename="part_${{kind}}.xacro"/>
+        </xacro:macro>
+        <xacro:m f="${{folder}}" n="$(arg n)"/>""",
+        "part_h.xacro": "<h/>",
+        "part_t.xacro": "<t/>",
+        "parts/h/real.xacro": H,
+        "parts/t/real.xacro": T,
+    }
+    holds(tmp_path, files, "kind:=t", "n:=2")

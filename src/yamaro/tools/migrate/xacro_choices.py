@@ -28,6 +28,8 @@ if TYPE_CHECKING:
 
 MOST_FILES = 40
 """How many files a computed name may mean to be looked at."""
+MOST_STEPS = 3
+"""Through how many names it is followed what the name of a file is made of."""
 _ARGUMENT = re.compile(
     r"""(['"]?)\$\(arg\s+([^()\s]+)\s*\)\1|\b(?:xacro\.)?arg\(\s*['"]([^'"]+)['"]\s*\)"""
 )
@@ -148,13 +150,18 @@ class Choices:
                         found.setdefault(name, set()).update(own)
         return {name: set(sorted(own)[:MOST_FILES]) for name, own in found.items()}
 
-    def _with_given(self, text: str, span: Span) -> Iterator[tuple[str, Span]]:
-        """Return a name of a file, also with what a name in it is given, if that is computed."""
+    def _with_given(
+        self, text: str, span: Span, known: frozenset[str] = frozenset()
+    ) -> Iterator[tuple[str, Span]]:
+        """Return a name of a file, also with what names in it are given, if that is computed."""
         yield text, span
-        for name in re.findall(r"\$\{(\w+)\}", text):
+        if len(known) == MOST_STEPS:
+            return
+        for name in sorted({*re.findall(r"\$\{(\w+)\}", text)} - known):
             for given in self._texts.get(name, ())[:MOST_FILES]:
-                if "$" in given and not _name_alone(given):
-                    yield text.replace(f"${{{name}}}", given), span
+                if "$" in given and not _name_alone(given).startswith(_MARK):
+                    whole = text.replace(f"${{{name}}}", given)
+                    yield from self._with_given(whole, span, known | {name})
 
     def _files(self, text: str, span: Span) -> Iterator[tuple[str, list[tuple[str, str]]]]:
         """Return the files that there are for a computed name, with what the names in it are."""
@@ -222,8 +229,9 @@ class Choices:
             path = os.path.normpath(os.path.join(start, name))
             if os.path.isfile(path) and path != span.source.path:
                 found[name] = path
-        for path, bound in self._files(text, span):
-            if by_pattern or any(not name for name, _ in bound):
+        ways = [(own == text, self._files(own, at)) for own, at in self._with_given(text, span)]
+        for path, bound, is_plain in [(*each, own) for own, way in ways for each in way]:
+            if (by_pattern and is_plain) or any(not name for name, _ in bound):
                 is_relative = not text.startswith(("/", "$(find"))
                 found[os.path.relpath(path, start) if is_relative else path] = path
         return dict(list(found.items())[:MOST_FILES])
