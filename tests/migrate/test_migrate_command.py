@@ -130,6 +130,20 @@ def test_standard_input_is_read(
     assert outcome(capsys, "-") == (0, YAML, told)
 
 
+@pytest.mark.parametrize("mode", ["--safe", "--trust"])
+def test_a_robot_in_xacro_from_standard_input_is_refused(
+    mode: str, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    robot = '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro"><link name="a"/></robot>'
+    give(monkeypatch, robot.encode())
+    status, out, err = outcome(capsys, mode, "-")
+    told = "yamaro: error: a robot in xacro is migrated from a file, not from a pipe\n"
+    if mode == "--safe" and "unsafe-code" in err:  # there is no jail
+        assert (status, out) == (1, "")
+    else:
+        assert (status, out, err) == (2, "", told + USAGE)
+
+
 def test_closed_standard_input_is_told(
     capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:

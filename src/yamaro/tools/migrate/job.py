@@ -148,6 +148,8 @@ class Job:
         if is_xacro:
             if is_guarded:
                 raise xacro_in_safe_mode(root.span)
+            if not self.source.path:
+                raise UsageError("a robot in xacro is migrated from a file, not from a pipe")
             return self._migrate_xacro()
         if self.arguments:
             raise UsageError(f"a URDF has no argument to set: '{self.arguments[0]}'")
