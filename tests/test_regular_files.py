@@ -10,7 +10,7 @@ import pytest
 
 from yamaro.meshes.formats import MeshFileError
 from yamaro.meshes.triangles import read_mesh
-from yamaro.regular_files import open_regular, read_start
+from yamaro.regular_files import _Unblocked, open_regular, read_start
 from yamaro.robot.check_advice import stl_extent
 from yamaro.runtime.packages import PackageFinder, manifest_name
 
@@ -56,3 +56,16 @@ def test_comments_without_an_end_took_quadratic_time_in_a_manifest(tmp_path: Pat
     comments = "<!-- -->" * 100_000
     (tmp_path / "package.xml").write_text(f"<package>{comments}<name>arm</name>{comments}<!--")
     assert manifest_name(str(tmp_path)) == "arm"
+
+
+def test_a_file_whose_reading_would_wait_is_refused() -> None:
+    read, write = os.pipe()  # as /proc/kmsg is when it has nothing to say
+    os.set_blocking(read, False)
+    try:
+        file = _Unblocked(read, "rb")
+        for work in (file.readall, lambda: file.readinto(bytearray(4))):
+            with pytest.raises(OSError, match="no regular file"):
+                work()
+        file.close()
+    finally:
+        os.close(write)

@@ -8,10 +8,11 @@ from __future__ import annotations
 
 import errno
 import os
+from io import BufferedReader, FileIO
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from io import BufferedReader
+    from typing import Any
 
 _FLAGS = os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0)
 _TYPE = 0o170000
@@ -19,6 +20,24 @@ _FOLDER = 0o040000
 _REGULAR = 0o100000
 _DEVICES = (0o020000, 0o060000)
 _OTHER = "it is no regular file"
+
+
+class _Unblocked(FileIO):
+    """A file that is not waited for: some of the system's look regular, as /proc/kmsg does."""
+
+    def readall(self) -> bytes:
+        """Return all that is left."""
+        data: bytes | None = super().readall()
+        if data is None:
+            raise OSError(errno.EINVAL, _OTHER)
+        return data
+
+    def readinto(self, buffer: Any, /) -> int:
+        """Read into a buffer."""
+        count: int | None = super().readinto(buffer)
+        if count is None:
+            raise OSError(errno.EINVAL, _OTHER)
+        return count
 
 
 def open_regular(path: str) -> BufferedReader:
@@ -37,7 +56,7 @@ def open_regular(path: str) -> BufferedReader:
             raise IsADirectoryError(errno.EISDIR, "it is a folder")
         if kind != _REGULAR:
             raise OSError(errno.EINVAL, _OTHER)
-        return open(descriptor, "rb")
+        return BufferedReader(_Unblocked(descriptor, "rb"))
     except BaseException:
         os.close(descriptor)
         raise

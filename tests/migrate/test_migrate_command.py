@@ -134,7 +134,10 @@ def test_standard_input_is_read(
 def test_a_robot_in_xacro_from_standard_input_is_refused(
     mode: str, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    robot = '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro"><link name="a"/></robot>'
+    robot = (
+        '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">'
+        '<xacro:property name="n" value="a"/><link name="${n}"/></robot>'
+    )
     give(monkeypatch, robot.encode())
     status, out, err = outcome(capsys, mode, "-")
     told = "yamaro: error: a robot in xacro is migrated from a file, not from a pipe\n"
