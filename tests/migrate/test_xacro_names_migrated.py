@@ -250,3 +250,17 @@ def test_a_property_of_the_main_file_that_a_macro_sets_globally_hid_what_is_set(
         <xacro:wrap v="3"/><b v="${g}"/><xacro:set v="9"/><c v="${g}"/>"""
     }
     holds(tmp_path, files)
+
+
+def test_a_number_of_the_environment_without_quotes_was_compared_as_text(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("VERSION", "2")
+    holds(
+        tmp_path,
+        {
+            "r.xacro": """<xacro:if value="${$(env VERSION) == 2}"><a/></xacro:if>
+            <xacro:if value="${'$(env VERSION)' == '2'}"><b/></xacro:if>
+            <xacro:if value="${$(optenv UNSET_VERSION 3) > 2}"><c/></xacro:if>"""
+        },
+    )

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 
 from ...runtime.predefined import CONSTANTS
@@ -301,6 +302,8 @@ class Translator:
                 python = self._command(found["command"])
             if quote:
                 out.append(f"{quote} + {self._as_text(python)} + {quote}")
+            elif python.startswith("env("):
+                out.append(_bare_environment(python, found["command"].split()))
             else:
                 out.append(python)
         out.append(text[position:])
@@ -525,3 +528,13 @@ def _without_empty(text: str) -> str:
     for empty in ("''", '""'):
         text = text.replace(f"{empty} + ", "").replace(f" + {empty}", "")
     return text
+
+
+def _bare_environment(python: str, words: list[str]) -> str:
+    """Return a variable of the environment that stands in an expression without quotes.
+
+    xacro puts its text there, so a number is one: it is taken for what it is now, or by default.
+    """
+    text = os.environ.get(words[1], " ".join(words[2:]))
+    kind = {int: "int", float: "float"}.get(type(guess_value(text)))
+    return f"{kind}({python})" if kind else python
