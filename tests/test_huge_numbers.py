@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 import trimesh
 
-from yamaro.cli import main
+from yamaro.commands.main import main
 
 NUMBERS = ["1e110", "1e200", "1e308", "1e-110", "1e-320", "inf", "nan", "-1e200", "0", "9" * 400]
 SHAPES = [

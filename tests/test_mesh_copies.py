@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 from yamaro import UsageError, build
-from yamaro.cli import main
+from yamaro.commands.main import main
 from yamaro.policy import Policy
 
 TRIANGLE = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"

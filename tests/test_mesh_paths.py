@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from yamaro import UsageError, YamaroError, build, load
-from yamaro.cli import main
+from yamaro.commands.main import main
 from yamaro.policy import Policy
 
 TETRAHEDRON = (

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from tests.migrate.against_xacro import is_same, moved
-from yamaro.cli import main
+from yamaro.commands.main import main
 from yamaro.tools.migrate.xacro import XacroMigration
 from yamaro.tools.migrate.xacro_layout import ALL
 
