@@ -258,3 +258,177 @@ def test_files_named_by_python_or_an_argument_through_properties_were_left_behin
         "parts/t/real.xacro": T,
     }
     holds(tmp_path, files, "kind:=t", "n:=2")
+
+
+DATA = """<xacro:property name="all" value="${xacro.load_yaml('c.yaml')}"/>"""
+TWO_KINDS = """<xacro:property name="d" value="${all['$(arg kind)']}"/>"""
+UNRELATED = {"u.xacro": "<u/>"}
+
+
+@pytest.mark.parametrize(
+    ("files", "other"),
+    [
+        (
+            {
+                **TWO_PARTS,
+                **UNRELATED,
+                "c.yaml": "h: {file: h.xacro}\nt: {file: t.xacro}\n",
+                "r.xacro": ARGUMENT
+                + DATA
+                + TWO_KINDS
+                + """<xacro:include filename="${d['file']}"/>""",
+            },
+            "kind:=t",
+        ),
+        (
+            {
+                **TWO_PARTS,
+                **UNRELATED,
+                "c.yaml": "[h, t]\n",
+                "r.xacro": '<xacro:arg name="n" default="0"/>'
+                + DATA
+                + '<xacro:include filename="${all[$(arg n)]}.xacro"/>',
+            },
+            "n:=1",
+        ),
+        (
+            {
+                "sub/ah.xacro": H,
+                "sub/at.xacro": T,
+                "sub/bh.xacro": "<b/>",
+                "c.yaml": "- {f: a}\n- {f: b}\n",
+                "r.xacro": '<xacro:arg name="n" default="0"/><xacro:arg name="m" default="h"/>'
+                + DATA
+                + '<xacro:property name="spec" value="${all[$(arg n)]}"/>'
+                + """<xacro:include filename="sub/${spec['f']}$(arg m).xacro"/>""",
+            },
+            "m:=t",
+        ),
+    ],
+    ids=["file", "stem", "stem and argument"],
+)
+def test_files_named_by_data_were_left_behind(
+    tmp_path: Path, files: dict[str, str], other: str
+) -> None:
+    migration = holds(tmp_path, files, other)
+    assert migration.lost == []
+    assert "u.yaml" not in migration.files
+    assert is_same(tmp_path, migration, "n:=1" if "m" in other else other)
+
+
+@pytest.mark.parametrize("name", ["parts/${a}/${b}.xacro", "$(arg a)/$(arg b).xacro"])
+def test_a_file_that_two_arguments_name_only_together_was_left_behind(
+    tmp_path: Path, name: str
+) -> None:
+    folder = "parts/" if name.startswith("parts") else ""
+    files = {
+        f"{folder}h/sim.xacro": H,
+        f"{folder}t/real.xacro": T,
+        "r.xacro": '<xacro:arg name="a" default="h"/><xacro:arg name="b" default="sim"/>'
+        '<xacro:property name="a" value="$(arg a)"/><xacro:property name="b" value="$(arg b)"/>'
+        f'<xacro:include filename="{name}"/>',
+    }
+    migration = holds(tmp_path, files)
+    assert migration.lost == []
+    assert is_same(tmp_path, migration, "a:=t", "b:=real")
+
+
+@pytest.mark.parametrize(
+    ("include", "left"),
+    [
+        ("${'$(arg kind)'.lower()}.xacro", "t.xacro"),
+        ("${kind[0]}.xacro", "t.xacro"),
+        ("$(optenv KIND_OF_ARM h).xacro", "t.xacro"),
+    ],
+)
+def test_files_that_were_left_behind_were_not_reported(
+    tmp_path: Path, include: str, left: str
+) -> None:
+    files = TWO_PARTS | {"r.xacro": f'{ARGUMENT}{KIND}<xacro:include filename="{include}"/>'}
+    migration = holds(tmp_path, files)
+    assert [(why, hint) for _, why, hint in migration.lost] == [
+        (
+            f"'{include}' may name files that are not migrated: '{left}'",
+            "migrated: 'h.xacro'; any other file is an error when the sources are built",
+        )
+    ]
+    if "kind" in include:
+        with pytest.raises(YamaroError) as caught:
+            is_same_with_any(tmp_path, migration.main, "kind:=t")
+        assert caught.value.diagnostics[0].code == "missing-file"
+
+
+def test_a_file_that_needs_one_more_argument_is_reported(tmp_path: Path) -> None:
+    files = TWO_PARTS | {
+        "u.xacro": '<link name="$(arg more)"/>',
+        "r.xacro": f'{ARGUMENT}<xacro:include filename="$(arg kind).xacro"/>',
+    }
+    migration = holds(tmp_path, files, "kind:=t")
+    assert [why for _, why, _ in migration.lost] == [
+        "'$(arg kind).xacro' may name files that are not migrated: 'u.xacro'"
+    ]
+
+
+@pytest.mark.parametrize(
+    "include",
+    [
+        "$(arg kind).xacro",
+        "${files[kind]}",
+        "${'h.xacro' if kind == 'h' else 't.xacro'}",
+        "${'parts/' + kind + '.xacro'}",
+        "${folder}/*.xacro",
+    ],
+)
+def test_files_that_a_computed_name_cannot_mean_are_not_reported(
+    tmp_path: Path, include: str
+) -> None:
+    other = f'{ARGUMENT}<xacro:include filename="$(arg kind).xacro"/>'  # of no end, as kind:=o
+    files = TWO_PARTS | {f"parts/{name}": text for name, text in TWO_PARTS.items()}
+    folder = '<xacro:property name="folder" value="parts"/>'
+    files |= {
+        "o.xacro": other if "arg" in include else "<o/>",
+        "r.xacro": f'{ARGUMENT}{KIND}{DICT}{folder}<xacro:include filename="{include}"/>',
+    }
+    assert holds(tmp_path, files).lost == []
+
+
+def test_a_pattern_of_the_shell_that_depends_on_an_argument_is_reported(tmp_path: Path) -> None:
+    files = {
+        "parts/h_1.xacro": H,
+        "parts/t_1.xacro": T,
+        "r.xacro": f'{ARGUMENT}<xacro:include filename="parts/$(arg kind)_*.xacro"/>',
+    }
+    assert [why for _, why, _ in moved(tmp_path, files).lost] == [
+        "which files 'parts/$(arg kind)_*.xacro' matches depends on arguments"
+    ]
+
+
+def test_a_file_named_by_the_current_folder_was_frozen(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (tmp_path / "in").mkdir()
+    monkeypatch.chdir(tmp_path / "in")
+    named = '<xacro:property name="f" value="$(cwd)/$(arg kind).xacro"/>'
+    files = TWO_PARTS | {"r.xacro": f'{ARGUMENT}{named}<xacro:include filename="${{f}}"/>'}
+    migration = holds(tmp_path, files, "kind:=t")
+    assert migration.lost == []
+    assert str(tmp_path) not in migration.files["r.yaml"]
+    with pytest.raises(YamaroError) as caught:
+        is_same_with_any(tmp_path, migration.main, "kind:=x")
+    assert caught.value.diagnostics[0].code == "missing-file"
+
+
+def test_a_file_named_by_the_environment_was_frozen(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("PARTS_OF_ARM", str(tmp_path / "in"))
+    named = '<xacro:property name="f" value="$(env PARTS_OF_ARM)/$(arg kind).xacro"/>'
+    files = TWO_PARTS | {"r.xacro": f'{ARGUMENT}{named}<xacro:include filename="${{f}}"/>'}
+    migration = holds(tmp_path, files)
+    assert [why for _, why, _ in migration.lost] == [
+        "'${f}' may name files that are not migrated: 't.xacro'",
+        "which file '${f}' means is computed",
+    ]
+    with pytest.raises(YamaroError) as caught:
+        is_same_with_any(tmp_path, migration.main, "kind:=t")
+    assert caught.value.diagnostics[0].code == "missing-file"

@@ -13,7 +13,7 @@ from .xacro_python import CannotMigrate
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable
+    from collections.abc import Callable
 
     from ...source import Span
     from ...xacro.host import Host
@@ -111,6 +111,8 @@ def write_include(writer: FileWriter, node: Element, body: Body) -> None:
         paths = [path for path in paths if path not in theirs]
         if not paths:
             return
+    if paths and computed is not None:
+        _tell_left_behind(writer, node, paths)
     folder = os.path.dirname(writer.output_of(writer.path))
     names = [literal(os.path.relpath(writer.output_of(path), folder)) for path in paths]
     if computed is None or _is_pattern(filename):
@@ -120,6 +122,28 @@ def write_include(writer: FileWriter, node: Element, body: Body) -> None:
     name = _computed_name(writer, node, computed, dict(zip(paths, names, strict=True)))
     path = paths[0] if paths else ""
     body.add("include", _in_namespace(writer, node, path, name) or name)
+
+
+def _tell_left_behind(writer: FileWriter, node: Element, paths: list[str]) -> None:
+    """Warn of files that an include might mean as well, and that are not migrated."""
+    filename = format_value(node.attributes["filename"])
+    if _is_pattern(filename):
+        if not writer.program.is_constant(node):
+            why = f"which files '{filename}' matches depends on arguments"
+            writer.lose(node.span, why, f"the sources always include {_shortly(paths)}")
+        return
+    left = writer.program.left_behind(node)
+    if left:
+        why = f"'{filename}' may name files that are not migrated: {_shortly(left)}"
+        hint = f"migrated: {_shortly(paths)}; any other file is an error when the sources are built"
+        writer.lose(node.span, why, hint)
+
+
+def _shortly(paths: list[str]) -> str:
+    """Return the names of files, of many only the first."""
+    folder = os.path.commonpath([os.path.dirname(path) for path in paths])
+    shown = [f"'{os.path.relpath(path, folder)}'" for path in paths[:4]]
+    return ", ".join([*shown, *(["…"] if len(paths) > 4 else [])])
 
 
 def _write_theirs(writer: FileWriter, node: Element, paths: list[str], body: Body) -> None:
@@ -162,10 +186,10 @@ def _computed_name(
         writer.lose(node.span, why, "the include is an error where it is reached")
         return f"$({python}).yaml"
     by_name = {name: sources[path] for name, path in named.items() if path in sources}
-    if len(by_name) == 1 and not _can_be_keys(writer, by_name):
+    if not all(_is_in_known_folder(writer, name) for name in by_name):
         why = f"which file '{filename}' means is computed"
-        writer.lose(node.span, why, "the sources include the one for these arguments")
-        return next(iter(by_name.values()))
+        hint = "the sources know it by its path on this machine; any other is an error"
+        writer.lose(node.span, why, hint)
     ending = _common_ending(by_name)
     if ending is not None and is_relative:
         python = python if python.isidentifier() else f"({python})"
@@ -201,13 +225,19 @@ def _common_ending(by_name: dict[str, str]) -> str | None:
     return None
 
 
-def _can_be_keys(writer: FileWriter, names: Iterable[str]) -> bool:
-    """Tell whether names of files can be told from others, wherever the sources are."""
-    folders = writer.program.runs.packages.values()
-    return all(
-        not os.path.isabs(name) or any(name.startswith(f"{folder}/") for folder in folders)
-        for name in names
+def _is_in_known_folder(writer: FileWriter, name: str) -> bool:
+    """Tell whether a file is named by a folder that is found wherever the sources are."""
+    folders = [*writer.program.runs.packages.values(), _current_folder(writer)]
+    return not os.path.isabs(name) or any(
+        name.startswith(f"{folder}/") for folder in folders if folder
     )
+
+
+def _current_folder(writer: FileWriter) -> str:
+    """Return the current folder if names of files may begin with it; "" if not."""
+    documents = writer.program.documents.values()
+    is_named = any("$(cwd)" in document.root.span.source.text for document in documents)
+    return os.getcwd() if is_named else ""
 
 
 def _as_python(writer: FileWriter, name: str) -> str:
@@ -217,7 +247,10 @@ def _as_python(writer: FileWriter, name: str) -> str:
     for package, folder in writer.program.runs.packages.items():
         if name.startswith(f"{folder}/"):
             return f"find({package!r}) + {name[len(folder) :]!r}"
-    raise CannotMigrate(f"the file '{name}' is in no package")
+    folder = _current_folder(writer)
+    if not folder:
+        return repr(name)
+    return f"cwd + {name[len(folder) :]!r}" if name.startswith(f"{folder}/") else repr(name)
 
 
 def _in_sum(python: str) -> str:

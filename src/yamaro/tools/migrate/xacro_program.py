@@ -22,6 +22,7 @@ from .xacro_includes import ENDINGS, folder_meant
 from .xacro_namespaces import Namespaces
 from .xacro_readers import Readers
 from .xacro_runs import Runs
+from .xacro_spellings import Spellings
 from .xacro_truths import Truths
 
 TYPE_CHECKING = False
@@ -160,6 +161,7 @@ class Program:
         self.exact = exact
         self._host = host
         self.untried: list[dict[str, str]] = []
+        self._left_behind: dict[tuple[str, int], list[str]] = {}
         self.runs = Runs(_read(source, host), host, arguments)
         self.result = self.runs.done[0].result
         self.values_of_arguments = self.runs.done[0].values
@@ -229,8 +231,10 @@ class Program:
         Of what only such a value brings in, other values are tried with that.
         """
         first = self.runs.done[0]
-        others = Choices(self._roots_read(), self._host).alternatives(first.values)
+        choices = self._choices()
+        others = choices.alternatives(first.values)
         pending = [{name: value} for name, values in others.items() for value in values]
+        pending += choices.pairs(first.values)
         while pending and not self.runs.is_spent:
             changed = pending.pop(0)
             known = len(self.documents)
@@ -241,7 +245,7 @@ class Program:
             if len(self.documents) > known:
                 self._read_the_rest(self._host)
             if new:
-                inner = Choices(self._roots_read(), self._host).alternatives(run.values)
+                inner = self._choices().alternatives(run.values)
                 pending += [
                     {**changed, name: value}
                     for name in sorted(new)
@@ -251,7 +255,7 @@ class Program:
 
     def _read_computed(self) -> None:
         """Read the files that includes may mean whose names are computed."""
-        choices = Choices(self._roots_read(), self._host)
+        choices = self._choices()
         pending = list(self.documents)
         while pending:
             path = pending.pop()
@@ -272,6 +276,25 @@ class Program:
                         known.append(found)
                     self.runs.named.setdefault(key, {})[name] = found
         self._read_the_rest(self._host)
+
+    def left_behind(self, include: Element) -> list[str]:
+        """Return the files that are not read and that a computed include might mean."""
+        span = include.value_span("filename")
+        place = span.source.path, span.start
+        if place not in self._left_behind:
+            text = format_value(include.attributes["filename"])
+            known = {self.main, span.source.path, *self.documents, *self.runs.refused}
+            possible = Spellings(self._choices(), span).files(text)
+            self._left_behind[place] = [path for path in possible if path not in known]
+        return self._left_behind[place]
+
+    def is_constant(self, include: Element) -> bool:
+        """Tell whether the name in an include is the same whatever the arguments are."""
+        spellings = Spellings(self._choices(), include.value_span("filename"))
+        return spellings.is_constant(format_value(include.attributes["filename"]))
+
+    def _choices(self) -> Choices:
+        return Choices(self._roots_read(), self._host, self.runs.loaded)
 
     def _roots_read(self) -> dict[str, Element]:
         return {path: document.root for path, document in self.documents.items()}

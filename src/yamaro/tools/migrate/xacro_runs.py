@@ -18,7 +18,7 @@ from ...xmltree import format_number
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Mapping
+    from collections.abc import Iterator, Mapping
     from typing import Any
 
     from ...source import Source, Span
@@ -77,6 +77,8 @@ class Runs:
         relative: the data that is named so.
         evaluated: the places of properties that could be evaluated in some run.
         failing: those of properties that could not, and were read in none.
+        refused: the paths that were included where that ended in an error, whatever the arguments.
+        loaded: the texts in the data that was loaded.
         names: those that are predefined.
     """
 
@@ -94,6 +96,8 @@ class Runs:
         self.relative: set[str] = set()
         self.evaluated: set[Place] = set()
         self.failing: set[Place] = set()
+        self.refused: set[str] = set()
+        self.loaded: dict[str, None] = {}
         self.documents: dict[str, XmlDocument] = {self._source.path: document}
         self.included: dict[Place, list[str]] = {}
         self.named: dict[Place, dict[str, str]] = {}
@@ -122,8 +126,14 @@ class Runs:
         expansion.documents.update(self._parsed)
         try:
             result = expansion.expand(self._source, self._root)
+        except YamaroError as error:
+            if all(each.code != "xacro-undefined" for each in error.diagnostics):
+                paths = [path for own in expansion.included.values() for path in own]
+                self.refused.update(map(os.path.abspath, paths))
+            raise
         finally:
             self._left -= expansion.walked
+            self.loaded |= evaluator.loaded
         self._evaluate_the_rest(expansion)
         self.names = evaluator.names
         self._parsed |= expansion.documents
@@ -219,6 +229,7 @@ class WatchedEvaluator(Evaluator):
         super().__init__(host, reporter, python, arguments)
         self.scopes: list[Scope] = []
         self.evaluated: set[Place] = set()
+        self.loaded: dict[str, None] = {}
 
     def resolve(self, scope: Scope, name: str, lazy: Lazy) -> Any:
         """Return the value of a property that is needed for the first time, and keep it."""
@@ -234,7 +245,20 @@ class WatchedEvaluator(Evaluator):
             folder = os.path.dirname(os.path.abspath(self.files[-1]))
             self.bases.setdefault(written, set()).add(folder)
             self.relative.add(os.path.abspath(self.abs_filename(filename)))
-        return super().load_yaml(filename)
+        value = super().load_yaml(filename)
+        self.loaded |= dict.fromkeys(_texts_in(value))
+        return value
+
+
+def _texts_in(value: object) -> Iterator[str]:
+    """Return the texts in data, and its numbers as texts."""
+    if isinstance(value, dict):
+        value = [*value.values()]
+    if isinstance(value, list):
+        for each in value:
+            yield from _texts_in(each)
+    elif isinstance(value, (str, int)):
+        yield str(value)
 
 
 class WatchedPython(Python):
