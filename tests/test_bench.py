@@ -40,6 +40,7 @@ def test_a_script_prints_a_table_of_figures(script: str) -> None:
     assert {row.count("|") for row in rows} == {head.count("|")}
 
 
+@pytest.mark.slow
 def test_one_command_runs_the_scripts_and_names_the_machine() -> None:
     machine, _, *table = run("run", "start", "--scale", "0.002", "--runs", "1")
     assert f"Python {sys.version_info.major}.{sys.version_info.minor}" in machine

@@ -29,6 +29,7 @@ def test_a_time_is_said_roughly(seconds: float, words: str) -> None:
     assert in_words(seconds) == words
 
 
+@pytest.mark.slow
 def test_a_parallel_run_tells_the_number_of_tests_and_remembers_their_time(tmp_path: Path) -> None:
     tests = tmp_path / "test_two.py"
     tests.write_text(

@@ -94,6 +94,7 @@ def test_the_corpus_of_the_pipeline_has_inputs_of_several_files(
     }
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(jail.check_available() is not None, reason="the kernel has no jail")
 def test_safe_files_give_the_same_in_a_jail(corpora: dict[str, list[str]]) -> None:
     for text in corpora["pipeline"][::8]:

@@ -90,6 +90,7 @@ def test_two_versions_of_25_mb_differ_everywhere() -> None:
         assert old[start : start + 4096] != new[start : start + 4096]
 
 
+@pytest.mark.slow
 def test_a_writer_killed_at_any_moment_leaves_a_whole_file(tmp_path: Path) -> None:
     path = tmp_path / "out.urdf"
     path.write_bytes(VERSIONS[0])

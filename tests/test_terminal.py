@@ -273,6 +273,7 @@ def test_our_styles_pass_only_where_there_is_colour() -> None:
         assert "\x9b" not in harmless(almost, colored=True)
 
 
+@pytest.mark.slow
 def test_every_character_is_harmless_or_escaped() -> None:
     for code in range(0x110000):
         char = chr(code)

@@ -310,6 +310,7 @@ def expected(all_jobs: list[Job]) -> list[tuple[object, ...]]:
     return [job.outcome(job.program()) for job in all_jobs]
 
 
+@pytest.mark.slow
 def test_the_jobs_are_of_many_kinds(
     all_jobs: list[Job], expected: list[tuple[object, ...]]
 ) -> None:
@@ -344,6 +345,7 @@ def compare(
     assert state() == before
 
 
+@pytest.mark.slow
 def test_eight_threads_give_what_one_gives(
     all_jobs: list[Job], expected: list[tuple[object, ...]]
 ) -> None:

@@ -111,6 +111,7 @@ def test_where_there_is_no_jail_meshes_are_read_without(
     assert all(isinstance(each, list) for each in found.values())
 
 
+@pytest.mark.slow
 def test_drawing_was_not_bound_by_the_time_out(tmp_path: Path) -> None:
     source = tmp_path / "robot.urdf"
     source.write_text('<robot name="r"><link name="a"><visual><geometry><sphere radius="1"/>'

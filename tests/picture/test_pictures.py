@@ -181,6 +181,7 @@ def test_frames_have_red_green_and_blue_axes(tmp_path: Path) -> None:
         assert like(image, *color).sum() > 10, color
 
 
+@pytest.mark.slow
 def test_inertia_shows_a_box_of_the_size_of_the_body(tmp_path: Path) -> None:
     """For a solid box of 2 kg and edges 0.2, 0.4 and 1 m the moments are m/12·(b² + c²)."""
     moments = 'ixx="0.193333" iyy="0.173333" izz="0.033333" ixy="0" ixz="0" iyz="0"'
@@ -194,6 +195,7 @@ def test_inertia_shows_a_box_of_the_size_of_the_body(tmp_path: Path) -> None:
     np.testing.assert_allclose(found, expected, atol=2)
 
 
+@pytest.mark.slow
 def test_a_grid_lies_on_the_floor(tmp_path: Path) -> None:
     content = link(visual('<sphere radius="0.1"/>', RED))
     plain, with_grid = (
@@ -212,6 +214,7 @@ def test_a_transparent_picture_is_clear_around_the_robot_and_solid_in_it(tmp_pat
     assert 0 < (image[..., 3] == 0).mean() < 0.9
 
 
+@pytest.mark.slow
 def test_several_views_make_a_sheet(tmp_path: Path) -> None:
     content = link(visual('<sphere radius="1"/>', RED))
     for views, shape in (("iso,top", (90, 240)), ("iso,front,top", (180, 240))):
@@ -243,6 +246,7 @@ def mesh_visual(name: str, more: str = "", material: str = RED) -> str:
 FORMATS = ["stl", "stl_ascii", "obj", "dae", "glb", "ply"]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", sample(FORMATS, every=3))
 def test_each_format_of_meshes_is_drawn_like_the_box_it_holds(kind: str, tmp_path: Path) -> None:
     name = f"box.{kind.removesuffix('_ascii')}"

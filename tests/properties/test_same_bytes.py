@@ -135,11 +135,13 @@ def test_the_seed_of_hashes_changes_nothing(
     assert build_all(files, PYTHONHASHSEED=seed) == expected
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", ["1", slow("4242")])
 def test_the_seed_of_hashes_changes_no_message(expected_errors: dict[str, Any], seed: str) -> None:
     assert build_all(failing_cases(), PYTHONHASHSEED=seed) == expected_errors
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("is_reversed", [slow(False), True])
 def test_the_order_of_folders_changes_nothing(
     files: list[Path],
@@ -152,6 +154,7 @@ def test_the_order_of_folders_changes_nothing(
     assert build_all(failing_cases(), prelude=prelude) == expected_errors
 
 
+@pytest.mark.slow
 def test_the_working_directory_changes_nothing(
     files: list[Path], expected: dict[str, Any], tmp_path: Path
 ) -> None:
@@ -162,6 +165,7 @@ def test_the_working_directory_changes_nothing(
     }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("locale", ["C", slow("POSIX"), slow("de_DE.UTF-8"), slow("tr_TR.UTF-8")])
 def test_the_locale_changes_nothing(
     files: list[Path], expected: dict[str, Any], locale: str
@@ -194,6 +198,7 @@ def test_optimised_python_changes_nothing(files: list[Path], expected: dict[str,
     assert build_all(files, PYTHONOPTIMIZE="2") == expected
 
 
+@pytest.mark.slow
 def test_doing_without_libyaml_changes_nothing(files: list[Path], expected: dict[str, Any]) -> None:
     got = build_all(files, prelude=WITHOUT_LIBYAML)
     # libyaml lets a tab stand behind the colon, as YAML does; PyYAML's own parser does not.
@@ -216,6 +221,7 @@ def other_pythons() -> list[str]:
     return list(pythons.values())
 
 
+@pytest.mark.slow
 def test_another_python_changes_nothing(files: list[Path], expected: dict[str, Any]) -> None:
     pythons = other_pythons()
     if not pythons:

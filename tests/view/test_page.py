@@ -249,6 +249,7 @@ def test_a_field_keeps_its_value_while_the_file_has_an_error(lamp: Page) -> None
     assert lamp.run("yamaro.robot.bounds().max.z") == pytest.approx(0.05 + 0.7)
 
 
+@pytest.mark.slow
 def test_a_default_that_is_changed_in_the_file_wins_over_the_field(lamp: Page) -> None:
     lamp.press("#variables [data-variable=height] input.number")
     lamp.run("document.activeElement.select()")
@@ -379,6 +380,7 @@ def test_links_stand_where_another_program_puts_them(
             assert here == pytest.approx(judge.get_transform(link), abs=1e-6), (path, link)
 
 
+@pytest.mark.slow
 def test_joints_of_several_degrees_of_freedom_move_in_their_own_frame(
     page: Page, view: Start, tmp_path: Path
 ) -> None:
@@ -563,6 +565,7 @@ def test_robots_that_are_gone_leave_nothing_on_the_graphics_card(lamp: Page) -> 
     assert found[0] == found[-1], found
 
 
+@pytest.mark.slow
 def test_the_page_fits_a_narrow_window(lamp: Page) -> None:
     lamp.resize(460, 860)
     try:

@@ -413,6 +413,7 @@ def test_garbage_on_the_socket_does_no_harm(
     assert capfd.readouterr().err == ""
 
 
+@pytest.mark.slow
 def test_hundreds_of_builds_do_not_add_up(tmp_path: Path) -> None:
     if not os.path.exists("/proc/self/statm"):
         pytest.skip("the system does not tell how much memory a process has")
