@@ -259,11 +259,7 @@ class Program:
         pending = list(self.documents)
         while pending:
             path = pending.pop()
-            for element in walk(self.documents[path].root):
-                if element.name != "xacro:include" or "filename" not in element.attributes:
-                    continue
-                span = element.value_span("filename")
-                text = format_value(element.attributes["filename"])
+            for text, span in self._names_of_includes(path):
                 if "$" not in text:
                     continue
                 key = (span.source.path, span.start)
@@ -409,19 +405,23 @@ class Program:
             if name not in self.arguments and any(name in names for names in self._names.values()):
                 self.arguments[name] = Argument(root.span, "to be given: it has no default")
 
+    def _names_of_includes(self, path: str) -> Iterator[tuple[str, Span]]:
+        """Yield the name that each include of a file is written with, and where."""
+        for element in walk(self.documents[path].root):
+            if element.name == "xacro:include" and "filename" in element.attributes:
+                text = format_value(element.attributes["filename"])
+                yield text, element.value_span("filename")
+
     def _read_the_rest(self, host: Host) -> None:
         """Read the files that these arguments do not reach, where their names are plain."""
         pending = list(self.documents)
         while pending:
             path = pending.pop()
-            for element in walk(self.documents[path].root):
-                if element.name != "xacro:include" or "filename" not in element.attributes:
-                    continue
-                span = element.value_span("filename")
+            for text, span in self._names_of_includes(path):
                 key = (span.source.path, span.start)
                 if key in self.included:
                     continue
-                found = _plain_path(format_value(element.attributes["filename"]), path, host, span)
+                found = _plain_path(text, path, host, span)
                 if found is None:
                     continue
                 is_new = found not in self.documents
