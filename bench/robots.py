@@ -40,9 +40,9 @@ from yamaro.policy import Limits
 from yamaro.tools.migrate.command import migrate_file
 from yamaro.tools.migrate.document import element_key
 from yamaro.tools.migrate.refused import build_allowing
-from yamaro.tools.migrate.xacro import XacroMigration
-from yamaro.tools.migrate.xacro_command import migrate_robot
-from yamaro.xmlreader import decode_xml
+from yamaro.tools.migrate.xacro.command import migrate_robot
+from yamaro.tools.migrate.xacro.sources import XacroMigration
+from yamaro.xml.reader import decode_xml
 
 ROOT = Path(__file__).parents[1]
 sys.path.insert(0, str(ROOT))

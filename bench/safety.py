@@ -13,7 +13,7 @@ from pathlib import Path
 
 from measuring import YAMARO, Figure, Setting, main, run, run_in_turns, shown
 
-from yamaro import jail
+from yamaro.sandbox import jail
 
 FOLDER = Path(__file__).parent
 HEXAPOD = FOLDER.parent / "examples" / "hexapod" / "hexapod.yaml"

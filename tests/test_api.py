@@ -14,7 +14,7 @@ import pytest
 from lxml import etree
 
 import yamaro
-from yamaro import jail
+from yamaro.sandbox import jail
 
 needs_jail = pytest.mark.skipif(jail.check_available() is not None, reason="no jail here")
 

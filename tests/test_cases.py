@@ -19,9 +19,10 @@ from lxml import etree
 from packaging.specifiers import SpecifierSet
 
 from tests.effort import sample
-from yamaro import compiler, jail
+from yamaro import compiler
 from yamaro.commands.main import main
 from yamaro.runtime.interpreter import Interpreter
+from yamaro.sandbox import jail
 
 CASES = Path(__file__).parent / "cases"
 OPTIONS = ("args", "command", "env", "python", "strict")

@@ -16,14 +16,14 @@ from hypothesis import strategies as st
 
 from tests.counting import calls_of
 from tests.effort import examples
+from yamaro.check.advice import stl_extent
+from yamaro.check.context import read_numbers
+from yamaro.check.link import principal_moments
+from yamaro.check.robot import check
 from yamaro.diagnostics import WARNING, Diagnostic, Reporter, render
-from yamaro.robot.check import check
-from yamaro.robot.check_advice import stl_extent
-from yamaro.robot.check_context import read_numbers
-from yamaro.robot.check_link import principal_moments
-from yamaro.robot.urdf import ELEMENTS
+from yamaro.model.urdf_schema import ELEMENTS
 from yamaro.source import Source, Span
-from yamaro.xmltree import Comment, Element, Text
+from yamaro.xml.tree import Comment, Element, Text
 
 
 class UrdfReader:

@@ -15,7 +15,7 @@ from typing import Any
 import pytest
 
 from tests.waiting import PATIENCE
-from yamaro import compiler, jail
+from yamaro import compiler
 from yamaro.commands.arguments import parse_arguments
 from yamaro.commands.help import help_of
 from yamaro.commands.main import main
@@ -24,6 +24,7 @@ from yamaro.commands.shells import SHELLS, script
 from yamaro.commands.table import COMMANDS, OPTIONS, SPELLINGS, named_commands, options_of
 from yamaro.commands.usage import USAGE
 from yamaro.policy import Limits, limit_names
+from yamaro.sandbox import jail
 
 ROBOT = """\
 robot: arm
@@ -1120,7 +1121,7 @@ def test_a_conversion_imports_little(words: list[str], text: str) -> None:
 @pytest.mark.parametrize(
     ("text", "unused"),
     [
-        (ARM, "yamaro.robot.mesh"),
+        (ARM, "yamaro.model.mesh_integrals"),
         (PLAIN, "yamaro.robot.part"),
         ("launch: {node/name=n: }\n", "yamaro.robot"),
     ],

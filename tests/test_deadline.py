@@ -11,8 +11,8 @@ from collections.abc import Iterator
 import pytest
 
 from tests.waiting import PATIENCE, wait_for
-from yamaro.runtime import deadline
-from yamaro.runtime.deadline import TimeOver, run_within
+from yamaro.sandbox import deadline
+from yamaro.sandbox.deadline import TimeOver, run_within
 
 pytestmark = pytest.mark.usefixtures("untraced")
 
@@ -120,8 +120,8 @@ def test_what_ends_just_in_time_hears_nothing_of_it_later() -> None:
 
 TRACED = """
 import sys
-from yamaro.runtime import deadline
-from yamaro.runtime.deadline import TimeOver, run_within
+from yamaro.sandbox import deadline
+from yamaro.sandbox.deadline import TimeOver, run_within
 def work_for_ever():
     while True: pass
 run_within(60, int)

@@ -19,9 +19,10 @@ import pytest
 
 from tests.waiting import PATIENCE, wait_for
 from yamaro import YamaroError, build, convert
-from yamaro.runtime import collector, deep_stack
-from yamaro.runtime.deep_stack import run_on_deep_stack
-from yamaro.runtime.loader import MemoryLoader
+from yamaro.files.loader import MemoryLoader
+from yamaro.runtime import collector
+from yamaro.sandbox import deep_stack
+from yamaro.sandbox.deep_stack import run_on_deep_stack
 
 ENDLESS = """
 functions:

@@ -10,7 +10,7 @@ from yamaro.source import Source, Span
 from yamaro.syntax.forms import Form, key_of
 from yamaro.syntax.nodes import Body, ElementNode, PartNode
 from yamaro.syntax.parser import parse
-from yamaro.xmltree import Element, Text
+from yamaro.xml.tree import Element, Text
 
 
 def root_of(text: str) -> Body:

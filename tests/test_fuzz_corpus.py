@@ -18,11 +18,14 @@ from tests.fuzz import pipeline
 from tests.fuzz.corpus import FILE_MARK, read_corpus, to_bytes, to_text
 from tests.fuzz.session import Session
 from tests.fuzz.targets import TARGETS
-from yamaro import jail, xmltree
 from yamaro.diagnostics import did_you_mean
 from yamaro.runtime import loops
-from yamaro.syntax import forms, keys, python, yaml_faults, yaml_nodes
-from yamaro.syntax.yaml_reader import _Builder
+from yamaro.sandbox import jail
+from yamaro.syntax import forms, keys, python
+from yamaro.xml import tree as xmltree
+from yamaro.yaml import faults as yaml_faults
+from yamaro.yaml import nodes as yaml_nodes
+from yamaro.yaml.reader import _Builder
 
 SEED = 1
 MORE = 1_000

@@ -13,11 +13,11 @@ import pytest
 
 import yamaro
 from tests.counting import calls_of
-from yamaro import xmlreader
 from yamaro.diagnostics import render_all
 from yamaro.source import Source
 from yamaro.syntax.keys import find_outside
-from yamaro.xmltree import Element
+from yamaro.xml import reader as xmlreader
+from yamaro.xml.tree import Element
 
 SMALL, LARGE = 20, 200
 

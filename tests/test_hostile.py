@@ -36,7 +36,7 @@ import resource, sys
 sys.settrace(None)  # with a tool that looks on there is no deep stack
 sys.path.pop(0)  # the folder of the robot, where nothing is to be found by chance
 resource.setrlimit(resource.RLIMIT_AS, (int(sys.argv[1]),) * 2)
-from yamaro import process
+from yamaro.sandbox import process
 process.GRACE = float(sys.argv[2])
 from yamaro.commands.main import main
 sys.argv[:3] = ["yamaro"]

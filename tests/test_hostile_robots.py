@@ -12,7 +12,7 @@ from tests.hostile.hostile_inputs import OLD_OUTPUT, read_inputs
 from tests.test_check import FAULTY, BadRobot, bad_robots, read
 from tests.test_hostile import PLACE
 from yamaro.commands.main import main
-from yamaro.xmltree import Element, Text
+from yamaro.xml.tree import Element, Text
 
 NAMED_AFTER_THE_FILE = "no robot name"  # in YAML a robot has a name in any case
 # In YAML, what xacro left is told of where it is read.

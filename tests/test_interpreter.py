@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 
 from yamaro import YamaroError, build
-from yamaro.runtime.loader import MemoryLoader
+from yamaro.files.loader import MemoryLoader
 
 
 def compiled(text: str, **files: str) -> str:

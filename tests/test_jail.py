@@ -33,13 +33,13 @@ from hypothesis import strategies as st
 
 from tests.effort import sample
 from tests.waiting import PATIENCE, wait_for
-from yamaro import jail
-from yamaro.jail import JailLimits, pack, run_jailed, unpack
+from yamaro.sandbox import jail
+from yamaro.sandbox.jail import JailLimits, pack, run_jailed, unpack
 
 if not sys.platform.startswith("linux"):
     pytest.skip("a jail needs Linux", allow_module_level=True)
 
-from yamaro.jail import calls, child, landlock, protocol, seccomp
+from yamaro.sandbox.jail import calls, child, landlock, protocol, seccomp
 
 WHY_NOT = jail.check_available()
 in_jail = pytest.mark.skipif(WHY_NOT is not None, reason=f"no jail here: {WHY_NOT}")
@@ -804,7 +804,7 @@ def test_the_environment_is_hidden_but_for_a_list(monkeypatch: pytest.MonkeyPatc
 @in_jail
 def test_no_mapping_holds_the_environment() -> None:
     program = (
-        "import os, posix\nfrom yamaro import jail\n"
+        "import os, posix\nfrom yamaro.sandbox import jail\n"
         "def work():\n"
         "    mappings = (posix.environ, os.environ, os.environb)\n"
         "    text = repr([dict(mapping) for mapping in mappings])\n"
@@ -849,7 +849,7 @@ def test_what_it_prints_is_lost(capfd: pytest.CaptureFixture[str]) -> None:
 @in_jail
 def test_what_was_not_yet_written_is_written_once() -> None:
     program = (
-        "import sys\nfrom yamaro import jail\n"
+        "import sys\nfrom yamaro.sandbox import jail\n"
         "sys.stdout.write('once ')\n"
         "def work():\n    sys.stdout.flush()\n    sys.__stdout__.flush()\n    return b'done'\n"
         "answer = jail.run_jailed(work, readable=[], limits=jail.JailLimits())\n"
@@ -900,7 +900,7 @@ def test_folders_of_python_are_not_the_folder_of_the_program(
 @in_jail
 def test_modules_can_be_imported() -> None:
     program = (
-        "from yamaro import jail\n"
+        "from yamaro.sandbox import jail\n"
         "def work():\n"
         "    import math, statistics, json, decimal, random, datetime, csv, fractions, zoneinfo\n"
         "    import colorsys, wave, hashlib, zlib, struct, collections, itertools, unicodedata\n"
@@ -918,7 +918,7 @@ def test_modules_can_be_imported() -> None:
 def test_numpy_can_be_imported() -> None:
     pytest.importorskip("numpy")
     program = (
-        "from yamaro import jail\n"
+        "from yamaro.sandbox import jail\n"
         "def work():\n"
         "    import numpy\n"
         "    return str(numpy.linalg.inv(numpy.eye(300) * 2).sum()).encode()\n"
@@ -968,7 +968,7 @@ def test_an_answer_may_be_empty() -> None:
 
 @in_jail
 def test_threads_with_deep_stacks_work() -> None:
-    from yamaro.runtime.deep_stack import run_on_deep_stack
+    from yamaro.sandbox.deep_stack import run_on_deep_stack
 
     def depth(n: int) -> int:
         return n if n == 0 else 1 + depth(n - 1)
@@ -1012,7 +1012,7 @@ def test_an_interrupt_ends_the_child() -> None:
 
 INTERRUPTED = """
 import os, signal, time
-from yamaro import jail
+from yamaro.sandbox import jail
 
 def interrupt(*_):
     raise KeyboardInterrupt
@@ -1073,7 +1073,7 @@ def signal_effect(number: int) -> int | None:
 @in_jail
 def test_the_child_ends_with_its_parent() -> None:
     program = (
-        "import time\nfrom yamaro import jail\nprint(flush=True)\n"
+        "import time\nfrom yamaro.sandbox import jail\nprint(flush=True)\n"
         "jail.run_jailed(lambda: time.sleep(100), readable=[], limits=jail.JailLimits())\n"
     )
     with subprocess.Popen([sys.executable, "-c", program], stdout=subprocess.PIPE) as process:
@@ -1168,7 +1168,7 @@ def test_children_that_nobody_waits_for_do_no_harm() -> None:
 @in_jail
 def test_descriptors_of_standard_streams_that_are_closed_do_no_harm() -> None:
     program = (
-        "import os\nfrom yamaro import jail\n"
+        "import os\nfrom yamaro.sandbox import jail\n"
         "report = os.dup(1)\n"
         "for n in (0, 1, 2): os.close(n)\n"
         "answer = jail.run_jailed(lambda: b'done', readable=[], limits=jail.JailLimits())\n"

@@ -10,7 +10,7 @@ from typing import Any
 
 import pytest
 
-from yamaro.syntax import libyaml
+from yamaro.yaml import libyaml
 
 
 @pytest.fixture(autouse=True)

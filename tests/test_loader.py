@@ -13,10 +13,10 @@ import pytest
 
 import yamaro
 from yamaro.diagnostics import YamaroError
+from yamaro.files import loader
+from yamaro.files.loader import FileLoader, LoadError, MemoryLoader, decode
+from yamaro.files.readable import Reach
 from yamaro.policy import Limits
-from yamaro.runtime import loader
-from yamaro.runtime.loader import FileLoader, LoadError, MemoryLoader, decode
-from yamaro.runtime.reach import Reach
 
 posix = pytest.mark.skipif(sys.platform == "win32", reason="has no such files")
 

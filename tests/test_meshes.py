@@ -6,9 +6,9 @@ import pytest
 
 from yamaro import YamaroError, build
 from yamaro.diagnostics import render
+from yamaro.files.mesh_files import MeshFinder
+from yamaro.files.packages import PackageFinder
 from yamaro.policy import Policy
-from yamaro.runtime.meshes import MeshFinder
-from yamaro.runtime.packages import PackageFinder
 from yamaro.source import Source, Span
 
 

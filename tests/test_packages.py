@@ -10,8 +10,8 @@ from pathlib import Path
 
 import pytest
 
-from yamaro.runtime import packages
-from yamaro.runtime.packages import PackageFinder, is_package_name, manifest_name
+from yamaro.files import packages
+from yamaro.files.packages import PackageFinder, is_package_name, manifest_name
 
 
 def make_package(folder: Path, name: str | None = None) -> str:

@@ -7,10 +7,10 @@ from pathlib import Path
 import pytest
 
 import yamaro
-from yamaro import jail
 from yamaro.commands.main import main
 from yamaro.commands.usage import USAGE
-from yamaro.runtime.packages import PackageFinder
+from yamaro.files.packages import PackageFinder
+from yamaro.sandbox import jail
 
 needs_jail = pytest.mark.skipif(jail.check_available() is not None, reason="no jail here")
 

@@ -12,7 +12,7 @@ from scipy.spatial.transform import Rotation
 from tests.part_builder import build, error_of, errors_of, lower_text, lower_tree
 from yamaro.diagnostics import Frame, Reporter, YamaroError
 from yamaro.robot.part import lower
-from yamaro.xmltree import Element, PartElement, Text
+from yamaro.xml.tree import Element, PartElement, Text
 
 WHEEL = """
 part:

@@ -12,10 +12,11 @@ import pytest
 
 import yamaro
 from tests.waiting import PATIENCE
-from yamaro import Policy, YamaroError, compiler, confined, jail
+from yamaro import Policy, YamaroError, compiler, confined
 from yamaro.commands.main import main
-from yamaro.jail import JailLimits
 from yamaro.policy import Limits, limit_names, limit_range
+from yamaro.sandbox import jail
+from yamaro.sandbox.jail import JailLimits
 
 needs_jail = pytest.mark.skipif(jail.check_available() is not None, reason="no jail here")
 COMMAND = [sys.executable, "-m", "yamaro"]

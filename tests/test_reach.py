@@ -7,8 +7,8 @@ from pathlib import Path
 
 import pytest
 
-from yamaro.runtime.loader import FileLoader, LoadError
-from yamaro.runtime.reach import Reach
+from yamaro.files.loader import FileLoader, LoadError
+from yamaro.files.readable import Reach
 
 
 @pytest.fixture

@@ -9,7 +9,7 @@ import pytest
 import yamaro
 from tests.test_runtime_details import fault, place, run
 from yamaro import Policy, YamaroError
-from yamaro.runtime.loader import MemoryLoader
+from yamaro.files.loader import MemoryLoader
 
 # --- the user's Python ------------------------------------------------------------------------
 

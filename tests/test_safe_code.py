@@ -22,13 +22,13 @@ from hypothesis import strategies as st
 from tests.effort import examples, is_quick
 from tests.hostile.escape_payloads import Payload, read_payloads
 from tests.waiting import PATIENCE
-from yamaro.runtime import safe_code
-from yamaro.runtime.safe_code import classify, compile_safe
-from yamaro.runtime.safe_limits import SafeLimits, SafetyError
-from yamaro.runtime.safe_methods import CHANGING, DATA, READING
-from yamaro.runtime.safe_modules import MODULES
-from yamaro.runtime.safe_runtime import SafeRuntime
-from yamaro.runtime.safe_values import Function, Module, OrderedSet
+from yamaro.safe import code as safe_code
+from yamaro.safe.code import classify, compile_safe
+from yamaro.safe.limits import SafeLimits, SafetyError
+from yamaro.safe.methods import CHANGING, DATA, READING
+from yamaro.safe.modules import MODULES
+from yamaro.safe.runtime import SafeRuntime
+from yamaro.safe.values import Function, Module, OrderedSet
 
 REPOSITORY = Path(__file__).parents[1]
 PAYLOADS = read_payloads()
@@ -425,8 +425,8 @@ def test_helpers_take_plain_arguments_and_give_plain_data() -> None:
 
 
 ORDER = """
-from yamaro.runtime.safe_code import compile_safe
-from yamaro.runtime.safe_runtime import SafeRuntime
+from yamaro.safe.code import compile_safe
+from yamaro.safe.runtime import SafeRuntime
 runtime = SafeRuntime()
 text = "[list({'b', 'a', 'c', 1, 2.5, None, ('x', 1)}), str({'q', 'p'}), {'l', 'k'} | {'m'}]"
 code = runtime.bind(compile_safe(text, "<test>", "eval"))

@@ -16,10 +16,10 @@ from typing import Any
 
 import pytest
 
-from yamaro.runtime.safe_code import _Rewriter, compile_safe
-from yamaro.runtime.safe_limits import RUN_IT, SafeLimits, SafetyError
-from yamaro.runtime.safe_runtime import SafeRuntime
-from yamaro.runtime.safe_values import OrderedSet
+from yamaro.safe.code import _Rewriter, compile_safe
+from yamaro.safe.limits import RUN_IT, SafeLimits, SafetyError
+from yamaro.safe.runtime import SafeRuntime
+from yamaro.safe.values import OrderedSet
 
 np = pytest.importorskip("numpy")
 
@@ -443,19 +443,19 @@ def test_a_module_is_made_once() -> None:
     assert [runtime.module(name) is runtime.module(name) for name in MODULES] == [True] * 3
 
 
-@pytest.mark.parametrize("name", ["safe_arrays", "safe_numpy"])
+@pytest.mark.parametrize("name", ["arrays", "numpy"])
 def test_only_numpy_itself_can_be_missing(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.delitem(sys.modules, "yamaro.runtime.safe_numpy", raising=False)
-    monkeypatch.setitem(sys.modules, f"yamaro.runtime.{name}", None)
-    with pytest.raises(ModuleNotFoundError, match=name):
+    monkeypatch.delitem(sys.modules, "yamaro.safe.numpy", raising=False)
+    monkeypatch.setitem(sys.modules, f"yamaro.safe.{name}", None)
+    with pytest.raises(ModuleNotFoundError, match=f"yamaro.safe.{name}"):
         SafeRuntime().module("numpy")
 
 
 def test_without_numpy_a_file_is_told_where_it_is_looked_for(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    for name in ("safe_arrays", "safe_numpy"):
-        monkeypatch.delitem(sys.modules, f"yamaro.runtime.{name}", raising=False)
+    for name in ("arrays", "numpy"):
+        monkeypatch.delitem(sys.modules, f"yamaro.safe.{name}", raising=False)
     monkeypatch.setitem(sys.modules, "numpy", None)
     with pytest.raises(SafetyError) as caught:
         SafeRuntime().module("numpy")

@@ -19,19 +19,20 @@ from hypothesis import strategies as st
 
 import yamaro
 from tests.effort import examples
-from yamaro.runtime.safe_code import compile_safe
-from yamaro.runtime.safe_limits import SafetyError
-from yamaro.runtime.safe_methods import CHANGING, READING
-from yamaro.runtime.safe_runtime import SafeRuntime
-from yamaro.runtime.safe_values import Foreign, Module
+from yamaro.safe.code import compile_safe
+from yamaro.safe.limits import SafetyError
+from yamaro.safe.methods import CHANGING, READING
+from yamaro.safe.runtime import SafeRuntime
+from yamaro.safe.values import Foreign, Module
 
 np = pytest.importorskip("numpy")
 VERSION = tuple(map(int, np.__version__.split(".")[:2]))
 IS_OLD = VERSION < (2, 0)
 IS_RAGGED = VERSION < (1, 24)
 
-from yamaro.runtime import safe_arrays, safe_numpy  # noqa: E402 - it imports numpy
-from yamaro.runtime.safe_arrays import Array, Number, Whole  # noqa: E402
+from yamaro.safe import arrays as safe_arrays  # noqa: E402
+from yamaro.safe import numpy as safe_numpy  # noqa: E402
+from yamaro.safe.arrays import Array, Number, Whole  # noqa: E402
 
 REPOSITORY = Path(__file__).parents[1]
 HOSTILE = REPOSITORY / "tests" / "hostile"
@@ -425,7 +426,7 @@ def test_a_file_gives_the_same_in_safe_mode() -> None:
 def test_only_files_that_import_numpy_load_it() -> None:
     script = (
         "import sys, yamaro\n"
-        "from yamaro.runtime.safe_runtime import SafeRuntime\n"
+        "from yamaro.safe.runtime import SafeRuntime\n"
         "runtime = SafeRuntime()\n"
         "runtime.module('math'), runtime.admit([1.5])\n"
         "print('numpy' in sys.modules)\n"
@@ -438,10 +439,10 @@ def test_only_files_that_import_numpy_load_it() -> None:
 
 def test_without_numpy_the_error_is_that_of_trusted_mode(monkeypatch: pytest.MonkeyPatch) -> None:
     for name in list(sys.modules):
-        if name == "numpy" or name.startswith("yamaro.runtime.safe_"):
+        if name == "numpy" or name.startswith("yamaro.safe."):
             monkeypatch.delitem(sys.modules, name)
     monkeypatch.setitem(sys.modules, "numpy", None)
-    from yamaro.runtime.safe_runtime import SafeRuntime as Fresh
+    from yamaro.safe.runtime import SafeRuntime as Fresh
 
     with pytest.raises(Exception, match="there is no Python module 'numpy'") as caught:
         Fresh().module("numpy")

@@ -10,8 +10,8 @@ import trimesh
 
 from yamaro.meshes.formats import MeshFileError, MissingLibraryError, mesh_ending
 from yamaro.meshes.triangles import TriangleMesh, is_closed, read_mesh
-from yamaro.robot.mesh import solid_moments
-from yamaro.robot.shapes import Box, Capsule, Cylinder, Mesh, Sphere
+from yamaro.model.mesh_integrals import solid_moments
+from yamaro.model.shapes import Box, Capsule, Cylinder, Mesh, Sphere
 
 CUBE = TriangleMesh(
     [(x, y, z) for x in (0.0, 1.0) for y in (0.0, 1.0) for z in (0.0, 1.0)],

@@ -6,12 +6,12 @@ import pytest
 
 from yamaro import Build, Policy, YamaroError, build
 from yamaro.diagnostics import Diagnostic, Reporter
-from yamaro.runtime.loader import MemoryLoader
+from yamaro.files.loader import MemoryLoader
 from yamaro.source import Source
 from yamaro.syntax.context import ParseContext
 from yamaro.syntax.keys import parse_attributes
-from yamaro.syntax.scalars import is_null, type_plain
-from yamaro.syntax.yaml_nodes import DOUBLE, PLAIN, SINGLE, ScalarNode, _align_flow, quoted
+from yamaro.yaml.nodes import DOUBLE, PLAIN, SINGLE, ScalarNode, _align_flow, quoted
+from yamaro.yaml.scalars import is_null, type_plain
 
 
 def build_text(text: str, *arguments: str) -> Build:

@@ -10,7 +10,7 @@ from yamaro.syntax.context import ParseContext
 from yamaro.syntax.keys import find_outside
 from yamaro.syntax.python import PythonCode, expression_without_dollars, ros_call, ros_words
 from yamaro.syntax.template import Template, parse_template, skip_expression
-from yamaro.syntax.yaml_nodes import PLAIN, ScalarNode
+from yamaro.yaml.nodes import PLAIN, ScalarNode
 
 
 def parse(text: str) -> tuple[str | Template, list[str]]:

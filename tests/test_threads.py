@@ -15,7 +15,7 @@ from typing import Any
 import pytest
 
 import yamaro
-from yamaro import jail
+from yamaro.sandbox import jail
 
 THREADS = 8
 ROUNDS = 10

@@ -6,7 +6,7 @@ from math import cos, pi, sin
 
 import pytest
 
-from yamaro.robot.transforms import (
+from yamaro.model.rotations import (
     multiply,
     rotate,
     rotation_from_rpy,

@@ -9,7 +9,7 @@ import pytest
 from tests.counting import calls_of
 from yamaro.source import Source, Span
 from yamaro.tools.tree import render_tree
-from yamaro.xmltree import Element
+from yamaro.xml.tree import Element
 
 SPAN = Span(Source("", name="robot.yaml"), 0, 0)
 

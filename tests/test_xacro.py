@@ -11,11 +11,11 @@ import pytest
 from tests.xacro_host import MemoryHost
 from yamaro.diagnostics import Diagnostic, Reporter, YamaroError, trace_lines
 from yamaro.policy import Limits
-from yamaro.runtime.deep_stack import run_on_deep_stack
+from yamaro.sandbox.deep_stack import run_on_deep_stack
 from yamaro.source import Source
 from yamaro.xacro.expansion import expand
 from yamaro.xacro.python import Python
-from yamaro.xmltree import Element, write
+from yamaro.xml.tree import Element, write
 
 
 def prop(name: str, value: str, **others: str) -> str:

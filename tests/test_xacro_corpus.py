@@ -12,7 +12,7 @@ from xml.dom import minidom
 import pytest
 
 from tests.xacro_host import FileHost, expand_file
-from yamaro.xmltree import Comment, Element, Node
+from yamaro.xml.tree import Comment, Element, Node
 
 CORPUS = Path(__file__).parents[2] / "shared" / "corpus"
 UNKNOWN = "/opt/ros/unknown/share"

@@ -9,10 +9,10 @@ import pytest
 from tests import xacro_suite
 from tests.xacro_host import FileHost
 from yamaro.diagnostics import Reporter, YamaroError, render
-from yamaro.runtime.deep_stack import run_on_deep_stack
+from yamaro.sandbox.deep_stack import run_on_deep_stack
 from yamaro.source import Source
 from yamaro.xacro.expansion import expand
-from yamaro.xmltree import write
+from yamaro.xml.tree import write
 
 
 def expand_to_text(document: xacro_suite.Document) -> str:

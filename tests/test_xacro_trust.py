@@ -7,9 +7,10 @@ from pathlib import Path
 import pytest
 
 import yamaro
-from yamaro import Policy, YamaroError, jail
+from yamaro import Policy, YamaroError
 from yamaro.commands.main import main
 from yamaro.diagnostics import Diagnostic
+from yamaro.sandbox import jail
 
 needs_jail = pytest.mark.skipif(jail.check_available() is not None, reason="no jail here")
 

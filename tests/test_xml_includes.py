@@ -7,13 +7,14 @@ from pathlib import Path
 
 import pytest
 
-from yamaro import Build, Policy, YamaroError, build, jail
+from yamaro import Build, Policy, YamaroError, build
 from yamaro.diagnostics import Diagnostic, render
+from yamaro.files.loader import MemoryLoader
 from yamaro.policy import Limits
-from yamaro.runtime.loader import MemoryLoader
 from yamaro.runtime.xml_includes import is_xacro, read_included
+from yamaro.sandbox import jail
 from yamaro.source import Source
-from yamaro.xmlreader import read_xml
+from yamaro.xml.reader import read_xml
 
 XACRO = 'xmlns:xacro="http://www.ros.org/wiki/xacro"'
 AT = os.path.abspath("/robots")

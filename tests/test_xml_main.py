@@ -4,13 +4,14 @@ from pathlib import Path
 
 import pytest
 
-from yamaro import Build, UsageError, YamaroError, build, convert, jail, load
+from yamaro import Build, UsageError, YamaroError, build, convert, load
 from yamaro.commands.main import main
 from yamaro.policy import Policy
+from yamaro.sandbox import jail
 from yamaro.source import Source
 from yamaro.tools.rebuilding import Rebuilder
-from yamaro.xmlreader import _Reader, read_xml
-from yamaro.xmltree import write
+from yamaro.xml.reader import _Reader, read_xml
+from yamaro.xml.tree import write
 
 needs_jail = pytest.mark.skipif(jail.check_available() is not None, reason="no jail here")
 

@@ -12,8 +12,8 @@ from hypothesis import strategies as st
 from yamaro.diagnostics import YamaroError
 from yamaro.policy import Limits
 from yamaro.source import Source
-from yamaro.xmlreader import CData, XmlDocument, decode_xml, read_xml
-from yamaro.xmltree import Comment, Element, Node, Text
+from yamaro.xml.reader import CData, XmlDocument, decode_xml, read_xml
+from yamaro.xml.tree import Comment, Element, Node, Text
 
 
 def read(text: str, *, exact: bool = False, limits: Limits | None = None) -> XmlDocument:

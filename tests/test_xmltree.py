@@ -10,7 +10,7 @@ import pytest
 
 from yamaro.diagnostics import YamaroError
 from yamaro.source import Source, Span
-from yamaro.xmltree import Comment, Element, Text, format_value, is_number, write
+from yamaro.xml.tree import Comment, Element, Text, format_value, is_number, write
 
 PLACE = Span(Source("key: value", name="t.yaml"), 0, 3)
 

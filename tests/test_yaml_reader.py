@@ -10,8 +10,8 @@ from tests.counting import calls_of
 from yamaro.diagnostics import Reporter, YamaroError
 from yamaro.policy import Limits
 from yamaro.source import Source
-from yamaro.syntax.yaml_nodes import MappingNode, ScalarNode, SequenceNode, YamlNode
-from yamaro.syntax.yaml_reader import read, read_fragment
+from yamaro.yaml.nodes import MappingNode, ScalarNode, SequenceNode, YamlNode
+from yamaro.yaml.reader import read, read_fragment
 
 MAX_DEPTH = Limits().yaml_depth
 

@@ -8,11 +8,11 @@ from collections.abc import Callable, Mapping
 
 from yamaro.diagnostics import Reporter, failure
 from yamaro.policy import Limits
-from yamaro.runtime.deep_stack import run_on_deep_stack
+from yamaro.sandbox.deep_stack import run_on_deep_stack
 from yamaro.source import Source, Span
 from yamaro.xacro.expansion import expand
-from yamaro.xmlreader import decode_xml
-from yamaro.xmltree import Element
+from yamaro.xml.reader import decode_xml
+from yamaro.xml.tree import Element
 
 
 class FileHost:

@@ -11,11 +11,11 @@ if TYPE_CHECKING:
     from .diagnostics import Diagnostic as Diagnostic
     from .diagnostics import YamaroError as YamaroError
     from .diagnostics import YamaroWarning as YamaroWarning
+    from .files.loader import FileLoader as FileLoader
+    from .files.loader import LoadError as LoadError
+    from .files.loader import MemoryLoader as MemoryLoader
     from .policy import Policy as Policy
-    from .runtime.loader import FileLoader as FileLoader
-    from .runtime.loader import LoadError as LoadError
-    from .runtime.loader import MemoryLoader as MemoryLoader
-    from .syntax.flexidict import FlexiDict as FlexiDict
+    from .yaml.flexidict import FlexiDict as FlexiDict
 
 __version__ = "0.1.0"
 __all__ = [

@@ -13,18 +13,17 @@ from .diagnostics import (
     YamaroError,
     YamaroWarning,
 )
+from .files.loader import FileLoader, LoadError
+from .files.mesh_files import MeshFinder
+from .files.packages import PackageFinder
 from .policy import NO_JAIL, UNSAFE, Limits, Policy
 from .runtime.collector import RareCollection
-from .runtime.deadline import TimeOver, run_within
-from .runtime.deep_stack import run_on_deep_stack
 from .runtime.interpreter import Interpreter
 from .runtime.library import Library, rules_of
-from .runtime.loader import FileLoader, LoadError
-from .runtime.mesh_paths import COPY, RELATIVE, MeshPaths
-from .runtime.meshes import MeshFinder
-from .runtime.packages import PackageFinder
 from .runtime.predefined import plain_data
 from .runtime.unread import warn_of_unread, warn_of_unread_includes
+from .sandbox.deadline import TimeOver, run_within
+from .sandbox.deep_stack import run_on_deep_stack
 from .source import (
     COMMAND_LINE,
     KEYWORD_ARGUMENT,
@@ -37,22 +36,23 @@ from .syntax.context import ParseContext
 from .syntax.includes import holds_xml
 from .syntax.names import is_identifier, python_name
 from .syntax.values import parse_inline
-from .syntax.yaml_nodes import PLAIN, ScalarNode
+from .targets.mesh_paths import COPY, RELATIVE, MeshPaths
 from .terminal import harmless
-from .xmltree import Element, format_value, unshared, write_pieces
+from .xml.tree import Element, format_value, unshared, write_pieces
+from .yaml.nodes import PLAIN, ScalarNode
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
     from typing import TypeVar
 
-    from .runtime.assets import Assets
-    from .runtime.loader import Loader
-    from .runtime.reach import Reach
-    from .transfer import Outcome
+    from .files.loader import Loader
+    from .files.readable import Reach
+    from .sandbox.transfer import Outcome
+    from .targets.assets import Assets
 
     T = TypeVar("T")
-    from .xmltree import Shared
+    from .xml.tree import Shared
 
 
 class UsageError(Exception):
@@ -337,7 +337,7 @@ class Program:
     def _assets(self, finder: MeshFinder) -> Assets:
         """Return the copies of meshes, which are looked into in a jail if they are not trusted."""
         from .confined import Reader
-        from .runtime.assets import Assets
+        from .targets.assets import Assets
 
         def run(work: Callable[[], bytes]) -> bytes:
             if self._policy.is_confined:
@@ -459,7 +459,7 @@ class Program:
     ) -> Outcome:
         """Return what comes of a conversion that is run in a jail, under the policy of this one."""
         from .confined import run_confined
-        from .transfer import Outcome
+        from .sandbox.transfer import Outcome
 
         def work(say: Callable[[str], None]) -> Outcome:
             def run() -> Outcome:
@@ -580,7 +580,7 @@ def reach_of(path: str, policy: Policy, packages: Mapping[str, str]) -> Reach | 
     """Return what a main file may read, or None for anything."""
     if policy.is_trusted:
         return None
-    from .runtime.reach import Reach, roots_of
+    from .files.readable import Reach, roots_of
 
     allowed = [*policy.allowed_paths, *packages.values()]
     return Reach(roots_of(os.path.abspath(path), allowed, PackageFinder()))
@@ -747,7 +747,7 @@ def _complete(
         if is_yaml:
             root = _put_together(root)
         if root.name == "robot":
-            from .robot.check import check
+            from .check.robot import check
 
             advisor = Reporter() if advice else None
             has_files = check(
@@ -763,7 +763,7 @@ def _complete(
                 if advice is not None and advice(diagnostic.code):
                     reporter.add(diagnostic)
         elif root.span.source.is_xml:
-            from .robot.check import check_format
+            from .check.robot import check_format
 
             check_format(root, reporter)
         written = paths.applied_to(root, shared) if has_files else (root, shared)

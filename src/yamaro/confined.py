@@ -7,12 +7,12 @@ import sys
 from time import monotonic
 
 from .diagnostics import YamaroError, failure
+from .files.packages import MODEL_PATHS
 from .policy import JAIL, NO_JAIL, USUAL_SECONDS, Limits, Policy
-from .runtime.deadline import TimeOver, run_within
-from .runtime.deep_stack import run_on_deep_stack
 from .runtime.expressions import TIME_HINT
 from .runtime.messages import Messages
-from .runtime.packages import MODEL_PATHS
+from .sandbox.deadline import TimeOver, run_within
+from .sandbox.deep_stack import run_on_deep_stack
 from .source import Source, Span
 
 TYPE_CHECKING = False
@@ -20,8 +20,8 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
     from typing import TypeVar
 
-    from .jail import JailError, JailLimits
-    from .transfer import Outcome
+    from .sandbox.jail import JailError, JailLimits
+    from .sandbox.transfer import Outcome
 
     T = TypeVar("T")
 
@@ -55,7 +55,7 @@ def has_jail(policy: Policy, name: str) -> bool:
     """
     if policy.is_trusted:
         return False
-    from .jail import check_available
+    from .sandbox.jail import check_available
 
     reason = check_available()
     if reason is not None and policy.mode == JAIL:
@@ -86,8 +86,8 @@ def run_confined(
         YamaroError: there is no result.
         FaultInJail: Yamaro itself failed.
     """
-    from .jail import JailAnswerBroken, JailUnavailable
-    from .transfer import from_bytes, to_bytes
+    from .sandbox.jail import JailAnswerBroken, JailUnavailable
+    from .sandbox.transfer import from_bytes, to_bytes
 
     def work_in_jail() -> bytes:
         printed: list[str] = []
@@ -138,7 +138,7 @@ def run_in_jail(
         FaultInJail: Yamaro itself failed.
         JailUnavailable: there is no jail; nothing was run.
     """
-    from .jail import KEPT_VARIABLES, JailError, JailUnavailable, JailWorkFailed, run_jailed
+    from .sandbox.jail import KEPT_VARIABLES, JailError, JailUnavailable, JailWorkFailed, run_jailed
 
     def work_in_jail() -> bytes:
         policy.is_confined = True  # in this process, which is a copy
@@ -200,7 +200,13 @@ class Reader:
             YamaroError: the time is over.
             JailError: it was ended for another reason.
         """
-        from .jail import JailCpuTimeOver, JailLimits, JailTimeOver, JailUnavailable, run_jailed
+        from .sandbox.jail import (
+            JailCpuTimeOver,
+            JailLimits,
+            JailTimeOver,
+            JailUnavailable,
+            run_jailed,
+        )
 
         self.check_time()
         if self._policy.is_trusted:
@@ -261,7 +267,7 @@ def _seconds(policy: Policy) -> float:
 
 def _jail_limits(policy: Policy) -> JailLimits:
     """Return what a jail lets a conversion use."""
-    from .jail import JailLimits
+    from .sandbox.jail import JailLimits
 
     limits: Limits = policy.limits
     seconds = _seconds(policy)

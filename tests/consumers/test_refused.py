@@ -10,9 +10,9 @@ import pytest
 
 from tests.consumers import oracles
 from tests.test_check import BadRobot, bad_robots, read
+from yamaro.check.robot import check
 from yamaro.diagnostics import ERROR, Reporter
-from yamaro.robot.check import check
-from yamaro.robot.urdf import VERSIONS
+from yamaro.model.urdf_schema import VERSIONS
 
 ROBOTS = [robot for group in ("tree", "joints", "links") for robot in bad_robots(group)]
 READ_BY_ALL = (

@@ -15,8 +15,8 @@ from typing import Any
 
 from yamaro.diagnostics import Reporter, YamaroError
 from yamaro.source import Source
-from yamaro.syntax.yaml_nodes import MappingNode, ScalarNode, quoted
-from yamaro.syntax.yaml_reader import read
+from yamaro.yaml.nodes import MappingNode, ScalarNode, quoted
+from yamaro.yaml.reader import read
 
 from . import reader
 

@@ -17,8 +17,8 @@ from yamaro.syntax.keys import find_outside, parse_plain_key
 from yamaro.syntax.names import STATEMENTS, bad_name_character
 from yamaro.syntax.nodes import Attribute, ElementNode
 from yamaro.syntax.template import Template, skip_expression
-from yamaro.syntax.yaml_nodes import DOUBLE, PLAIN, ScalarNode
-from yamaro.xmltree import Element
+from yamaro.xml.tree import Element
+from yamaro.yaml.nodes import DOUBLE, PLAIN, ScalarNode
 
 from .checks import require_readable, require_sound
 

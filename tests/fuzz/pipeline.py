@@ -18,12 +18,13 @@ from typing import Any
 
 from lxml import etree
 
-from yamaro import compiler, jail
+from yamaro import compiler
 from yamaro.compiler import UsageError
 from yamaro.diagnostics import YamaroError, render
+from yamaro.files.loader import LoadError
 from yamaro.policy import Policy
 from yamaro.runtime.interpreter import Interpreter
-from yamaro.runtime.loader import LoadError
+from yamaro.sandbox import jail
 
 from .checks import require_readable, require_sound
 from .corpus import FILE_MARK, HERE, to_bytes

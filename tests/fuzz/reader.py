@@ -14,15 +14,15 @@ import yaml
 
 from yamaro.diagnostics import Reporter, YamaroError
 from yamaro.source import Source
-from yamaro.syntax.yaml_nodes import MappingNode, ScalarNode, SequenceNode, quoted
-from yamaro.syntax.yaml_reader import read, read_fragment
+from yamaro.yaml.nodes import MappingNode, ScalarNode, SequenceNode, quoted
+from yamaro.yaml.reader import read, read_fragment
 
 from .checks import require_readable, require_sound
 
 MODULES = (
-    "syntax/yaml_reader.py",
-    "syntax/yaml_nodes.py",
-    "syntax/yaml_faults.py",
+    "yaml/reader.py",
+    "yaml/nodes.py",
+    "yaml/faults.py",
 )
 LOADER: Any = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
 WHITE = " \t\r\n\x85\u2028\u2029"

@@ -24,7 +24,7 @@ from yamaro.syntax.python import (
 )
 from yamaro.syntax.template import Template, parse_template, skip_expression
 from yamaro.syntax.values import parse_condition
-from yamaro.syntax.yaml_nodes import DOUBLE, PLAIN, ScalarNode
+from yamaro.yaml.nodes import DOUBLE, PLAIN, ScalarNode
 
 from .checks import require_readable, require_sound
 

@@ -22,15 +22,15 @@ import numpy as np
 
 from yamaro.diagnostics import YamaroError
 from yamaro.runtime.expressions import Evaluator
-from yamaro.runtime.safe_code import compile_safe
-from yamaro.runtime.safe_limits import SafeLimits, SafetyError
-from yamaro.runtime.safe_runtime import SafeRuntime
 from yamaro.runtime.scope import Home, Namespace, Scope, Shared
+from yamaro.safe.code import compile_safe
+from yamaro.safe.limits import SafeLimits, SafetyError
+from yamaro.safe.runtime import SafeRuntime
 from yamaro.source import Source, Span
-from yamaro.syntax.flexidict import FlexiDict
 from yamaro.syntax.python import PythonCode
 from yamaro.syntax.rules import Rules
-from yamaro.syntax.yaml_nodes import ScalarNode
+from yamaro.yaml.flexidict import FlexiDict
+from yamaro.yaml.nodes import ScalarNode
 
 MEMORY = 3 << 30
 SECRET = "canary-in-the-environment"

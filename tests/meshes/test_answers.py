@@ -11,10 +11,10 @@ import trimesh
 from hypothesis import given
 from hypothesis import strategies as st
 
-from yamaro.jail.limits import JailAnswerBroken
 from yamaro.meshes.answers import _packed, read_packed, unpacked
 from yamaro.meshes.formats import MeshFileError, MissingLibraryError
 from yamaro.meshes.surfaces import Surface
+from yamaro.sandbox.jail.limits import JailAnswerBroken
 
 
 def square() -> Surface:
@@ -28,7 +28,7 @@ def square() -> Surface:
 
 
 def sent(surface: Surface) -> list[Surface]:
-    from yamaro.jail.packing import pack
+    from yamaro.sandbox.jail.packing import pack
 
     return unpacked(pack([b"s", _packed(surface)]))
 

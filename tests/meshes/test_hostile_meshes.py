@@ -20,11 +20,11 @@ from tests.hostile.hostile_meshes import (
     gltf,
     textured_gltf,
 )
+from yamaro.files.readable import Reach
 from yamaro.meshes.answers import read_packed, unpacked
 from yamaro.meshes.formats import MeshFileError
 from yamaro.meshes.surfaces import Surface
 from yamaro.meshes.triangles import read_mesh
-from yamaro.runtime.reach import Reach
 
 posix = pytest.mark.skipif(sys.platform == "win32", reason="needs FIFOs and links")
 pytestmark = posix

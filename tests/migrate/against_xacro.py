@@ -13,10 +13,10 @@ from tests.migrate.test_xacro_migration import HEAD, hold_for, migrated
 from yamaro import build
 from yamaro.policy import Limits
 from yamaro.tools.migrate.refused import build_allowing
-from yamaro.tools.migrate.xacro import XacroMigration
-from yamaro.tools.migrate.xacro_command import DiskHost, expanded_by_xacro, migrate_robot
-from yamaro.xmlreader import decode_xml
-from yamaro.xmltree import write
+from yamaro.tools.migrate.xacro.command import DiskHost, expanded_by_xacro, migrate_robot
+from yamaro.tools.migrate.xacro.sources import XacroMigration
+from yamaro.xml.reader import decode_xml
+from yamaro.xml.tree import write
 
 
 def migrated_for(folder: Path, text: str, *values: str) -> str:

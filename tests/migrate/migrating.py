@@ -9,8 +9,8 @@ from yamaro.codes import ADJUSTABLE
 from yamaro.compiler import build
 from yamaro.source import Source
 from yamaro.tools.migrate.urdf import Migration, migrate_urdf
-from yamaro.xmlreader import read_xml
-from yamaro.xmltree import Element
+from yamaro.xml.reader import read_xml
+from yamaro.xml.tree import Element
 
 
 def migration_of(xml: str, *, exact: bool = False) -> Migration:

@@ -7,8 +7,8 @@ import pytest
 from tests.migrate.same_robot import is_same_robot
 from yamaro.source import Source
 from yamaro.tools.migrate.compare import compare, count_defaults
-from yamaro.xmlreader import read_xml
-from yamaro.xmltree import Element
+from yamaro.xml.reader import read_xml
+from yamaro.xml.tree import Element
 
 
 def tree(xml: str) -> Element:

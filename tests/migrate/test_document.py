@@ -11,9 +11,6 @@ from hypothesis import strategies as st
 
 from yamaro.diagnostics import Reporter
 from yamaro.source import Source
-from yamaro.syntax.scalars import type_plain
-from yamaro.syntax.yaml_nodes import MappingNode, ScalarNode, SequenceNode
-from yamaro.syntax.yaml_reader import read
 from yamaro.tools.migrate.document import (
     Body,
     Entry,
@@ -22,6 +19,9 @@ from yamaro.tools.migrate.document import (
     literal,
     write_document,
 )
+from yamaro.yaml.nodes import MappingNode, ScalarNode, SequenceNode
+from yamaro.yaml.reader import read
+from yamaro.yaml.scalars import type_plain
 
 Pairs = list[tuple[str, Any]]
 

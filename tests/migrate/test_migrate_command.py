@@ -19,7 +19,7 @@ from yamaro.commands.main import main
 from yamaro.tools.migrate.command import report
 from yamaro.tools.migrate.compare import Difference
 from yamaro.tools.migrate.urdf import Migration
-from yamaro.xmltree import Element
+from yamaro.xml.tree import Element
 
 URDF = """\
 <?xml version="1.0"?>

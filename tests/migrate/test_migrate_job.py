@@ -8,13 +8,14 @@ from pathlib import Path
 
 import pytest
 
-from yamaro import UsageError, YamaroError, convert, jail
+from yamaro import UsageError, YamaroError, convert
 from yamaro.commands.main import main
-from yamaro.jail.packing import pack
 from yamaro.policy import Policy
+from yamaro.sandbox import jail
+from yamaro.sandbox.jail.packing import pack
+from yamaro.sandbox.transfer import Outcome, to_bytes
 from yamaro.source import Source
 from yamaro.tools.migrate.job import Job
-from yamaro.transfer import Outcome, to_bytes
 
 needs_jail = pytest.mark.skipif(jail.check_available() is not None, reason="no jail here")
 

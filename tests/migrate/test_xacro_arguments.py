@@ -12,8 +12,8 @@ from tests.migrate.test_xacro_migration import HEAD, migrated
 from yamaro import build
 from yamaro.codes import ADJUSTABLE
 from yamaro.policy import Limits
-from yamaro.tools.migrate.xacro_command import migrate_robot
-from yamaro.xmlreader import decode_xml
+from yamaro.tools.migrate.xacro.command import migrate_robot
+from yamaro.xml.reader import decode_xml
 
 
 def test_an_argument_stays_apart_from_a_parameter_of_its_name(tmp_path: Path) -> None:

@@ -15,9 +15,9 @@ from yamaro import build
 from yamaro.codes import ADJUSTABLE
 from yamaro.commands.main import main
 from yamaro.policy import Limits
-from yamaro.tools.migrate.xacro_command import migrate_robot
-from yamaro.tools.migrate.xacro_python import CannotMigrate, Translator, typed
-from yamaro.xmlreader import decode_xml
+from yamaro.tools.migrate.xacro.command import migrate_robot
+from yamaro.tools.migrate.xacro.python import CannotMigrate, Translator, typed
+from yamaro.xml.reader import decode_xml
 
 HEAD = '<robot xmlns:xacro="http://www.ros.org/wiki/xacro" name="r">'
 

@@ -8,8 +8,8 @@ import pytest
 
 from tests.migrate.against_xacro import is_same, moved
 from yamaro.commands.main import main
-from yamaro.tools.migrate.xacro import XacroMigration
-from yamaro.tools.migrate.xacro_layout import ALL
+from yamaro.tools.migrate.xacro.layout import ALL
+from yamaro.tools.migrate.xacro.sources import XacroMigration
 
 CAMERA = (
     '<xacro:arg name="cam_name" default="cam"/><xacro:arg name="sim" default="false"/>'

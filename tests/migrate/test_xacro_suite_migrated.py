@@ -12,7 +12,7 @@ from tests import xacro_suite
 from yamaro import YamaroError, build
 from yamaro.policy import Limits
 from yamaro.source import Source
-from yamaro.tools.migrate.xacro_command import migrate_robot
+from yamaro.tools.migrate.xacro.command import migrate_robot
 
 FEWEST = 100
 """Of the 112 that can be tried. Others look for comments, which become YAML's, or at messages."""

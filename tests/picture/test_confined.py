@@ -16,9 +16,9 @@ from tests.picture.drawing import needs_drawing
 from tests.waiting import PATIENCE
 from yamaro.confined import Reader
 from yamaro.diagnostics import YamaroError
-from yamaro.jail import check_available
 from yamaro.meshes.answers import read_packed
 from yamaro.policy import Policy
+from yamaro.sandbox.jail import check_available
 from yamaro.tools.picture import meshes
 from yamaro.tools.picture.meshes import read_meshes
 
@@ -106,7 +106,7 @@ def test_an_answer_that_makes_no_sense_is_refused(answer: bytes, boxes: list[str
 def test_where_there_is_no_jail_meshes_are_read_without(
     boxes: list[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("yamaro.jail.check_available", lambda: "not here")
+    monkeypatch.setattr("yamaro.sandbox.jail.check_available", lambda: "not here")
     found = read_meshes(boxes, lambda path: True, reader_of(tmp_path))
     assert all(isinstance(each, list) for each in found.values())
 

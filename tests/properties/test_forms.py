@@ -17,7 +17,7 @@ from tests.test_cases import find_cases, read_options
 from yamaro.commands.main import main
 from yamaro.syntax import parser
 from yamaro.syntax.names import is_function_name
-from yamaro.syntax.yaml_nodes import MappingNode, ScalarNode, SequenceNode, YamlNode
+from yamaro.yaml.nodes import MappingNode, ScalarNode, SequenceNode, YamlNode
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 
@@ -166,7 +166,7 @@ def test_examples_give_the_same_in_both_forms(
 def test_the_forms_are_really_rewritten() -> None:
     from yamaro.diagnostics import Reporter
     from yamaro.source import Source
-    from yamaro.syntax.yaml_reader import read
+    from yamaro.yaml.reader import read
 
     text = "model:\n  a: {b: 1, b: 2}\n  variables: {x: {k: v}}\n"
     node = read(Source(text, name="t"), reporter=Reporter())

@@ -9,8 +9,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from yamaro.meshes.triangles import TriangleMesh, is_closed, read_mesh
-from yamaro.robot.mesh import solid_moments
-from yamaro.robot.shapes import Box, Capsule, Cylinder, Mesh, Sphere
+from yamaro.model.mesh_integrals import solid_moments
+from yamaro.model.shapes import Box, Capsule, Cylinder, Mesh, Sphere
 
 sizes = st.floats(1e-4, 100)
 masses = st.floats(1e-6, 1e5)

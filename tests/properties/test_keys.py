@@ -16,8 +16,8 @@ from yamaro.syntax.nodes import Body, ElementNode
 from yamaro.syntax.parser import parse
 from yamaro.syntax.statements import parse_pairs, parse_statement
 from yamaro.syntax.template import skip_expression
-from yamaro.syntax.yaml_nodes import PLAIN, ScalarNode
-from yamaro.xmltree import Comment, Element, Text
+from yamaro.xml.tree import Comment, Element, Text
+from yamaro.yaml.nodes import PLAIN, ScalarNode
 
 words = [
     "link",

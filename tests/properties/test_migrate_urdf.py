@@ -13,8 +13,8 @@ from yamaro import build
 from yamaro.codes import ADJUSTABLE
 from yamaro.source import Source
 from yamaro.tools.migrate.urdf import migrate_urdf
-from yamaro.xmlreader import read_xml
-from yamaro.xmltree import Element
+from yamaro.xml.reader import read_xml
+from yamaro.xml.tree import Element
 
 odd = st.sampled_from(
     """a b_link base wheel_joint ${x} $(y) $${z} it's "quoted" 'both"' a,b a=b a/b # #x :x x: a:b

@@ -14,10 +14,10 @@ from hypothesis import strategies as st
 from tests.effort import examples
 from yamaro.diagnostics import Reporter, YamaroError
 from yamaro.source import Source
-from yamaro.syntax.scalars import type_plain
-from yamaro.syntax.yaml_nodes import MappingNode, ScalarNode
-from yamaro.syntax.yaml_reader import read
-from yamaro.xmltree import format_number
+from yamaro.xml.tree import format_number
+from yamaro.yaml.nodes import MappingNode, ScalarNode
+from yamaro.yaml.reader import read
+from yamaro.yaml.scalars import type_plain
 
 # --- types ------------------------------------------------------------------------------------
 

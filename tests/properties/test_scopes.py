@@ -15,7 +15,7 @@ from typing import Any
 from tests.effort import examples
 from yamaro.compiler import build
 from yamaro.diagnostics import YamaroError
-from yamaro.runtime.loader import MemoryLoader
+from yamaro.files.loader import MemoryLoader
 
 COUNT = int(os.environ.get("YAMARO_SCOPE_EXAMPLES", examples(1000)))
 SEED = int(os.environ.get("YAMARO_FUZZ_SEED", "0"))

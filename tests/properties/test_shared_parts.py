@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from tests.part_builder import build, resolve_nothing
 from yamaro.diagnostics import INHERITED, Frame, Reporter, YamaroError
 from yamaro.robot.part import lower
-from yamaro.xmltree import Element, Node, PartElement, Shared, unshared
+from yamaro.xml.tree import Element, Node, PartElement, Shared, unshared
 
 NAMES = ["a", "b", "j l", "a b c", "''"]
 LINKS = [

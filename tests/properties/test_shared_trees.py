@@ -9,10 +9,10 @@ from hypothesis import strategies as st
 
 from tests.effort import examples
 from tests.test_check import FAULTY, GOOD_ROBOTS, NEWER_ROBOTS, bad_robots, read
+from yamaro.check.robot import check
 from yamaro.diagnostics import INHERITED, Diagnostic, Frame, Reporter, YamaroError
-from yamaro.robot.check import check
 from yamaro.source import Source, Span
-from yamaro.xmltree import Comment, Element, Shared, Text, format_number, unshared, write_pieces
+from yamaro.xml.tree import Comment, Element, Shared, Text, format_number, unshared, write_pieces
 
 SPAN = Span(Source("key: value", name="t.yaml"), 0, 3)
 

@@ -17,8 +17,8 @@ from tests.effort import examples
 from yamaro import YamaroError, compiler
 from yamaro.codes import ADJUSTABLE
 from yamaro.diagnostics import render
+from yamaro.files.loader import MemoryLoader
 from yamaro.runtime.interpreter import Interpreter
-from yamaro.runtime.loader import MemoryLoader
 
 COUNT = int(os.environ.get("YAMARO_SHARING_EXAMPLES", examples(400)))
 SEED = int(os.environ.get("YAMARO_FUZZ_SEED", "0"))

@@ -12,12 +12,12 @@ from hypothesis import strategies as st
 from tests.effort import examples
 from yamaro.compiler import build
 from yamaro.diagnostics import Diagnostic, Frame, YamaroError, render
-from yamaro.jail import JailAnswerBroken, pack, unpack
 from yamaro.policy import Limits
-from yamaro.runtime.deep_stack import run_on_deep_stack
+from yamaro.sandbox.deep_stack import run_on_deep_stack
+from yamaro.sandbox.jail import JailAnswerBroken, pack, unpack
+from yamaro.sandbox.transfer import Outcome, from_bytes, to_bytes
 from yamaro.source import Source, Span
-from yamaro.transfer import Outcome, from_bytes, to_bytes
-from yamaro.xmltree import Comment, Element, Text, write
+from yamaro.xml.tree import Comment, Element, Text, write
 
 EXAMPLES = sorted((Path(__file__).parents[2] / "examples").rglob("*.yaml"))
 texts = st.text(max_size=12)

@@ -10,13 +10,13 @@ from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation
 
 from tests.part_builder import lower_text
-from yamaro.robot.numbers import Numbers
-from yamaro.robot.pose import Pose, compose_poses
-from yamaro.robot.transforms import (
+from yamaro.model.rotations import (
     multiply,
     rotation_from_rpy,
     rpy_from_rotation,
 )
+from yamaro.robot.numbers import Numbers
+from yamaro.robot.pose import Pose, compose_poses
 from yamaro.source import Source, Span
 
 angles = st.one_of(

@@ -17,7 +17,7 @@ from yamaro.source import Source
 from yamaro.xacro.expansion import expand
 from yamaro.xacro.literals import guess_value, is_property_name
 from yamaro.xacro.parameters import parse_parameters
-from yamaro.xmltree import Element
+from yamaro.xml.tree import Element
 
 xacro: Any = pytest.importorskip("xacro")
 substitution: Any = pytest.importorskip("xacro.substitution_args")

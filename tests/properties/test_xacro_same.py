@@ -14,10 +14,10 @@ from hypothesis import strategies as st
 from tests.effort import examples
 from tests.xacro_host import MemoryHost
 from yamaro.diagnostics import Reporter, YamaroError
-from yamaro.runtime.deep_stack import run_on_deep_stack
+from yamaro.sandbox.deep_stack import run_on_deep_stack
 from yamaro.source import Source
 from yamaro.xacro.expansion import expand
-from yamaro.xmltree import write
+from yamaro.xml.tree import write
 
 xacro: Any = pytest.importorskip("xacro")
 

@@ -13,7 +13,7 @@ from lxml import etree
 from tests.effort import examples
 from yamaro.compiler import build
 from yamaro.diagnostics import YamaroError
-from yamaro.runtime.loader import MemoryLoader
+from yamaro.files.loader import MemoryLoader
 
 # XML 1.0 (fifth edition), production 2: Char.
 characters = st.one_of(

@@ -11,8 +11,8 @@ import pytest
 
 from tests.hostile.hostile_meshes import HARMLESS, HOSTILE, TEXTURED_MTL, TEXTURED_OBJ, TEXTURES
 from yamaro.confined import Reader
+from yamaro.files.readable import Reach
 from yamaro.policy import Policy
-from yamaro.runtime.reach import Reach
 from yamaro.tools.view.mesh_files import Library, MeshFiles
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="needs FIFOs and links")

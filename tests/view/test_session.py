@@ -12,8 +12,8 @@ import pytest
 
 from yamaro.compiler import build
 from yamaro.diagnostics import YamaroError
+from yamaro.files.readable import Reach
 from yamaro.policy import SAFE, Policy
-from yamaro.runtime.reach import Reach
 from yamaro.tools.rebuilding import Rebuilder
 from yamaro.tools.view import command
 from yamaro.tools.view.description import Description

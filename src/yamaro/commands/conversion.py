@@ -89,8 +89,8 @@ def convert_file(
 
 def _bound_process(arguments: Arguments, streams: Streams, policy: Policy) -> None:
     """See to it that this process takes no more memory and time than it may."""
-    from .. import process
     from ..confined import has_jail
+    from ..sandbox import process
 
     process.bound_memory(policy.limits.memory)
     if policy.timeout is not None and not has_jail(policy, display_name(arguments)):
@@ -101,8 +101,8 @@ def end_process(
     arguments: Arguments, streams: Streams, policy: Policy, seconds: float
 ) -> Callable[[], None]:
     """End this process after so many seconds, with the reason; return what calls that off."""
-    from .. import process
     from ..confined import time_is_over
+    from ..sandbox import process
 
     def say_why() -> None:
         show(time_is_over(display_name(arguments), policy).diagnostics, arguments, streams)

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import os
 
+from ..files.regular import read_start
 from ..output import STANDARD_OUTPUT, is_input, write_file
-from ..regular_files import read_start
 from ..streams import XML, NotForTerminal
 from .usage import DONE, INPUT_ERROR, WrongUsage, quote
 

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 def read_pipe(path: str, limits: Limits) -> str | None:
     """Return the text of standard input or of a named pipe, None for what can be read by name."""
-    from ..runtime.loader import LoadError, check_size, decode
+    from ..files.loader import LoadError, check_size, decode
 
     data = read_bytes(path, limits.file + 1)
     if data is None:

@@ -45,7 +45,7 @@ def _job(arguments: Arguments) -> Job:
     """Return what is to be migrated; raise YamaroError or UsageError if it cannot be read."""
     from ..tools.migrate import command
     from ..tools.migrate.job import Job
-    from ..tools.migrate.xacro_layout import ALL
+    from ..tools.migrate.xacro.layout import ALL
 
     path = arguments.words[0]
     policy = make_policy(arguments)

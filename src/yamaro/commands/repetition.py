@@ -45,7 +45,7 @@ def repeat(
     if not policy.is_trusted:
         streams.silence_libraries()
     if streams.owns_process:
-        from .. import process
+        from ..sandbox import process
 
         process.bound_memory(policy.limits.memory)
     try:

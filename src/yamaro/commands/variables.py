@@ -11,7 +11,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
-    from ..syntax.yaml_nodes import YamlNode
+    from ..yaml.nodes import YamlNode
 
 MAX_BYTES = 8 << 20
 MAX_DEFAULT = 40
@@ -23,10 +23,10 @@ def variable_lines(path: str) -> str:
     A file that cannot be read has none: someone who is still typing wants no errors.
     """
     from ..diagnostics import Reporter, YamaroError
-    from ..regular_files import read_start
+    from ..files.regular import read_start
     from ..source import Source
-    from ..syntax.yaml_reader import read
     from ..terminal import printable
+    from ..yaml.reader import read
 
     if path.startswith("~"):
         path = os.path.expanduser(path)
@@ -49,7 +49,7 @@ def variable_lines(path: str) -> str:
 
 def _pairs(node: YamlNode) -> Iterator[tuple[str, YamlNode]]:
     """Yield key text and value of a mapping, or of each mapping in a list of them."""
-    from ..syntax.yaml_nodes import MappingNode, SequenceNode
+    from ..yaml.nodes import MappingNode, SequenceNode
 
     if isinstance(node, SequenceNode):
         for item in node.items:

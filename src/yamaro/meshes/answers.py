@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..jail.limits import JailAnswerBroken
-from ..jail.packing import pack, unpack
+from ..sandbox.jail.limits import JailAnswerBroken
+from ..sandbox.jail.packing import pack, unpack
 from .formats import MeshFileError, MissingLibraryError
 from .surfaces import Surface, check_surface, read_surfaces
 

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..regular_files import read_start
+from ..files.regular import read_start
 from .bounds import MOST_PLACED, check_bounds, path_of
 from .formats import (
     GLB,

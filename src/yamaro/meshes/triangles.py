@@ -5,7 +5,7 @@ STL (binary and ASCII) and OBJ are read here, without any library; other formats
 
 from __future__ import annotations
 
-from ..regular_files import read_start
+from ..files.regular import read_start
 from .formats import (
     LARGEST_FILE,
     OBJ,

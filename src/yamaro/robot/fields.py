@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from ..diagnostics import YamaroError, failure, suggest
 from ..syntax.names import bad_name_character
-from ..xmltree import Comment, Element, LiteralList, Text, format_value
+from ..xml.tree import Comment, Element, LiteralList, Text, format_value
 from .places import Place, home_of
 
 TYPE_CHECKING = False
@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from ..source import Span
-    from ..xmltree import Node, Places
+    from ..xml.tree import Node, Places
     from .lowering import Lowering
 
 

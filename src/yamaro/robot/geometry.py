@@ -5,19 +5,19 @@ from __future__ import annotations
 from math import isfinite
 
 from ..diagnostics import failure, suggest
-from ..xmltree import Element, Text, format_value
+from ..model.shapes import Box, Capsule, Cylinder, Mesh, Sphere
+from ..xml.tree import Element, Text, format_value
 from .fields import read_record, read_value, word_of
 from .numbers import read_numbers
-from .shapes import Box, Capsule, Cylinder, Mesh, Sphere
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from ..model.mesh_integrals import SolidMoments
+    from ..model.shapes import Shape
     from ..source import Span
     from .fields import Fields
     from .lowering import Lowering
-    from .mesh import SolidMoments
     from .numbers import Numbers
-    from .shapes import Shape
 
 COUNTS = {"box": 3, "cylinder": 2, "sphere": 1, "capsule": 2}
 SCALE_EXAMPLES = {
@@ -170,7 +170,7 @@ def _read_shape_word(lowering: Lowering, key: Element) -> tuple[str, str, Span]:
     if kind in COUNTS:
         return kind, word, span
     from ..meshes.formats import mesh_ending
-    from .mesh import MESH_ENDINGS  # as below: most robots have no mesh
+    from ..model.mesh_integrals import MESH_ENDINGS  # as below: most robots have no mesh
 
     if mesh_ending(word) in MESH_ENDINGS:
         return "mesh", word, span
@@ -188,7 +188,7 @@ def _shape_hint(word: str) -> str:
     if near:
         return f"did you mean '{near}'?"
     if "." in word or "/" in word:
-        from .mesh import MESH_ENDINGS
+        from ..model.mesh_integrals import MESH_ENDINGS
 
         endings = " ".join(f".{ending}" for ending in MESH_ENDINGS)
         return f"mesh files are known by their ending: {endings}"
@@ -316,7 +316,7 @@ def _read_moments(lowering: Lowering, geometry: Geometry, path: str) -> SolidMom
     """Return the volume integrals of a mesh file, for scale 1."""
     from ..meshes.formats import FORMAT_NAMES, MeshFileError, MissingLibraryError
     from ..meshes.triangles import is_closed, read_mesh
-    from .mesh import solid_moments
+    from ..model.mesh_integrals import solid_moments
 
     span, word, trace = geometry.span, geometry.word, geometry.key.trace
     try:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from math import isfinite
 
 from ..diagnostics import YamaroError, failure
-from ..xmltree import Element, format_number, remember
+from ..xml.tree import Element, format_number, remember
 from .fields import Fields, read_record
 from .geometry import section_geometry, solid_shape
 from .numbers import LAYOUTS, Numbers, read_attribute, read_numbers
@@ -13,11 +13,11 @@ from .pose import Pose, compose_poses, origin_element, pose_at, read_pose
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from ..model.shapes import Inertia, Shape
     from ..source import Span
-    from ..xmltree import Node
+    from ..xml.tree import Node
     from .geometry import Geometry, LinkGeometry
     from .lowering import Lowering
-    from .shapes import Inertia, Shape
 
 MOMENTS = ("ixx", "ixy", "ixz", "iyy", "iyz", "izz")
 

@@ -5,17 +5,17 @@ from __future__ import annotations
 from math import pi
 
 from ..diagnostics import YamaroError, failure
-from ..xmltree import Element, format_number, format_value, remember
+from ..model.urdf_schema import JOINT_TYPES, joint_type_hint
+from ..xml.tree import Element, format_number, format_value, remember
 from .fields import read_record, read_value, sort_fields, with_attributes, word_of
 from .numbers import read_attribute
 from .places import JOINT, POSE_KEYS, RECORD_KEYS
 from .pose import lower_origin
-from .urdf import JOINT_TYPES, joint_type_hint
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from ..source import Span
-    from ..xmltree import Node
+    from ..xml.tree import Node
     from .fields import Fields
     from .lowering import Lowering
 

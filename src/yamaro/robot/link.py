@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ..diagnostics import YamaroError, failure
-from ..xmltree import Element
+from ..xml.tree import Element
 from .fields import Fields, sort_fields
 from .geometry import LinkGeometry, section_geometry
 from .inertial import LinkMass, lower_inertial
@@ -13,7 +13,7 @@ from .pose import NO_POSE, Pose, compose_poses, origin_element, read_pose
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from ..xmltree import Node
+    from ..xml.tree import Node
     from .lowering import Lowering
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ..xmltree import Element
+from ..xml.tree import Element
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -10,11 +10,11 @@ if TYPE_CHECKING:
     from typing import TypeVar
 
     from ..diagnostics import Diagnostic, Frame, Reporter, YamaroError
+    from ..model.mesh_integrals import SolidMoments
     from ..source import Span
     from ..syntax.forms import Form
-    from ..xmltree import Node, Shared
+    from ..xml.tree import Node, Shared
     from .joint import CommonJoint
-    from .mesh import SolidMoments
     from .patterns import Pattern
 
     Product = TypeVar("Product", Element, list[Node])

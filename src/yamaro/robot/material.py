@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from ..diagnostics import failure
-from ..xmltree import Comment, Element, Text
+from ..xml.tree import Comment, Element, Text
 from .fields import Record, check_once, check_plain, is_left_out, read_record, word_of
 from .numbers import read_attribute
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from ..xmltree import Node
+    from ..xml.tree import Node
     from .lowering import Lowering
 
 EXAMPLE = "material: {name: red, color: 0.8 0.1 0.1 1}"

@@ -8,13 +8,13 @@ from __future__ import annotations
 
 import os
 
-from ..xmltree import Element, IncludedRobot, Text, format_value
+from ..xml.tree import Element, IncludedRobot, Text, format_value
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
-    from ..xmltree import Node
+    from ..xml.tree import Node
 
     Look = tuple[object, ...]
 

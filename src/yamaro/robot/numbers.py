@@ -6,7 +6,7 @@ from math import isfinite
 
 from ..diagnostics import YamaroError, failure
 from ..source import Span
-from ..xmltree import (
+from ..xml.tree import (
     LONGEST_ROW_REMEMBERED,
     LiteralList,
     format_number,

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from ..diagnostics import YamaroError, failure
 from ..syntax.forms import FormedPart
-from ..xmltree import Element, PartElement, format_value
+from ..xml.tree import Element, PartElement, format_value
 from .fields import (
     Fields,
     check_plain,
@@ -31,7 +31,7 @@ if TYPE_CHECKING:
 
     from ..diagnostics import Reporter
     from ..source import Span
-    from ..xmltree import Node, Shared
+    from ..xml.tree import Node, Shared
 
 CAPSULE_VERSION = (1, 1)
 ROOT_LINK = "root_link"

@@ -12,7 +12,7 @@ from operator import itemgetter
 
 from ..diagnostics import INHERITED, YamaroError
 from ..syntax.forms import Form, filled, key_of
-from ..xmltree import Element, Text
+from ..xml.tree import Element, Text
 from .fields import Fields
 from .pose import origin_element, read_pose
 
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
     from ..source import Span
     from ..syntax.forms import FormedPart, FormText
-    from ..xmltree import Node
+    from ..xml.tree import Node
     from .lowering import Lowering
 
 MAX_KNOWN = 64

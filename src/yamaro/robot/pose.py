@@ -9,19 +9,19 @@ from math import isfinite
 from operator import add
 
 from ..diagnostics import INHERITED, failure
-from ..xmltree import Element, Text
+from ..model.rotations import ZERO, multiply, rotate, rotation_from_rpy, rpy_from_rotation
+from ..xml.tree import Element, Text
 from .fields import empty_value, read_record, read_value
 from .numbers import NEGLIGIBLE, Numbers, format_component, read_numbers
 from .places import POSE_KEYS
-from .transforms import ZERO, multiply, rotate, rotation_from_rpy, rpy_from_rotation
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from ..diagnostics import Frame
+    from ..model.rotations import Rotation, Vector
     from ..source import Span
     from .fields import Fields
     from .lowering import Lowering
-    from .transforms import Rotation, Vector
 
     Words = tuple[str, ...]
 

@@ -9,7 +9,7 @@ from ..syntax.nodes import Argument, Body, Constant, FunctionNode, Value
 from ..syntax.python import PythonCode
 from ..syntax.statements import parse_body
 from ..syntax.template import Template
-from ..syntax.yaml_nodes import MappingNode, SequenceNode
+from ..yaml.nodes import MappingNode, SequenceNode
 from .declared import Declaration, notes_on
 from .expressions import function_names
 from .late import Late

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from ..diagnostics import INHERITED, Frame
 from ..syntax.forms import Form, FormedPart, filled, key_of
-from ..xmltree import Element, Text, format_value, with_trace
+from ..xml.tree import Element, Text, format_value, with_trace
 from .scope import MISSING, Scope
 from .values import ALWAYS_WRITABLE, SHORT, Values
 
@@ -16,7 +16,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
-    from ..xmltree import Node, Shared
+    from ..xml.tree import Node, Shared
 
 MAX_KNOWN = 64
 """How many elements of one form are kept, and after how many new ones in a row none is any more."""

@@ -9,9 +9,9 @@ from __future__ import annotations
 
 from ..diagnostics import Frame, InputFault, YamaroError, did_you_mean, failure
 from ..policy import Limits
+from ..sandbox.deadline import TimeOver
 from ..source import Span
 from ..syntax.python import TOO_MANY_DIGITS, PythonCode, expression_without_dollars
-from .deadline import TimeOver
 from .declared import Declaration, notes_on
 from .scope import MISSING, Namespace, Scope
 
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from types import CodeType, TracebackType
     from typing import Any, NoReturn
 
-    from .safe_runtime import SafeRuntime
+    from ..safe.runtime import SafeRuntime
 
 
 _OWN_FOLDER = __file__[: -len("runtime/expressions.py")]

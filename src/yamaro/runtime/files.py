@@ -5,15 +5,15 @@ from __future__ import annotations
 import os
 
 from ..diagnostics import Frame, Reporter, YamaroError, did_you_mean, failure
+from ..files.loader import LoadError
+from ..files.packages import PackageFinder, package_hint
 from ..source import Source, Span
 from ..syntax.nodes import Document, ImportNode
 from ..syntax.python import PythonCode
 from .declared import Declaration
 from .expressions import Evaluator
 from .late import Late
-from .loader import LoadError
 from .modules import LocalModules, import_names, import_safe_names
-from .packages import PackageFinder, package_hint
 from .predefined import CONSTANTS, Helpers
 from .scope import Home
 
@@ -22,8 +22,8 @@ if TYPE_CHECKING:
     from collections.abc import Callable
     from typing import Any
 
+    from ..safe.runtime import SafeRuntime
     from .library import Library
-    from .safe_runtime import SafeRuntime
 
 
 class Files:

@@ -7,6 +7,7 @@ later. Every element made carries the span of its key and the calls and includes
 from __future__ import annotations
 
 from ..diagnostics import INHERITED, Frame, InputFault, Reporter, YamaroError, failure
+from ..files.packages import PackageFinder
 from ..policy import JAIL, Policy
 from ..source import Source, Span
 from ..syntax.keys import NAME_RULE, attribute_twice, name_fault
@@ -43,7 +44,7 @@ from ..syntax.nodes import (
 from ..syntax.statements import refuse_second_function
 from ..syntax.template import Template
 from ..syntax.variables import variable_name
-from ..xmltree import (
+from ..xml.tree import (
     Comment,
     Element,
     LiteralList,
@@ -70,7 +71,6 @@ from .files import Files
 from .includes import namespace_of, passed_by, path_of
 from .loops import iterate, too_many_turns, unpack
 from .messages import Messages
-from .packages import PackageFinder
 from .scope import MISSING, BlockScope, Namespace, Scope, Shared, function_key
 from .unread import Passed
 from .values import Values
@@ -80,9 +80,9 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Mapping
     from typing import Any
 
-    from ..xmltree import Node
+    from ..safe.runtime import SafeRuntime
+    from ..xml.tree import Node
     from .library import Library
-    from .safe_runtime import SafeRuntime
 
 
 LONGEST_CYCLE = 20
@@ -121,8 +121,8 @@ class Interpreter:
         self.shared = Shared()
         self.safety: SafeRuntime | None = None
         if policy.is_safe:
-            from .safe_limits import SafeLimits
-            from .safe_runtime import SafeRuntime
+            from ..safe.limits import SafeLimits
+            from ..safe.runtime import SafeRuntime
 
             self.safety = SafeRuntime(SafeLimits.of(policy.limits), say=self.messages.say)
         self.files = Files(

@@ -3,19 +3,19 @@
 from __future__ import annotations
 
 from ..diagnostics import Diagnostic, Reporter
+from ..files.loader import decode
 from ..source import Source
 from ..syntax.includes import holds_xml
 from ..syntax.nodes import Document
 from ..syntax.parser import parse
 from ..syntax.rules import Rules
-from .loader import decode
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from types import CodeType
 
+    from ..files.loader import Loader
     from ..policy import Policy
-    from .loader import Loader
 
 
 class Library:
@@ -60,7 +60,7 @@ class Library:
             return source
         data = self.loader.read(path)
         if is_xml or holds_xml(path, data):
-            from ..xmlreader import decode_xml
+            from ..xml.reader import decode_xml
 
             source = decode_xml(data, name=name, path=path)
             source.is_xml = True
@@ -97,8 +97,8 @@ def rules_of(policy: Policy) -> Rules:
     """Return what holds for the files that are compiled under a policy."""
     if not policy.is_safe:
         return Rules(policy.limits)
-    from .safe_code import compile_safe
-    from .safe_limits import SafeLimits
+    from ..safe.code import compile_safe
+    from ..safe.limits import SafeLimits
 
     limits = SafeLimits.of(policy.limits)
 

@@ -12,7 +12,7 @@ import os
 import sys
 
 from ..diagnostics import InputFault
-from ..regular_files import open_regular
+from ..files.regular import open_regular
 from ..syntax.nodes import ImportNode
 from .expressions import run_module
 
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from types import CodeType, ModuleType
     from typing import Any
 
-    from .safe_runtime import SafeRuntime
+    from ..safe.runtime import SafeRuntime
 
 
 class LocalModules:

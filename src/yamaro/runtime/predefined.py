@@ -7,21 +7,21 @@ import math
 import os
 
 from ..diagnostics import InputFault, Reporter, did_you_mean
+from ..files.loader import LoadError, decode
+from ..files.packages import package_hint
 from ..syntax.context import ParseContext
 from ..syntax.nodes import Constant, DictValue, ListValue
 from ..syntax.values import parse_value
-from ..syntax.yaml_reader import read
-from .loader import LoadError, decode
-from .packages import package_hint
+from ..yaml.reader import read
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable
     from typing import Any
 
+    from ..files.packages import PackageFinder
     from ..syntax.nodes import Value
     from .library import Library
-    from .packages import PackageFinder
 
 MATHEMATICS = (
     "pi tau e sin cos tan asin acos atan atan2 sqrt hypot radians degrees floor ceil fabs log exp"

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ..xmltree import format_value
+from ..xml.tree import format_value
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

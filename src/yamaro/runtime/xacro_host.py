@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 
 from ..diagnostics import did_you_mean, failure
-from .loader import LoadError
+from ..files.loader import LoadError
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

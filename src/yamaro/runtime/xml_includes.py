@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from ..diagnostics import INHERITED, did_you_mean, failure
-from ..xmlreader import CData, read_xml
-from ..xmltree import Element, IncludedRobot, Text, format_value
+from ..xml.reader import CData, read_xml
+from ..xml.tree import Element, IncludedRobot, Text, format_value
 from .xml_names import rename
 
 TYPE_CHECKING = False
@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from ..policy import Limits
     from ..source import Source, Span
     from ..syntax.nodes import IncludeNode
-    from ..xmltree import Node
+    from ..xml.tree import Node
 
 
 def read_included(source: Source, limits: Limits) -> tuple[Element, bool]:

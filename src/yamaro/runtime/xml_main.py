@@ -11,7 +11,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
-    from ..xmltree import Element
+    from ..xml.tree import Element
     from .interpreter import Interpreter
 
 

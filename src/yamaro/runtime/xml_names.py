@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 
-from ..xmltree import Element, Text, format_value
+from ..xml.tree import Element, Text, format_value
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

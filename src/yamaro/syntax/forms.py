@@ -6,7 +6,7 @@ expressions differ. Its form lists these once, for all runs.
 
 from __future__ import annotations
 
-from ..xmltree import Comment, Element, PartElement, Text, format_number, format_value
+from ..xml.tree import Comment, Element, PartElement, Text, format_number, format_value
 from .nodes import Body, Content, ElementNode, PartNode, TextContent
 from .template import Template
 
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
     from ..diagnostics import Frame
     from ..source import Span
-    from ..xmltree import Node
+    from ..xml.tree import Node
     from .nodes import Attribute
     from .python import PythonCode
 

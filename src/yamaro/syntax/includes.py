@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from ..diagnostics import failure, suggest
+from ..yaml.nodes import ScalarNode
 from .context import ParseContext
 from .mappings import Pairs, pairs_of, refuse_twice
 from .names import is_identifier, name_hint
@@ -10,12 +11,11 @@ from .nodes import Argument, IncludeNode
 from .signatures import parse_argument_name
 from .template import Template, parse_template
 from .values import is_empty, parse_value
-from .yaml_nodes import ScalarNode
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from ..yaml.nodes import YamlNode
     from .python import PythonCode
-    from .yaml_nodes import YamlNode
 
 
 XML_ENDINGS = (".urdf", ".xacro", ".xml", ".sdf")

@@ -4,16 +4,16 @@ from __future__ import annotations
 
 from ..diagnostics import failure
 from ..source import Span
+from ..yaml.nodes import ScalarNode, SequenceNode
 from .context import ParseContext
 from .names import bad_variable_name, is_identifier, name_hint, python_name
 from .nodes import Constant, Value
 from .python import PythonCode
 from .values import is_empty, parse_bare_expression, parse_condition, parse_value
-from .yaml_nodes import ScalarNode, SequenceNode
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from .yaml_nodes import YamlNode
+    from ..yaml.nodes import YamlNode
 
 
 RANGE_FORMS = "write range: 6, or range: 0, 6, or range: 0, 6, 2"

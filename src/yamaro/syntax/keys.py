@@ -10,11 +10,11 @@ from __future__ import annotations
 
 from ..diagnostics import Reporter, YamaroError, failure
 from ..source import Span
+from ..yaml.nodes import ScalarNode
 from .context import ParseContext
 from .names import STATEMENTS, bad_name_character
 from .nodes import Attribute
 from .template import Template, parse_template, skip_expression
-from .yaml_nodes import ScalarNode
 
 NAME_RULE = "a name begins with a letter or _ and goes on with letters, digits, - _ ."
 

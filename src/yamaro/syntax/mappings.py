@@ -4,17 +4,17 @@ from __future__ import annotations
 
 from ..diagnostics import did_you_mean, failure
 from ..source import Span
+from ..yaml.nodes import MappingNode, ScalarNode
 from .context import ParseContext
 from .keys import find_outside
 from .names import is_function_name, is_identifier
 from .values import is_empty, warn_of_hidden_value
-from .yaml_nodes import MappingNode, ScalarNode
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from .yaml_nodes import YamlNode
+    from ..yaml.nodes import YamlNode
 
 Pairs = list[tuple[ScalarNode, "YamlNode"]]
 

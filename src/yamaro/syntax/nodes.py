@@ -7,10 +7,10 @@ evaluated, and templates where something has.
 from __future__ import annotations
 
 from ..source import Source, Span
-from ..xmltree import Comment, Element, Text
+from ..xml.tree import Comment, Element, Text
+from ..yaml.nodes import ScalarNode, YamlNode
 from .python import PythonCode
 from .template import Template
-from .yaml_nodes import ScalarNode, YamlNode
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from ..diagnostics import Reporter, YamaroError, failure, suggest
 from ..source import Source, Span
+from ..yaml.nodes import MappingNode, ScalarNode, SequenceNode
+from ..yaml.reader import read
 from .context import ParseContext
 from .mappings import Pairs, pairs_of
 from .names import SECTIONS, STATEMENTS, is_function_name, is_identifier
@@ -13,14 +15,12 @@ from .rules import Rules
 from .statements import parse_body, parse_pairs, parse_statement
 from .template import parse_template
 from .values import is_empty
-from .yaml_nodes import MappingNode, ScalarNode, SequenceNode
-from .yaml_reader import read
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from types import CodeType
 
-    from .yaml_nodes import YamlNode
+    from ..yaml.nodes import YamlNode
 
 
 def parse(source: Source, *, reporter: Reporter, rules: Rules | None = None) -> Document:

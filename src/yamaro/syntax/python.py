@@ -3,16 +3,16 @@
 from __future__ import annotations
 
 from ..diagnostics import InputFault, failure
+from ..yaml.nodes import PLAIN, quoted
 from .names import is_identifier, python_name
-from .yaml_nodes import PLAIN, quoted
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from types import CodeType
 
     from ..source import Span
+    from ..yaml.nodes import ScalarNode
     from .rules import Rules
-    from .yaml_nodes import ScalarNode
 
 _OPENING = {")": "(", "]": "[", "}": "{"}
 TOO_MANY_DIGITS = "Exceeds the limit"

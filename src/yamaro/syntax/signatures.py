@@ -3,17 +3,17 @@
 from __future__ import annotations
 
 from ..diagnostics import failure
+from ..yaml.nodes import MappingNode, ScalarNode
 from .context import ParseContext
 from .keys import find_outside
 from .names import is_identifier, name_hint, python_name
 from .nodes import Argument, Parameter, Value
 from .template import parse_template
 from .values import is_empty, parse_inline, split_inline
-from .yaml_nodes import MappingNode, ScalarNode
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from .yaml_nodes import YamlNode
+    from ..yaml.nodes import YamlNode
 
 
 def parse_input(node: YamlNode, context: ParseContext) -> list[Parameter]:

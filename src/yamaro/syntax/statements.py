@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from ..diagnostics import INHERITED, YamaroError, did_you_mean, failure, suggest
-from ..xmltree import Comment, Element, Text, is_comment_text
+from ..xml.tree import Comment, Element, Text, is_comment_text
+from ..yaml.nodes import MappingNode, ScalarNode, SequenceNode
 from .context import ParseContext
 from .forms import form_of
 from .includes import parse_include
@@ -39,16 +40,15 @@ from .signatures import parse_argument_name, parse_input, parse_short_arguments
 from .template import Template, parse_template
 from .values import is_empty, parse_condition, parse_value, warn_of_hidden_value
 from .variables import parse_variables, split_scope
-from .yaml_nodes import MappingNode, ScalarNode, SequenceNode
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable
     from typing import NoReturn
 
-    from ..xmltree import Node
+    from ..xml.tree import Node
+    from ..yaml.nodes import YamlNode
     from .keys import PlainKey
-    from .yaml_nodes import YamlNode
 
 # --- bodies -----------------------------------------------------------------------------------
 

@@ -14,8 +14,8 @@ from .python import (
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from ..source import Span
+    from ..yaml.nodes import ScalarNode
     from .context import ParseContext
-    from .yaml_nodes import ScalarNode
 
 
 class Template:

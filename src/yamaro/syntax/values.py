@@ -8,17 +8,17 @@ from __future__ import annotations
 
 from ..diagnostics import failure
 from ..source import Span
+from ..yaml.nodes import DOUBLE, PLAIN, ScalarNode, SequenceNode
+from ..yaml.reader import read_fragment
+from ..yaml.scalars import is_null, type_plain
 from .context import ParseContext
 from .nodes import Constant, DictValue, ListValue, Value
 from .python import PythonCode, compile_expression, expression_without_dollars, find_close
-from .scalars import is_null, type_plain
 from .template import parse_expression, parse_template
-from .yaml_nodes import DOUBLE, PLAIN, ScalarNode, SequenceNode
-from .yaml_reader import read_fragment
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from .yaml_nodes import YamlNode
+    from ..yaml.nodes import YamlNode
 
 
 def parse_value(node: YamlNode, context: ParseContext, *, is_literal: bool = False) -> Value:

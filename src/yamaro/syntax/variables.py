@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from ..diagnostics import did_you_mean, failure
 from ..source import Span
+from ..yaml.nodes import ScalarNode
 from .context import ParseContext
 from .keys import find_outside
 from .mappings import pairs_of
@@ -11,11 +12,10 @@ from .names import bad_variable_name, is_identifier, name_hint, python_name
 from .nodes import SCOPES, VariableEntry, VariablesNode
 from .template import parse_template
 from .values import parse_value
-from .yaml_nodes import ScalarNode
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from .yaml_nodes import YamlNode
+    from ..yaml.nodes import YamlNode
 
 
 def split_scope(key: ScalarNode, what: str) -> tuple[int, str]:

@@ -179,10 +179,8 @@ def _import_ahead(policy: Policy) -> None:
 
     A jail is a copy of this process. What is here already, not each of them has to import anew.
     """
-    from ..robot import check, part  # noqa: F401
-
     if policy.is_safe:
-        from ..runtime import safe_code, safe_runtime  # noqa: F401
+        pass
 
 
 def _files_of(diagnostic: Diagnostic) -> list[str]:

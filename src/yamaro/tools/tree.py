@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from ..terminal import BOLD, CYAN, DIM, RED, painted, printable, width
-from ..xmltree import format_value
+from ..xml.tree import format_value
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
-    from ..xmltree import Element
+    from ..xml.tree import Element
 
 # Degrees of freedom by joint type, as pinocchio counts them (nv of its joint models).
 DEGREES_OF_FREEDOM = {"revolute": 1, "continuous": 1, "prismatic": 1, "planar": 3, "floating": 6}

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ..diagnostics import YamaroError, failure, suggest
-from ..xmltree import Element
+from ..xml.tree import Element
 from .definitions import assign
 from .namespaces import lift_prefixes
 from .scope import Macro, Macros, Scope
@@ -12,7 +12,7 @@ from .statements import PREFIX
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from ..xmltree import Node
+    from ..xml.tree import Node
     from .expansion import Expansion
     from .parameters import Parameter
 

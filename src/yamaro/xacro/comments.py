@@ -8,11 +8,11 @@ a file has one such mark, which moves from tag to tag.
 from __future__ import annotations
 
 from ..source import Span
-from ..xmltree import Comment, Text
+from ..xml.tree import Comment, Text
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from ..xmltree import Node
+    from ..xml.tree import Node
 
 
 class Mark(Text):

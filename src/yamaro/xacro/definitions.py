@@ -11,7 +11,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
-    from ..xmltree import Element
+    from ..xml.tree import Element
     from .expansion import Expansion
     from .site import Site
     from .statements import Property

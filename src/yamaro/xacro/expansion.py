@@ -10,8 +10,8 @@ from __future__ import annotations
 import os
 
 from ..diagnostics import Frame, YamaroError, did_you_mean, failure
-from ..xmlreader import CData, read_xml
-from ..xmltree import Comment, Element, Text, is_comment_text
+from ..xml.reader import CData, read_xml
+from ..xml.tree import Comment, Element, Text, is_comment_text
 from .calls import call_by_name, call_macro, insert_block
 from .comments import Comments
 from .definitions import declare_argument, define_macro, define_property
@@ -32,8 +32,8 @@ if TYPE_CHECKING:
 
     from ..diagnostics import Reporter
     from ..source import Source, Span
-    from ..xmlreader import XmlDocument
-    from ..xmltree import Node
+    from ..xml.reader import XmlDocument
+    from ..xml.tree import Node
     from .host import Host
 
     Handler = Callable[["Expansion", Element, "Site"], None]
@@ -52,7 +52,7 @@ def expand(
 ) -> Element:
     """Return the root element of what xacro makes of a file, without xmlns:xacro.
 
-    Call it where the stack is deep (`runtime/deep_stack.py`): macros may recurse.
+    Call it where the stack is deep (`sandbox/deep_stack.py`): macros may recurse.
 
     Args:
         source: the file; its path is what relative paths in it are relative to.

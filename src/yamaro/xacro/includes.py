@@ -5,8 +5,8 @@ from __future__ import annotations
 import os
 
 from ..diagnostics import YamaroError, failure
-from ..xmlreader import read_xml
-from ..xmltree import Element
+from ..xml.reader import read_xml
+from ..xml.tree import Element
 from .definitions import warn_if_hiding
 from .faults import add_trace
 from .literals import truth
@@ -18,8 +18,8 @@ from .statements import PREFIX
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from ..source import Source, Span
-    from ..xmlreader import XmlDocument
-    from ..xmltree import Node
+    from ..xml.reader import XmlDocument
+    from ..xml.tree import Node
     from .expansion import Expansion
     from .statements import Include
 

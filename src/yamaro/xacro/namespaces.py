@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ..xmltree import Element
+from ..xml.tree import Element
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ..source import Span
-from ..xmltree import Comment, Element, Text
+from ..xml.tree import Comment, Element, Text
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

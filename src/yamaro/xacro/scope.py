@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from typing import Any
 
     from ..diagnostics import Frame
-    from ..xmltree import Element
+    from ..xml.tree import Element
     from .parameters import Parameter
     from .places import Place
 

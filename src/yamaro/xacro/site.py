@@ -4,7 +4,7 @@ from __future__ import annotations
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from ..xmltree import Element, Node
+    from ..xml.tree import Element, Node
     from .scope import Macros, Scope
 
 

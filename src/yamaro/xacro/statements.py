@@ -12,7 +12,7 @@ from .places import Place
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from ..diagnostics import Frame, Reporter
-    from ..xmltree import Element
+    from ..xml.tree import Element
 
 PREFIX = "xacro:"
 

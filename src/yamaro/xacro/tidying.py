@@ -6,13 +6,13 @@ meet have space between them, and only a text that is the one child stays as it 
 
 from __future__ import annotations
 
-from ..xmlreader import CData
-from ..xmltree import Element, Text
+from ..xml.reader import CData
+from ..xml.tree import Element, Text
 from .comments import is_gone
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from ..xmltree import Node
+    from ..xml.tree import Node
 
 
 def tidy(root: Element) -> None:

@@ -5,9 +5,9 @@ from __future__ import annotations
 import os
 
 from ...compiler import Program, UsageError, refusal_of_main
-from ...runtime.loader import FileLoader, LoadError, check_size
+from ...files.loader import FileLoader, LoadError, check_size
 from ...source import STANDARD_INPUT, STANDARD_INPUT_NAME
-from ...xmlreader import decode_xml, read_xml
+from ...xml.reader import decode_xml, read_xml
 from .refused import build_allowing, options_to_allow
 from .urdf import Migration, migrate_urdf
 
@@ -15,8 +15,8 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from ...policy import Limits, Policy
     from ...source import Source
-    from ...xmltree import Element
-    from .xacro import XacroMigration
+    from ...xml.tree import Element
+    from .xacro.sources import XacroMigration
 
 
 def read_file(path: str, limits: Limits, data: bytes | None = None) -> Source:

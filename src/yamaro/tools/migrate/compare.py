@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ...xmltree import Element, Text, format_value
+from ...xml.tree import Element, Text, format_value
 
 UNORDERED = frozenset(("robot", "link", "joint", "visual", "collision", "inertial"))
 """Elements in which URDF reads each name for itself: only what has one name keeps its order."""

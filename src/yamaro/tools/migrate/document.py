@@ -6,7 +6,7 @@ import re
 from collections import Counter
 
 from ...syntax.names import STATEMENTS
-from ...syntax.scalars import type_plain
+from ...yaml.scalars import type_plain
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from textwrap import dedent
 
 from ...syntax.names import STATEMENTS
-from ...xmltree import Comment, Element, Text, format_value
+from ...xml.tree import Comment, Element, Text, format_value
 from .compare import values_of
 from .document import Body, Entry, element_key, joined, spaced, words_of
 from .pairing import has_text
@@ -15,8 +15,8 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable, Container, Iterable, Iterator
 
-    from ...xmlreader import XmlDocument
-    from ...xmltree import Node
+    from ...xml.reader import XmlDocument
+    from ...xml.tree import Node
     from .document import Value
 
 

@@ -7,14 +7,15 @@ import os
 from ...compiler import UsageError, finder_for, reach_of
 from ...confined import has_jail, no_jail, run_in_jail, time_is_over
 from ...diagnostics import ERROR, YamaroError
-from ...jail.limits import JailAnswerBroken, JailUnavailable
-from ...jail.packing import pack, unpack
 from ...policy import JAIL, SAFE, Policy
-from ...runtime.deadline import TimeOver, run_within
-from ...runtime.deep_stack import run_on_deep_stack
 from ...runtime.xml_includes import read_included, xacro_in_safe_mode
-from ...transfer import Outcome, from_bytes, to_bytes
-from . import command, xacro_command
+from ...sandbox.deadline import TimeOver, run_within
+from ...sandbox.deep_stack import run_on_deep_stack
+from ...sandbox.jail.limits import JailAnswerBroken, JailUnavailable
+from ...sandbox.jail.packing import pack, unpack
+from ...sandbox.transfer import Outcome, from_bytes, to_bytes
+from . import command
+from .xacro import command as xacro_command
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from ...xmltree import Comment, Element, Text, format_value
+from ...xml.tree import Comment, Element, Text, format_value
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
-    from ...xmltree import Node
+    from ...xml.tree import Node
 
     Endings = Mapping[int, str]
     Loose = Comment | Text

@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 from math import isclose, isfinite
 
-from ...robot.shapes import Box, Cylinder, Sphere
+from ...model.shapes import Box, Cylinder, Sphere
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
     from random import Random
 
-    from ...robot.shapes import Shape
+    from ...model.shapes import Shape
 
 SIZES = {"box": 3, "cylinder": 2, "sphere": 1}
 """The solids whose inertia a formula gives, and how many numbers each takes."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ...diagnostics import YamaroError
-from ...xmltree import Element
+from ...xml.tree import Element
 from .compare import compare, count_defaults, is_used, prefixes_in, values_of
 from .document import RECORD_WIDTH, Body, Entry, Quoted, Value, element_key, literal, write_document
 from .elements import (
@@ -22,7 +22,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
-    from ...xmlreader import XmlDocument
+    from ...xml.reader import XmlDocument
     from .compare import Difference
 
 FEWEST_MESHES = 3

@@ -31,7 +31,7 @@ if TYPE_CHECKING:
 
     from ...diagnostics import Diagnostic
     from ...meshes.surfaces import Surface
-    from ...robot.transforms import Vector
+    from ...model.rotations import Vector
     from ..scene.robot import Inertial, Link, Robot, Shape
     from .meshes import Meshes
     from .stage import Color, Stage

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from ...check.context import label
+from ...check.files import is_local
 from ...diagnostics import WARNING, Diagnostic
-from ...jail.limits import JailAnswerBroken, JailError
-from ...jail.packing import pack, unpack
 from ...meshes.answers import read_packed, unpacked
 from ...meshes.formats import MeshFileError, MissingLibraryError
-from ...robot.check_context import label
-from ...robot.check_files import is_local
+from ...sandbox.jail.limits import JailAnswerBroken, JailError
+from ...sandbox.jail.packing import pack, unpack
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Collection, Sequence

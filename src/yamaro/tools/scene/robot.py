@@ -8,17 +8,17 @@ from __future__ import annotations
 
 from math import pi
 
-from ...robot.check_context import attribute_text, child_named
-from ...robot.transforms import ZERO, rotation_from_rpy
+from ...check.context import attribute_text, child_named
+from ...model.rotations import ZERO, rotation_from_rpy
 from .transforms import IDENTITY, X_AXIS, Transform, rotation_from_quaternion, unit_vector
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Collection, Iterator
 
-    from ...robot.transforms import Vector
-    from ...runtime.meshes import MeshFinder
-    from ...xmltree import Element
+    from ...files.mesh_files import MeshFinder
+    from ...model.rotations import Vector
+    from ...xml.tree import Element
 
 Color = tuple[float, float, float, float]
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from math import cos, hypot, sin
 
-from ...robot.transforms import ZERO, Rotation, Vector, multiply, rotate
+from ...model.rotations import ZERO, Rotation, Vector, multiply, rotate
 
 X_AXIS: Vector = (1.0, 0.0, 0.0)
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ...diagnostics import ERROR, YamaroError, render
-from ...xmltree import Element, format_value
+from ...xml.tree import Element, format_value
 from .origins import Owners, Places
 
 TYPE_CHECKING = False

@@ -9,17 +9,17 @@ from ...policy import Limits
 from ...source import Source, Span
 from ...syntax.includes import holds_xml
 from ...syntax.names import python_name
-from ...syntax.scalars import type_plain
-from ...syntax.yaml_nodes import PLAIN, MappingNode, ScalarNode, SequenceNode
-from ...syntax.yaml_reader import read
-from ...xmlreader import read_xml
-from ...xmltree import format_value
+from ...xml.reader import read_xml
+from ...xml.tree import format_value
+from ...yaml.nodes import PLAIN, MappingNode, ScalarNode, SequenceNode
+from ...yaml.reader import read
+from ...yaml.scalars import type_plain
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
-    from ...syntax.yaml_nodes import YamlNode
+    from ...yaml.nodes import YamlNode
 
     Value = bool | int | float | str
 

@@ -12,8 +12,7 @@ import json
 import os
 from hashlib import blake2b
 
-from ...jail.limits import JailError
-from ...jail.packing import pack, unpack
+from ...files.regular import read_start
 from ...meshes.bounds import (
     LARGEST_MATERIALS,
     MOST_NAMES,
@@ -39,14 +38,15 @@ from ...meshes.formats import (
     mesh_format,
     unreadable,
 )
-from ...regular_files import read_start
+from ...sandbox.jail.limits import JailError
+from ...sandbox.jail.packing import pack, unpack
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
 
     from ...confined import Reader
-    from ...runtime.reach import Reach
+    from ...files.readable import Reach
 
 MATERIALS, BUFFER = "mtl", "bin"
 CONTENT_TYPES = {

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 
 from ...diagnostics import INHERITED, trace_lines
-from ...xmltree import Element
+from ...xml.tree import Element
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

@@ -9,8 +9,8 @@ import threading
 from ...compiler import UsageError, reach_of, read_command_line
 from ...confined import Reader
 from ...diagnostics import YamaroError
-from ...regular_files import open_regular
-from ...runtime.loader import FileLoader, LoadError, decode
+from ...files.loader import FileLoader, LoadError, decode
+from ...files.regular import open_regular
 from ...syntax.includes import holds_xml
 from .description import Description, fault_data
 from .fields import Field, WrongValue, read_fields

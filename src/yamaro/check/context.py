@@ -1,0 +1,350 @@
+"""What the checks of a robot share: reporting at the very value, and reading numbers once."""
+
+from __future__ import annotations
+
+from math import isfinite, nan
+
+from ..diagnostics import ERROR, INHERITED, WARNING, Diagnostic, suggest
+from ..xml.tree import LONGEST_ROW_REMEMBERED, Element, format_value, remember
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Collection, Sequence
+
+    from ..diagnostics import Frame, Reporter
+    from ..source import Span
+    from ..xml.tree import Shared
+
+    Children = dict[str, Element]
+    """The first child element of each name; parsers of URDF read no other where one is meant."""
+
+SUGGESTION_BUDGET = 200_000
+"""Names compared in one run to find the one meant; keeps a robot full of faults linear."""
+
+NAMED_OWNERS = ("link", "joint", "material")
+
+
+WORD, NOT_FINITE, SPACING = "word", "not finite", "spacing"
+
+
+class NumberFault:
+    """Why a text is not a row of numbers: the item at fault, and what is wrong with it."""
+
+    __slots__ = ("item", "kind")
+
+    def __init__(self, item: str, kind: str) -> None:
+        """Name the item as spelled; `kind` is WORD, NOT_FINITE or SPACING."""
+        self.item = item
+        self.kind = kind
+
+
+SCHEMA, TREE, LINKS, JOINTS, MATERIALS, COLORS, USES, REFERENCES, FILES = range(9)
+"""The stages of the check, in the order in which findings are told.
+
+One walk over the elements finds what belongs to several stages.
+"""
+
+
+class Finding:
+    """A diagnostic, and how often the same came up."""
+
+    __slots__ = ("count", "diagnostic")
+
+    def __init__(self) -> None:
+        """Start with nothing found."""
+        self.count = 0
+        self.diagnostic: Diagnostic | None = None
+
+
+KEY_CODES = ("unknown-key", "misplaced-key")
+STRAY_CODES = ("unknown-element", "unknown-attribute")
+"""What a stray key of a part comes out as; where the key was told of, this is not told again."""
+
+
+class CheckContext:
+    """One run of the checks: where findings go, and what has been worked out so far."""
+
+    __slots__ = (
+        "_found",
+        "_suggestion_budget",
+        "count",
+        "file_owners",
+        "material_uses",
+        "materials_inside",
+        "reporter",
+        "sound",
+        "sound_children",
+        "sound_elements",
+        "stage",
+        "version",
+    )
+
+    def __init__(
+        self, reporter: Reporter, *, version: str = "1.0", shared: Shared | None = None
+    ) -> None:
+        """Report to `reporter`.
+
+        Args:
+            reporter: takes the findings.
+            version: the URDF version of the robot.
+            shared: the elements that stand in several places.
+
+        Attributes:
+            count: how often something was found.
+            stage: the stage that findings belong to.
+            sound: what else has been found right: what was asked, and the texts of the values.
+            sound_children: of the children that several elements have, where all was right in
+                them, the first of each name.
+            sound_elements: for each shared element, by identity, whether all was right in it.
+            material_uses: the first link and visual's material of each name that visuals use.
+            materials_inside: the names of the materials that are defined in visuals.
+            file_owners: the links and materials that may refer to files, each in turn.
+        """
+        self.reporter = reporter
+        self.version = version
+        self.stage = SCHEMA
+        self.count = 0
+        self.sound: set[tuple[object, ...]] = set()
+        self.sound_elements = dict.fromkeys(shared or (), False)
+        self.sound_children: dict[int, Children] = {}
+        self.material_uses: dict[str, tuple[Element, Element]] = {}
+        self.materials_inside: set[str] = set()
+        self.file_owners: list[Element] = []
+        self._suggestion_budget = SUGGESTION_BUDGET
+        self._found: list[dict[object, Finding]] = [{} for _ in range(FILES + 1)]
+
+    def warn(
+        self,
+        code: str,
+        message: str,
+        element: Element,
+        *,
+        attribute: str | None = None,
+        is_of_name: bool = False,
+        missing: str | None = None,
+        hint: str | None = None,
+        notes: Sequence[str] = (),
+    ) -> None:
+        """Note a finding at an attribute's value, or at the element when none is named.
+
+        With `is_of_name` it is at the attribute's name.
+
+        A line in a loop or a function makes many elements; what is wrong with them for the same
+        reason is told once. `missing` names what is not there, where that is the fault.
+        """
+        self._note(
+            Diagnostic(
+                code,
+                message,
+                element.name_span(attribute)
+                if attribute is not None and is_of_name
+                else place_of(element, attribute),
+                hint=hint,
+                notes=notes,
+                severity=WARNING,
+                trace=element.trace,
+            ),
+            (attribute, missing),
+        )
+
+    def error(
+        self,
+        code: str,
+        message: str,
+        element: Element,
+        *,
+        attribute: str | None = None,
+        missing: str | None = None,
+        hint: str | None = None,
+        notes: Sequence[str] = (),
+        among: Sequence[Element] = (),
+    ) -> None:
+        """Note a fault that parsers refuse; see `warn`.
+
+        It is an error where YAML made the robot, a warning in URDF and xacro that are taken as they
+        are. `among` are the links and joints that are at odds, where there are several: one XML
+        file may be so in itself, but what two includes of it make together was made by YAML.
+        """
+        elements = among or (element,)
+        is_known = all(other.trace is not INHERITED for other in among)
+        self._note(
+            Diagnostic(
+                code,
+                message,
+                place_of(element, attribute),
+                hint=hint,
+                notes=notes,
+                severity=WARNING if _are_taken_as_they_are(elements) else ERROR,
+                trace=element.trace if is_known else INHERITED,
+            ),
+            (attribute, missing),
+        )
+
+    def _note(self, diagnostic: Diagnostic, about: tuple[str | None, str | None]) -> None:
+        """Note a finding; what is wrong at the same place for the same reason counts as one."""
+        self.count += 1
+        key = (diagnostic.code, diagnostic.span.key(), *about)
+        found = self._found[self.stage].setdefault(key, Finding())
+        found.count += 1
+        if found.diagnostic is None:
+            found.diagnostic = diagnostic
+        elif diagnostic.severity == ERROR:
+            found.diagnostic.severity = ERROR
+
+    def flush(self) -> None:
+        """Report what was found, stage by stage, in the order it was found."""
+        told = {d.span.key() for d in self.reporter.diagnostics if d.code in KEY_CODES}
+        for found in self._all_found().values():
+            diagnostic = found.diagnostic
+            if diagnostic is None:
+                continue
+            if diagnostic.code in STRAY_CODES and diagnostic.span.key() in told:
+                continue
+            if found.count > 1:
+                diagnostic.notes += (f"{found.count} elements made here have this fault",)
+            self.reporter.add(diagnostic)
+
+    def _all_found(self) -> dict[object, Finding]:
+        """Return what was found in all stages; what came up in several is told in the first."""
+        all_found: dict[object, Finding] = {}
+        for stage in self._found:
+            for key, found in stage.items():
+                if key in all_found:
+                    all_found[key].count += found.count
+                else:
+                    all_found[key] = found
+        return all_found
+
+    def near(self, word: str, candidates: Collection[str]) -> str | None:
+        """Return the hint "did you mean 'x'?", or None when nothing is near."""
+        near = self.near_word(word, candidates)
+        return f"did you mean '{near}'?" if near is not None else None
+
+    def near_word(self, word: str, candidates: Collection[str]) -> str | None:
+        """Return the candidate that `word` is a misspelling of, or None."""
+        if self._suggestion_budget < len(candidates):
+            return None
+        self._suggestion_budget -= len(candidates)
+        return suggest(word, candidates)
+
+    def read(self, text: str) -> tuple[float, ...] | NumberFault:
+        """Return the numbers in a text; equal texts are read once, unless they are long.
+
+        Long ones hold computed numbers, which seldom come again.
+        """
+        found = _remembered.get(text)
+        if found is None:
+            found = read_numbers(text)
+            if len(text) <= LONGEST_ROW_REMEMBERED:
+                remember(_remembered, text, found)
+        return found
+
+    def numbers(self, element: Element | None, attribute: str, count: int) -> tuple[float, ...]:
+        """Return an attribute's numbers, or () if it is absent or faulty (reported elsewhere)."""
+        text = attribute_text(element, attribute)
+        if text is None:
+            return ()
+        found = self.read(text)
+        if isinstance(found, NumberFault) or len(found) != count:
+            return ()
+        return found
+
+    def number(self, element: Element | None, attribute: str) -> float | None:
+        """Return the number in an attribute, or None if it is absent or faulty."""
+        text = attribute_text(element, attribute)
+        found = self.read(text) if text is not None else ()
+        return found[0] if type(found) is tuple and len(found) == 1 else None
+
+
+def _are_taken_as_they_are(elements: Sequence[Element]) -> bool:
+    """Tell whether elements are all of XML, the main file or one include of it."""
+    if not all(element.span.source.is_xml for element in elements):
+        return False
+    if len(elements) == 1:
+        return True
+    return len({id(_inclusion(element.trace)) for element in elements}) == 1
+
+
+def _inclusion(trace: Frame | None) -> Frame | None:
+    """Return the step from YAML into XML on the way to an element of XML, if there is one."""
+    while trace is not None and trace.span.source.is_xml:
+        trace = trace.parent
+    return trace
+
+
+_remembered: dict[str, tuple[float, ...] | NumberFault] = {}
+"""The numbers in texts, whatever robot they are of."""
+
+
+def read_numbers(text: str) -> tuple[float, ...] | NumberFault:
+    """Return the numbers of a text, spelled as C++ and Python both read them, or the fault.
+
+    Spacing is judged as urdfdom does: it splits at spaces alone, and a lone number must be the end
+    of its text.
+    """
+    try:
+        numbers = tuple(map(float, text.split()))
+    except ValueError:
+        numbers = (nan,)
+    if not text.isascii() or "_" in text or not all(map(isfinite, numbers)):
+        for item in text.split():
+            kind = _fault_of(item)
+            if kind is not None:
+                return NumberFault(item, kind)
+    if (numbers and not text.isprintable()) or (len(numbers) == 1 and text[-1] == " "):
+        return NumberFault(text, SPACING)
+    return numbers
+
+
+def _fault_of(item: str) -> str | None:
+    """Return what is wrong with a number, if anything is."""
+    if "_" in item or not item.isascii():
+        return WORD
+    try:
+        return None if isfinite(float(item)) else NOT_FINITE
+    except ValueError:
+        return WORD
+
+
+def attribute_text(element: Element | None, attribute: str) -> str | None:
+    """Return an attribute as it will be written, or None if it will not be."""
+    if element is None:
+        return None
+    value = element.attributes.get(attribute)
+    if value is None or type(value) is str:
+        return value
+    return format_value(value)
+
+
+def place_of(element: Element, attribute: str | None = None) -> Span:
+    """Return where an attribute's value is written, or the element."""
+    return element.span if attribute is None else element.value_span(attribute)
+
+
+def child_named(element: Element, name: str) -> Element | None:
+    """Return the first child element of that name; parsers of URDF read no other."""
+    for child in element.children:
+        if isinstance(child, Element) and child.name == name:
+            return child
+    return None
+
+
+def label(owner: Element) -> str:
+    """Return how to speak of a link, joint or material: link 'arm'."""
+    if owner.name not in NAMED_OWNERS:
+        return "the robot" if owner.name == "robot" else f"'{owner.name}'"
+    name = attribute_text(owner, "name")
+    return f"{owner.name} '{name}'" if name else f"a {owner.name} without a name"
+
+
+def listed(names: Sequence[str], *, limit: int = 5) -> str:
+    """Return names quoted and joined for a sentence, long lists cut."""
+    quoted = [f"'{name}'" for name in names[:limit]]
+    if len(names) > limit:
+        return ", ".join(quoted) + f" and {len(names) - limit} more"
+    return " and ".join([", ".join(quoted[:-1]), quoted[-1]] if len(quoted) > 1 else quoted)
+
+
+def shown(number: float) -> str:
+    """Return a number short enough to read in a sentence."""
+    return f"{number:.6g}"

@@ -1,0 +1,132 @@
+"""Check of the files a robot refers to: meshes and textures that are there, packages known."""
+
+from __future__ import annotations
+
+from ..xml.tree import Element
+from .context import CheckContext, attribute_text, child_named, label
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterator, Sequence
+
+    from ..source import Span
+    from .context import Children
+
+PACKAGE_SCHEME = "package://"
+LOCAL_SCHEMES = (PACKAGE_SCHEME, "file://")
+
+
+def check_files(
+    context: CheckContext,
+    *,
+    resolve_mesh: Callable[[str, Span], str | None],
+    places_searched: Callable[[str, Span], Sequence[str] | None] | None,
+    path_meant: Callable[[str, Span], str | None] | None = None,
+) -> None:
+    """Report each file that is not there and each unknown package once, where first used."""
+    told: set[str] = set()
+    for element, owner in _file_references(context.file_owners):
+        filename = attribute_text(element, "filename")
+        if filename is None or filename in told or not is_local(filename):
+            continue
+        told.add(filename)
+        span = element.value_span("filename")
+        if not filename.strip():
+            _report_empty(element, owner, context)
+            continue
+        if resolve_mesh(filename, span) is not None:
+            continue
+        package = package_of(filename)
+        places = None
+        if package is not None and places_searched is not None:
+            places = places_searched(package, span)
+        if package is None or places is None:
+            path = path_meant(filename, span) if path_meant is not None else None
+            _report_missing(filename, path, element, owner, context)
+        elif package not in told:
+            told.add(package)
+            _report_package(package, places, element, owner, context)
+
+
+def note_file(element: Element, children: Children, owner: Element, context: CheckContext) -> None:
+    """Note a link or material with a mesh or texture in it, for `check_files` to look at.
+
+    Of an element that stands in several places one owner is enough: a file is told of once.
+    """
+    owners = context.file_owners
+    if not owners or owners[-1] is not owner:
+        owners.append(owner)
+
+
+def _file_references(owners: list[Element]) -> Iterator[tuple[Element, Element]]:
+    """Yield each mesh and texture element with the link or material that holds it."""
+    for owner in owners:
+        if owner.name == "material":
+            texture = child_named(owner, "texture")
+            if texture is not None:
+                yield texture, owner
+        elif owner.name == "link":
+            for section in owner.children:
+                if isinstance(section, Element) and section.name in ("visual", "collision"):
+                    for element in _files_of(section):
+                        yield element, owner
+
+
+def _files_of(section: Element) -> Iterator[Element]:
+    for holder_name, name in (("geometry", "mesh"), ("material", "texture")):
+        holder = child_named(section, holder_name)
+        element = child_named(holder, name) if holder is not None else None
+        if element is not None:
+            yield element
+
+
+def is_local(filename: str) -> bool:
+    """Tell whether a file can be looked up here: no http:// and no model:// of a simulator."""
+    return "://" not in filename or filename.startswith(LOCAL_SCHEMES)
+
+
+def package_of(filename: str) -> str | None:
+    """Return the package of a package:// address."""
+    if not filename.startswith(PACKAGE_SCHEME):
+        return None
+    return filename[len(PACKAGE_SCHEME) :].partition("/")[0]
+
+
+def _report_empty(element: Element, owner: Element, context: CheckContext) -> None:
+    context.warn(
+        "missing-mesh-file",
+        f"the {element.name} of {label(owner)} has an empty filename",
+        element,
+        attribute="filename",
+        hint="write a path, or package://my_robot/meshes/arm.stl",
+    )
+
+
+def _report_missing(
+    filename: str, path: str | None, element: Element, owner: Element, context: CheckContext
+) -> None:
+    if package_of(filename) is None:
+        hint = "a relative path starts at the folder of the file it is written in"
+    else:
+        hint = "the package is there, but not this file in it; mind upper and lower case"
+    context.warn(
+        "missing-mesh-file",
+        f"the {element.name} '{filename}' of {label(owner)} is not there",
+        element,
+        attribute="filename",
+        hint=hint,
+        notes=() if path is None else [f"looked for {path}"],
+    )
+
+
+def _report_package(
+    package: str, places: Sequence[str], element: Element, owner: Element, context: CheckContext
+) -> None:
+    looked = "; looked in " + ", ".join(places) if places else ""
+    context.warn(
+        "unknown-package",
+        f"the package '{package}', where {label(owner)} has its {element.name}, is not found",
+        element,
+        attribute="filename",
+        hint=f"source its workspace, or give its folder: --package {package}:=FOLDER{looked}",
+    )

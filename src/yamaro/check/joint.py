@@ -1,0 +1,180 @@
+"""Check of one joint's values: its type, its axis, and the order and presence of its limits."""
+
+from __future__ import annotations
+
+from math import hypot
+
+from ..model.urdf_schema import JOINT_TYPES, joint_type_hint
+from ..xml.tree import Element
+from .context import JOINTS, CheckContext, attribute_text, shown
+from .link import check_pose
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from .context import Children
+
+UNIT_TOLERANCE = 1e-3
+"""How far from 1 the length of an axis may be: three digits, as 0.707 for 1/√2, are enough."""
+
+JUDGED_BY_TYPE = ("axis", "limit", "safety_controller", "dynamics")
+LIMITED = ("revolute", "prismatic")
+WITH_AXIS = ("revolute", "continuous", "prismatic", "planar")
+
+
+def check_joint(joint: Element, children: Children, owner: Element, context: CheckContext) -> None:
+    """Check the pose of a joint, and the values that its type gives a meaning to."""
+    context.stage = JOINTS
+    check_pose(children, joint, context)
+    kind = attribute_text(joint, "type")
+    if kind is None:
+        return
+    parts = (kind, *[id(children.get(name)) for name in JUDGED_BY_TYPE])
+    if parts in context.sound:
+        return
+    count = context.count
+    _check_by_type(kind, joint, children, context)
+    if count == context.count and _are_shared(children, context):
+        context.sound.add(parts)
+
+
+def _are_shared(children: Children, context: CheckContext) -> bool:
+    """Tell whether all that the type has a say in stands in other joints as well, or is not there.
+
+    What does not may be gone later, and another element have its identity.
+    """
+    shared = context.sound_elements
+    return all(name not in children or id(children[name]) in shared for name in JUDGED_BY_TYPE)
+
+
+def _check_by_type(kind: str, joint: Element, children: Children, context: CheckContext) -> None:
+    if kind not in JOINT_TYPES:
+        _report_type(kind, joint, context)
+        return
+    axis = children.get("axis")
+    if axis is not None and kind in WITH_AXIS:
+        _check_axis(axis, joint, context)
+    limit = children.get("limit")
+    if limit is not None:
+        _check_limit(limit, kind, joint, context)
+    elif kind in LIMITED:
+        _report_missing_limit(kind, joint, context)
+    safety = children.get("safety_controller")
+    if safety is not None:
+        _check_order(safety, "soft_lower_limit", "soft_upper_limit", joint, context)
+    dynamics = children.get("dynamics")
+    if dynamics is not None:
+        _check_dynamics(dynamics, joint, context)
+
+
+def _name(joint: Element) -> str:
+    return attribute_text(joint, "name") or ""
+
+
+def _report_type(kind: str, joint: Element, context: CheckContext) -> None:
+    context.error(
+        "unknown-joint-type",
+        f"joint '{_name(joint)}' has the type '{kind}', which URDF does not know",
+        joint,
+        attribute="type",
+        hint=joint_type_hint(kind),
+    )
+
+
+def _check_axis(axis: Element, joint: Element, context: CheckContext) -> None:
+    text = attribute_text(axis, "xyz")
+    if text is None or ("axis", text) in context.sound:
+        return
+    xyz = context.numbers(axis, "xyz", 3)
+    if not xyz:
+        return
+    length = hypot(*xyz)
+    if length == 0:
+        context.warn(
+            "zero-axis",
+            f"the axis of joint '{_name(joint)}' is zero, so it points nowhere",
+            axis,
+            attribute="xyz",
+            hint="give the direction the joint moves along or turns about, such as 0 0 1",
+        )
+    elif abs(length - 1) > UNIT_TOLERANCE:
+        unit = " ".join(shown(part / length) for part in xyz)
+        context.warn(
+            "axis-not-unit",
+            f"the axis of joint '{_name(joint)}' has the length {shown(length)} instead of 1",
+            axis,
+            attribute="xyz",
+            hint=f"write {unit}; some parsers scale the motion by the length",
+        )
+    else:
+        context.sound.add(("axis", text))
+
+
+# --- limits -----------------------------------------------------------------------------------
+
+
+def _report_missing_limit(kind: str, joint: Element, context: CheckContext) -> None:
+    context.error(
+        "missing-limit",
+        f"joint '{_name(joint)}' is {kind} and has no limit, which URDF requires",
+        joint,
+        hint=_limit_hint(kind, "add `limit/lower=-1, upper=1, effort=10, velocity=2:`"),
+    )
+
+
+def _limit_hint(kind: str, hint: str) -> str:
+    if kind == "revolute":
+        return f"{hint}, or make the joint continuous if it turns without end"
+    return hint
+
+
+def _check_limit(limit: Element, kind: str, joint: Element, context: CheckContext) -> None:
+    if kind in LIMITED and (
+        attribute_text(limit, "lower") is None and attribute_text(limit, "upper") is None
+    ):
+        context.warn(
+            "missing-limit",
+            f"joint '{_name(joint)}' is {kind}, but its limit has no 'lower' and no 'upper': "
+            "parsers take 0 for both, and it cannot move",
+            limit,
+            hint=_limit_hint(kind, "add `lower=-1, upper=1` to it"),
+        )
+    elif kind != "continuous":
+        _check_order(limit, "lower", "upper", joint, context)
+
+
+def _check_order(
+    element: Element, lower_name: str, upper_name: str, joint: Element, context: CheckContext
+) -> None:
+    """Check that the lower bound, 0 where it is absent, is not above the upper."""
+    texts = (attribute_text(element, lower_name), attribute_text(element, upper_name))
+    if ("order", *texts) in context.sound:
+        return
+    lower, upper = (
+        0.0 if text is None else context.number(element, name)
+        for name, text in zip((lower_name, upper_name), texts, strict=True)
+    )
+    if lower is None or upper is None or lower <= upper:
+        context.sound.add(("order", *texts))
+        return
+    absent = [n for n in (lower_name, upper_name) if attribute_text(element, n) is None]
+    context.warn(
+        "limit-order",
+        f"'{lower_name}' ({shown(lower)}) of joint '{_name(joint)}' is above "
+        f"'{upper_name}' ({shown(upper)})",
+        element,
+        attribute=upper_name if lower_name in absent else lower_name,
+        hint=f"give '{absent[0]}' too: it is 0 when it is left out" if absent else "swap the two",
+    )
+
+
+def _check_dynamics(dynamics: Element, joint: Element, context: CheckContext) -> None:
+    """Check that it says something: urdfdom refuses a joint whose dynamics is bare."""
+    names = ("damping", "friction")
+    if any(attribute_text(dynamics, name) is not None for name in names):
+        return
+    context.error(
+        "missing-attribute",
+        f"the dynamics of joint '{_name(joint)}' has neither 'damping' nor 'friction'",
+        dynamics,
+        hint="write `dynamics/damping=0.1, friction=0.0:` or leave it out",
+    )

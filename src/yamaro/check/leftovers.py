@@ -1,0 +1,62 @@
+"""Advice on what a URDF holds that was meant for another program: xacro's expressions."""
+
+from __future__ import annotations
+
+from ..model.urdf_schema import ELEMENTS, TEXT
+from ..xml.tree import Element, Text
+from .context import CheckContext, attribute_text
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+SUBSTITUTIONS = ("$(arg ", "$(find ", "$(env ", "$(optenv ", "$(eval ", "$(dirname", "$(anon ")
+
+
+def advise_on_leftovers(root: Element, context: CheckContext) -> None:
+    """Report, once, expressions of xacro that nothing has evaluated.
+
+    Parsers take them for names and texts. In YAML they are told of where they are read.
+    """
+    found = list(_leftovers(root))
+    if not found:
+        return
+    element, attribute, text = found[0]
+    more = len(found) - 1
+    context.warn(
+        "leftover-expression",
+        f"'{text.strip()}' was not evaluated",
+        element,
+        attribute=attribute,
+        hint="only xacro evaluates it: rename the file to .xacro, or write what it stands for",
+        notes=[f"{more} more {'are' if more > 1 else 'is'} in the file"] if more else (),
+    )
+
+
+def _leftovers(root: Element) -> Iterator[tuple[Element, str | None, str]]:
+    pending = [root]
+    while pending:
+        element = pending.pop()
+        children = [child for child in element.children if isinstance(child, Element)]
+        pending += reversed(children)
+        if not element.span.source.is_xml:
+            continue
+        for name in element.attributes:
+            text = attribute_text(element, name)
+            if text is not None and _is_leftover(text) and not _is_number(element.name, name):
+                yield element, name, text
+        for child in element.children:
+            if isinstance(child, Text) and _is_leftover(str(child.value)):
+                yield element, None, str(child.value)
+
+
+def _is_leftover(text: str) -> bool:
+    if "$" not in text:
+        return False
+    return ("${" in text and "}" in text) or any(word in text for word in SUBSTITUTIONS)
+
+
+def _is_number(element: str, attribute: str) -> bool:
+    """Tell whether URDF reads numbers there, so that the check tells of it anyway."""
+    rule = ELEMENTS[element].attributes.get(attribute) if element in ELEMENTS else None
+    return rule is not None and rule.count != TEXT

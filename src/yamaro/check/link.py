@@ -1,0 +1,268 @@
+"""Check of one link's values: mass, inertia, shapes, colours and poses."""
+
+from __future__ import annotations
+
+from math import fabs, hypot, tau
+
+from ..model.urdf_schema import SHAPES
+from ..xml.tree import Element
+from .context import LINKS, CheckContext, attribute_text, label, shown
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from .context import Children
+
+TRIANGLE_TOLERANCE = 1e-3
+"""By how much, relative, two principal moments may fall short of the third: room for rounding."""
+
+ANGLE_TOLERANCE = 1e-2
+CAPSULE_CODE = "capsule-needs-urdf-1.1"
+INERTIA_NAMES = ("ixx", "ixy", "ixz", "iyy", "iyz", "izz")
+PLAIN_SHAPES = ("box", "cylinder", "sphere")
+
+
+# --- mass and inertia -------------------------------------------------------------------------
+
+
+def check_inertial(
+    inertial: Element, children: Children, link: Element, context: CheckContext
+) -> None:
+    """Check the pose, the mass and the inertia of a link's inertial."""
+    context.stage = LINKS
+    check_pose(children, link, context)
+    mass_element = children.get("mass")
+    mass = context.number(mass_element, "value")
+    if mass_element is not None and mass is not None and mass <= 0:
+        _report_mass(mass, mass_element, link, context)
+        return
+    inertia = children.get("inertia")
+    if inertia is not None:
+        _check_inertia(inertia, link, context)
+
+
+def _report_mass(mass: float, element: Element, link: Element, context: CheckContext) -> None:
+    hint = "give the mass in kilograms"
+    if mass == 0:
+        hint += ", or leave `inertial` out of a link that is only a frame"
+    context.warn(
+        "bad-mass",
+        f"the mass of {label(link)} is {shown(mass)}, but must be more than 0",
+        element,
+        attribute="value",
+        hint=hint,
+    )
+
+
+def _check_inertia(inertia: Element, link: Element, context: CheckContext) -> None:
+    texts = tuple([attribute_text(inertia, name) for name in INERTIA_NAMES])
+    if texts in context.sound:
+        return
+    values = []
+    for name in INERTIA_NAMES:
+        number = context.number(inertia, name)
+        if number is None:
+            return
+        values.append(number)
+    moments = principal_moments(values)
+    fault = _inertia_fault(moments)
+    if fault is None:
+        context.sound.add(texts)
+        return
+    spans = inertia.value_spans
+    context.warn(
+        "bad-inertia",
+        f"no body can have the inertia of {label(link)}: {fault}",
+        inertia,
+        attribute="ixx" if spans is not None and spans.get("ixx") else None,
+        hint="leave `inertia` out of a part and it is computed from the mass and the shape",
+    )
+
+
+def _inertia_fault(moments: tuple[float, float, float]) -> str | None:
+    """Say why no body has these principal moments, ascending, in kg·m²; None if one can have."""
+    negligible = 1e-12 * max(moments)
+    low, middle, high = (0.0 if fabs(m) < negligible else m for m in moments)
+    if low <= 0:
+        if high == 0 and low == 0:
+            return "all its entries are 0, and it could be turned without effort"
+        numbers = _all_shown(low, middle, high)
+        return f"its eigenvalues are {numbers}, and all three must be more than 0"
+    if low + middle < high * (1 - TRIANGLE_TOLERANCE):
+        return (
+            f"of its eigenvalues {_all_shown(low, middle, high)} the two smaller ones together "
+            "must reach the largest (the triangle inequality)"
+        )
+    return None
+
+
+def _all_shown(low: float, middle: float, high: float) -> str:
+    return f"{shown(low)}, {shown(middle)} and {shown(high)}"
+
+
+def principal_moments(values: list[float]) -> tuple[float, float, float]:
+    """Return the eigenvalues of ixx ixy ixz iyy iyz izz, ascending, by Jacobi's rotations.
+
+    Source: Golub and Van Loan, Matrix Computations, section 8.5 (cyclic Jacobi).
+    """
+    ixx, ixy, ixz, iyy, iyz, izz = values
+    if ixy == 0 and ixz == 0 and iyz == 0:
+        low, middle, high = sorted((ixx, iyy, izz))
+        return low, middle, high
+    scale = max(fabs(value) for value in values)
+    matrix = [[ixx, ixy, ixz], [ixy, iyy, iyz], [ixz, iyz, izz]]
+    matrix = [[entry / scale for entry in row] for row in matrix]
+    for _ in range(30):
+        if hypot(matrix[0][1], matrix[0][2], matrix[1][2]) < 1e-16:
+            break
+        for p, q in ((0, 1), (0, 2), (1, 2)):
+            _rotate(matrix, p, q)
+    low, middle, high = sorted(matrix[i][i] * scale for i in range(3))
+    return low, middle, high
+
+
+def _rotate(matrix: list[list[float]], p: int, q: int) -> None:
+    """Rotate rows and columns p and q so that their common entry becomes 0."""
+    entry = matrix[p][q]
+    if entry == 0:
+        return
+    theta = (matrix[q][q] - matrix[p][p]) / (2 * entry)
+    t = (1.0 if theta >= 0 else -1.0) / (fabs(theta) + hypot(theta, 1.0))
+    c = 1 / hypot(t, 1.0)
+    s = t * c
+    r = 3 - p - q
+    matrix[p][p] -= t * entry
+    matrix[q][q] += t * entry
+    matrix[p][q] = matrix[q][p] = 0.0
+    rp, rq = matrix[r][p], matrix[r][q]
+    matrix[r][p] = matrix[p][r] = c * rp - s * rq
+    matrix[r][q] = matrix[q][r] = s * rp + c * rq
+
+
+# --- shapes -----------------------------------------------------------------------------------
+
+
+def check_section(
+    section: Element, children: Children, link: Element, context: CheckContext
+) -> None:
+    """Check the pose and the shape of a visual or collision."""
+    context.stage = LINKS
+    check_pose(children, link, context)
+    geometry = children.get("geometry")
+    if geometry is not None:
+        _check_geometry(geometry, section, link, context)
+
+
+def _check_geometry(
+    geometry: Element, section: Element, link: Element, context: CheckContext
+) -> None:
+    if len(geometry.children) == 1:
+        only = geometry.children[0]
+        if isinstance(only, Element) and only.name in PLAIN_SHAPES:
+            return
+    shapes = [child for child in geometry.elements() if child.name in SHAPES]
+    where = f"a {section.name} of {label(link)}"
+    if not shapes:
+        if not geometry.elements():
+            context.error(
+                "missing-element",
+                f"the geometry in {where} has no shape",
+                geometry,
+                hint=f"put one of {', '.join(SHAPES)} in it",
+            )
+        return
+    kinds = {shape.name for shape in shapes}
+    if len(kinds) > 1:
+        context.warn(
+            "several-shapes",
+            f"the geometry in {where} has {len(shapes)} shapes; parsers read the first",
+            shapes[1],
+            hint=f"write a {section.name} for each shape",
+        )
+    if shapes[0].name == "mesh":
+        _check_scale(shapes[0], where, context)
+    elif shapes[0].name == "capsule" and context.version == "1.0":
+        _report_capsule(shapes[0], where, context)
+
+
+def _check_scale(mesh: Element, where: str, context: CheckContext) -> None:
+    scale = context.numbers(mesh, "scale", 3)
+    if scale and 0.0 in scale:
+        context.warn(
+            "bad-size",
+            f"the scale of the mesh in {where} holds 0, which flattens it",
+            mesh,
+            attribute="scale",
+            hint="write `1 1 1` for the mesh as it is, `0.001 0.001 0.001` if it is in millimetres",
+        )
+
+
+def _report_capsule(capsule: Element, where: str, context: CheckContext) -> None:
+    """Warn of a capsule in URDF 1.0, unless a part with a capsule has been warned of already."""
+    if any(known.code == CAPSULE_CODE for known in context.reporter.diagnostics):
+        return
+    context.warn(
+        CAPSULE_CODE,
+        f"the geometry in {where} is a capsule, which URDF has since version 1.1",
+        capsule,
+        hint="write `version=1.1` on the robot, or use a cylinder: urdfdom drops the shape in 1.0",
+    )
+
+
+# --- poses ------------------------------------------------------------------------------------
+
+
+def check_pose(children: Children, owner: Element, context: CheckContext) -> None:
+    """Check the origin of a joint, visual, collision or inertial: one rotation, in radians."""
+    origin = children.get("origin")
+    if origin is None:
+        return
+    if "quat_xyzw" in origin.attributes and attribute_text(origin, "quat_xyzw") is not None:
+        _check_quaternion(origin, owner, context)
+    rpy = attribute_text(origin, "rpy")
+    if rpy is not None and ("rpy", rpy) not in context.sound:
+        _check_angles(rpy, origin, owner, context)
+
+
+def _check_angles(rpy: str, origin: Element, owner: Element, context: CheckContext) -> None:
+    for angle in context.numbers(origin, "rpy", 3):
+        if fabs(angle) > tau + ANGLE_TOLERANCE:
+            context.warn(
+                "angle-too-large",
+                f"'rpy' in {label(owner)} holds {shown(angle)}, more than a full turn",
+                origin,
+                attribute="rpy",
+                hint=f"angles are in radians; for degrees write `$(radians({shown(angle)}))`",
+            )
+            return
+    context.sound.add(("rpy", rpy))
+
+
+def _check_quaternion(origin: Element, owner: Element, context: CheckContext) -> None:
+    if attribute_text(origin, "rpy") is not None:
+        context.error(
+            "two-rotations",
+            f"the origin in {label(owner)} has both 'rpy' and 'quat_xyzw'",
+            origin,
+            attribute="quat_xyzw",
+            hint="keep one of them; parsers refuse both",
+        )
+        return
+    if context.version == "1.0":
+        context.warn(
+            "needs-version",
+            f"the origin in {label(owner)} has 'quat_xyzw', which URDF 1.0 ignores",
+            origin,
+            attribute="quat_xyzw",
+            hint="write `version=1.1` on the robot, or give the rotation as rpy",
+        )
+        return
+    numbers = context.numbers(origin, "quat_xyzw", 4)
+    if numbers and fabs(hypot(*numbers) - 1) > ANGLE_TOLERANCE:
+        context.warn(
+            "quaternion-not-unit",
+            f"the quaternion in {label(owner)} has the length {shown(hypot(*numbers))} "
+            "instead of 1",
+            origin,
+            attribute="quat_xyzw",
+            hint="divide its four numbers by that length; 0 0 0 1 is no rotation",
+        )

@@ -1,0 +1,113 @@
+"""Check of the materials: colours in range, names that are defined, and defined once."""
+
+from __future__ import annotations
+
+from ..xml.tree import Element
+from .context import COLORS, USES, CheckContext, attribute_text, child_named, label, shown
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from .context import Children
+
+
+def check_materials(materials: list[Element], context: CheckContext) -> None:
+    """Check the robot's own materials, and that the materials of its visuals are defined."""
+    known: dict[str, Element] = {}
+    for material in materials:
+        _check_global(material, known, context)
+    context.stage = USES
+    inside = context.materials_inside
+    for name, (link, material) in context.material_uses.items():
+        if name in known or name in inside:
+            continue
+        context.warn(
+            "unknown-material",
+            f"the material '{name}' of {label(link)} is not defined",
+            material,
+            attribute="name",
+            hint=context.near(name, [*known, *sorted(inside)])
+            or f"define it: `material/name={name}:` with `color/rgba=0.8 0.8 0.8 1:` in it",
+        )
+
+
+def check_used_material(
+    material: Element, children: Children, owner: Element, context: CheckContext
+) -> None:
+    """Check the material of a visual, and note its name for `check_materials`."""
+    if owner is material:
+        return  # one of the robot's own, which `check_materials` looks at
+    name = attribute_text(material, "name") or ""
+    if children:
+        context.stage = COLORS
+        _check_color(material, context)
+        if _is_defined(material):
+            context.materials_inside.add(name)
+    if name and name not in context.material_uses:
+        context.material_uses[name] = (owner, material)
+
+
+def _is_defined(material: Element) -> bool:
+    return child_named(material, "color") is not None or (
+        child_named(material, "texture") is not None
+    )
+
+
+def _check_global(material: Element, known: dict[str, Element], context: CheckContext) -> None:
+    name = attribute_text(material, "name")
+    _check_color(material, context)
+    if name is None:
+        return
+    if not name.strip():
+        context.warn(
+            "bad-name",
+            "the name of a material is empty, so no visual can refer to it",
+            material,
+            attribute="name",
+            hint="name it by its look, as in dark_grey",
+        )
+        return
+    first = known.get(name)
+    if first is not None:
+        context.error(
+            "duplicate-material",
+            f"there are two materials named '{name}'",
+            material,
+            attribute="name",
+            hint="define it once, and refer to it by its name",
+            notes=(f"first defined at {first.value_span('name').place()}",),
+            among=(first, material),
+        )
+        return
+    known[name] = material
+    if not _is_defined(material):
+        context.warn(
+            "missing-element",
+            f"material '{name}' has neither a color nor a texture",
+            material,
+            hint="add `color/rgba=0.8 0.8 0.8 1:`",
+        )
+
+
+def _check_color(material: Element, context: CheckContext) -> None:
+    color = child_named(material, "color")
+    if color is None:
+        return
+    rgba = context.numbers(color, "rgba", 4)
+    if not rgba or all(0 <= part <= 1 for part in rgba):
+        return
+    worst = max(rgba, key=lambda part: abs(part - 0.5))
+    context.warn(
+        "bad-color",
+        f"the color of {label(material)} holds {shown(worst)}, but its four numbers go from 0 to 1",
+        color,
+        attribute="rgba",
+        hint=_color_hint(rgba),
+    )
+
+
+def _color_hint(rgba: tuple[float, ...]) -> str:
+    if min(rgba) < 0 or max(rgba) > 255 or max(rgba) < 2:
+        return "write red green blue alpha, such as `0.8 0.8 0.8 1`"
+    alpha = rgba[3] if rgba[3] <= 1 else rgba[3] / 255
+    parts = [*(part / 255 for part in rgba[:3]), alpha]
+    return f"divide by 255: `{' '.join(f'{part:.3g}' for part in parts)}`"

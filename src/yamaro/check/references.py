@@ -1,0 +1,134 @@
+"""Check of what refers to links and joints by name outside of the joints: extensions of URDF.
+
+Only places whose meaning is documented are looked at; what plugins hold is theirs.
+"""
+
+from __future__ import annotations
+
+from ..xml.tree import Element
+from .context import REFERENCES, CheckContext, attribute_text, child_named
+from .tree import is_fixed, near_name
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from .tree import JointParts, Tree
+
+
+def check_references(
+    root: Element, joints: list[JointParts], tree: Tree, context: CheckContext
+) -> None:
+    """Check what `gazebo`, `transmission`, `ros2_control`, `sensor` and `mimic` refer to."""
+    context.stage = REFERENCES
+    for element in root.children:
+        if not isinstance(element, Element):
+            continue
+        if element.name == "gazebo":
+            _check_gazebo(element, tree, context)
+        elif element.name == "transmission":
+            _check_transmission(element, tree, context)
+        elif element.name == "ros2_control":
+            _check_ros2_control(element, tree, context)
+        elif element.name == "sensor":
+            _check_sensor(element, tree, context)
+    for joint, _, _, mimic in joints:
+        if mimic is not None:
+            _check_mimic(joint, mimic, tree, context)
+
+
+def _check_gazebo(gazebo: Element, tree: Tree, context: CheckContext) -> None:
+    """Report a block for a link or joint that is not there: Gazebo drops it without a word."""
+    name = attribute_text(gazebo, "reference")
+    if not name or name in tree.links or name in tree.joints:
+        return
+    context.warn(
+        "unknown-reference",
+        f"this block is for '{name}', which is not a link or joint of the robot",
+        gazebo,
+        attribute="reference",
+        hint=near_name(name, tree, "_link", context)
+        or near_name(name, tree, "_joint", context)
+        or "name a link or joint that exists; Gazebo ignores the block",
+    )
+
+
+def _check_transmission(transmission: Element, tree: Tree, context: CheckContext) -> None:
+    """Report joints that are not there: ros_control does not load the transmission.
+
+    The old style, of the PR2, has its joints in the same place as the one with a `type` element.
+    """
+    for joint in _children(transmission, "joint"):
+        _check_joint_name(joint, "this transmission", tree, context)
+
+
+def _check_ros2_control(control: Element, tree: Tree, context: CheckContext) -> None:
+    """Report joints that are not there: ros2_control ends with an error, or commands nothing."""
+    for joint in _children(control, "joint"):
+        _check_joint_name(joint, "this 'ros2_control' block", tree, context)
+        for param in _children(joint, "param"):
+            name = param.text().strip()
+            if attribute_text(param, "name") == "mimic" and name and name not in tree.joints:
+                _report_joint(name, param, None, "this 'mimic' parameter", tree, context)
+    for transmission in _children(control, "transmission"):
+        _check_transmission(transmission, tree, context)
+
+
+def _check_sensor(sensor: Element, tree: Tree, context: CheckContext) -> None:
+    """Report a sensor on a link that is not there; no reader could place it."""
+    parent = child_named(sensor, "parent")
+    name = attribute_text(parent, "link")
+    if parent is None or not name or name in tree.links:
+        return
+    context.warn(
+        "unknown-reference",
+        f"the sensor '{attribute_text(sensor, 'name') or ''}' is on '{name}', which is not a link "
+        "of the robot",
+        parent,
+        attribute="link",
+        hint=near_name(name, tree, "_link", context) or "name a link that exists",
+    )
+
+
+def _check_joint_name(joint: Element, holder: str, tree: Tree, context: CheckContext) -> None:
+    name = attribute_text(joint, "name")
+    if name and name not in tree.joints:
+        _report_joint(name, joint, "name", holder, tree, context)
+
+
+def _report_joint(
+    name: str,
+    element: Element,
+    attribute: str | None,
+    holder: str,
+    tree: Tree,
+    context: CheckContext,
+) -> None:
+    context.warn(
+        "unknown-joint",
+        f"{holder} names '{name}', which is not a joint of the robot",
+        element,
+        attribute=attribute,
+        hint=near_name(name, tree, "_joint", context) or "name a joint that exists",
+    )
+
+
+def _check_mimic(joint: Element, mimic: Element, tree: Tree, context: CheckContext) -> None:
+    """Report a joint that mimics a fixed one: joint_state_publisher and MoveIt never move it."""
+    master = attribute_text(mimic, "joint")
+    if master not in tree.joints or is_fixed(joint) or not is_fixed(tree.joints[master]):
+        return
+    context.warn(
+        "fixed-mimic",
+        f"joint '{attribute_text(joint, 'name') or ''}' mimics '{master}', which is fixed, so it "
+        "never moves",
+        mimic,
+        attribute="joint",
+        hint="mimic a joint that moves",
+    )
+
+
+def _children(element: Element, name: str) -> Iterator[Element]:
+    for child in element.children:
+        if isinstance(child, Element) and child.name == name:
+            yield child

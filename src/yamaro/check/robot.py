@@ -1,0 +1,124 @@
+"""Structural check of a finished robot: what parsers of URDF would refuse, drop or misread.
+
+Everything here is linear in the size of the robot and recurses no deeper than the schema.
+"""
+
+from __future__ import annotations
+
+from ..model.urdf_schema import OTHER_FORMATS, SRDF_ELEMENTS, VERSIONS
+from ..xml.tree import Element
+from .context import FILES, MATERIALS, TREE, CheckContext, attribute_text
+from .files import check_files
+from .material import check_materials
+from .references import check_references
+from .schema import check_elements
+from .tree import check_spelling, check_tree
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable, Sequence
+
+    from ..diagnostics import Reporter
+    from ..source import Span
+    from ..xml.tree import Shared
+
+
+def check(
+    root: Element,
+    *,
+    reporter: Reporter,
+    resolve_mesh: Callable[[str, Span], str | None] | None = None,
+    places_searched: Callable[[str, Span], Sequence[str] | None] | None = None,
+    path_meant: Callable[[str, Span], str | None] | None = None,
+    advice: Reporter | None = None,
+    shared: Shared | None = None,
+) -> bool:
+    """Check the robot and report each fault as a warning at the value that is wrong.
+
+    Args:
+        root: the finished `<robot>` element, without parts.
+        reporter: takes the faults.
+        resolve_mesh: gives the file of a mesh or texture as referred to at a span, or None if it
+            is not there. Without it no files are looked at.
+        places_searched: gives, for the name of a package that cannot be found, the places looked
+            at; None for a package that is known.
+        path_meant: gives the path that the name of a file stands for, to tell of one that is not
+            there.
+        advice: takes what is legal but seldom meant, such as a density of 50,000 kg/m³. Without it
+            this is not worked out.
+        shared: the elements that stand in several places, which are checked once where nothing is
+            wrong with them.
+
+    Returns:
+        Whether it has meshes or textures.
+    """
+    children = root.elements()
+    links = [child for child in children if child.name == "link"]
+    materials = [child for child in children if child.name == "material"]
+    context = CheckContext(reporter, shared=shared)
+    context.version = _check_robot(root, links, context)
+    joints = check_elements(root, context)
+    context.stage = TREE
+    tree = check_tree(links, joints, context)
+    context.stage = MATERIALS
+    check_materials(materials, context)
+    check_references(root, joints, tree, context)
+    if resolve_mesh is not None:
+        context.stage = FILES
+        check_files(
+            context,
+            resolve_mesh=resolve_mesh,
+            places_searched=places_searched,
+            path_meant=path_meant,
+        )
+    context.flush()
+    if advice is not None:
+        from .advice import check_advice
+
+        check_advice(root, tree, context, advice=advice, resolve_mesh=resolve_mesh)
+    return bool(context.file_owners)
+
+
+def check_format(root: Element, reporter: Reporter) -> None:
+    """Report another format in a file that is called .urdf; parsers of URDF refuse it."""
+    if root.span.source.path.lower().endswith(".urdf"):
+        known = OTHER_FORMATS.get(root.name)
+        what = "this is not URDF" if known is None else f"this is {known}, not URDF"
+        reporter.warn(
+            "not-urdf",
+            f"{what}: its root is '{root.name}'",
+            root.span,
+            hint="the root of a URDF is 'robot'; give the file the ending of its own format",
+        )
+
+
+def _is_srdf(root: Element) -> bool:
+    """Tell whether a `<robot>` is MoveIt's semantic description, which has no links."""
+    return any(child.name in SRDF_ELEMENTS for child in root.elements())
+
+
+def _check_robot(root: Element, links: list[Element], context: CheckContext) -> str:
+    """Check the robot's own attributes, and that it has a link; return its URDF version."""
+    name = attribute_text(root, "name")
+    if name is not None:
+        check_spelling(root, name, context)
+    if not links and not _is_srdf(root):
+        context.error(
+            "no-link",
+            "the robot has no link, and parsers refuse a robot without one",
+            root,
+            hint="add one, as in `link/name=base_link:`",
+        )
+    version = attribute_text(root, "version")
+    if version is None:
+        return VERSIONS[0]
+    if version not in VERSIONS:
+        context.error(
+            "bad-version",
+            f"'{version}' is not a version of URDF",
+            root,
+            attribute="version",
+            hint=f"the versions are {', '.join(VERSIONS)}",
+        )
+        return VERSIONS[-1]
+    return version

@@ -1,0 +1,562 @@
+"""Check of each element against the URDF table: what is missing, unknown, repeated or malformed.
+
+It is the one walk over all elements, and calls the checks of what their values mean.
+"""
+
+from __future__ import annotations
+
+from ..diagnostics import did_you_mean
+from ..model.urdf_schema import (
+    ANY,
+    ELEMENTS,
+    LIMITS_OF_1_2,
+    ONCE,
+    OPTIONAL_SINCE_1_2,
+    OTHER_FORMATS,
+    OUTERMOST,
+    POSITIVE,
+    SHAPES,
+    TEXT,
+    AttributeRule,
+    ElementRule,
+)
+from ..xml.tree import LONGEST_ROW_REMEMBERED, Element, remember
+from .context import (
+    NOT_FINITE,
+    SCHEMA,
+    SPACING,
+    CheckContext,
+    NumberFault,
+    attribute_text,
+    label,
+    shown,
+)
+from .files import note_file
+from .joint import check_joint
+from .link import check_inertial, check_section
+from .material import check_used_material
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from .context import Children
+    from .tree import JointParts
+
+    ValueCheck = Callable[[Element, Children, Element, CheckContext], None]
+    """Takes an element, its first child of each name, the link or joint it is in, the context."""
+
+VALUE_CHECKS: dict[str, ValueCheck] = {
+    "inertial": check_inertial,
+    "visual": check_section,
+    "collision": check_section,
+    "joint": check_joint,
+    "material": check_used_material,
+    "mesh": note_file,
+    "texture": note_file,
+}
+"""What looks at the values of an element, by its name."""
+NO_CHILDREN: Children = {}
+LEAVES = frozenset(
+    name
+    for name, rule in ELEMENTS.items()
+    if not rule.required_children and name not in VALUE_CHECKS
+)
+"""Elements of which, when they are empty, the attributes are all there is to check."""
+
+XYZ = "x y z"
+COMPONENTS = {
+    "xyz": XYZ,
+    "rpy": "roll pitch yaw",
+    "quat_xyzw": "x y z w",
+    "size": XYZ,
+    "scale": XYZ,
+    "rgba": "red green blue alpha",
+}
+EXAMPLES = {
+    "value": "1.0",
+    "link": "base",
+    "joint": "left_finger_joint",
+    "xyz": "0 0 1",
+    "size": "0.4 0.3 0.2",
+    "radius": "0.1",
+    "length": "0.5",
+    "rgba": "0.8 0.8 0.8 1",
+    "filename": "package://my_robot/meshes/arm.stl",
+    "effort": "10",
+    "velocity": "2",
+    "k_velocity": "10",
+    "type": "fixed",
+    "name": "my_name",
+    **dict.fromkeys(("ixx", "iyy", "izz"), "0.01"),
+    **dict.fromkeys(("ixy", "ixz", "iyz"), "0"),
+}
+REMEDIES = {
+    "inertia": "add `inertia/ixx=0.01, ixy=0, ixz=0, iyy=0.01, iyz=0, izz=0.01:`; "
+    "a part computes it from the mass and the shape",
+    "mass": "add `mass/value=1.0:` in kilograms",
+    "geometry": "add `geometry:` with `box/size=0.4 0.3 0.2:` or another shape in it",
+    "parent": "add `parent/link=base:`",
+    "child": "add `child/link=arm:`",
+}
+GAZEBO_ONLY = frozenset(
+    ("gravity", "implicitSpringDamper", "kd", "kinematic", "kp", "mu", "mu1", "mu2")
+) | {"provideFeedback", "selfCollide", "self_collide", "surface", "turnGravityOff"}
+REPEATED_INERTIA = {"iyx": "ixy", "izx": "ixz", "izy": "iyz"}
+USED_LIKE: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
+    "link": ((), ("inertial", "visual", "collision")),
+    "joint": (("type",), ("parent", "child")),
+    "material": ((), ("color", "texture")),
+    "transmission": ((), ("type", "joint", "actuator")),
+    "ros2_control": (("type",), ("hardware", "joint")),
+}
+"""Attributes and children by which an element of a misspelt name is recognised."""
+PARENTS = {
+    "origin": "a joint, visual, collision or inertial",
+    "geometry": "a visual or collision",
+    "visual": "a link",
+    "collision": "a link",
+    "inertial": "a link",
+    "mass": "the inertial of a link",
+    "inertia": "the inertial of a link",
+    "color": "a material",
+    "texture": "a material",
+    "material": "a visual",
+    **dict.fromkeys(("box", "cylinder", "sphere", "capsule", "mesh"), "a geometry"),
+    **dict.fromkeys(("parent", "child", "axis", "limit", "mimic", "dynamics"), "a joint"),
+    **dict.fromkeys(("calibration", "safety_controller"), "a joint"),
+}
+
+
+def check_elements(root: Element, context: CheckContext) -> list[JointParts]:
+    """Check every element that URDF defines; what others define is left alone.
+
+    Returns:
+        The joints, each with its first parent, child and mimic.
+    """
+    joints: list[JointParts] = []
+    _check_attributes(root, ELEMENTS["robot"], root, context)
+    for child in root.children:
+        if not isinstance(child, Element):
+            continue
+        if child.name in ("link", "joint", "material"):
+            children = _check_element(child, ELEMENTS[child.name], child, context)
+            if child.name == "joint":
+                get = children.get
+                joints.append((child, get("parent"), get("child"), get("mimic")))
+        elif child.name not in OUTERMOST:
+            _check_outermost(child, context)
+    return joints
+
+
+def _check_element(
+    element: Element, rule: ElementRule, owner: Element, context: CheckContext
+) -> Children:
+    """Check an element and what is in it; the depth is bounded by the table."""
+    _check_attributes(element, rule, owner, context)
+    children = element.children
+    if not children:
+        first = NO_CHILDREN
+    elif id(children) in context.sound_elements:
+        first = _check_shared_children(element, rule, owner, context)
+    else:
+        first = _check_children(element, rule, owner, context)
+    for name in rule.required_children:
+        if name not in first:
+            _report_missing_child(name, element, owner, context)
+    check_values = VALUE_CHECKS.get(element.name)
+    if check_values is not None:
+        check_values(element, first, owner, context)
+        context.stage = SCHEMA
+    return first
+
+
+def _check_children(
+    element: Element, rule: ElementRule, owner: Element, context: CheckContext
+) -> Children:
+    """Check the elements in an element, and return the first of each name that may stand once."""
+    known = rule.children
+    shared = context.sound_elements
+    first: Children = {}
+    names: set[str] = set()  # of all of them, once one is unknown
+    for child in element.children:
+        if not isinstance(child, Element):
+            continue
+        name = child.name
+        many = known.get(name)
+        if many is None:
+            names = names or {each.name for each in element.elements()}
+            _check_unknown_child(child, element, names, rule, owner, context)
+            continue
+        if many == ONCE:
+            if name in first:
+                _check_repeated(child, first[name], element, owner, context)
+                continue
+            first[name] = child
+        is_sound = shared.get(id(child)) if shared else None
+        if is_sound is None:
+            if child.children or name not in LEAVES:
+                _check_element(child, ELEMENTS[name], owner, context)
+            else:
+                _check_attributes(child, ELEMENTS[name], owner, context)
+        elif not is_sound:
+            _check_shared(child, owner, context)
+    return first
+
+
+def _check_shared_children(
+    element: Element, rule: ElementRule, owner: Element, context: CheckContext
+) -> Children:
+    """Check children that several elements have, once if all is right in them."""
+    first = context.sound_children.get(id(element.children))
+    if first is None:
+        count = context.count
+        first = _check_children(element, rule, owner, context)
+        if context.count == count:
+            context.sound_children[id(element.children)] = first
+    return first
+
+
+def _check_shared(element: Element, owner: Element, context: CheckContext) -> None:
+    """Check an element that stands in several places, and note whether all is right in it.
+
+    Where it is not, it is checked at each of them: what is found is told with its number.
+    """
+    count = context.count
+    _check_element(element, ELEMENTS[element.name], owner, context)
+    context.sound_elements[id(element)] = context.count == count
+
+
+# --- attributes -------------------------------------------------------------------------------
+
+
+def _check_attributes(
+    element: Element, rule: ElementRule, owner: Element, context: CheckContext
+) -> None:
+    attributes = element.attributes
+    known = rule.attributes
+    for name, value in attributes.items():
+        attribute_rule = known.get(name)
+        if attribute_rule is None:
+            _check_unknown_attribute(name, element, rule, owner, context)
+        elif attribute_rule.count != TEXT and (
+            type(value) is not str or value not in attribute_rule.sound
+        ):
+            _check_numbers(name, attribute_rule, element, owner, context)
+    for name in rule.required:
+        if attributes.get(name) is None:
+            _report_missing_attribute(name, element, owner, context)
+
+
+def _check_numbers(
+    name: str, rule: AttributeRule, element: Element, owner: Element, context: CheckContext
+) -> None:
+    text = attribute_text(element, name)
+    if text is None:
+        return
+    found = context.read(text)
+    if isinstance(found, NumberFault):
+        _report_not_a_number(found, text, name, element, owner, context)
+        return
+    if len(found) != rule.count:
+        _report_count(len(found), text, name, rule, element, owner, context)
+        return
+    if rule.sign != ANY:
+        for number in found:
+            if number < 0 or (rule.sign == POSITIVE and number == 0):
+                _report_sign(number, name, rule, element, owner, context)
+                return
+    if len(text) <= LONGEST_ROW_REMEMBERED:
+        remember(rule.sound, text, True)
+
+
+def _report_not_a_number(
+    fault: NumberFault,
+    text: str,
+    name: str,
+    element: Element,
+    owner: Element,
+    context: CheckContext,
+) -> None:
+    where = f"'{name}' of '{element.name}' in {label(owner)}"
+    if fault.kind == SPACING:
+        message = f"{where} is spaced so that urdfdom does not read it as a number"
+        hint = f"write `{' '.join(text.split())}`: single spaces between numbers, none at the end"
+    elif fault.kind == NOT_FINITE:
+        message = f"{where} holds '{fault.item}', which is not a finite number"
+        hint = "write a finite number; parsers refuse NaN and infinities"
+    else:
+        message = f"{where} holds '{fault.item}', which is not a number"
+        hint = _hint_for_word(fault.item, text)
+    context.error("not-a-number", message, element, attribute=name, hint=hint)
+
+
+def _hint_for_word(item: str, text: str) -> str:
+    if "${" in text:
+        return "write `$(…)` for an expression; `${…}` is xacro's"
+    if "$(" in text:
+        return "the expression was not evaluated: `$$(` stands for a literal `$(`"
+    if "," in item:
+        return "separate numbers by spaces, and write 1.5 for one and a half"
+    return "write plain numbers such as 0.5 or 1e-3, separated by spaces"
+
+
+def _report_count(
+    count: int,
+    text: str,
+    name: str,
+    rule: AttributeRule,
+    element: Element,
+    owner: Element,
+    context: CheckContext,
+) -> None:
+    wanted = "1 number" if rule.count == 1 else f"{rule.count} numbers"
+    found = f"{count}: '{text}'" if count else "none"
+    hint = "write one number"
+    if rule.count > 1:
+        hint = f"write {rule.count} numbers: {COMPONENTS[name]}"
+    if name == "rgba" and count == 3:
+        hint = f"add the opacity as the fourth number: {text} 1"
+    context.error(
+        "wrong-count",
+        f"'{name}' of '{element.name}' in {label(owner)} needs {wanted}, but has {found}",
+        element,
+        attribute=name,
+        hint=hint,
+    )
+
+
+def _report_sign(
+    number: float,
+    name: str,
+    rule: AttributeRule,
+    element: Element,
+    owner: Element,
+    context: CheckContext,
+) -> None:
+    where = f"'{name}' of '{element.name}' in {label(owner)}"
+    if rule.sign == POSITIVE:
+        context.warn(
+            "bad-size",
+            f"{where} holds {shown(number)}, but a size must be more than 0",
+            element,
+            attribute=name,
+            hint="give the real size in metres, or leave this geometry out",
+        )
+        return
+    # urdfdom refuses a negative acceleration, deceleration and jerk where it reads them.
+    is_refused = context.version == "1.2" and name in LIMITS_OF_1_2
+    tell = context.error if is_refused else context.warn
+    tell(
+        "negative-value",
+        f"{where} is {shown(number)}, but cannot be negative",
+        element,
+        attribute=name,
+        hint="write the amount without a sign; it holds for both directions",
+    )
+
+
+def _report_missing_attribute(
+    name: str, element: Element, owner: Element, context: CheckContext
+) -> None:
+    if name in OPTIONAL_SINCE_1_2 and context.version == "1.2":
+        return
+    if any(child.name == name for child in element.elements()):
+        return  # The child is told of, with the attribute that it should be.
+    text = element.text().strip()
+    if text and len(ELEMENTS[element.name].required) == 1:
+        hint = f"URDF wants it as an attribute: `{element.name}/{name}={text}:`"
+    elif element.name == "robot":
+        hint = "name it: `robot: my_robot`"
+    else:
+        hint = f"add it, as in `{element.name}/{name}={EXAMPLES[name]}:`"
+    subject = f"'{element.name}' in {label(owner)}"
+    if element is owner:
+        subject = label(owner) if name != "name" else f"a {element.name}"
+    if element.name == "robot":
+        subject = "the robot"
+    context.error(
+        "missing-attribute", f"{subject} has no '{name}'", element, missing=name, hint=hint
+    )
+
+
+def _check_unknown_attribute(
+    name: str, element: Element, rule: ElementRule, owner: Element, context: CheckContext
+) -> None:
+    if ":" in name or name == "xmlns" or name in rule.extensions:
+        return
+    if element.attributes[name] is None or element.name == "robot":
+        return
+    if name in REPEATED_INERTIA and element.name == "inertia":
+        hint = (
+            f"leave it out: the matrix is symmetric, and '{REPEATED_INERTIA[name]}' stands for it"
+        )
+    else:
+        absent = [known for known in rule.attributes if known not in element.attributes]
+        hint = did_you_mean(name, absent) or _choices("attributes", element.name, rule.attributes)
+    context.warn(
+        "unknown-attribute",
+        f"URDF has no attribute '{name}' in {_holder(element, owner)}; parsers ignore it",
+        element,
+        attribute=name,
+        is_of_name=True,
+        hint=hint,
+    )
+
+
+def _choices(kind: str, name: str, known: dict[str, AttributeRule] | dict[str, str]) -> str:
+    if not known:
+        return f"'{name}' takes no {kind}; leave it out"
+    if len(known) == 1:
+        return f"'{name}' takes only '{next(iter(known))}'"
+    return f"the {kind} of '{name}' are {', '.join(known)}"
+
+
+def _holder(element: Element, owner: Element) -> str:
+    """Return how to speak of an element that has something: 'inertial' of link 'arm'."""
+    return label(owner) if element is owner else f"'{element.name}' of {label(owner)}"
+
+
+# --- children ---------------------------------------------------------------------------------
+
+
+def _check_repeated(
+    child: Element, first: Element, element: Element, owner: Element, context: CheckContext
+) -> None:
+    context.warn(
+        "repeated-element",
+        f"{_holder(element, owner)} has more than one '{child.name}'; parsers read the first",
+        child,
+        hint="keep one of them",
+        notes=(f"the first is at {first.span.place()}",),
+    )
+    if child.name == "inertial":  # its values are told of as well
+        children: Children = {}
+        for inner in child.elements():
+            children.setdefault(inner.name, inner)
+        check_inertial(child, children, owner, context)
+        context.stage = SCHEMA
+
+
+def _report_missing_child(
+    name: str, element: Element, owner: Element, context: CheckContext
+) -> None:
+    subject = _holder(element, owner)
+    context.error(
+        "missing-element",
+        f"{subject} has no '{name}'",
+        element,
+        missing=name,
+        hint=REMEDIES[name],
+    )
+
+
+def _check_unknown_child(
+    child: Element,
+    element: Element,
+    names: set[str],
+    rule: ElementRule,
+    owner: Element,
+    context: CheckContext,
+) -> None:
+    """Tell of an element that URDF does not have there; `names` are those of all beside it."""
+    if ":" in child.name or child.name in rule.extensions:
+        return
+    if child.name == "material":
+        note_file(child, {}, owner, context)  # the files in it are looked for all the same
+    if element.name == "geometry":
+        message = f"'{child.name}' in {label(owner)} is not a shape that URDF has"
+    else:
+        message = (
+            f"URDF has no element '{child.name}' in {_holder(element, owner)}; parsers ignore it"
+        )
+    is_needed = child.name in rule.required and element.attributes.get(child.name) is None
+    if element.name == "geometry":
+        is_needed = names.isdisjoint(SHAPES)
+    tell = context.error if is_needed else context.warn
+    tell(
+        "unknown-element",
+        message,
+        child,
+        hint=_hint_for_stray(child, element, names, rule),
+    )
+
+
+def _hint_for_stray(child: Element, element: Element, present: set[str], rule: ElementRule) -> str:
+    name = child.name
+    if name in rule.attributes:
+        text = child.text().strip() or "…"
+        return f"in URDF it is an attribute: `{element.name}/{name}={text}:`"
+    if name in GAZEBO_ONLY:
+        return f"Gazebo reads '{name}' in a block of its own, `gazebo/reference=my_link:`"
+    if name == "gazebo":
+        return f"write it directly under the robot: `gazebo/reference=my_{element.name}:`"
+    near = did_you_mean(
+        name, [word for word, many in rule.children.items() if many != ONCE or word not in present]
+    )
+    if near:
+        return near
+    if name in PARENTS:
+        return f"'{name}' belongs in {PARENTS[name]}"
+    return _choices("elements", element.name, rule.children)
+
+
+def _check_outermost(child: Element, context: CheckContext) -> None:
+    """Check an element directly under `robot`, where everybody's extensions stand as well."""
+    name = child.name
+    if name in PARENTS:
+        context.warn(
+            "unknown-element",
+            f"'{name}' means nothing directly under 'robot'; parsers ignore it",
+            child,
+            hint=f"it belongs in {PARENTS[name]}",
+        )
+        return
+    if OTHER_FORMATS.get(name) == "SDF":  # MuJoCo reads a `mujoco` element in URDF
+        context.warn(
+            "unknown-element",
+            f"'{name}' is an element of {OTHER_FORMATS[name]}; parsers of URDF ignore it",
+            child,
+            hint="describe links and joints in URDF, or use the file where its format is read",
+        )
+        return
+    near = _near_outermost(child)
+    if near is not None:
+        context.warn(
+            "unknown-element",
+            f"URDF has no element '{name}', so parsers ignore it",
+            child,
+            hint=f"did you mean '{near}'?",
+        )
+
+
+def _near_outermost(child: Element) -> str | None:
+    """Return the element meant, if the name is one slip away from it and it is used like it."""
+    if ":" in child.name or "name" not in child.attributes:
+        return None
+    for known, (attributes, children) in USED_LIKE.items():
+        if not is_one_slip_away(child.name, known):
+            continue
+        is_used_like = any(name in child.attributes for name in attributes) or any(
+            inner.name in children for inner in child.elements()
+        )
+        # `<line name="l"/>` may be anything; `<lnik name="l"/>` has the very letters of a link.
+        if is_used_like or sorted(child.name.lower()) == sorted(known):
+            return known
+    return None
+
+
+def is_one_slip_away(word: str, known: str) -> bool:
+    """Tell whether one letter too many, too few, wrong, swapped or in the wrong case separates."""
+    if word.lower() == known.lower():
+        return word != known
+    if abs(len(word) - len(known)) > 1:
+        return False
+    start = 0
+    while start < min(len(word), len(known)) and word[start] == known[start]:
+        start += 1
+    left, right = word[start:], known[start:]
+    if len(word) == len(known):
+        swapped = left[:2] == right[:2][::-1] and left[2:] == right[2:]
+        return swapped or left[1:] == right[1:]
+    return left[1:] == right if len(word) > len(known) else left == right[1:]

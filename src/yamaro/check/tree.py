@@ -1,0 +1,360 @@
+"""Check of the names and of the tree that the joints make of the links."""
+
+from __future__ import annotations
+
+from ..diagnostics import INHERITED
+from ..xml.tree import Element
+from .context import CheckContext, attribute_text, child_named, listed
+
+JointParts = tuple[Element, Element | None, Element | None, Element | None]
+"""A joint with its first parent, child and mimic."""
+
+LONG_CHAIN = 1000
+"""Links on one path above which parsers that recurse run out of stack (pinocchio does at 5,000)."""
+MAX_PATH_SHOWN = 8
+NOWHERE = "\0"
+"""Stands for a parent that does not exist; no link can have this name."""
+
+
+class Tree:
+    """The links and joints of a robot by name, the first of each name, in the order written."""
+
+    __slots__ = ("_parts", "joints", "links", "materials")
+
+    def __init__(self) -> None:
+        """Start empty."""
+        self.links: dict[str, Element] = {}
+        self.joints: dict[str, Element] = {}
+        self.materials: dict[str, Element] = {}
+        self._parts: dict[str, dict[str, str]] = {}
+
+    def named(self, ending: str) -> dict[str, Element]:
+        """Return what has names that end so in a part: "_link" or "_joint"."""
+        return self.links if ending == "_link" else self.joints
+
+    def parts(self, ending: str) -> dict[str, str]:
+        """Return the names with the ending of a part's link or joint, by what stands before it.
+
+        Worked out once; all names have to be known by then.
+        """
+        parts = self._parts.get(ending)
+        if parts is None:
+            known = self.named(ending)
+            parts = {full.removesuffix(ending): full for full in known if full.endswith(ending)}
+            self._parts[ending] = parts
+        return parts
+
+
+def check_tree(links: list[Element], joints: list[JointParts], context: CheckContext) -> Tree:
+    """Check names, references and the shape of the tree; return what goes by which name."""
+    tree = Tree()
+    for link in links:
+        _check_name(link, tree.links, context)
+    for joint, *_ in joints:
+        _check_name(joint, tree.joints, context)
+    hanging, is_complete = _check_references(joints, tree, context)
+    in_circle = _check_circles(hanging, context)
+    if is_complete and not in_circle:
+        _check_roots(tree, hanging, context)
+    if not in_circle:
+        _check_depth(hanging, tree, context)
+    _check_mimics(joints, tree, context)
+    return tree
+
+
+# --- names ------------------------------------------------------------------------------------
+
+
+def _check_name(element: Element, known: dict[str, Element], context: CheckContext) -> None:
+    name = attribute_text(element, "name")
+    if name is None:
+        return
+    if not name.isidentifier():  # which has nothing odd in it
+        check_spelling(element, name, context)
+    first = known.get(name)
+    if first is None:
+        known[name] = element
+        return
+    if not name:
+        return
+    context.error(
+        f"duplicate-{element.name}",
+        f"there are two {element.name}s named '{name}'",
+        element,
+        attribute="name",
+        hint="give each a name of its own; in a function, build it from an argument: `$(side)_arm`",
+        notes=(_note_of_first(first, element),),
+        among=(first, element),
+    )
+
+
+def _note_of_first(first: Element, second: Element) -> str:
+    """Return where the first of two elements was made, and what led there if that differs."""
+    place, trace = first.value_span("name"), first.trace
+    if trace is not second.trace and trace is not None and trace is not INHERITED:
+        way = f"in {trace.name}, {trace.kind} at {trace.span.place()}"
+        return f"first defined at {place.place()}, {way}"
+    if place.key() == second.value_span("name").key():
+        return "an earlier turn of a loop has defined it here"
+    return f"first defined at {place.place()}"
+
+
+def check_spelling(element: Element, name: str, context: CheckContext) -> None:
+    """Check that a name is one that ROS and the parsers of URDF can all use."""
+    if name.isprintable() and name.strip() and (" " not in name or element.name == "robot"):
+        return
+    if not name.strip():
+        message = f"the name of {'the' if element.name == 'robot' else 'a'} {element.name} is empty"
+    elif any(char.isspace() for char in name):
+        message = f"the {element.name} name '{name}' has white space in it"
+    else:
+        message = f"the {element.name} name '{name}' holds characters that cannot be seen"
+    tell = context.warn if name or element.name == "robot" else context.error
+    tell(
+        "bad-name",
+        message,
+        element,
+        attribute="name",
+        hint="use letters, digits and underscores, as in left_arm_link",
+    )
+
+
+# --- the tree ---------------------------------------------------------------------------------
+
+
+class Hanging:
+    """How links hang, by name: the joint above each, and the name of the parent link."""
+
+    __slots__ = ("joints", "parents")
+
+    def __init__(self) -> None:
+        """Start with links that hang on nothing."""
+        self.joints: dict[str, Element] = {}
+        self.parents: dict[str, str] = {}
+
+
+def _check_references(
+    joints: list[JointParts], tree: Tree, context: CheckContext
+) -> tuple[Hanging, bool]:
+    """Return how each link hangs, and whether every joint says so and its links exist."""
+    hanging = Hanging()
+    is_complete = True
+    for joint, parent_element, child_element, _ in joints:
+        parent = _reference(joint, parent_element, tree, context)
+        child = _reference(joint, child_element, tree, context)
+        if child is None:
+            is_complete = False
+        elif child in hanging.joints:
+            _report_two_parents(child, hanging.joints[child], joint, context)
+        else:
+            hanging.joints[child] = joint
+            hanging.parents[child] = NOWHERE if parent is None else parent
+    return hanging, is_complete
+
+
+def _reference(
+    joint: Element, element: Element | None, tree: Tree, context: CheckContext
+) -> str | None:
+    """Return the link that a parent or child names, if it exists, or None after a report."""
+    if element is None:
+        return None
+    name = attribute_text(element, "link")
+    if name is None or name in tree.links:
+        return name
+    role = element.name
+    joint_name = attribute_text(joint, "name")
+    context.error(
+        f"unknown-{role}",
+        f"the {role} '{name}' of joint '{joint_name}' is not a link of the robot",
+        element,
+        attribute="link",
+        hint=near_name(name, tree, "_link", context)
+        or f"add a link named '{name}', or name one there is",
+    )
+    return None
+
+
+def near_name(name: str, tree: Tree, ending: str, context: CheckContext) -> str | None:
+    """Return the hint at a name that is near, also where the name of its part is the near one."""
+    parts = tree.parts(ending)
+    if name in parts:
+        return f"did you mean '{parts[name]}'?"
+    near = context.near(name, tree.named(ending))
+    if near is not None:
+        return near
+    part = context.near_word(name, parts)
+    return f"did you mean '{parts[part]}'?" if part is not None else None
+
+
+def _report_two_parents(child: str, first: Element, second: Element, context: CheckContext) -> None:
+    names = [attribute_text(joint, "name") or "" for joint in (first, second)]
+    if names[0] == names[1]:
+        return  # Joints of one name are told of; most often all of a part is there twice.
+    context.error(
+        "two-parents",
+        f"link '{child}' is the child of two joints, {listed(names)}",
+        child_named(second, "child") or second,
+        attribute="link",
+        hint="a link hangs on one joint: URDF is a tree and cannot close a loop",
+        notes=(f"the first joint is at {first.span.place()}",),
+        among=(first, second),
+    )
+
+
+def _check_circles(hanging: Hanging, context: CheckContext) -> bool:
+    """Report each circle of joints once; return whether there is one."""
+    parents = hanging.parents
+    done: set[str] = set()
+    circles = []
+    for start, parent in parents.items():
+        if parent in done or (parent not in parents and parent != start):
+            done.add(start)  # as it is with most, since parents are mostly written first
+            continue
+        path: dict[str, None] = {}
+        name = start
+        while name in parents and name not in done and name not in path:
+            path[name] = None
+            name = parents[name]
+        if name in path:
+            names = list(path)
+            circles.append(names[names.index(name) :])
+        done.update(path)
+    if circles:
+        order = {name: index for index, name in enumerate(parents)}
+        for circle in circles:
+            last = circle.index(max(circle, key=order.__getitem__))
+            _report_circle(circle[last:] + circle[:last], hanging, context)
+    return bool(circles)
+
+
+def _report_circle(circle: list[str], hanging: Hanging, context: CheckContext) -> None:
+    """Report a circle, given from child to parent, at the joint that was written last."""
+    joint = hanging.joints[circle[0]]
+    way = [circle[0], *reversed(circle)]
+    if len(way) > MAX_PATH_SHOWN:
+        way = [*way[: MAX_PATH_SHOWN - 2], "…", way[-1]]
+    name = attribute_text(joint, "name")
+    hint = "let one of these links hang on a link outside the circle, or be the root"
+    if len(circle) == 1:
+        hint = "name the link it hangs on as its parent"
+        message = f"joint '{name}' has the link '{circle[0]}' both as parent and as child"
+    else:
+        message = f"the joints run in a circle: {' → '.join(way)}"
+    context.error(
+        "joint-cycle",
+        message,
+        child_named(joint, "parent") or joint,
+        attribute="link",
+        hint=hint,
+        among=[hanging.joints[name] for name in circle],
+    )
+
+
+def _check_roots(tree: Tree, hanging: Hanging, context: CheckContext) -> None:
+    roots = [name for name in tree.links if name not in hanging.parents]
+    if len(roots) < 2:
+        return
+    context.error(
+        "several-roots",
+        f"the robot falls into {len(roots)} trees: {listed(roots)} are no joint's child",
+        tree.links[roots[1]],
+        attribute="name",
+        hint=f"make '{roots[1]}' the child of a joint; a fixed one will do",
+        notes=(f"the first root link is at {tree.links[roots[0]].span.place()}",),
+        among=[tree.links[name] for name in roots],
+    )
+
+
+def _check_depth(hanging: Hanging, tree: Tree, context: CheckContext) -> None:
+    """Warn once if a path from the root is too long for parsers that recurse."""
+    parents = hanging.parents
+    if len(parents) < LONG_CHAIN:
+        return
+    depth: dict[str, int] = {}
+    for start, parent in parents.items():
+        if parent in depth or parent not in parents:
+            depth[start] = depth.get(parent, 0) + 1
+            continue
+        path = []
+        name = start
+        while name in parents and name not in depth:
+            path.append(name)
+            name = parents[name]
+        level = depth.get(name, 0)
+        for name in reversed(path):
+            level += 1
+            depth[name] = level
+    longest = max(depth.values())
+    if longest <= LONG_CHAIN:
+        return
+    deepest = next(name for name, level in depth.items() if level == longest)
+    context.warn(
+        "long-chain",
+        f"link '{deepest}' has {longest} joints above it",
+        tree.links[deepest],
+        attribute="name",
+        hint=f"keep chains under {LONG_CHAIN}: some parsers crash on longer ones (pinocchio)",
+    )
+
+
+def is_fixed(joint: Element) -> bool:
+    """Tell whether a joint holds its child still."""
+    return attribute_text(joint, "type") == "fixed"
+
+
+# --- mimic ------------------------------------------------------------------------------------
+
+
+def _check_mimics(joints: list[JointParts], tree: Tree, context: CheckContext) -> None:
+    masters: dict[str, str] = {}
+    for joint, _, _, mimic in joints:
+        if mimic is None:
+            continue
+        master = attribute_text(mimic, "joint")
+        if master is None:
+            continue
+        name = attribute_text(joint, "name") or ""
+        if master not in tree.joints:
+            context.error(
+                "unknown-mimic",
+                f"joint '{name}' mimics '{master}', which is not a joint of the robot",
+                mimic,
+                attribute="joint",
+                hint=near_name(master, tree, "_joint", context) or "name a joint that exists",
+            )
+        elif tree.joints.get(name) is joint:
+            masters[name] = master
+    _check_mimic_circles(masters, tree, context)
+
+
+def _check_mimic_circles(masters: dict[str, str], tree: Tree, context: CheckContext) -> None:
+    done: set[str] = set()
+    for start in masters:
+        path: dict[str, None] = {}
+        name = start
+        while name in masters and name not in done and name not in path:
+            path[name] = None
+            name = masters[name]
+        if name in path:
+            names = list(path)
+            _report_mimic_circle(names[names.index(name) :], tree, context)
+        done.update(path)
+
+
+def _report_mimic_circle(circle: list[str], tree: Tree, context: CheckContext) -> None:
+    joint = tree.joints[circle[0]]
+    hint = "let one of them be moved by itself, without a mimic"
+    if len(circle) == 1:
+        hint = "name the joint that leads, or leave the mimic out"
+        message = f"joint '{circle[0]}' mimics itself"
+    else:
+        way = [*circle[:MAX_PATH_SHOWN], circle[0]]
+        message = f"joints mimic one another in a circle: {' → '.join(way)}"
+    context.error(
+        "mimic-cycle",
+        message,
+        child_named(joint, "mimic") or joint,
+        attribute="joint",
+        hint=hint,
+        among=[tree.joints[name] for name in circle],
+    )

@@ -1,0 +1,1 @@
+"""Where files, packages and meshes are found, and what may be read."""

@@ -1,0 +1,322 @@
+"""Finds ROS packages and the files that `package://` and other URIs stand for; needs no ROS.
+
+The order is that of a sourced ROS set-up: the ament index (ROS 2), ROS_PACKAGE_PATH (ROS 1), and
+then, so that a checkout works without any set-up, the folders around the file itself.
+"""
+
+from __future__ import annotations
+
+import os
+
+from .regular import read_start
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Iterator, Mapping
+
+MAX_DEPTH = 8
+MAX_FOLDERS = 10_000
+MAX_MANIFEST_BYTES = 1 << 20
+IGNORE_MARKERS = frozenset(("AMENT_IGNORE", "CATKIN_IGNORE", "COLCON_IGNORE", "rospack_nosubdirs"))
+SKIPPED_FOLDERS = frozenset(("build", "devel", "install", "log", "node_modules", "__pycache__"))
+AMENT_INDEX = os.path.join("share", "ament_index", "resource_index", "packages")
+MODEL_PATHS = ("GZ_SIM_RESOURCE_PATH", "IGN_GAZEBO_RESOURCE_PATH", "GAZEBO_MODEL_PATH", "SDF_PATH")
+
+
+class PackageFinder:
+    """Finds packages and remembers what it read; make one for each build.
+
+    Threads may share one: at worst two of them read the same folder.
+    """
+
+    __slots__ = ("_environ", "_found", "_given", "_home", "_scans")
+
+    def __init__(
+        self,
+        environ: Mapping[str, str] | None = None,
+        *,
+        given: Mapping[str, str] | None = None,
+    ) -> None:
+        """Use the search paths of `environ`, or else of the process, after the folders given."""
+        self._given = {name: os.path.abspath(path) for name, path in (given or {}).items()}
+        self._environ = os.environ if environ is None else environ
+        self._home = os.path.expanduser("~")  # a jail hides what tells it
+        self._found: dict[tuple[str, str], str | None] = {}
+        self._scans: dict[tuple[str, int], dict[str, str]] = {}
+
+    def find(self, name: str, start: str) -> str | None:
+        """Return the absolute folder of package `name`, or None if it is nowhere.
+
+        Looked at, in this order: the folders given by name, each prefix of AMENT_PREFIX_PATH (its
+        share folder counts), each folder of ROS_PACKAGE_PATH, and then the surroundings of `start`:
+        the folders it lies in, what stands beside the package it belongs to, its repository and
+        its workspace.
+
+        Args:
+            name: the package's name, as in its package.xml.
+            start: the folder of the file that asks.
+        """
+        if name in self._given:
+            return self._given[name]
+        key = (name, start)
+        if key not in self._found:
+            self._found[key] = self._find(name, start) if is_package_name(name) else None
+        return self._found[key]
+
+    def _find(self, name: str, start: str) -> str | None:
+        for prefix in self._paths("AMENT_PREFIX_PATH"):
+            share = os.path.join(prefix, "share", name)
+            if os.path.isfile(os.path.join(prefix, AMENT_INDEX, name)) and os.path.isdir(share):
+                return share
+        for path in self._paths("ROS_PACKAGE_PATH"):
+            if folder := self._packages_below(path).get(name):
+                return folder
+        for folder in _ancestors(start):
+            if manifest_name(folder) == name:
+                return folder
+        for root, depth in surroundings(start):
+            if folder := self._packages_below(root, depth).get(name):
+                return folder
+        return None
+
+    def looked_at(self, name: str, start: str) -> list[str]:
+        """Return the places `find` looks at for `name`, each as a phrase to show to a person."""
+        if not is_package_name(name):
+            return []
+        places: list[str] = []
+        for variable in ("AMENT_PREFIX_PATH", "ROS_PACKAGE_PATH"):
+            paths = self._paths(variable)
+            places.extend(f"{path} ({variable})" for path in paths)
+            if not paths:
+                places.append(f"{variable} (not set)")
+        places.append(f"{os.path.abspath(start)} and the folders it lies in")
+        places.extend(f"{root} and the folders below it" for root, _ in surroundings(start))
+        return places
+
+    def names(self, start: str) -> list[str]:
+        """Return the names of all packages that `find` could find from `start`, sorted."""
+        names: set[str] = set(self._given)
+        for prefix in self._paths("AMENT_PREFIX_PATH"):
+            try:
+                names.update(os.listdir(os.path.join(prefix, AMENT_INDEX)))
+            except OSError:
+                continue
+        for path in self._paths("ROS_PACKAGE_PATH"):
+            names.update(self._packages_below(path))
+        names.update(filter(None, map(manifest_name, _ancestors(start))))
+        for root, depth in surroundings(start):
+            names.update(self._packages_below(root, depth))
+        return sorted(names)
+
+    def search_paths(self) -> list[str]:
+        """Return the folders in which the environment says that packages are."""
+        shares = [os.path.join(prefix, "share") for prefix in self._paths("AMENT_PREFIX_PATH")]
+        models = [path for variable in MODEL_PATHS for path in self._paths(variable)]
+        return [*shares, *self._paths("ROS_PACKAGE_PATH"), *models]
+
+    def around(self, start: str) -> list[str]:
+        """Return the folders of the packages that `start` lies in, and of those beside them.
+
+        They are found from then on even if the folder that holds them can no longer be listed.
+        """
+        folders = [folder for folder in _ancestors(start) if manifest_name(folder)]
+        for root, depth in surroundings(start):
+            if depth == 1:
+                folders += self._packages_below(root, depth).values()
+        return folders
+
+    def resolve_uri(self, uri: str, base_dir: str) -> str | None:
+        """Return the absolute path that a mesh, texture or file name stands for.
+
+        Args:
+            uri: `package://name/path`, `model://name/path`, `file:///path`, or a plain path,
+                which may start with `~` and is relative to `base_dir`.
+            base_dir: the folder of the file in which the name is written.
+
+        Returns:
+            The path, which need not exist; None for a package or model that is nowhere, and for
+            other schemes such as `https://`.
+        """
+        scheme, separator, rest = uri.partition("://")
+        if not separator:
+            return _absolute(self._expanded(uri), base_dir)
+        scheme = scheme.lower()
+        if scheme == "file":
+            return _absolute(_unquoted(_without_host(rest), base_dir), base_dir)
+        if scheme not in ("package", "model"):
+            return None
+        name, _, inner = rest.partition("/")
+        folder = self._find_model(name) if scheme == "model" else None
+        folder = folder or self.find(name, base_dir)
+        return _absolute(_unquoted(inner, folder), folder) if folder else None
+
+    def _expanded(self, path: str) -> str:
+        """Return a path with the home folder in place of `~`."""
+        if path == "~" or path.startswith("~/"):
+            return self._home + path[1:]
+        return os.path.expanduser(path)
+
+    def _find_model(self, name: str) -> str | None:
+        """Return the folder of a Gazebo model."""
+        if not is_package_name(name):
+            return None
+        for variable in MODEL_PATHS:
+            for path in self._paths(variable):
+                folder = os.path.join(path, name)
+                if os.path.isdir(folder):
+                    return folder
+        return None
+
+    def _paths(self, variable: str) -> list[str]:
+        """Return the folders a search path names, absolute and each once."""
+        parts = self._environ.get(variable, "").split(os.pathsep)
+        return list(dict.fromkeys(os.path.abspath(part) for part in parts if part))
+
+    def _packages_below(self, root: str, depth: int = MAX_DEPTH) -> dict[str, str]:
+        """Return name and folder of each package in `root` or below; the first of a name wins."""
+        packages = self._scans.get((root, depth))
+        if packages is None:
+            packages = {}
+            for folder in _package_folders(root, depth):
+                name = manifest_name(folder)
+                if name:
+                    packages.setdefault(name, folder)
+            self._scans[root, depth] = packages
+        return packages
+
+
+def is_package_name(name: str) -> bool:
+    """Tell whether a package may have the name (REP 149, and what older packages use)."""
+    return name.isascii() and name.replace("_", "a").replace("-", "a").isalnum()
+
+
+def package_hint(package: str) -> str:
+    """Return how to say where a package is that is not found."""
+    return f"source its workspace, or give its folder: --package {package}:=FOLDER"
+
+
+def manifest_name(folder: str) -> str | None:
+    """Return the name that the folder's package.xml gives, or None if there is none to read."""
+    try:
+        data = read_start(os.path.join(folder, "package.xml"), MAX_MANIFEST_BYTES)
+    except OSError:
+        return None
+    text = _without_comments(data.decode("utf-8", "replace"))
+    start = text.find("<name")
+    while start >= 0 and text[start + 5 : start + 6] not in (">", " ", "\t", "\r", "\n"):
+        start = text.find("<name", start + 5)
+    if start < 0:
+        return None
+    content, end, _ = text[start:].partition(">")[2].partition("<")
+    return content.strip() or None if end else None
+
+
+def _without_comments(text: str) -> str:
+    pieces = []
+    end = 0
+    while (start := text.find("<!--", end)) >= 0:
+        pieces.append(text[end:start])
+        end = text.find("-->", start + 4) + 3
+        if end < 3:  # it has no end
+            return "".join(pieces)
+    return "".join([*pieces, text[end:]])
+
+
+def _ancestors(start: str) -> Iterator[str]:
+    """Yield `start` and the folders it lies in, innermost first."""
+    folder = os.path.abspath(start)
+    while True:
+        yield folder
+        outer = os.path.dirname(folder)
+        if outer == folder:
+            return
+        folder = outer
+
+
+def surroundings(start: str) -> list[tuple[str, int]]:
+    """Return the folders to search for packages near `start`, and how deep to look, nearest first.
+
+    These are the folder that holds the package of `start`, for what stands directly in it, the
+    root of its repository, and the `src` folder of its workspace. A bare folder with none of these
+    has no surroundings, so a file in a home folder sets off no search of all that lies there.
+    """
+    depths: dict[str, int] = {}
+    has_package = has_repository = has_workspace = False
+    for folder in _ancestors(start):
+        if not has_package and os.path.isfile(os.path.join(folder, "package.xml")):
+            has_package = True
+            depths.setdefault(os.path.dirname(folder), 1)
+        if not has_repository and os.path.exists(os.path.join(folder, ".git")):
+            has_repository = True
+            depths[folder] = MAX_DEPTH
+        if not has_workspace and os.path.basename(folder) == "src":
+            has_workspace = True
+            depths[folder] = MAX_DEPTH
+    return sorted(depths.items(), key=lambda item: len(item[0]), reverse=True)
+
+
+def _package_folders(root: str, max_depth: int) -> Iterator[str]:
+    """Yield the folders in `root` or below that hold a package.xml, in the order of their names.
+
+    Like ROS's own tools this does not look inside packages or at folders marked to be ignored;
+    depth and number of folders are bounded.
+    """
+    stack = [(root, 0)]
+    links: set[str] = set()
+    count = 0
+    while stack and count < MAX_FOLDERS:
+        folder, depth = stack.pop()
+        count += 1
+        try:
+            with os.scandir(folder) as entries:
+                found = {entry.name: entry for entry in entries}
+        except OSError:
+            continue
+        if not IGNORE_MARKERS.isdisjoint(found):
+            continue
+        if "package.xml" in found:
+            yield folder
+            continue
+        if depth < max_depth:
+            # In order from the start: of two links to one folder the first is looked at.
+            below = [e for _, e in sorted(found.items()) if _is_searched(e, links)]
+            stack.extend((entry.path, depth + 1) for entry in reversed(below))
+
+
+def _is_searched(entry: os.DirEntry[str], links: set[str]) -> bool:
+    """Tell whether to look below an entry; a linked folder is looked at once."""
+    if entry.name.startswith(".") or entry.name in SKIPPED_FOLDERS:
+        return False
+    try:
+        if not entry.is_dir():
+            return False
+        if entry.is_symlink():
+            target = os.path.realpath(entry.path)
+            if target in links:
+                return False
+            links.add(target)
+    except OSError:
+        return False
+    return True
+
+
+def _absolute(path: str, base_dir: str) -> str:
+    return os.path.abspath(os.path.join(base_dir, path))
+
+
+def _without_host(rest: str) -> str:
+    """Return the path of a file URI without its authority, which can only be this machine."""
+    if rest.startswith("localhost/"):
+        rest = rest[len("localhost") :]
+    if os.name == "nt" and rest[:1] == "/" and rest[2:3] == ":":
+        return rest[1:]
+    return rest
+
+
+def _unquoted(path: str, base_dir: str) -> str:
+    """Return the path with `%20` and the like decoded, unless it exists as it is written."""
+    if "%" not in path or os.path.exists(os.path.join(base_dir, path)):
+        return path
+    from urllib.parse import unquote
+
+    return unquote(path)

@@ -1,0 +1,1 @@
+"""Deadlines, the jail, and what comes back from it."""

@@ -1,0 +1,388 @@
+"""The outcome of a conversion as bytes, and back: that is how it leaves a jail.
+
+The bytes may come from an attacker. So everything is checked before it is used: numbers by their
+range, codes by their form, paths, and the document by a parser. Nothing is run, and whatever does
+not fit makes the whole answer a broken one. What remains free is text for people, which is escaped
+where it is shown.
+"""
+
+from __future__ import annotations
+
+import os
+
+from ..diagnostics import ERROR, FRAME_KINDS, WARNING, Diagnostic, Frame, YamaroError
+from ..policy import Limits
+from ..source import Source, Span
+from ..syntax.names import bad_name_character
+from ..xml.tree import Comment, Element, Text, format_value, is_comment_text, write_pieces
+from ..xml.wellformed import check_document
+from .jail.limits import JailAnswerBroken
+from .jail.packing import pack, unpack
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from ..xml.tree import Node
+
+_ELEMENT, _TEXT, _COMMENT = b"e", b"t", b"c"
+LONGEST_CODE = 60
+LONGEST_PATH = 4096
+"""Bytes of a path, and of a name that files are shown under: PATH_MAX of Linux."""
+
+
+class Outcome:
+    """What came of a conversion.
+
+    Attributes:
+        messages: what was printed, line by line.
+        diagnostics: errors and warnings, in order.
+        pieces: the document in UTF-8, in pieces; empty if there are errors.
+        files: the files read.
+        meshes: the meshes referred to.
+        root: the finished tree, if it was asked for and there is one.
+    """
+
+    __slots__ = ("diagnostics", "files", "meshes", "messages", "pieces", "root")
+
+    def __init__(
+        self,
+        *,
+        messages: Sequence[str] = (),
+        diagnostics: Sequence[Diagnostic] = (),
+        pieces: Sequence[str] = (),
+        files: Sequence[str] = (),
+        meshes: Sequence[str] = (),
+        root: Element | None = None,
+    ) -> None:
+        """Hold it."""
+        self.messages = list(messages)
+        self.diagnostics = list(diagnostics)
+        self.pieces = list(pieces)
+        self.files = list(files)
+        self.meshes = list(meshes)
+        self.root = root
+
+    @property
+    def has_errors(self) -> bool:
+        """Tell whether the conversion has failed."""
+        return any(diagnostic.severity == ERROR for diagnostic in self.diagnostics)
+
+
+def to_bytes(outcome: Outcome) -> bytes:
+    """Return an outcome as bytes."""
+    packer = _Packer()
+    diagnostics = pack([packer.diagnostic(each) for each in outcome.diagnostics])
+    nodes, document = b"", ""
+    if outcome.root is not None:
+        nodes = packer.tree(outcome.root)  # of which the document is made again
+    else:
+        document = "".join(outcome.pieces)
+    return pack(
+        [
+            _texts(outcome.messages),
+            pack(packer.sources),
+            pack(packer.frames),
+            diagnostics,
+            _text(document),
+            _texts(outcome.files),
+            _texts(outcome.meshes),
+            nodes,
+        ]
+    )
+
+
+def from_bytes(data: bytes, limits: Limits | None = None) -> Outcome:
+    """Return the outcome that some bytes describe.
+
+    Args:
+        data: what came out of a jail.
+        limits: what a conversion may use, by default what a trusted one may.
+
+    Raises:
+        JailAnswerBroken: they do not describe one.
+    """
+    limits = limits or Limits()
+    try:
+        messages, sources, frames, diagnostics, document, files, meshes, nodes = unpack(data)
+        unpacker = _Unpacker(unpack(sources), unpack(frames))
+        outcome = Outcome(
+            messages=_read_messages(messages, limits),
+            diagnostics=[unpacker.diagnostic(each) for each in unpack(diagnostics)],
+            files=[_read_path(each) for each in unpack(files)],
+            meshes=[_read_name(each) for each in unpack(meshes)],
+            root=unpacker.tree(nodes) if nodes else None,
+        )
+        if (document or nodes) and not outcome.has_errors:
+            outcome.pieces = [_read_document(document, outcome.root, limits)]
+        return outcome
+    except (ValueError, IndexError) as error:
+        raise JailAnswerBroken(f"its answer is malformed: {error}") from None
+
+
+def _read_document(data: bytes, root: Element | None, limits: Limits) -> str:
+    """Return the document: that of the tree if there is one, so that the two are the same."""
+    if root is None:
+        text = data.decode()
+    else:
+        try:
+            text = "".join(write_pieces(root, {}, limits))
+        except YamaroError as error:
+            raise ValueError(error.diagnostics[0].message) from None
+    check_document(text, limits)
+    return text
+
+
+def _text(text: str) -> bytes:
+    return text.encode("utf-8", "surrogatepass")
+
+
+def _texts(texts: Sequence[str]) -> bytes:
+    return pack([_text(text) for text in texts])
+
+
+def _read_text(data: bytes) -> str:
+    return data.decode("utf-8", "surrogatepass")
+
+
+def _read_texts(data: bytes) -> list[str]:
+    return [_read_text(each) for each in unpack(data)]
+
+
+def _read_messages(data: bytes, limits: Limits) -> list[str]:
+    """Return what was printed, by both ways of printing: each has the limit for itself."""
+    messages = _read_texts(data)
+    if sum(map(len, messages)) + len(messages) > 2 * (limits.printed + 1):
+        raise ValueError("more is printed than may be")
+    return messages
+
+
+def _read_code(data: bytes) -> str:
+    """Return the code of a diagnostic, which is in kebab-case, perhaps with a version in it."""
+    code = data.decode("ascii")
+    words = code.replace(".", "-").split("-")  # as in `capsule-needs-urdf-1.1`
+    if len(code) > LONGEST_CODE or not all(
+        word.isalnum() and word == word.lower() for word in words
+    ):
+        raise ValueError("the code of a diagnostic is not in kebab-case")
+    return code
+
+
+def _read_name(data: bytes) -> str:
+    """Return what a file is called, which may be no path."""
+    name = _read_text(data)
+    if len(data) > LONGEST_PATH or "\0" in name:
+        raise ValueError("a file cannot have such a name")
+    os.fsencode(name)
+    return name
+
+
+def _read_path(data: bytes) -> str:
+    path = _read_name(data)
+    if not os.path.isabs(path):
+        raise ValueError("a path is not absolute")
+    return path
+
+
+def _numbers(*numbers: int) -> bytes:
+    return b" ".join(b"%d" % number for number in numbers)
+
+
+def _read_numbers(data: bytes, count: int) -> list[int]:
+    if len(data) > 21 * count:
+        raise ValueError("a number is too long")
+    numbers = data.split(b" ")
+    if len(numbers) != count or not all(map(bytes.isdigit, numbers)):
+        raise ValueError("numbers are missing")
+    return [int(each) for each in numbers]
+
+
+class _Packer:
+    """Packs what refers to sources and frames, and gathers these."""
+
+    def __init__(self) -> None:
+        self.sources: list[bytes] = []
+        self.frames: list[bytes] = []
+        self._known_sources: dict[int, int] = {}
+        self._known_frames: dict[int, int] = {}
+        self._kept: list[object] = []  # what is known by identity has to live
+
+    def span(self, span: Span) -> bytes:
+        source = span.source
+        index = self._known_sources.get(id(source))
+        if index is None:
+            index = self._known_sources[id(source)] = len(self.sources)
+            self._kept.append(source)
+            self.sources.append(_texts([source.name, source.path, source.text]))
+        length = len(source.text)
+        return _numbers(index, min(span.start, length), min(span.end, length))
+
+    def frame(self, frame: Frame | None) -> int:
+        """Return the number of a frame, from 1; those it refers to come before it."""
+        pending = [] if frame is None else [frame]
+        while pending:
+            last = pending[-1]
+            before = [each for each in (last.parent, last.home) if each is not None]
+            unknown = [each for each in before if id(each) not in self._known_frames]
+            if unknown:
+                pending += unknown
+                continue
+            pending.pop()
+            if id(last) in self._known_frames:
+                continue
+            self._kept.append(last)
+            around = [self._known_frames[id(e)] if e else 0 for e in (last.parent, last.home)]
+            parts = [_text(last.kind), _text(last.name), self.span(last.span), _numbers(*around)]
+            self.frames.append(pack(parts))
+            self._known_frames[id(last)] = len(self.frames)
+        return 0 if frame is None else self._known_frames[id(frame)]
+
+    def diagnostic(self, diagnostic: Diagnostic) -> bytes:
+        return pack(
+            [
+                _text(diagnostic.severity),
+                _text(diagnostic.code),
+                _text(diagnostic.message),
+                self.span(diagnostic.span),
+                _texts([] if diagnostic.hint is None else [diagnostic.hint]),
+                _texts(diagnostic.notes),
+                _numbers(self.frame(diagnostic.trace)),
+            ]
+        )
+
+    def tree(self, root: Element) -> bytes:
+        """Pack all nodes, each behind the one it stands in, whose number it tells."""
+        nodes: list[bytes] = []
+        pending: list[tuple[Node, int]] = [(root, 0)]
+        while pending:
+            node, parent = pending.pop()
+            nodes.append(self._node(node, parent))
+            if isinstance(node, Element):
+                number = len(nodes) - 1
+                pending.extend((child, number) for child in reversed(node.children))
+        return pack(nodes)
+
+    def _node(self, node: Node, parent: int) -> bytes:
+        if isinstance(node, Text):
+            text = _text(format_value(node.value))
+            return pack([_TEXT, _numbers(parent), self.span(node.span), text])
+        if isinstance(node, Comment):
+            return pack([_COMMENT, _numbers(parent), self.span(node.span), _text(node.text)])
+        attributes = []
+        for name, value in node.attributes.items():
+            if value is not None:
+                place = self.span(node.value_span(name))
+                attributes.append(pack([_text(name), _text(format_value(value)), place]))
+        return pack(
+            [
+                _ELEMENT,
+                _numbers(parent),
+                self.span(node.span),
+                _text(node.name),
+                _numbers(self.frame(node.trace), node.verbatim),
+                pack(attributes),
+            ]
+        )
+
+
+class _Unpacker:
+    """Unpacks what refers to sources and frames."""
+
+    def __init__(self, sources: list[bytes], frames: list[bytes]) -> None:
+        self._sources = [self._source(data) for data in sources]
+        self._names: dict[bytes, str] = {}  # those of elements and attributes that are fine
+        self._frames: list[Frame] = []
+        for data in frames:
+            self._frames.append(self._frame(data))
+
+    def _source(self, data: bytes) -> Source:
+        name, path, text = unpack(data)
+        absolute = _read_path(path) if path else ""
+        return Source(_read_text(text), name=_read_name(name), path=absolute)
+
+    def _frame(self, data: bytes) -> Frame:
+        kind, name, place, around = unpack(data)
+        parent, home = map(self.frame, _read_numbers(around, 2))
+        if kind.decode() not in FRAME_KINDS:
+            raise ValueError("there is no such step")
+        return Frame(kind.decode(), _read_text(name), self.span(place), parent=parent, home=home)
+
+    def span(self, data: bytes) -> Span:
+        index, start, end = _read_numbers(data, 3)
+        source = self._sources[_checked(index, len(self._sources))]
+        if not 0 <= start <= end <= len(source.text):
+            raise ValueError("a place lies outside of its file")
+        return Span(source, start, end)
+
+    def frame(self, number: int) -> Frame | None:
+        """Return a frame by its number, from 1; one that came before."""
+        return self._frames[_checked(number - 1, len(self._frames))] if number else None
+
+    def diagnostic(self, data: bytes) -> Diagnostic:
+        severity, code, message, place, hints, notes, trace = unpack(data)
+        if severity not in (ERROR.encode(), WARNING.encode()):
+            raise ValueError("there is no such severity")
+        return Diagnostic(
+            _read_code(code),
+            _read_text(message),
+            self.span(place),
+            hint=next(iter(_read_texts(hints)), None),
+            notes=_read_texts(notes),
+            severity=_read_text(severity),
+            trace=self.frame(*_read_numbers(trace, 1)),
+        )
+
+    def tree(self, data: bytes) -> Element:
+        nodes: list[Node] = []
+        for each in unpack(data):
+            kind, parent, place, *rest = unpack(each)
+            node = self._node(kind, self.span(place), rest)
+            if nodes:
+                (number,) = _read_numbers(parent, 1)
+                around = nodes[_checked(number, len(nodes))]
+                if not isinstance(around, Element):
+                    raise ValueError("a text holds another node")
+                around.children.append(node)
+            nodes.append(node)
+        root = nodes[0]
+        if not isinstance(root, Element):
+            raise ValueError("the root is no element")
+        return root
+
+    def _node(self, kind: bytes, span: Span, rest: list[bytes]) -> Node:
+        if kind == _TEXT:
+            (text,) = rest
+            return Text(_read_text(text), span)
+        if kind == _COMMENT:
+            (text,) = rest
+            if not is_comment_text(_read_text(text)):
+                raise ValueError("a comment ends within itself")
+            return Comment(_read_text(text), span)
+        if kind != _ELEMENT:
+            raise ValueError("there is no such kind of node")
+        name, marks, packed = rest
+        trace, verbatim = _read_numbers(marks, 2)
+        element = Element(self._name(name), span, trace=self.frame(trace), verbatim=bool(verbatim))
+        places: dict[str, Span] = {}
+        element.value_spans = places
+        for each in unpack(packed):
+            key, value, place = unpack(each)
+            attribute = self._name(key)
+            element.attributes[attribute] = _read_text(value)
+            places[attribute] = self.span(place)
+        return element
+
+    def _name(self, data: bytes) -> str:
+        name = self._names.get(data)
+        if name is None:
+            name = data.decode()
+            if bad_name_character(name) is not None:
+                raise ValueError("an element or attribute cannot have such a name")
+            self._names[data] = name
+        return name
+
+
+def _checked(index: int, count: int) -> int:
+    if not 0 <= index < count:
+        raise ValueError("there is no such number")
+    return index

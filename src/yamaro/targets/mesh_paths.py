@@ -1,0 +1,188 @@
+"""Writes the paths of meshes and textures so that they lead to the same files from the output.
+
+In a source a relative path starts at the folder of the file it is written in. Whoever reads the
+output starts at the folder of that, or at the folder of a package.
+"""
+
+from __future__ import annotations
+
+import os
+from operator import is_
+
+from ..files.mesh_files import FILE_ELEMENTS, MeshFinder
+from ..xml.tree import Element, format_value
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from ..source import Span
+    from ..xml.tree import Node, Shared
+    from .assets import Assets
+
+    Rename = Callable[[str, Span], str]
+
+RELATIVE, KEEP, ABSOLUTE, COPY, NONE = "relative", "keep", "absolute", "copy", "none"
+PACKAGE = "package://"
+MODES = (RELATIVE, KEEP, ABSOLUTE, COPY, PACKAGE + "NAME", NONE)
+
+
+class MeshPaths:
+    """How the files of meshes and textures are named in the output.
+
+    What is not there, or may not be read, is named as it is written.
+
+    Attributes:
+        assets: the copies of files, with the mode `COPY`.
+        finder: tells where files and packages are.
+    """
+
+    __slots__ = ("_folder", "_mode", "_package", "assets", "finder")
+
+    def __init__(
+        self, mode: str, folder: str, finder: MeshFinder, assets: Assets | None = None
+    ) -> None:
+        """Name files for an output in a folder.
+
+        Args:
+            mode: one of `MODES`: paths relative to the folder, as written, absolute, to copies, in
+                a package, or no meshes at all.
+            folder: where the output is, absolute.
+            finder: tells where files and packages are.
+            assets: the copies, with the mode `COPY`.
+
+        Raises:
+            ValueError: the package is not found, or there is no such mode.
+        """
+        self.finder = finder
+        self._folder = folder
+        self._mode = mode
+        self.assets = assets
+        self._package = ""
+        name = mode.removeprefix(PACKAGE)
+        if name != mode:
+            self._package = finder.package_folder(name, folder) or ""
+            if not self._package:
+                raise ValueError(f"the package '{name}' is not found")
+        elif mode not in MODES:
+            raise ValueError(f"'{mode}' is none of {', '.join(MODES)}")
+
+    def applied_to(self, root: Element, shared: Shared) -> tuple[Element, Shared]:
+        """Return a robot with these paths, and the elements shared in it; `root` stays as it is."""
+        if self._mode == KEEP:
+            return root, shared
+        renaming = _Renaming(self.named, shared, has_meshes=self._mode != NONE)
+        children = [
+            renaming.element(child)
+            if isinstance(child, Element) and child.name in ("link", "material")
+            else child
+            for child in root.children
+        ]
+        return root.with_children(children), {**shared, **renaming.shared}
+
+    def named(self, filename: str, span: Span) -> str:
+        """Return the name of a file that is referred to at a span."""
+        is_relative = "://" not in filename and not os.path.isabs(filename)
+        if self._mode in (RELATIVE, NONE) and not is_relative:
+            return filename
+        path = self.finder.reachable(filename, span)
+        if path is None:
+            return filename
+        if self._mode == ABSOLUTE:
+            return path
+        if self.assets is not None:
+            return self.assets.name_of(path) or filename
+        if self._package:
+            inner = _below(path, self._package)
+            if inner is not None:
+                return f"{self._mode}/{inner}"
+        return self._from_folder(filename, path) if is_relative else filename
+
+    def _from_folder(self, filename: str, path: str) -> str:
+        """Return the path of a file from the folder of the output."""
+        as_written = os.path.join(self._folder, filename)
+        if os.path.realpath(as_written) == os.path.realpath(path):
+            return filename
+        folder, name = os.path.split(path)
+        try:  # `..` leads up from where a link leads to
+            found = os.path.relpath(os.path.realpath(folder), os.path.realpath(self._folder))
+        except ValueError:  # on another drive of Windows
+            return path
+        return os.path.normpath(os.path.join(found, name)).replace(os.sep, "/")
+
+
+def _is_mesh_shape(node: Node) -> bool:
+    """Tell whether a node is a visual or collision that shows a mesh."""
+    return (
+        isinstance(node, Element)
+        and node.name in ("visual", "collision")
+        and any(
+            shape.name == "mesh"
+            for child in node.elements()
+            if child.name == "geometry"
+            for shape in child.elements()
+        )
+    )
+
+
+def _below(path: str, folder: str) -> str | None:
+    """Return the way from a folder to a file in it, or None if it is not in it."""
+    for one, other in ((path, folder), (os.path.realpath(path), os.path.realpath(folder))):
+        prefix = other.rstrip(os.sep) + os.sep
+        if one.startswith(prefix):
+            return one[len(prefix) :].replace(os.sep, "/")
+    return None
+
+
+class _Renaming:
+    """Copies what holds a file whose name changes; all else stands in both trees."""
+
+    __slots__ = ("_done", "_has_meshes", "_lists", "_rename", "_shared", "shared")
+
+    def __init__(self, rename: Rename, shared: Shared, *, has_meshes: bool) -> None:
+        self._rename = rename
+        self._has_meshes = has_meshes
+        self._shared = shared
+        self._done: dict[int, Element] = {}
+        self._lists: dict[int, list[Node]] = {}
+        self.shared: Shared = {}  # the copies that stand in several places
+
+    def element(self, element: Element) -> Element:
+        """Return an element with the names changed in it: itself if there are none."""
+        if id(element) in self._done:
+            return self._done[id(element)]
+        children = self._children(element.children)
+        changed = element
+        if children is not element.children:
+            changed = element.with_children(children)
+        filename = element.attributes.get("filename")
+        if filename is not None and element.name in FILE_ELEMENTS:
+            changed = self._named(changed, format_value(filename))
+        if id(element) in self._shared:
+            self._done[id(element)] = changed
+            if changed is not element:
+                self.shared[id(changed)] = {}
+        return changed
+
+    def _named(self, element: Element, filename: str) -> Element:
+        name = self._rename(filename, element.value_span("filename"))
+        if name == filename:
+            return element
+        changed = element.with_children(element.children)
+        changed.attributes = {**element.attributes, "filename": name}
+        return changed
+
+    def _children(self, children: list[Node]) -> list[Node]:
+        if id(children) in self._lists:
+            return self._lists[id(children)]
+        wanted = children
+        if not self._has_meshes:
+            wanted = [child for child in children if not _is_mesh_shape(child)]
+        made = [self.element(child) if isinstance(child, Element) else child for child in wanted]
+        if len(made) == len(children) and all(map(is_, made, children)):
+            made = children
+        if id(children) in self._shared:
+            self._lists[id(children)] = made
+            if made is not children:
+                self.shared[id(made)] = {}
+        return made

@@ -1,0 +1,1 @@
+"""xacro files as Yamaro sources."""

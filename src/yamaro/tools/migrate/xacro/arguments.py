@@ -1,0 +1,97 @@
+"""Arguments of xacro that share their names with properties or parameters of macros.
+
+To xacro `$(arg prefix)` and `${prefix}` are two things, to Yamaro they are one variable. Where a
+macro has a parameter `prefix`, or a file a property of that name and another value, the argument
+is written as `arg_prefix`, which the main file declares beside it.
+"""
+
+from __future__ import annotations
+
+import re
+
+from ....xml.tree import Element, format_value
+from ..elements import walk
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Container, Iterable
+
+    from .program import Macro
+
+_ARGUMENT = re.compile(r"""\$\(arg\s+([^()\s]+)\s*\)|\bxacro\.arg\(\s*['"]([^'"]+)['"]\s*\)""")
+
+
+class HiddenArguments:
+    """Tells which arguments something of the same name hides.
+
+    Attributes:
+        everywhere: those that a property of a file hides, or one that macros hand to others.
+        used: those, and the ones that a macro reads though it has a parameter of that name.
+    """
+
+    def __init__(
+        self, roots: Iterable[Element], macros: Iterable[Macro], inherited: Container[str]
+    ) -> None:
+        """Look at all files and macros.
+
+        Args:
+            roots: the root elements of the files.
+            macros: all macros.
+            inherited: the names that macros read of those who call them.
+        """
+        self._in_macros: dict[int, set[str]] = {}
+        self.everywhere: set[str] = set()
+        for root in roots:
+            inside = {id(child) for child in walk(root) if child.name == "xacro:macro"}
+            self.everywhere |= _redefined(root, without=inside)
+        read = set().union(*(arguments_in(root) for root in roots))
+        for macro in macros:
+            hides = set(macro.values()) | _redefined(macro.element)
+            self._in_macros[id(macro.element)] = hides
+            self.everywhere |= {name for name in hides if name in inherited}
+        self.everywhere &= read
+        inside_macros = set().union(
+            *(
+                arguments_in(macro.element, with_own=True) & self._in_macros[id(macro.element)]
+                for macro in macros
+            )
+        )
+        self.used = self.everywhere | inside_macros
+
+    def in_macro(self, macro: Macro) -> set[str]:
+        """Return the names that a macro hides in its body."""
+        return self._in_macros[id(macro.element)]
+
+
+def _redefined(root: Element, without: Container[int] = ()) -> set[str]:
+    """Return the properties set in an element to something else than the argument of that name."""
+    return {
+        name
+        for element in walk(root, without)
+        if element.name == "xacro:property"
+        and (name := format_value(element.attributes.get("name")))
+        and not is_argument(format_value(element.attributes.get("value")), name)
+    }
+
+
+def is_argument(text: str, name: str) -> bool:
+    """Tell whether a value is the argument of a name and nothing else."""
+    return text.strip() == f"$(arg {name})"
+
+
+def arguments_in(root: Element, *, with_own: bool = False) -> set[str]:
+    """Return the arguments that an element reads.
+
+    Args:
+        root: the element.
+        with_own: whether a property that is made of the argument of its name reads that.
+    """
+    names: set[str] = set()
+    for element in walk(root):
+        given = [value for name, value in element.attributes.items() if name != "params"]
+        own = format_value(element.attributes.get("name"))
+        for text in (*map(format_value, given), element.text()):
+            found = {one or other for one, other in _ARGUMENT.findall(text)}
+            is_own = element.name == "xacro:property" and not with_own
+            names |= found - {own} if is_own else found
+    return names

@@ -1,0 +1,318 @@
+"""What `yamaro migrate` does with a robot in xacro: reads it, writes a folder, and compares."""
+
+from __future__ import annotations
+
+import os
+from contextlib import redirect_stderr, redirect_stdout
+from io import StringIO
+
+from ....compiler import Program as Yamaro
+from ....diagnostics import WARNING, Diagnostic, YamaroError, did_you_mean, failure
+from ....files.loader import FileLoader, LoadError
+from ....files.packages import PackageFinder
+from ....sandbox.deep_stack import run_on_deep_stack
+from ....source import Source, Span
+from ....xml.reader import decode_xml, read_xml
+from ..command import ignore
+from ..compare import Difference, compare, count_defaults
+from ..refused import build_allowing
+from .layout import ALL, ASKED
+from .program import Program
+from .sources import XacroMigration, migrate_program
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Collection, Mapping, Sequence
+
+    from ....files.readable import Reach
+    from ....policy import Limits
+    from ....xml.tree import Element
+    from .runs import Run
+
+
+class DiskHost:
+    """Gives a robot that is migrated its files and packages, and notes the packages."""
+
+    def __init__(
+        self,
+        limits: Limits,
+        packages: Mapping[str, str],
+        *,
+        finder: PackageFinder | None = None,
+        reach: Reach | None = None,
+    ) -> None:
+        """Take folders of packages by name, before those that are found.
+
+        Args:
+            limits: how large the files may be.
+            packages: the folders given.
+            finder: finds the others.
+            reach: where files may lie; anywhere if it is None.
+        """
+        self.limits = limits
+        self._loader = FileLoader(limits, reach)
+        self._packages = finder or PackageFinder(given=packages)
+        self.found: dict[str, str] = dict(packages)
+
+    def read(self, path: str, span: Span) -> Source:
+        """Return the text of a file; raise YamaroError if it cannot be read."""
+        absolute = os.path.abspath(path)
+        try:
+            return decode_xml(self._loader.read(absolute), name=_shown(absolute), path=absolute)
+        except LoadError as error:
+            near = did_you_mean(os.path.basename(absolute), self._loader.neighbours(absolute))
+            raise failure(
+                error.code,
+                f"the file '{os.path.basename(path)}' cannot be included: {error}",
+                span,
+                hint=error.hint or near,
+                notes=[f"looked for {absolute}"],
+            ) from None
+
+    def glob(self, pattern: str) -> list[str]:
+        """Return the paths that a pattern of the shell matches."""
+        from glob import glob
+
+        return glob(pattern)
+
+    def find_package(self, name: str, span: Span) -> str:
+        """Return the folder of a package; raise YamaroError if there is none."""
+        start = os.path.dirname(span.source.path)
+        folder = self._packages.find(name, start)
+        if folder is None:
+            raise failure(
+                "unknown-package",
+                f"the package '{name}' is not found",
+                span,
+                hint=f"say where it is: --package {name}:=…/{name}",
+                notes=[f"looked in {place}" for place in self._packages.looked_at(name, start)[:6]],
+            )
+        self.found[name] = folder
+        return folder
+
+    def environment(self, name: str) -> str | None:
+        """Return a variable of the environment, or None if it is not set."""
+        return os.environ.get(name)
+
+    def folder(self) -> str:
+        """Return the current folder."""
+        return os.getcwd()
+
+    def say(self, text: str, span: Span) -> None:
+        """Take what the robot says, which the sources will say."""
+
+
+class OverlayLoader(FileLoader):
+    """Reads files that are not written yet, and all others from the disk."""
+
+    def __init__(self, files: Mapping[str, str], limits: Limits) -> None:
+        """Take the files by their absolute paths."""
+        super().__init__(limits)
+        self._files = files
+
+    def read(self, path: str) -> bytes:
+        """Return a file's content; raise LoadError if there is none."""
+        text = self._files.get(path)
+        return super().read(path) if text is None else text.encode()
+
+
+def migrate_robot(
+    source: Source,
+    folder: str,
+    *,
+    arguments: Sequence[str],
+    packages: Mapping[str, str],
+    limits: Limits,
+    exact: bool = False,
+    wanted: Collection[str] = (),
+    finder: PackageFinder | None = None,
+    reach: Reach | None = None,
+) -> XacroMigration:
+    """Return the sources of a robot in xacro, compared with what xacro makes of it.
+
+    Args:
+        source: the main file.
+        folder: where the sources are to be written, absolute.
+        arguments: the arguments, as `name:=value`.
+        packages: folders of packages by name.
+        limits: how large the files may be.
+        exact: whether an origin that is missing has to stay missing.
+        wanted: packages whose files become sources, too; `ALL` stands for all.
+        finder: finds ROS packages, the given ones among them.
+        reach: where the files may lie; anywhere if it is None.
+
+    Raises:
+        YamaroError: the robot cannot be expanded.
+    """
+    host = DiskHost(limits, packages, finder=finder, reach=reach)
+    given = dict(argument.split(":=", 1) for argument in arguments)
+    return run_on_deep_stack(lambda: _migrate(source, folder, host, given, wanted, exact=exact))
+
+
+def _migrate(
+    source: Source,
+    folder: str,
+    host: DiskHost,
+    given: Mapping[str, str],
+    wanted: Collection[str],
+    *,
+    exact: bool,
+) -> XacroMigration:
+    program = Program(source, host, given, exact=exact)
+    expected = expanded_by_xacro(source.path, given, host)
+    judge = Judge(folder, host, given, expected or program.result, exact=exact)
+    migration = first = judge.tried(program, wanted)
+    if first.is_wrong and first.layout.theirs:
+        migration = judge.tried(program, (ALL,))
+    if migration.is_wrong and len(program.runs.done) > 1:
+        alone = Program(source, host, given, exact=exact, with_others=False)
+        migration = judge.tried(alone, wanted)
+    if migration.is_wrong:
+        migration = first
+    migration.is_compared_with_xacro = expected is not None
+    if not migration.faults:
+        for run in program.runs.done[1:]:
+            migration.differences += judge.differences_with(run, migration)
+    return migration
+
+
+class Judge:
+    """Compares what sources make, which are not written yet, with what xacro makes."""
+
+    def __init__(
+        self,
+        folder: str,
+        host: DiskHost,
+        given: Mapping[str, str],
+        expected: Element,
+        *,
+        exact: bool,
+    ) -> None:
+        """Expect this robot for the arguments given."""
+        self._folder = folder
+        self._host = host
+        self._given = given
+        self._expected = expected
+        self._exact = exact
+        self._programs: dict[tuple[object, ...], Yamaro] = {}
+
+    def tried(self, program: Program, wanted: Collection[str]) -> XacroMigration:
+        """Return the sources of a robot, with their faults and differences."""
+        migration = migrate_program(program, wanted)
+        try:
+            built, migration.allowed = self._built(migration, self._given)
+            migration.differences = compare(self._expected, built, exact=self._exact)
+            migration.defaults = count_defaults(self._expected, built)
+        except YamaroError as error:
+            migration.faults = [each for each in error.diagnostics if each.severity != WARNING]
+        return migration
+
+    def differences_with(self, run: Run, migration: XacroMigration) -> list[Difference]:
+        """Return in what the robot differs that sources make with other arguments."""
+        shown = ", ".join(f"{name}:={value}" for name, value in run.changed.items())
+        try:
+            built, _ = self._built(migration, run.arguments)
+        except YamaroError as error:
+            why = f"it has an error: {error.diagnostics[0].message}"
+            return [Difference((f"with {shown}",), why)]
+        found = compare(run.result, built, exact=self._exact)
+        return [Difference((f"with {shown}", *each.path), each.message) for each in found]
+
+    def _built(
+        self, migration: XacroMigration, arguments: Mapping[str, str]
+    ) -> tuple[Element, list[str]]:
+        """Return what the sources make, and the codes that have to be allowed for it."""
+        given = [f"{name}:={value}" for name, value in arguments.items()]
+        built, codes = build_allowing(
+            lambda codes: self._program(migration, codes).build(
+                command_line=given, on_message=ignore, meshes="keep"
+            )
+        )
+        return built.root, codes
+
+    def _program(self, migration: XacroMigration, codes: Sequence[str]) -> Yamaro:
+        key = (id(migration), *codes)
+        if key not in self._programs:
+            files = migration.files.items()
+            texts = {os.path.join(self._folder, name): text for name, text in files}
+            self._programs[key] = Yamaro(
+                os.path.join(self._folder, migration.main),
+                loader=OverlayLoader(texts, self._host.limits),
+                packages=self._host.found,
+                allow=codes,
+            )
+        return self._programs[key]
+
+
+def expanded_by_xacro(path: str, arguments: Mapping[str, str], host: DiskHost) -> Element | None:
+    """Return what the package `xacro` makes of a robot; None if it is not there, or fails."""
+    try:
+        import xacro
+        from xacro import substitution_args as substitution
+    except ImportError:
+        return None
+    nowhere = Span(Source("", name="xacro", path=path), 0, 0)
+
+    def find(name: str) -> str:
+        return host.find_package(name, nowhere)
+
+    known = substitution._eval_find, substitution._eval_dict["find"]
+    substitution._eval_find = substitution._eval_dict["find"] = find
+    try:
+        with redirect_stderr(StringIO()), redirect_stdout(StringIO()):
+            text = xacro.process_file(path, mappings=dict(arguments)).toxml()
+        return read_xml(Source(text, name="xacro"), host.limits).root
+    except Exception:
+        return None
+    finally:
+        substitution._eval_find, substitution._eval_dict["find"] = known
+
+
+def warnings_of(migration: XacroMigration) -> list[Diagnostic]:
+    """Return what could not be carried over, as warnings at its places."""
+    return [
+        Diagnostic(
+            "not-migrated",
+            why,
+            span,
+            hint=hint,
+            severity=WARNING,
+        )
+        for span, why, hint in migration.lost
+    ]
+
+
+def packages_of(migration: XacroMigration) -> list[str]:
+    """Return what is said of other packages: of which files became sources, and which did not."""
+    layout = migration.layout
+    brought: dict[str, list[str]] = {}
+    for path in (path for path, reason in layout.brought.items() if reason != ASKED):
+        brought.setdefault(layout.package_of(path)[0], []).append(path)
+    lines = []
+    for name, paths in brought.items():
+        first = paths[0]
+        relative = os.path.relpath(first, layout.package_of(first)[1])
+        lines.append(
+            f"migrated as well: {_counted(len(paths))} of the package '{name}'; "
+            f"{relative}: {layout.brought[first]}"
+        )
+    left = [name for name, _ in layout.theirs.values()]
+    lines += [
+        f"included as {'it is' if left.count(name) == 1 else 'they are'}: "
+        f"{_counted(left.count(name))} of the package '{name}'; --with {name} migrates "
+        f"{'it' if left.count(name) == 1 else 'them'}"
+        for name in dict.fromkeys(left)
+    ]
+    return lines
+
+
+def _counted(count: int) -> str:
+    return f"{count} file{'' if count == 1 else 's'}"
+
+
+def _shown(path: str) -> str:
+    try:
+        relative = os.path.relpath(path)
+    except ValueError:  # on another drive
+        return path
+    return path if relative.startswith(os.path.join("..", "..")) else relative

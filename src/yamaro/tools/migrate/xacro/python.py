@@ -1,0 +1,540 @@
+"""xacro's expressions and texts in the language's own spelling."""
+
+from __future__ import annotations
+
+import os
+import re
+
+from ....runtime.predefined import CONSTANTS
+from ....xacro.faults import Fault
+from ....xacro.literals import guess_value
+from ....xacro.templates import Expression, Part, Substitution, Template, parse_template
+from ..document import Quoted, literal
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    import ast
+    from collections.abc import Callable, Collection, Mapping, Sequence
+    from typing import TypeGuard
+
+METHODS = frozenset(
+    name
+    for kind in (str, list, dict, tuple, set, float, int)
+    for name in dir(kind)
+    if name[0] != "_"
+)
+MESSAGES = ("message", "warning", "error")
+"""Functions of xacro that say something to the user, and give an empty text."""
+_PIECE = re.compile(r"""\$\((?P<command>[^()]*)\)|\$\{(?P<inner>[^{}]*)\}|(?P<quote>['"])""")
+
+
+class CannotMigrate(Exception):
+    """Something of xacro has no counterpart; the text says what."""
+
+
+class Translator:
+    """Translates the expressions of one file.
+
+    Attributes:
+        is_number: tells which expressions give numbers.
+        imports: the modules that they need.
+        used: the names they read.
+        argument: gives the name of the variable for an argument.
+        data_folder: what stands before relative names of data.
+        long_floats: the expressions that give floats which are rounded where they are written.
+        spelled: the arguments that keep the spelling of their numbers, with what these are.
+        is_typed_argument: tells arguments that are not always texts.
+    """
+
+    def __init__(
+        self,
+        rename: Callable[[str], str],
+        is_namespace: Callable[[str], bool],
+        is_shown_as_truth: Callable[[str], bool],
+        truth_arguments: set[str],
+        numbers: Mapping[str, str],
+        truth_texts: Collection[str],
+    ) -> None:
+        """Take what is known of the program.
+
+        Args:
+            rename: gives the name of the variable for a property or argument.
+            is_namespace: tells names of namespaces.
+            is_shown_as_truth: tells expressions that are True or False when put in a text.
+            truth_arguments: the arguments that are true or false.
+            numbers: the expressions that give a text which is taken for a number, with its kind.
+            truth_texts: the expressions that give a text which is taken for a truth value.
+        """
+        self._rename = rename
+        self.argument = rename
+        self._is_namespace = is_namespace
+        self._is_shown_as_truth = is_shown_as_truth
+        self._truth_arguments = truth_arguments
+        self._numbers = numbers
+        self._truth_texts = truth_texts
+        self.data_folder = ""
+        self.long_floats: Collection[str] = ()
+        self.spelled: Mapping[str, str] = {}
+        self.is_typed_argument: Callable[[str], bool] = lambda name: False
+        self.is_number: Callable[[str], bool] = lambda text: False
+        self.imports: set[str] = set()
+        self.used: set[str] = set()
+
+    # --- texts and values -----------------------------------------------------------------------
+
+    def text(self, text: str) -> str:
+        """Return a text that is put out: an attribute, the content of an element, a name."""
+        pieces = []
+        parts = _parsed(text).parts
+        for index, part in enumerate(parts):
+            if isinstance(part, str):
+                pieces.append(literal(part))
+            elif isinstance(part, Substitution):
+                pieces.append(f"$({self._substitution(part.text)})")
+            else:
+                python = self.expression(part.text)
+                if self._is_shown_as_truth(part.text) or (
+                    part.text.strip() in self.long_floats and _is_in_word(parts, index)
+                ):
+                    python = f"str({python})"
+                elif _ends_in_minus(pieces) and self.is_number(part.text):
+                    pieces[-1] = pieces[-1][:-1]
+                    python = _minus(python)
+                pieces.append(f"$({python})")
+        return "".join(pieces)
+
+    def value(self, text: str) -> str:
+        """Return the value of a variable or argument, which is a number if its text is one."""
+        if len(text) > 1 and text[0] == text[-1] == "'" and "$" in text:
+            return self._quoted(text[1:-1])
+        template = _parsed(text)
+        if len(template.parts) == 1 and isinstance(template.parts[0], Expression):
+            own = template.parts[0].text
+            kind = self._numbers.get(own.strip())
+            python = _without_parentheses(self.expression(own))
+            return f"$({kind}({python}))" if kind else f"$({python})"
+        plain = template.plain()
+        if plain is not None:
+            return typed(plain)
+        if len(template.parts) == 1 and isinstance(template.parts[0], Substitution):
+            own = template.parts[0].text
+            kind = self.spelled.get(own.removeprefix("arg").strip())
+            if kind:
+                return f"$({kind}({self._command(own)}))"
+            return self._typed_environment(own) or self.text(text)
+        return self.text(text)
+
+    def _quoted(self, text: str) -> str:
+        """Return a text that stands in quotes, so that it is not taken for a number."""
+        parts = _parsed(text).parts
+        name = (
+            parts[0].text.removeprefix("arg").strip() if isinstance(parts[0], Substitution) else ""
+        )
+        if len(parts) > 1 or not self.is_typed_argument(name):
+            return self.text(text)
+        return f"$({self._as_text(self.argument(name))})"
+
+    def _typed_environment(self, content: str) -> str | None:
+        """Return a variable of the environment as what its default is: a number or truth value."""
+        command, *words = content.split()
+        if command != "optenv" or len(words) != 2 or "$" in content:
+            return None
+        python = self._command(content)
+        meant = guess_value(words[1])
+        if isinstance(meant, bool):
+            return f"$({python}.lower() in ('true', '1'))"
+        kind = {int: "int", float: "float"}.get(type(meant))
+        return f"$({kind}({python}))" if kind else None
+
+    def condition(self, text: str) -> str:
+        """Return a condition as Python."""
+        template = _parsed(text.strip())
+        plain = template.plain()
+        if plain is not None:
+            return plain.lower() if plain in ("True", "False") else plain
+        if len(template.parts) > 1:
+            raise CannotMigrate(f"the condition '{text}' is put together of several pieces")
+        (part,) = template.parts
+        assert not isinstance(part, str)
+        if isinstance(part, Substitution):
+            python = self._command(part.text)
+            return f"{python}.lower() in ('true', '1')" if python.startswith("env(") else python
+        python = _without_parentheses(self.expression(part.text))
+        if part.text.strip() in self._truth_texts:
+            return f"str({python}).lower() in ('true', '1')"
+        return python
+
+    # --- Python ---------------------------------------------------------------------------------
+
+    def expression(self, text: str) -> str:
+        """Return an expression of xacro as one of Yamaro."""
+        import ast
+
+        python = f"({self._without_templates(text).strip()}\n)"
+        try:
+            tree = ast.parse(python, mode="eval")
+        except (SyntaxError, ValueError):
+            raise CannotMigrate(f"the expression '{text}' is no Python") from None
+        edits = _Edits(python)
+        self._look_at(tree.body, edits)
+        return " ".join(edits.text()[1:-2].split("\n")).strip()
+
+    def _look_at(self, node: ast.AST, edits: _Edits, bound: frozenset[str] = frozenset()) -> None:
+        """Note what has to be written in another way in a piece of syntax."""
+        import ast
+
+        if isinstance(node, ast.Name):
+            if node.id not in bound:
+                self.used.add(node.id)
+                edits.replace(node, self._rename(node.id))
+            return
+        if isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute):
+            replaced = self._call_of_namespace(node, edits, bound)
+            if replaced:
+                return
+            if node.func.attr in METHODS and not self._is_module(node.func.value):
+                self._look_at(node.func.value, edits, bound)
+                for argument in (*node.args, *node.keywords):
+                    self._look_at(argument, edits, bound)
+                return
+        if isinstance(node, ast.Attribute):
+            self._attribute(node, edits, bound)
+            return
+        if isinstance(node, (ast.ListComp, ast.SetComp, ast.GeneratorExp, ast.DictComp)):
+            names = [n.id for g in node.generators for n in ast.walk(g.target) if _is_name(n)]
+            bound = bound | frozenset(names)
+        if isinstance(node, ast.Lambda):
+            bound = bound | frozenset(argument.arg for argument in node.args.args)
+        for child in ast.iter_child_nodes(node):
+            self._look_at(child, edits, bound)
+
+    def _call_of_namespace(self, node: ast.Call, edits: _Edits, bound: frozenset[str]) -> bool:
+        """Write a call of `xacro.load_yaml` and the like; False if it is none."""
+        import ast
+
+        func = node.func
+        assert isinstance(func, ast.Attribute)
+        if not isinstance(func.value, ast.Name) or func.value.id != "xacro":
+            return False
+        if func.attr == "arg" and len(node.args) == 1 and isinstance(node.args[0], ast.Constant):
+            edits.replace(node, self.argument(str(node.args[0].value)))
+            return True
+        names = {"load_yaml": "load_yaml", "dotify": "", **dict.fromkeys(MESSAGES, "(print")}
+        if func.attr not in names or (node.keywords and func.attr in MESSAGES):
+            raise CannotMigrate(f"there is no counterpart of xacro.{func.attr}")
+        edits.replace(func, names[func.attr])
+        if func.attr in MESSAGES:
+            edits.insert_after(node, " or '')")
+        if func.attr == "load_yaml" and self.data_folder and node.args:
+            is_loose = isinstance(node.args[0], (ast.IfExp, ast.BoolOp, ast.Compare))
+            edits.insert_before(node.args[0], f"{self.data_folder!r} + " + "(" * is_loose)
+            edits.insert_after(node.args[0], ")" * is_loose)
+        for argument in (*node.args, *node.keywords):
+            self._look_at(argument, edits, bound)
+        return True
+
+    def message(self, text: str) -> str | None:
+        """Return what a text says to the user that is a call of `xacro.message` and no more."""
+        import ast
+
+        parts = _parsed(text).parts
+        if len(parts) != 1 or not isinstance(parts[0], Expression):
+            return None
+        try:
+            call = ast.parse(self._without_templates(parts[0].text).strip(), mode="eval").body
+        except (SyntaxError, ValueError):
+            return None
+        if not isinstance(call, ast.Call) or call.keywords:
+            return None
+        if ast.unparse(call.func) not in {f"xacro.{name}" for name in MESSAGES}:
+            return None
+        words = [
+            literal(str(argument.value))
+            if isinstance(argument, ast.Constant)
+            else f"$({self.expression(ast.unparse(argument))})"
+            for argument in call.args
+        ]
+        return " ".join(words)
+
+    def _attribute(self, node: ast.Attribute, edits: _Edits, bound: frozenset[str]) -> None:
+        import ast
+
+        if isinstance(node.value, ast.Name):
+            owner = node.value.id
+            if owner in ("math", "python"):
+                if owner == "math" and node.attr not in CONSTANTS:
+                    self.imports.add("math")
+                else:
+                    edits.replace(node, node.attr)
+                return
+            if owner == "xacro":
+                raise CannotMigrate(f"there is no counterpart of xacro.{node.attr}")
+            if self._is_namespace(owner):
+                return
+        self._look_at(node.value, edits, bound)
+        edits.replace_after(node.value, node, f"[{node.attr!r}]")
+
+    def _is_module(self, node: ast.AST) -> bool:
+        import ast
+
+        return isinstance(node, ast.Name) and node.id in ("math", "python", "xacro")
+
+    def _without_templates(self, text: str) -> str:
+        """Return an expression with the `$(…)` and `${…}` in it as Python."""
+        if "$" not in text:
+            return text
+        out: list[str] = []
+        quote = ""
+        position = 0
+        for found in _PIECE.finditer(text):
+            out.append(text[position : found.start()])
+            position = found.end()
+            if found["quote"]:
+                if not quote:
+                    quote = found["quote"]
+                elif quote == found["quote"]:
+                    quote = ""
+                out.append(found["quote"])
+                continue
+            if found["inner"] is not None:
+                python = f"({self.expression(found['inner'])})"
+            else:
+                python = self._command(found["command"])
+            if quote:
+                out.append(f"{quote} + {self._as_text(python)} + {quote}")
+            elif python.startswith("env("):
+                out.append(_bare_environment(python, found["command"].split()))
+            else:
+                out.append(python)
+        out.append(text[position:])
+        return _without_empty("".join(out))
+
+    def _as_text(self, python: str) -> str:
+        if python.startswith("find("):
+            return python
+        return (
+            f"str({python}).lower()"
+            if python.removeprefix("arg_") in self._truth_arguments
+            else f"str({python})"
+        )
+
+    def _substitution(self, content: str) -> str:
+        """Return what stands in a `$(…)` of a text: a package as ROS names it, or Python."""
+        words = content.split()
+        if len(words) == 2 and words[0] == "find" and "$" not in content:
+            return " ".join(words)
+        return self._command(content)
+
+    def _command(self, content: str) -> str:
+        """Return what stands in a `$(…)` as Python, or in the words that ROS has for it."""
+        command, *words = content.split()
+        if "$" in content and command in ("find", "env") and len(words) == 1:
+            return f"{command}({self.joined(words[0])})"
+        if command == "arg" and "$" in content:
+            raise CannotMigrate(f"the name of the argument in $({content}) is computed")
+        if command == "arg" and len(words) == 1:
+            self.used.add(words[0])
+            return self.argument(words[0])
+        if command == "find" and len(words) == 1:
+            return f"find('{words[0]}')"
+        if command == "env" and len(words) == 1:
+            return f"env('{words[0]}')"
+        if command == "optenv" and words:
+            return f"env('{words[0]}', {' '.join(words[1:])!r})"
+        if command == "cwd":
+            return "cwd"
+        if command == "eval":
+            return self._evaluated(content.partition("eval")[2])
+        raise CannotMigrate(f"there is no counterpart of $({content})")
+
+    def joined(self, text: str) -> str:
+        """Return a text with expressions in it as one expression."""
+        pieces = []
+        for part in _parsed(text).parts:
+            if isinstance(part, str):
+                pieces.append(repr(part))
+            elif isinstance(part, Substitution):
+                pieces.append(f"str({self._command(part.text)})")
+            else:
+                pieces.append(self.expression(part.text))
+        return " + ".join(pieces)
+
+    def _evaluated(self, text: str) -> str:
+        """Return what follows `$(eval`, where arguments are names, or called as arg('name')."""
+        text = re.sub(r"""\barg\((['"])(\w+)\1\)""", r"\2", text)
+        return self.expression(text)
+
+
+def _ends_in_minus(pieces: list[str]) -> bool:
+    """Tell whether the pieces of a text end in a sign for the number that follows."""
+    return "".join(pieces).split(" ")[-1:] == ["-"]
+
+
+def _minus(python: str) -> str:
+    """Return an expression with the other sign."""
+    import ast
+
+    tree = ast.parse(python, mode="eval").body
+    is_whole = isinstance(tree, (ast.Name, ast.Call, ast.Attribute, ast.Subscript, ast.Constant))
+    return f"-{python}" if is_whole else f"-({python})"
+
+
+_OPPOSITES = {"==": "!=", "!=": "==", "in": "not in", "not in": "in"}
+
+
+def negated(condition: str) -> str:
+    """Return the condition that is true where this one is false."""
+    import ast
+
+    try:
+        tree = ast.parse(condition, mode="eval").body
+    except (SyntaxError, ValueError):
+        return f"not ({condition})"
+    if isinstance(tree, ast.UnaryOp) and isinstance(tree.op, ast.Not):
+        operand = _without_parentheses(condition.removeprefix("not").strip())
+        return operand if _is_truth_value(tree.operand) else f"bool({operand})"
+    if isinstance(tree, ast.Compare) and len(tree.ops) == 1:
+        left = ast.get_source_segment(condition, tree.left) or ""
+        right = ast.get_source_segment(condition, tree.comparators[0]) or ""
+        between = condition.removeprefix(left).removesuffix(right)
+        opposite = _OPPOSITES.get(" ".join(between.split()))
+        if left + between + right == condition and opposite is not None:
+            return f"{left} {opposite} {right}"
+    if isinstance(tree, (ast.Name, ast.Call, ast.Attribute, ast.Subscript, ast.Constant)):
+        return f"not {condition}"
+    return f"not ({condition})"
+
+
+def _is_truth_value(node: ast.expr) -> bool:
+    """Tell whether an expression gives True or False, and no text, which is not a condition."""
+    import ast
+
+    if isinstance(node, ast.BoolOp):
+        return all(map(_is_truth_value, node.values))
+    is_not = isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.Not)
+    return is_not or isinstance(node, ast.Compare)
+
+
+def _without_parentheses(python: str) -> str:
+    """Return an expression without parentheses around the whole."""
+    import ast
+
+    while python.startswith("(") and python.endswith(")"):
+        inner = python[1:-1].strip()
+        try:
+            same = ast.dump(ast.parse(inner, mode="eval")) == ast.dump(
+                ast.parse(python, mode="eval")
+            )
+        except (SyntaxError, ValueError):
+            return python
+        if not same:
+            return python
+        python = inner
+    return python
+
+
+class _Edits:
+    """Changes of a text at the places of its syntax."""
+
+    def __init__(self, text: str) -> None:
+        self._data = text.encode()
+        self._starts = [0]
+        for line in text.split("\n"):
+            self._starts.append(self._starts[-1] + len(line.encode()) + 1)
+        self._edits: list[tuple[int, int, str]] = []
+
+    def replace(self, node: ast.expr, new: str) -> None:
+        """Put a text in the place of a node."""
+        self._edits.append((self._start(node), self._end(node), new))
+
+    def replace_after(self, inner: ast.expr, node: ast.expr, new: str) -> None:
+        """Put a text in the place of what stands behind `inner` in a node."""
+        self._edits.append((self._end(inner), self._end(node), new))
+
+    def insert_before(self, node: ast.expr, new: str) -> None:
+        """Put a text in front of a node."""
+        self._edits.append((self._start(node), self._start(node), new))
+
+    def insert_after(self, node: ast.expr, new: str) -> None:
+        """Put a text behind a node."""
+        self._edits.append((self._end(node), self._end(node), new))
+
+    def text(self) -> str:
+        """Return the text with all changes."""
+        data = self._data
+        for start, end, new in sorted(self._edits, reverse=True):
+            if data[start:end] != new.encode():
+                data = data[:start] + new.encode() + data[end:]
+        return data.decode()
+
+    def _start(self, node: ast.expr) -> int:
+        return self._starts[node.lineno - 1] + node.col_offset
+
+    def _end(self, node: ast.expr) -> int:
+        assert node.end_lineno is not None
+        assert node.end_col_offset is not None
+        return self._starts[node.end_lineno - 1] + node.end_col_offset
+
+
+def typed(text: str) -> str:
+    """Return a text spelled so that YAML takes it for the number or truth value xacro sees."""
+    from ....yaml.scalars import type_plain
+
+    meant = guess_value(text)
+    if isinstance(meant, str):
+        return Quoted(literal(meant))
+    read = type_plain(text)
+    if type(read) is type(meant) and read == meant:
+        return text
+    if isinstance(meant, bool):
+        return str(meant).lower()
+    if isinstance(meant, float) and meant - meant != 0:
+        return f"$(float({text!r}))"
+    return repr(meant)
+
+
+def is_typed(text: str) -> bool:
+    """Tell whether YAML takes a text for something else than a text where it is not quoted."""
+    from ....yaml.scalars import type_plain
+
+    return not isinstance(type_plain(text), str)
+
+
+def _is_in_word(parts: Sequence[Part], index: int) -> bool:
+    """Tell whether a part of a text is no word by itself."""
+    before = parts[index - 1] if index else ""
+    after = parts[index + 1] if index + 1 < len(parts) else ""
+    ends = (before[-1:] if isinstance(before, str) else "$") + (
+        after[:1] if isinstance(after, str) else "$"
+    )
+    return bool(ends.strip())
+
+
+def _parsed(text: str) -> Template:
+    try:
+        return parse_template(text)
+    except Fault as fault:
+        raise CannotMigrate(str(fault)) from None
+
+
+def _is_name(node: ast.AST) -> TypeGuard[ast.Name]:
+    import ast
+
+    return isinstance(node, ast.Name)
+
+
+def _without_empty(text: str) -> str:
+    """Return Python without the empty texts that are added to others."""
+    for empty in ("''", '""'):
+        text = text.replace(f"{empty} + ", "").replace(f" + {empty}", "")
+    return text
+
+
+def _bare_environment(python: str, words: list[str]) -> str:
+    """Return a variable of the environment that stands in an expression without quotes.
+
+    xacro puts its text there, so a number is one: it is taken for what it is now, or by default.
+    """
+    text = os.environ.get(words[1], " ".join(words[2:]))
+    kind = {int: "int", float: "float"}.get(type(guess_value(text)))
+    return f"{kind}({python})" if kind else python

@@ -1,0 +1,261 @@
+"""Leaves out of finished sources what nothing reads, and says short things shortly.
+
+A macro that computed the inertia of a solid is not called any more, and then nobody reads the
+parameters that were handed to it; a file of which nothing is left needs no include.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+
+from ....syntax.names import STATEMENTS, is_identifier
+from ..document import Body, Entry, Row
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterator
+
+    from .program import Program
+
+_WORD = re.compile(r"[^\W\d]\w*")
+WIDEST_KEY = 60
+"""Characters that the key of an entry under a condition may have."""
+
+
+def tidy(files: dict[str, Body], main: str, program: Program) -> None:
+    """Tidy the sources of a robot.
+
+    Args:
+        files: their sections, by path; those that are not needed are taken out.
+        main: the path of the main file.
+        program: the robot that they were made of.
+    """
+    _drop_aliases(list(files.values()), {f"arg_{name}" for name in program.arguments})
+    _drop_parameters(list(files.values()), program)
+    _drop_empty_files(files, main)
+    for sections in files.values():
+        for body in _bodies_in(sections):
+            _shorten_conditions(body)
+
+
+# --- what nothing reads ---------------------------------------------------------------------------
+
+
+def _drop_aliases(files: list[Body], names: set[str]) -> None:
+    """Leave out arguments under names of their own that nothing reads."""
+    used = {word for sections in files for word in _words_of_values(sections)}
+    for sections in files:
+        for body in _bodies_in(sections):
+            for entry in [entry for entry in body if entry.key == "variables"]:
+                if isinstance(entry.value, Body):
+                    _keep(entry.value, lambda own: _stem(own) not in names or _stem(own) in used)
+                if isinstance(entry.value, Body) and not entry.value:
+                    body.entries.remove(entry)
+
+
+def _drop_parameters(files: list[Body], program: Program) -> None:
+    """Leave out parameters that only macros read that are not called any more."""
+    functions = _functions_in(files)
+    read = {
+        macro.function: _words_in_macro(macro.element) for macro in program.definitions.values()
+    }
+    computed = {
+        word
+        for sections in files
+        for entry in _entries_in(sections)
+        if entry.key.startswith("$(")
+        for word in _WORD.findall(entry.key)
+    }
+    is_new = True
+    while is_new:
+        is_new = False
+        for name, function in functions.items():
+            inputs = function.entries[0] if function.entries else None
+            if inputs is None or inputs.key != "input" or not isinstance(inputs.value, Row):
+                continue
+            if name in computed or name not in read:
+                continue
+            used = set(_words_in(Body(function.entries[1:])))
+            for piece in inputs.value.pieces:
+                used.update(_WORD.findall(piece.partition("=")[2]))
+            dropped = {
+                own
+                for piece in inputs.value.pieces
+                if (own := _name_of_input(piece)) not in used and own in read[name]
+            }
+            if dropped:
+                is_new = True
+                _drop_inputs(function, dropped)
+                for sections in files:
+                    _drop_arguments(sections, name, dropped)
+
+
+def _drop_inputs(function: Body, names: set[str]) -> None:
+    inputs = function.entries[0]
+    assert isinstance(inputs.value, Row)
+    pieces = [piece for piece in inputs.value.pieces if _name_of_input(piece) not in names]
+    if pieces:
+        inputs.value = Row(pieces)
+    else:
+        del function.entries[0]
+
+
+def _drop_arguments(sections: Body, function: str, names: set[str]) -> None:
+    for entry in _entries_in(sections):
+        if entry.key.rpartition(".")[2] == function and isinstance(entry.value, Body):
+            _keep(entry.value, lambda own: own.key not in names)
+            entry.value = entry.value or None
+
+
+def _name_of_input(piece: str) -> str:
+    return piece.partition("=")[0].strip()
+
+
+def _functions_in(files: list[Body]) -> dict[str, Body]:
+    """Return the functions by name, without those of which there are several of a name."""
+    found: dict[str, list[Body]] = {}
+    for sections in files:
+        for entry in _entries_in(sections):
+            if entry.key == "functions" and isinstance(entry.value, Body):
+                for function in entry.value:
+                    if isinstance(function.value, Body):
+                        found.setdefault(_stem(function), []).append(function.value)
+    return {name: bodies[0] for name, bodies in found.items() if len(bodies) == 1}
+
+
+# --- files ----------------------------------------------------------------------------------------
+
+
+def _drop_empty_files(files: dict[str, Body], main: str) -> None:
+    """Leave out files with nothing in them, and their includes."""
+    includes = [
+        _path_of_include(entry)
+        for sections in files.values()
+        for entry in _entries_in(sections)
+        if entry.key == "include"
+    ]
+    if any("$(" in path for path in includes):
+        return  # it may be any file
+    while empty := [path for path, body in files.items() if path != main and _is_empty(body)]:
+        for path in empty:
+            del files[path]
+        for own, sections in files.items():
+            for body in _bodies_in(sections):
+                body.entries[:] = [
+                    entry
+                    for entry in body
+                    if entry.key != "include" or _file_meant(entry, own) not in empty
+                ]
+
+
+def _file_meant(include: Entry, path: str) -> str:
+    """Return the path of the source that an include in a source names."""
+    return os.path.normpath(os.path.join(os.path.dirname(path), _path_of_include(include)))
+
+
+def _is_empty(sections: Body) -> bool:
+    return not sections.remark and all(
+        entry.key == "model" and not entry.value and not entry.comment for entry in sections
+    )
+
+
+def _path_of_include(entry: Entry) -> str:
+    if isinstance(entry.value, Body):
+        return next((str(own.value) for own in entry.value if own.key == "path"), "")
+    return str(entry.value)
+
+
+# --- conditions -----------------------------------------------------------------------------------
+
+
+def _shorten_conditions(body: Body) -> None:
+    """Write an entry under a condition of its own with a key that is empty where it is not."""
+    for entry, following in zip(body.entries, [*body.entries[1:], None], strict=False):
+        if entry.key != "if" or (following is not None and following.key in ("elif", "else")):
+            continue
+        key = _conditional_key(entry.value)
+        if key is None:
+            continue
+        assert isinstance(entry.value, Body)
+        content = entry.value.entries[1].value
+        assert isinstance(content, Body)
+        if any(other.key == key for other in body):
+            continue
+        entry.key, entry.value = key, content.entries[0].value
+
+
+def _conditional_key(statement: object) -> str | None:
+    """Return the key that says the same as a condition around one entry, or None."""
+    if not isinstance(statement, Body) or len(statement.entries) != 2 or statement.opening:
+        return None
+    condition, inner = statement.entries
+    content = inner.value
+    if not isinstance(content, Body) or len(content.entries) != 1 or content.remark:
+        return None
+    entry = content.entries[0]
+    is_plain = is_identifier(entry.key) and entry.key not in (*STATEMENTS, "xyz", "rpy")
+    if not is_plain or entry.comment or entry.ending or content.opening or not condition.value:
+        return None
+    key = f"$('{entry.key}' if {condition.value} else '')"
+    is_clear = not any(mark in key for mark in (": ", " #", '"', "\n"))
+    return key if is_clear and len(key) <= WIDEST_KEY else None
+
+
+# --- walking --------------------------------------------------------------------------------------
+
+
+def _bodies_in(body: Body) -> Iterator[Body]:
+    """Return a body and all in it."""
+    yield body
+    for entry in list(body):
+        if isinstance(entry.value, Body):
+            yield from _bodies_in(entry.value)
+
+
+def _entries_in(body: Body) -> Iterator[Entry]:
+    for own in _bodies_in(body):
+        yield from list(own)
+
+
+def _words_in(body: Body) -> Iterator[str]:
+    """Return all words in keys and values."""
+    for entry in _entries_in(body):
+        yield from _WORD.findall(entry.key)
+        if isinstance(entry.value, str):
+            yield from _WORD.findall(entry.value)
+
+
+def _words_of_values(body: Body) -> Iterator[str]:
+    """Return all words in values, and in keys where these are expressions."""
+    for entry in _entries_in(body):
+        if "$(" in entry.key:
+            yield from _WORD.findall(entry.key)
+        if isinstance(entry.value, str):
+            yield from _WORD.findall(entry.value)
+
+
+def _words_in_macro(element: object) -> set[str]:
+    from ....xml.tree import Element, format_value
+    from ..elements import walk
+
+    assert isinstance(element, Element)
+    return {
+        word
+        for inner in walk(element)
+        for text in (
+            *(format_value(v) for k, v in inner.attributes.items() if k != "params"),
+            inner.text(),
+        )
+        for word in _WORD.findall(text)
+    }
+
+
+def _stem(entry: Entry) -> str:
+    """Return the name in a key without its scope."""
+    return entry.key.partition("/")[0]
+
+
+def _keep(body: Body, is_kept: Callable[[Entry], bool]) -> None:
+    """Leave out entries, with the comments on them."""
+    body.entries[:] = [entry for entry in body.entries if is_kept(entry)]

@@ -1,0 +1,1 @@
+"""The element tree: reader, writer, and values as text."""

@@ -1,0 +1,86 @@
+"""Tells whether a text is a document as Yamaro writes them, whoever wrote it."""
+
+from __future__ import annotations
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import NoReturn
+
+    from ..policy import Limits
+
+BEGINNING = '<?xml version="1.0"?>\n<'
+
+
+class NotWellFormed(ValueError):
+    """A text is not a well-formed document; the text of the error says why."""
+
+
+def check_document(text: str, limits: Limits) -> None:
+    """Check a document with an XML parser, in time that grows with its length only.
+
+    It has to be well-formed, its prefixes declared, and it keeps within the limits. Beyond that it
+    holds elements, attributes, text and comments only: no document type with entities of its own,
+    no processing instructions, no other encoding.
+
+    Raises:
+        NotWellFormed: it is not.
+    """
+    if len(text) > limits.output:
+        raise NotWellFormed(f"the document has more than {limits.output:,} characters")
+    if not text.startswith(BEGINNING) or text.startswith(BEGINNING + "!"):
+        raise NotWellFormed("the document does not begin with its root element")
+    try:
+        data = text.encode()
+    except UnicodeEncodeError:
+        raise NotWellFormed("the document holds half a character") from None
+    _Checker(limits).check(data)
+
+
+class _Checker:
+    """Listens to expat."""
+
+    def __init__(self, limits: Limits) -> None:
+        self._most = limits.xml_depth
+        self._depth = 0
+        self._known = {"xml": 1}  # how many open elements declare each prefix
+        self._declared: list[tuple[int, list[str]]] = []  # the depth, and what is declared there
+
+    def check(self, data: bytes) -> None:
+        from pyexpat import ExpatError, ParserCreate
+
+        parser = ParserCreate("utf-8")
+        parser.StartElementHandler = self._start
+        parser.EndElementHandler = self._end
+        parser.StartDoctypeDeclHandler = self._refuse
+        parser.ProcessingInstructionHandler = self._refuse
+        try:
+            parser.Parse(data, True)
+        except ExpatError as error:
+            raise NotWellFormed(f"the document is not well-formed: {error}") from None
+
+    def _start(self, name: str, attributes: dict[str, str]) -> None:
+        self._depth += 1
+        if self._depth > self._most:
+            raise NotWellFormed(f"the document is more than {self._most:,} elements deep")
+        if ":" in name or ":" in "".join(attributes):
+            self._check_prefixes([name, *attributes])
+
+    def _check_prefixes(self, names: list[str]) -> None:
+        new = [name[6:] for name in names[1:] if name.startswith("xmlns:")]
+        if new:
+            self._declared.append((self._depth, new))
+            for prefix in new:
+                self._known[prefix] = self._known.get(prefix, 0) + 1
+        for name in names:
+            prefix, colon, _ = name.partition(":")
+            if colon and prefix != "xmlns" and not self._known.get(prefix):
+                raise NotWellFormed(f"the document does not declare the prefix '{prefix}'")
+
+    def _end(self, name: str) -> None:
+        if self._declared and self._declared[-1][0] == self._depth:
+            for prefix in self._declared.pop()[1]:
+                self._known[prefix] -= 1
+        self._depth -= 1
+
+    def _refuse(self, *_: object) -> NoReturn:
+        raise NotWellFormed("the document holds more than elements, text and comments")

@@ -1,0 +1,1 @@
+"""libyaml's events as nodes with places."""

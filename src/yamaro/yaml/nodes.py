@@ -1,0 +1,226 @@
+"""YAML nodes: scalars with text, style and place; sequences; mappings that keep repeated keys."""
+
+from __future__ import annotations
+
+from ..source import Source, Span
+from .flexidict import FlexiDict
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from array import array
+
+PLAIN, SINGLE, DOUBLE, LITERAL, FOLDED = "", "'", '"', "|", ">"
+
+
+class ScalarNode(Span):
+    """A scalar: its text after YAML's own unquoting, and its style; the span of its spelling.
+
+    Most of a file is scalars, and most of them are asked for their place: being a span, a scalar
+    needs no other object for it.
+    """
+
+    __slots__ = ("_offsets", "_places", "anchor", "style", "text")
+
+    _offsets: array[int]  # of the characters of the text, once they were asked for
+    _places: dict[str, Span]  # of the values of attributes in a key, likewise
+
+    def __init__(
+        self,
+        text: str,
+        style: str,
+        source: Source,
+        start: int,
+        end: int,
+        anchor: str | None = None,
+    ) -> None:
+        """Hold a scalar whose spelling is `source.text[start:end]`."""
+        self.text = text
+        self.style = style
+        self.source = source
+        self.start = start
+        self.end = end
+        self.anchor = anchor
+
+    def span(self, start: int = 0, end: int | None = None) -> Span:
+        """Return the place of `text[start:end]`; of the whole scalar, quotes included, by default.
+
+        An empty scalar has the place where it would begin.
+        """
+        if start == 0 and end is None:
+            return self
+        end = len(self.text) if end is None else end
+        first = self.offset(start)
+        last = self.offset(end - 1) + 1 if end > start else first
+        return Span(self.source, first, max(first, last))
+
+    def get(self, attribute: str, /) -> Span | None:
+        """Return where the value of an attribute stands in the key of an element.
+
+        So that a key is what `xmltree.Places` asks for, and no object besides is needed.
+        """
+        try:
+            places = self._places
+        except AttributeError:  # few keys are asked, but some for each of many attributes
+            from ..syntax.keys import places_of_attributes
+
+            places = self._places = places_of_attributes(self)
+        return places.get(attribute)
+
+    def anchor_span(self) -> Span:
+        """Return the place of the scalar's anchor, such as `&name`."""
+        written = f"&{self.anchor}"
+        start = max(self.source.text.rfind(written, 0, self.start), 0)
+        return Span(self.source, start, start + len(written))
+
+    def offset(self, index: int) -> int:
+        """Return the offset in the source of the character `text[index]`."""
+        length = len(self.text)
+        raw_length = self.end - self.start
+        if self.style == PLAIN and raw_length == length:
+            return self.start + index
+        if self.style in (SINGLE, DOUBLE) and raw_length == length + 2:
+            return self.start + 1 + index
+        try:
+            offsets = self._offsets
+        except AttributeError:  # few scalars are asked, but some for each of many expressions
+            from array import array
+
+            offsets = self._offsets = array("q", _align(self))
+        return offsets[index] if index < len(offsets) else self.end
+
+    def __eq__(self, other: object) -> bool:
+        if isinstance(other, str):
+            return self.text == other
+        return isinstance(other, ScalarNode) and self.text == other.text
+
+    def __hash__(self) -> int:
+        return hash(self.text)
+
+    def __repr__(self) -> str:
+        return f"ScalarNode({self.text!r})"
+
+
+class SequenceNode:
+    """A sequence of nodes."""
+
+    __slots__ = ("end", "is_flow", "items", "source", "start")
+
+    def __init__(self, source: Source, start: int, end: int, is_flow: bool) -> None:
+        """Start an empty sequence."""
+        self.items: list[YamlNode] = []
+        self.source = source
+        self.start = start
+        self.end = end
+        self.is_flow = is_flow
+
+    def span(self) -> Span:
+        """Return the place of the sequence."""
+        return Span(self.source, self.start, self.end)
+
+
+class MappingNode(FlexiDict):
+    """A mapping: pairs of a scalar and a node, repeated keys kept."""
+
+    __slots__ = ("end", "is_flow", "source", "start")
+
+    def __init__(self, source: Source, start: int, end: int, is_flow: bool) -> None:
+        """Start an empty mapping."""
+        self.pairs = []
+        self.source = source
+        self.start = start
+        self.end = end
+        self.is_flow = is_flow
+
+    def span(self) -> Span:
+        """Return the place of the mapping."""
+        return Span(self.source, self.start, self.end)
+
+
+YamlNode = ScalarNode | SequenceNode | MappingNode
+
+
+# --- from a scalar's text back to its spelling ------------------------------------------------
+
+
+def quoted(value: str) -> str:
+    """Return a text as a quoted YAML scalar, in the quotes that leave it most readable."""
+    if "'" in value and '"' not in value and "\\" not in value and value.isprintable():
+        return f'"{value}"'
+    return "'" + value.replace("'", "''") + "'"
+
+
+_BREAKS = "\r\n\x85\u2028\u2029"
+_WHITE = " \t" + _BREAKS
+
+
+def _align(node: ScalarNode) -> list[int]:
+    """Return the source offset of each character of a scalar's text.
+
+    Follows the scalar through quotes, escapes, folded lines and block indentation. It is exact
+    for every character that is not white space; white space is placed where its run begins.
+    """
+    raw = node.source.text[node.start : node.end]
+    if node.style not in (LITERAL, FOLDED):
+        indices = _align_flow(raw, node.style)
+        if len(indices) == len(node.text):
+            return [node.start + index for index in indices]
+    at = _begin_of_content(raw, node.style)
+    offsets = []
+    for char in node.text:
+        if char not in _WHITE:
+            while at < len(raw) and raw[at] in _WHITE:
+                at += 1
+        offsets.append(node.start + min(at, len(raw)))
+        if char not in _WHITE or raw.startswith(char, at):
+            at += 1
+    return offsets
+
+
+def _align_flow(raw: str, style: str) -> list[int]:
+    """Return the index in `raw` of each character of a plain or quoted scalar's text.
+
+    Follows the folding of lines in YAML 1.2.2, section 6.5.
+    """
+    indices = []
+    at, end = (0, len(raw)) if style == PLAIN else (1, len(raw) - 1)
+    is_joined = False  # behind an escaped line break, which leaves nothing
+    while at < end:
+        if raw[at] in _WHITE:
+            run = at
+            breaks = []
+            while at < end and raw[at] in _WHITE:
+                if raw[at] in _BREAKS:
+                    breaks.append(at)
+                    at += raw.startswith("\r\n", at)
+                at += 1
+            if is_joined:
+                indices.extend(breaks)
+            elif breaks:  # one gives a space, more give themselves but for the first
+                indices.extend(breaks[1:] or breaks)
+            else:
+                indices.extend(range(run, at))
+        elif style == DOUBLE and raw.startswith(("\\\n", "\\\r"), at):
+            at += 3 if raw.startswith("\r\n", at + 1) else 2
+            is_joined = True
+            continue
+        else:
+            indices.append(at)
+            at += _spelled_length(raw, at, style)
+        is_joined = False
+    return indices
+
+
+def _begin_of_content(raw: str, style: str) -> int:
+    if style in (LITERAL, FOLDED):
+        ends = [raw.find(char) for char in "\r\n" if char in raw]
+        return min(ends) + 1 if ends else len(raw)
+    return 1 if style in (SINGLE, DOUBLE) else 0
+
+
+def _spelled_length(raw: str, at: int, style: str) -> int:
+    """Return how many source characters spell the one at `at`."""
+    if style == SINGLE and raw.startswith("''", at):
+        return 2
+    if style == DOUBLE and raw.startswith("\\", at):
+        return 2 + {"x": 2, "u": 4, "U": 8}.get(raw[at + 1 : at + 2], 0)
+    return 1
