@@ -36,7 +36,7 @@ def python_folders() -> list[str]:
     prefixes = {sys.prefix, sys.exec_prefix, sys.base_prefix, sys.base_exec_prefix}
     places = [entry for entry in sys.path if _is_place_of_packages(entry, prefixes)]
     places += [os.path.join(prefix, "lib") for prefix in sorted(prefixes)]
-    places.append(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+    places.append(os.path.abspath(__file__)[: -len("sandbox/jail/surroundings.py") - 1])
     found: list[str] = []
     for place in sorted([*places, *_SYSTEM_FOLDERS]):  # a folder comes before what is in it
         if not any(covers(folder, place) for folder in found):
