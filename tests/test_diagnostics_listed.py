@@ -22,13 +22,13 @@ GIVEN = re.compile(rf"^(?:error|warning)\[({CODE})\]", re.MULTILINE)
 TESTED_ELSEWHERE = {
     "jail-broken": "test_policy.py",
     "limit-time": "test_policy.py",
-    "missing-extra": "test_part.py",
+    "missing-extra": "robot/test_part.py",
     "name-with-line-break": "test_terminal.py",
     "no-jail": "test_policy.py",
-    "no-opengl": "picture/test_pictures.py",
-    "not-migrated": "migrate/test_migrate_command.py",
-    "not-urdf": "test_xml_main.py",
-    "unknown-package": "test_check.py",
+    "no-opengl": "tools/picture/test_pictures.py",
+    "not-migrated": "tools/migrate/test_migrate_command.py",
+    "not-urdf": "runtime/test_xml_main.py",
+    "unknown-package": "check/test_check.py",
 }
 
 # Callables one of whose first two arguments is a code.

@@ -8,8 +8,8 @@ from pathlib import Path
 
 import pytest
 
+from tests.check.test_check import FAULTY, BadRobot, bad_robots, read
 from tests.hostile.hostile_inputs import OLD_OUTPUT, read_inputs
-from tests.test_check import FAULTY, BadRobot, bad_robots, read
 from tests.test_hostile import PLACE
 from yamaro.commands.main import main
 from yamaro.xml.tree import Element, Text

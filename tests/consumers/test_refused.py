@@ -8,8 +8,8 @@ from xml.etree import ElementTree
 
 import pytest
 
+from tests.check.test_check import BadRobot, bad_robots, read
 from tests.consumers import oracles
-from tests.test_check import BadRobot, bad_robots, read
 from yamaro.check.robot import check
 from yamaro.diagnostics import ERROR, Reporter
 from yamaro.model.urdf_schema import VERSIONS

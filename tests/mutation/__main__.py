@@ -19,12 +19,12 @@ ROOT = Path(__file__).parents[2]
 EXAMPLES = {"YAMARO_SHARING_EXAMPLES": "15", "YAMARO_SCOPE_EXAMPLES": "60"}
 """How much the tests try that draw programs by chance."""
 # What runs other programs, looks at other folders of the source, or takes long.
-LEFT_OUT = """consumers bad_robots properties/test_same_bytes.py properties/test_inertia.py
+LEFT_OUT = """consumers check/bad_robots properties/test_same_bytes.py properties/test_inertia.py
     properties/test_xml.py properties/test_shared_trees.py test_architecture.py test_bench.py
     test_coming_from_xacro.py test_docs.py test_fuzz_corpus.py
-    test_hostile_escapes.py test_hostile_robots.py test_jail.py test_killed.py test_links.py
+    test_hostile_escapes.py test_hostile_robots.py sandbox/test_jail.py test_killed.py test_links.py
     test_output.py test_output_faults.py test_shapes.py test_threads.py test_transforms.py
-    test_xmltree.py""".split()
+    xml/test_tree.py""".split()
 RESULTS = ROOT / "build" / "mutation"
 
 

@@ -8,7 +8,7 @@ from typing import Any
 from hypothesis import given
 from hypothesis import strategies as st
 
-from tests.part_builder import build, resolve_nothing
+from tests.robot.part_builder import build, resolve_nothing
 from yamaro.diagnostics import INHERITED, Frame, Reporter, YamaroError
 from yamaro.robot.part import lower
 from yamaro.xml.tree import Element, Node, PartElement, Shared, unshared

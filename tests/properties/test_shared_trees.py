@@ -7,8 +7,8 @@ from typing import Any
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from tests.check.test_check import FAULTY, GOOD_ROBOTS, NEWER_ROBOTS, bad_robots, read
 from tests.effort import examples
-from tests.test_check import FAULTY, GOOD_ROBOTS, NEWER_ROBOTS, bad_robots, read
 from yamaro.check.robot import check
 from yamaro.diagnostics import INHERITED, Diagnostic, Frame, Reporter, YamaroError
 from yamaro.source import Source, Span

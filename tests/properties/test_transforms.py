@@ -9,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation
 
-from tests.part_builder import lower_text
+from tests.robot.part_builder import lower_text
 from yamaro.model.rotations import (
     multiply,
     rotation_from_rpy,

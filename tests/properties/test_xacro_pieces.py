@@ -11,7 +11,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from tests.effort import examples
-from tests.xacro_host import MemoryHost
+from tests.xacro.xacro_host import MemoryHost
 from yamaro.diagnostics import Reporter, YamaroError
 from yamaro.source import Source
 from yamaro.xacro.expansion import expand

@@ -12,7 +12,7 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from tests.effort import examples
-from tests.xacro_host import MemoryHost
+from tests.xacro.xacro_host import MemoryHost
 from yamaro.diagnostics import Reporter, YamaroError
 from yamaro.sandbox.deep_stack import run_on_deep_stack
 from yamaro.source import Source

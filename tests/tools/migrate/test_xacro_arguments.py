@@ -1,0 +1,141 @@
+"""Arguments and variables of the environment come over as what they are, under their own names."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from tests.tools.migrate.against_xacro import migrated_for, model_of
+from tests.tools.migrate.same_robot import is_same_robot
+from tests.tools.migrate.test_xacro_migration import HEAD, migrated
+from yamaro import build
+from yamaro.codes import ADJUSTABLE
+from yamaro.policy import Limits
+from yamaro.tools.migrate.xacro.command import migrate_robot
+from yamaro.xml.reader import decode_xml
+
+
+def test_an_argument_stays_apart_from_a_parameter_of_its_name(tmp_path: Path) -> None:
+    made = migrated_for(
+        tmp_path,
+        """\
+        <xacro:arg name="n" default="main_"/>
+        <xacro:macro name="arm" params="n:=$(arg n)">
+          <link name="${n}tool"/>
+          <link name="$(arg n)${n}mount"/>
+        </xacro:macro>
+        <xacro:arm/>
+        <xacro:arm n="second_"/>
+        """,
+        "",
+        "other_",
+    )
+    assert "  n: main_\n  arg_n: $(n)\n" in made
+    assert "link/name=$(arg_n)$(n)mount:" in made
+
+
+def test_an_argument_stays_apart_from_a_property_of_its_name(tmp_path: Path) -> None:
+    made = migrated_for(
+        tmp_path,
+        """\
+        <xacro:arg name="n" default="deck"/>
+        <xacro:property name="n" value="hull"/>
+        <link name="${n}"/>
+        <link name="$(arg n)_2"/>
+        """,
+        "",
+        "keel",
+    )
+    assert "link/name=$(n):" in made
+    assert "link/name=$(arg_n)_2:" in made
+
+
+def test_a_property_made_of_its_own_argument_needs_no_other_name(tmp_path: Path) -> None:
+    made = migrated_for(
+        tmp_path,
+        """\
+        <xacro:arg name="n" default="deck"/>
+        <xacro:property name="n" value="$(arg n)"/>
+        <link name="${n}"/><link name="$(arg n)_2"/>
+        """,
+        "",
+        "keel",
+    )
+    assert "arg_" not in made
+
+
+def test_a_given_argument_that_is_not_declared_is_declared(tmp_path: Path) -> None:
+    xacro = pytest.importorskip("xacro")
+    path = tmp_path / "r.urdf.xacro"
+    path.write_text(f'{HEAD}<link name="$(arg side)_arm"/></robot>')
+    source = decode_xml(path.read_bytes(), name=path.name, path=str(path))
+    migration = migrate_robot(
+        source, str(tmp_path), arguments=["side:=left"], packages={}, limits=Limits()
+    )
+    assert migration.faults == []
+    (tmp_path / "r.yaml").write_text(migration.files["r.yaml"])
+    for side in ("left", "right"):
+        expected = xacro.process_file(str(path), mappings={"side": side}).toxml()
+        made = build(tmp_path / "r.yaml", command_line=[f"side:={side}"], allow=ADJUSTABLE)
+        assert is_same_robot(expected.encode(), made.xml().encode())
+
+
+@pytest.mark.parametrize(
+    ("name", "value"),
+    [("", ""), ("TEST_ON", "1"), ("TEST_FLAG", "true"), ("TEST_LENGTH", "2"), ("TEST_AT", "1 2 3")],
+)
+def test_a_variable_of_the_environment_is_what_its_default_is(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path, name: str, value: str
+) -> None:
+    xacro = pytest.importorskip("xacro")
+    files = migrated(
+        tmp_path,
+        """\
+        <xacro:property name="on" value="$(optenv TEST_ON 0)"/>
+        <xacro:property name="length" value="$(optenv TEST_LENGTH 0.5)"/>
+        <xacro:property name="at" value="$(optenv TEST_AT 0 0 0)"/>
+        <xacro:arg name="flag" default="$(optenv TEST_FLAG false)"/>
+        <xacro:if value="${on}"><link name="on"/></xacro:if>
+        <xacro:if value="$(arg flag)"><link name="flag"/></xacro:if>
+        <link name="base">
+          <visual>
+            <origin xyz="${at}" rpy="${length + 1} 0 0"/>
+            <geometry><sphere radius="${length}"/></geometry>
+          </visual>
+        </link>
+        """,
+    )
+    assert "length: $(float(env('TEST_LENGTH', '0.5')))" in files["r.yaml"]
+    assert "at: $(env('TEST_AT', '0 0 0'))" in files["r.yaml"]
+    if name:
+        monkeypatch.setenv(name, value)
+    expected = xacro.process_file(str(tmp_path / "r.urdf.xacro"), mappings={}).toxml()
+    made = build(tmp_path / "out/r.yaml", on_message=lambda line: None, allow=ADJUSTABLE)
+    assert is_same_robot(expected.encode(), made.xml().encode())
+
+
+def test_a_default_that_xacro_takes_for_a_text_stays_one(tmp_path: Path) -> None:
+    made = migrated_for(
+        tmp_path,
+        """\
+        <xacro:macro name="port" params="address:=0x9"><link name="port_${address}"/></xacro:macro>
+        <xacro:port/>
+        """,
+    )
+    assert "input: address='0x9'" in made
+
+
+def test_a_block_may_have_the_name_of_a_macro(tmp_path: Path) -> None:
+    made = migrated_for(
+        tmp_path,
+        """\
+        <xacro:property name="paint"><material name="grey"/></xacro:property>
+        <xacro:macro name="paint">
+          <gazebo><xacro:insert_block name="paint"/></gazebo>
+        </xacro:macro>
+        <xacro:paint/>
+        <gazebo reference="a"><xacro:insert_block name="paint"/></gazebo>
+        """,
+    )
+    assert model_of(made)[0].strip(" -") == "Paint:"

@@ -1,0 +1,153 @@
+"""Files of other packages stay as they are, and are included, unless they are of one piece."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from tests.tools.migrate.against_xacro import is_same, moved
+from yamaro.commands.main import main
+from yamaro.tools.migrate.xacro.layout import ALL
+from yamaro.tools.migrate.xacro.sources import XacroMigration
+
+CAMERA = (
+    '<xacro:arg name="cam_name" default="cam"/><xacro:arg name="sim" default="false"/>'
+    '<joint name="$(arg cam_name)" type="fixed"><parent link="base"/>'
+    '<child link="$(arg cam_name)_link"/><origin xyz="0 0 1" rpy="0 0 0"/></joint>'
+    '<link name="$(arg cam_name)_link"/>'
+    '<xacro:if value="$(arg sim)"><gazebo reference="$(arg cam_name)_link"/></xacro:if>'
+)
+INCLUDE = '<xacro:include filename="$(find cam)/urdf/cam.xacro"/>'
+SIM = '<xacro:arg name="sim" default="false"/>'
+BASE = '<link name="base"/>'
+
+
+def workspace(folder: Path, robot: str, *arguments: str, **files: str) -> XacroMigration:
+    """Migrate a robot of the package `bot` that includes files of `cam`; compare it."""
+    named = {f"cam/urdf/{name}.xacro": text for name, text in files.items()}
+    manifests = {
+        f"{name}/package.xml": f"<package><name>{name}</name></package>" for name in ("bot", "cam")
+    }
+    migration = moved(folder, {**manifests, **named, "bot/urdf/r.xacro": robot}, "bot/urdf/r.xacro")
+    assert migration.faults == []
+    assert [str(each) for each in migration.differences] == []
+    for given in ((), *((one,) for one in arguments)):
+        assert is_same(folder, migration, *given), given
+    return migration
+
+
+def test_a_file_of_another_package_is_included_as_it_is_with_its_arguments(tmp_path: Path) -> None:
+    others = ("sim:=true", "cam_name:=eye")
+    made = workspace(tmp_path, SIM + INCLUDE + BASE, *others, cam=CAMERA).files
+    assert list(made) == ["r.yaml"]
+    assert "path: $(find cam)/urdf/cam.xacro" in made["r.yaml"]
+
+
+def test_its_arguments_are_passed_on_through_files_that_it_includes(tmp_path: Path) -> None:
+    inner = '<xacro:include filename="camera.xacro"/>'
+    others = ("sim:=true", "cam_name:=eye")
+    robot = SIM + INCLUDE + BASE
+    assert list(workspace(tmp_path, robot, *others, cam=inner, camera=CAMERA).files) == ["r.yaml"]
+
+
+def test_an_argument_in_eval_is_passed_on(tmp_path: Path) -> None:
+    cam = '<link name="l"/><xacro:if value="$(eval kind == \'a\')"><a/></xacro:if>'
+    robot = f'<xacro:arg name="kind" default="a"/>{INCLUDE}'
+    made = workspace(tmp_path, robot, "kind:=b", cam=cam).files
+    assert "kind: $(kind)" in made["r.yaml"]
+
+
+def test_which_file_of_another_package_is_included_may_be_computed(tmp_path: Path) -> None:
+    files = {name: f'<link name="{name}"/>' for name in ("front", "rear")}
+    robot = (
+        '<xacro:arg name="side" default="front"/>'
+        '<xacro:include filename="$(find cam)/urdf/$(arg side).xacro"/>'
+    )
+    made = workspace(tmp_path, robot, "side:=rear", **files).files
+    assert list(made) == ["r.yaml"]
+    assert "include: $(find cam)/urdf/$(side).xacro" in made["r.yaml"]
+
+
+def test_a_relative_path_to_another_package_is_that_of_the_package(tmp_path: Path) -> None:
+    robot = '<xacro:include filename="../../cam/urdf/cam.xacro"/>'
+    made = workspace(tmp_path, robot, cam=BASE).files
+    assert "include: $(find cam)/urdf/cam.xacro" in made["r.yaml"]
+
+
+@pytest.mark.parametrize(
+    ("cam", "robot", "why"),
+    [
+        ('<xacro:macro name="m" params="n"><link name="${n}"/></xacro:macro>',
+         INCLUDE + '<xacro:m n="a"/>', "its macro 'm' is called"),
+        ('<xacro:m n="a"/>',
+         '<xacro:macro name="m" params="n"><link name="${n}"/></xacro:macro>' + INCLUDE,
+         "it calls the macro 'm'"),
+        ('<xacro:property name="size" value="2"/>',
+         INCLUDE + '<link name="l${size}"/>', "its property 'size' is read"),
+        ('<link name="l${size}"/>',
+         '<xacro:property name="size" value="2"/>' + INCLUDE, "it reads the property 'size'"),
+        ('<link name="l${size}"/>',
+         f'<xacro:macro name="m" params="size">{INCLUDE}</xacro:macro><xacro:m size="3"/>',
+         "it reads the property 'size'"),
+        ('<xacro:property name="tip"><tip/></xacro:property>',
+         INCLUDE + BASE + '<xacro:insert_block name="tip"/>', "its block 'tip' is inserted"),
+        ('<xacro:arg name="n" default="x"/><a/>',
+         INCLUDE + '<link name="$(arg n)"/>', "its argument 'n' is read by others"),
+        ('<xacro:property name="q" value="2"/>',
+         INCLUDE.replace("/>", ' ns="cam"/>') + '<link name="l${cam.q}"/>',
+         "it is included in a namespace"),
+    ],
+)  # fmt: skip
+def test_what_is_of_one_piece_comes_along(tmp_path: Path, cam: str, robot: str, why: str) -> None:
+    migration = workspace(tmp_path, robot, cam=cam)
+    assert list(migration.files) == ["r.yaml", "cam/urdf/cam.yaml"]
+    assert list(migration.layout.brought.values()) == [why]
+
+
+def test_the_same_constant_in_two_packages_ties_nothing(tmp_path: Path) -> None:
+    constant = '<xacro:property name="PI" value="3.1415"/>'
+    robot = constant + INCLUDE + '<link name="l${PI}"/>'
+    made = workspace(tmp_path, robot, cam=constant + '<a a="${PI}"/>').files
+    assert list(made) == ["r.yaml"]
+
+
+def test_only_the_files_that_are_tied_come_along(tmp_path: Path) -> None:
+    arm = (
+        '<xacro:include filename="colors.xacro"/>'
+        '<xacro:macro name="m" params="n"><link name="${n}"/></xacro:macro>'
+    )
+    colors = '<material name="red"><color rgba="1 0 0 1"/></material>'
+    migration = workspace(tmp_path, INCLUDE + '<xacro:m n="a"/>', cam=arm, colors=colors)
+    assert list(migration.files) == ["r.yaml", "cam/urdf/cam.yaml"]
+    assert "include: $(find cam)/urdf/colors.xacro" in migration.files["cam/urdf/cam.yaml"]
+
+
+def command(folder: Path, *options: str) -> list[str]:
+    workspace(folder, SIM + INCLUDE + BASE, cam=CAMERA)
+    robot = str(folder / "in/bot/urdf/r.xacro")
+    assert main(["migrate", robot, "-o", str(folder / "made"), *options]) == 0
+    made = folder / "made"
+    return sorted(str(path.relative_to(made)) for path in made.rglob("*.yaml"))
+
+
+def test_options_bring_other_packages_along(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert command(tmp_path) == ["r.yaml"]
+    said = "included as it is: 1 file of the package 'cam'; --with cam migrates it"
+    assert said in capsys.readouterr().err
+    assert command(tmp_path, "--with", "cam", "--force") == ["cam/urdf/cam.yaml", "r.yaml"]
+    assert command(tmp_path, "--all", "--force") == ["cam/urdf/cam.yaml", "r.yaml"]
+    assert "cam" not in capsys.readouterr().err.replace("cam/", "")
+
+
+def test_all_packages_may_be_asked_for(tmp_path: Path) -> None:
+    files = {
+        "bot/package.xml": "<package><name>bot</name></package>",
+        "cam/package.xml": "<package><name>cam</name></package>",
+        "cam/urdf/cam.xacro": CAMERA,
+        "bot/urdf/r.xacro": SIM + INCLUDE + BASE,
+    }
+    made = moved(tmp_path, files, "bot/urdf/r.xacro", wanted=(ALL,)).files
+    assert sorted(made) == ["cam/urdf/cam.yaml", "r.yaml"]
