@@ -1,6 +1,6 @@
 """The attacks on safe mode, as what they are: files that someone runs with `yamaro --safe`.
 
-tests/test_safe_code.py runs the same attacks while Python watches what they reach.
+tests/safe/test_code.py runs the same attacks while Python watches what they reach.
 """
 
 from __future__ import annotations

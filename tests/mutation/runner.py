@@ -345,7 +345,7 @@ def _lighten(session: pytest.Session) -> None:
         given = getattr(inner, "_hypothesis_internal_use_settings", None)
         if given is not None and given.max_examples > EXAMPLES:
             inner._hypothesis_internal_use_settings = settings(given, max_examples=EXAMPLES)
-        if item.module.__name__.endswith("test_safe_code"):
+        if item.module.__name__.endswith("safe.test_code"):
             _attack_here(item.module)
     _run_cases_once(items)
     _run_safe_files_here()

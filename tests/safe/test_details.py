@@ -1,6 +1,6 @@
 """Safe mode in detail: the words of each refusal, each price and limit, and what Python gives too.
 
-The tables are in tests/safe_details. A line that begins with `!` holds statements.
+The tables are in tests/safe/details. A line that begins with `!` holds statements.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ from yamaro.safe.values import OrderedSet
 
 np = pytest.importorskip("numpy")
 
-FOLDER = Path(__file__).parent / "safe_details"
+FOLDER = Path(__file__).parent / "details"
 MODULES = ("math", "numpy", "statistics")
 FREE = 1 << 40
 UNLIMITED = {"integer": FREE, "sequence": FREE, "steps": FREE, "text": FREE}

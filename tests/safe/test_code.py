@@ -30,7 +30,7 @@ from yamaro.safe.modules import MODULES
 from yamaro.safe.runtime import SafeRuntime
 from yamaro.safe.values import Function, Module, OrderedSet
 
-REPOSITORY = Path(__file__).parents[1]
+REPOSITORY = Path(__file__).parents[2]
 PAYLOADS = read_payloads()
 FEWER_STEPS = 1_000_000  # of the usual 50 million, which take seconds
 
@@ -242,7 +242,7 @@ def outcome(run: Any, text: str, mode: str = "eval") -> tuple[str, str]:
     return type(value).__name__, repr(value)
 
 
-FOLDER = Path(__file__).parent / "hostile"
+FOLDER = Path(__file__).parents[1] / "hostile"
 LEGAL = (FOLDER / "legal-expressions.txt").read_text(encoding="utf-8").splitlines()
 
 

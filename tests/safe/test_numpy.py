@@ -1,6 +1,6 @@
 """The part of numpy that safe mode has: that legal code gives what numpy gives, to the byte.
 
-The attacks on it are in tests/hostile/escapes/numpy.txt, and run by tests/test_safe_code.py.
+The attacks on it are in tests/hostile/escapes/numpy.txt, and run by tests/safe/test_code.py.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ from yamaro.safe import arrays as safe_arrays  # noqa: E402
 from yamaro.safe import numpy as safe_numpy  # noqa: E402
 from yamaro.safe.arrays import Array, Number, Whole  # noqa: E402
 
-REPOSITORY = Path(__file__).parents[1]
+REPOSITORY = Path(__file__).parents[2]
 HOSTILE = REPOSITORY / "tests" / "hostile"
 MODULES = ("math", "statistics")
 
