@@ -22,9 +22,10 @@ import numpy as np
 
 from yamaro.diagnostics import YamaroError
 from yamaro.runtime.expressions import Evaluator
-from yamaro.runtime.scope import Home, Namespace, Scope, Shared
+from yamaro.runtime.scope import Home, Scope, Shared
 from yamaro.safe.code import compile_safe
 from yamaro.safe.limits import SafeLimits, SafetyError
+from yamaro.safe.namespace import Namespace
 from yamaro.safe.runtime import SafeRuntime
 from yamaro.source import Source, Span
 from yamaro.syntax.python import PythonCode
@@ -86,7 +87,7 @@ def attack(mode: str, text: str, steps: int | None = None) -> dict[str, Any]:
     limits = SafeLimits(steps=steps) if steps else SafeLimits()
     runtime = SafeRuntime(limits, say=said.append)
     shared = Shared()
-    legs = Namespace("Legs", shared)
+    legs = Namespace("Legs", shared.find)
     legs._add("count", 4)
     names = runtime.names({"find": lambda package: f"/opt/{package}", "file_dir": lambda: "/robot"})
     names |= {name: runtime.module(name) for name in ("math", "numpy", "statistics")}

@@ -5,14 +5,13 @@ from __future__ import annotations
 import pytest
 
 from yamaro.runtime.scope import (
-    MISSING,
     BlockScope,
     Home,
-    Namespace,
     Scope,
     Shared,
     function_key,
 )
+from yamaro.safe.namespace import MISSING, Namespace
 from yamaro.source import Source
 
 
@@ -108,7 +107,7 @@ def test_a_block_declares_in_its_call_and_names_functions_of_its_place() -> None
 
 def test_a_namespace_is_read_by_dots() -> None:
     shared = Shared()
-    space = Namespace("Legs", shared)
+    space = Namespace("Legs", shared.find)
     space._add("index", 3)
     space._add(function_key("Build"), None)
     space._add("mass", MISSING)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from ..diagnostics import Frame, YamaroError, did_you_mean, failure
+from ..safe.namespace import MISSING, Namespace
 from ..source import Span
 from ..syntax.names import STATEMENTS
 from ..syntax.nodes import Argument, Body, Constant, FunctionNode, Value
@@ -13,7 +14,7 @@ from ..yaml.nodes import MappingNode, SequenceNode
 from .declared import Declaration, notes_on
 from .expressions import function_names
 from .late import Late
-from .scope import MISSING, BlockScope, Namespace, Scope, function_key
+from .scope import BlockScope, Scope, function_key
 from .values import Values
 from .words import count
 

@@ -7,9 +7,10 @@ same values come again, so that a loop that makes a thousand equal links makes o
 from __future__ import annotations
 
 from ..diagnostics import INHERITED, Frame
+from ..safe.namespace import MISSING
 from ..syntax.forms import Form, FormedPart, filled, key_of
 from ..xml.tree import Element, Text, format_value, with_trace
-from .scope import MISSING, Scope
+from .scope import Scope
 from .values import ALWAYS_WRITABLE, SHORT, Values
 
 TYPE_CHECKING = False

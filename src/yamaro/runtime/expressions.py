@@ -9,11 +9,12 @@ from __future__ import annotations
 
 from ..diagnostics import Frame, InputFault, YamaroError, did_you_mean, failure
 from ..policy import Limits
+from ..safe.namespace import MISSING, Namespace
 from ..sandbox.deadline import TimeOver
 from ..source import Span
 from ..syntax.python import TOO_MANY_DIGITS, PythonCode, expression_without_dollars
 from .declared import Declaration, notes_on
-from .scope import MISSING, Namespace, Scope
+from .scope import Scope
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

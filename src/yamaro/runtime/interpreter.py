@@ -9,6 +9,7 @@ from __future__ import annotations
 from ..diagnostics import INHERITED, Frame, InputFault, Reporter, YamaroError, failure
 from ..files.packages import PackageFinder
 from ..policy import JAIL, Policy
+from ..safe.namespace import MISSING, Namespace
 from ..source import Source, Span
 from ..syntax.keys import NAME_RULE, attribute_twice, name_fault
 from ..syntax.names import (
@@ -71,7 +72,7 @@ from .files import Files
 from .includes import namespace_of, passed_by, path_of
 from .loops import iterate, too_many_turns, unpack
 from .messages import Messages
-from .scope import MISSING, BlockScope, Namespace, Scope, Shared, function_key
+from .scope import BlockScope, Scope, Shared, function_key
 from .unread import Passed
 from .values import Values
 
@@ -784,7 +785,7 @@ class Interpreter:
         context = scope.context
         space = context.find(namespace) if namespace in context else None
         if not isinstance(space, Namespace):
-            space = Namespace(namespace, self.shared)
+            space = Namespace(namespace, self.shared.find)
         scope.declare(namespace, space)
         for key, value in inner.exported():
             self._warn_of_replacement(space._get(key), value, key, span)

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from ..diagnostics import YamaroError, failure
 from ..policy import Limits
+from ..safe.namespace import MISSING
 from ..source import Span
 from ..syntax.iterations import check_range_count
 from ..syntax.nodes import ForNode, ListValue
 from ..syntax.python import PythonCode
 from .expressions import Evaluator, evaluate_bare
-from .scope import MISSING, Scope
+from .scope import Scope
 from .values import Values, span_of
 from .words import a_kind_of, count
 

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+from ..safe.namespace import MISSING
 from ..source import COMMAND_LINE, KEYWORD_ARGUMENT, Span
 from ..syntax.python import PythonCode, find_close
-from .scope import MISSING, Scope
+from .scope import Scope
 from .words import a_kind_of
 
 TYPE_CHECKING = False

@@ -7,6 +7,7 @@ under a key no variable can have (`function_key`), so that the scopes mean the s
 
 from __future__ import annotations
 
+from ..safe.namespace import MISSING, Namespace
 from ..syntax.nodes import BRIDGE, CHILD, GLOBAL, LOCAL, PARENT
 
 TYPE_CHECKING = False
@@ -16,8 +17,6 @@ if TYPE_CHECKING:
 
     from ..diagnostics import Frame
     from ..source import Source, Span
-
-MISSING: Any = type("Missing", (), {"__repr__": lambda self: "MISSING"})()
 
 # What every context begins with, and most end with. One is made for each call, so they share these;
 # whoever adds a first name takes a dict or set of its own.
@@ -378,38 +377,3 @@ def _calls_seen(scope: Scope) -> tuple[Scope, ...]:
     assert written is not None, "a block is written somewhere"
     seen = {id(host): host for host in (*scope.hosts, *_calls_seen(written))}
     return tuple(seen.values())
-
-
-class Namespace:
-    """What an include with `namespace:` brought back; read as `$(Legs.index)`, `Legs.BuildLeg:`."""
-
-    def __init__(self, name: str, shared: Shared) -> None:
-        """Start empty."""
-        self.__dict__["_name"] = name
-        self.__dict__["_shared"] = shared
-        self.__dict__["_names"] = {}
-
-    def _add(self, name: str, value: Any) -> None:
-        """Add a name with its value; MISSING stands for a global or bridge name, read live."""
-        self._names[name] = value
-
-    def _get(self, name: str) -> Any:
-        """Return the value of a name, or MISSING."""
-        value = self._names.get(name, MISSING)
-        if value is MISSING and name in self._names:
-            value = self._shared.find(name)
-        return value
-
-    def __getattr__(self, name: str) -> Any:
-        value = self._get(name)
-        if value is MISSING:
-            raise AttributeError(
-                f"the namespace '{self._name}' has no '{name}'", name=name, obj=self
-            )
-        return value
-
-    def __dir__(self) -> list[str]:
-        return [name for name in self._names if not name.endswith("()")]
-
-    def __repr__(self) -> str:
-        return f"<namespace {self._name}>"
