@@ -23,7 +23,8 @@ from yamaro.runtime import loops
 from yamaro.sandbox import jail
 from yamaro.syntax import forms, keys, python
 from yamaro.xml import tree as xmltree
-from yamaro.yaml import faults as yaml_faults
+from yamaro.yaml import brackets
+from yamaro.yaml import characters as yaml_characters
 from yamaro.yaml import nodes as yaml_nodes
 from yamaro.yaml.reader import _Builder
 
@@ -180,16 +181,16 @@ def failing(*_: object, **__: object) -> Any:
 
 hints: list[str] = []
 parse_plain_key, spelled_length = keys.parse_plain_key, yaml_nodes._spelled_length
-find_close, position, key_of = python.find_close, python.PythonCode.position, forms.key_of
+find_close, position, key_of = brackets.find_close, python.PythonCode.position, forms.key_of
 
 PLANTED: list[tuple[str, str, Plant]] = [
     ("reader", "escapes", in_place_of(spelled_length, knowing_no_escapes_of_four)),
     ("reader", "anchors", of_class(_Builder, "_after_properties", lambda self, start: start)),
-    ("reader", "surrogates", in_place_of(yaml_faults.refuse_characters, lambda source: None)),
+    ("reader", "surrogates", in_place_of(yaml_characters.refuse_characters, lambda source: None)),
     ("keys", "colons", in_place_of(parse_plain_key, keeping_the_colon)),
     ("keys", "white space", in_place_of(keys._trim, trimming_blanks_only)),
     ("keys", "expressions", in_place_of(keys.find_outside, looking_into_expressions)),
-    ("template", "triple quotes", in_place_of(python._end_of_string, knowing_no_triple_quotes)),
+    ("template", "triple quotes", in_place_of(brackets.end_of_string, knowing_no_triple_quotes)),
     ("template", "comments", in_place_of(find_close, knowing_no_comments)),
     ("template", "places", of_class(python.PythonCode, "position", one_too_far)),
     ("pipeline", "escaping", in_place_of(xmltree._attribute_text, escaping_nothing)),

@@ -13,7 +13,7 @@ from yamaro.diagnostics import Reporter, YamaroError, render
 from yamaro.source import Source
 from yamaro.syntax import statements
 from yamaro.syntax.context import ParseContext
-from yamaro.syntax.keys import find_outside, parse_plain_key
+from yamaro.syntax.keys import PlainKeyPlaces, find_outside, parse_plain_key
 from yamaro.syntax.names import STATEMENTS, bad_name_character
 from yamaro.syntax.nodes import Attribute, ElementNode
 from yamaro.syntax.template import Template, skip_expression
@@ -172,7 +172,8 @@ def require_plain(node: ElementNode, key: ScalarNode) -> None:
     if plain is None:
         return
     name, attributes = plain
-    element = Element(name, key, attributes=attributes, value_spans=key)
+    places = PlainKeyPlaces(key) if attributes else None
+    element = Element(name, key, attributes=attributes, value_spans=places)
     assert node.name == name
     assert [(own.name, own.value) for own in node.attributes] == list(attributes.items())
     for own in node.attributes:

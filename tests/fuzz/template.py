@@ -19,16 +19,16 @@ from yamaro.syntax.python import (
     PythonCode,
     compile_statements,
     expression_without_dollars,
-    find_close,
     ros_words,
 )
 from yamaro.syntax.template import Template, parse_template, skip_expression
 from yamaro.syntax.values import parse_condition
+from yamaro.yaml.brackets import find_close
 from yamaro.yaml.nodes import DOUBLE, PLAIN, ScalarNode
 
 from .checks import require_readable, require_sound
 
-MODULES = ("syntax/template.py", "syntax/python.py")
+MODULES = ("syntax/template.py", "syntax/python.py", "yaml/brackets.py")
 ESCAPED = re.compile(r"\$\$([({])")
 CLOSING = {")": "(", "]": "[", "}": "{"}
 

@@ -9,7 +9,7 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from tests.effort import examples
-from yamaro.syntax.python import find_close
+from yamaro.yaml.brackets import find_close
 
 CLOSING = {")": "(", "]": "[", "}": "{"}
 

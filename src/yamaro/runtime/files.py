@@ -8,7 +8,7 @@ from ..diagnostics import Frame, Reporter, YamaroError, did_you_mean, failure
 from ..files.loader import LoadError
 from ..files.packages import PackageFinder, package_hint
 from ..source import Source, Span
-from ..syntax.nodes import Document, ImportNode
+from ..syntax.document import Document, ImportNode
 from ..syntax.python import PythonCode
 from .declared import Declaration
 from .expressions import Evaluator

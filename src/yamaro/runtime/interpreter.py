@@ -11,6 +11,7 @@ from ..files.packages import PackageFinder
 from ..policy import JAIL, Policy
 from ..safe.namespace import MISSING, Namespace
 from ..source import Source, Span
+from ..syntax.document import Document
 from ..syntax.keys import NAME_RULE, attribute_twice, name_fault
 from ..syntax.names import (
     STATEMENTS,
@@ -26,7 +27,6 @@ from ..syntax.nodes import (
     CallNode,
     CommentNode,
     Content,
-    Document,
     DynamicNode,
     ElementNode,
     ForNode,

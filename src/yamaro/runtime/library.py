@@ -5,8 +5,8 @@ from __future__ import annotations
 from ..diagnostics import Diagnostic, Reporter
 from ..files.loader import decode
 from ..source import Source
+from ..syntax.document import Document
 from ..syntax.includes import holds_xml
-from ..syntax.nodes import Document
 from ..syntax.parser import parse
 from ..syntax.rules import Rules
 

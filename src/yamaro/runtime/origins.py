@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from ..safe.namespace import MISSING
 from ..source import COMMAND_LINE, KEYWORD_ARGUMENT, Span
-from ..syntax.python import PythonCode, find_close
+from ..syntax.python import PythonCode
+from ..yaml.brackets import find_close
 from .scope import Scope
 from .words import a_kind_of
 

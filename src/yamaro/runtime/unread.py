@@ -13,7 +13,8 @@ if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping
 
     from ..source import Span
-    from ..syntax.nodes import Document, IncludeNode
+    from ..syntax.document import Document
+    from ..syntax.nodes import IncludeNode
     from .files import Files
 
 COMPUTED = ""

@@ -238,15 +238,29 @@ def parse_plain_key(text: str) -> PlainKey | None:
     return name, attributes
 
 
-def places_of_attributes(key: ScalarNode) -> dict[str, Span]:
-    """Return the places of the attributes' values in a key that `parse_plain_key` has read.
+class PlainKeyPlaces:
+    """Where the values of attributes stand in a key that `parse_plain_key` has read.
 
-    It takes a while, and is seldom asked.
+    Finding them takes a while, and is seldom asked.
     """
-    text = key.text
-    context = ParseContext(Reporter())
-    attributes = parse_attributes(key, text.index("/") + 1, len(text), context=context)
-    return {own.name: own.span for own in attributes if isinstance(own.name, str)}
+
+    __slots__ = ("_key", "_places")
+
+    def __init__(self, key: ScalarNode) -> None:
+        """Hold the key, which has attributes."""
+        self._key = key
+        self._places: dict[str, Span] | None = None
+
+    def get(self, attribute: str, /) -> Span | None:
+        """Return where the value of an attribute stands, or None if the key has none such."""
+        if self._places is None:
+            text = self._key.text
+            context = ParseContext(Reporter())
+            attributes = parse_attributes(
+                self._key, text.index("/") + 1, len(text), context=context
+            )
+            self._places = {own.name: own.span for own in attributes if isinstance(own.name, str)}
+        return self._places.get(attribute)
 
 
 def _trim(text: str, start: int, end: int) -> tuple[int, int]:

@@ -117,7 +117,7 @@ def _entries_hint(text: str, known: Sequence[str]) -> str:
     return f"it takes {', '.join(names)}; statements and elements go under `body:`"
 
 
-class Fields:
+class Entries:
     """The entries of a statement, each meant once, taken out one by one."""
 
     __slots__ = ("_known", "_pairs", "span", "what")

@@ -7,9 +7,10 @@ from ..source import Source, Span
 from ..yaml.nodes import MappingNode, ScalarNode, SequenceNode
 from ..yaml.reader import read
 from .context import ParseContext
+from .document import Document, ImportNode
 from .mappings import Pairs, pairs_of
 from .names import SECTIONS, STATEMENTS, is_function_name, is_identifier
-from .nodes import Document, ElementNode, ImportNode, TextContent, VariablesNode
+from .nodes import ElementNode, TextContent, VariablesNode
 from .python import PythonCode
 from .rules import Rules
 from .statements import parse_body, parse_pairs, parse_statement

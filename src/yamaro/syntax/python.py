@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from ..diagnostics import InputFault, failure
+from ..yaml.brackets import end_of_string, find_close
 from ..yaml.nodes import PLAIN, quoted
 from .names import is_identifier, python_name
 
@@ -14,7 +15,6 @@ if TYPE_CHECKING:
     from ..yaml.nodes import ScalarNode
     from .rules import Rules
 
-_OPENING = {")": "(", "]": "[", "}": "{"}
 TOO_MANY_DIGITS = "Exceeds the limit"
 """How Python begins to say that an integer has thousands of digits."""
 ROS_WORDS = ("find", "find-pkg-share", "arg", "env", "optenv")
@@ -258,55 +258,6 @@ def _hint_for_words(words: list[str]) -> str | None:
     return None
 
 
-def find_close(text: str, start: int) -> int:
-    """Return the index of the parenthesis that closes one opened just before `start`, or -1.
-
-    Follows Python's own rules: brackets nest, and strings and comments do not count.
-    """
-    stack = ["("]
-    at = start
-    length = len(text)
-    while at < length:
-        char = text[at]
-        if char in "([{":
-            stack.append(char)
-        elif char in ")]}":
-            if stack[-1] != _OPENING[char]:
-                return -1
-            stack.pop()
-            if not stack:
-                return at
-        elif char in "'\"":
-            at = _end_of_string(text, at)
-            if at < 0:
-                return -1
-            continue
-        elif char == "#":
-            at = text.find("\n", at)
-            if at < 0:
-                return -1
-        at += 1
-    return -1
-
-
-def _end_of_string(text: str, start: int) -> int:
-    """Return the index behind a Python string literal that begins at `start`, or -1."""
-    quote = text[start]
-    if text.startswith(quote * 3, start):
-        quote *= 3
-    at = start + len(quote)
-    while at < len(text):
-        if text[at] == "\\":
-            at += 2
-        elif text.startswith(quote, at):
-            return at + len(quote)
-        elif text[at] == "\n" and len(quote) == 1:
-            return -1
-        else:
-            at += 1
-    return -1
-
-
 def unclosed(node: ScalarNode, index: int) -> Exception:
     """Return the error for a `$(` at `node.text[index]` that is never closed."""
     after = node.source.text[node.end : node.end + 200]
@@ -373,7 +324,7 @@ def expression_without_dollars(text: str) -> tuple[str, list[int]]:
     at = 0
     while at < len(text):
         if text[at] in "'\"":
-            end = _end_of_string(text, at)
+            end = end_of_string(text, at)
             end = len(text) if end < 0 else end
             inside = text.find("$(", at, end)
             if inside >= 0:

@@ -9,8 +9,8 @@ from .context import ParseContext
 from .forms import form_of
 from .includes import parse_include
 from .iterations import parse_in, parse_iterator, parse_range
-from .keys import find_outside, parse_attributes, parse_name, parse_plain_key
-from .mappings import Fields, Pairs, item_hint, pairs_of, refuse_not_indented
+from .keys import PlainKeyPlaces, find_outside, parse_attributes, parse_name, parse_plain_key
+from .mappings import Entries, Pairs, item_hint, pairs_of, refuse_not_indented
 from .names import ROOT_STATEMENTS, STATEMENTS, is_function_name, is_identifier
 from .nodes import (
     Argument,
@@ -308,11 +308,8 @@ def _add_plain(
         element = ElementNode(name, own, content, span=key, verbatim=False)
         body.add(_element_put_out(element, body))
         return
-    body.statements.append(
-        Element(
-            name, key, attributes, children, INHERITED, key if attributes else None, False, body
-        )
-    )
+    places = PlainKeyPlaces(key) if attributes else None
+    body.statements.append(Element(name, key, attributes, children, INHERITED, places, False, body))
 
 
 _NO_CHILDREN: list[Node] = []
@@ -449,7 +446,7 @@ def _parse_branch(
             hint=f"write `condition: {' '.join(node.text.split())}` below it, and then `body:`",
         )
     pairs = pairs_of(node, f"`{word}`", context)
-    fields = Fields(word, pairs, ("condition", "body"), key.span())
+    fields = Entries(word, pairs, ("condition", "body"), key.span())
     body_node = fields.get("body")
     body = Body()
     if body_node is not None:
@@ -504,7 +501,7 @@ def _parse_for(key: ScalarNode, node: YamlNode, context: ParseContext) -> ForNod
             else "write each entry as `name: value`, on a line of its own",
         )
     pairs = pairs_of(node, "`for`", context)
-    fields = Fields("for", pairs, ("iterator", "range", "in", "body"), key.span())
+    fields = Entries("for", pairs, ("iterator", "range", "in", "body"), key.span())
     body_node = fields.get("body")
     body = Body()
     if body_node is not None:
@@ -588,7 +585,7 @@ def _parse_function(key: ScalarNode, node: YamlNode, context: ParseContext) -> F
             if is_identifier(name)
             else "a function's name is one word that begins with a capital letter",
         )
-    fields = Fields(
+    fields = Entries(
         name, pairs_of(node, f"the function {name}", context), ("input", "body"), key.span()
     )
     input_node, body_node = fields.get("input"), fields.get("body")

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
+from ..yaml.brackets import find_close
 from .python import (
     PythonCode,
     compile_expression,
-    find_close,
     ros_call,
     ros_words,
     unclosed,

@@ -19,10 +19,9 @@ class ScalarNode(Span):
     needs no other object for it.
     """
 
-    __slots__ = ("_offsets", "_places", "anchor", "style", "text")
+    __slots__ = ("_offsets", "anchor", "style", "text")
 
     _offsets: array[int]  # of the characters of the text, once they were asked for
-    _places: dict[str, Span]  # of the values of attributes in a key, likewise
 
     def __init__(
         self,
@@ -52,19 +51,6 @@ class ScalarNode(Span):
         first = self.offset(start)
         last = self.offset(end - 1) + 1 if end > start else first
         return Span(self.source, first, max(first, last))
-
-    def get(self, attribute: str, /) -> Span | None:
-        """Return where the value of an attribute stands in the key of an element.
-
-        So that a key is what `xmltree.Places` asks for, and no object besides is needed.
-        """
-        try:
-            places = self._places
-        except AttributeError:  # few keys are asked, but some for each of many attributes
-            from ..syntax.keys import places_of_attributes
-
-            places = self._places = places_of_attributes(self)
-        return places.get(attribute)
 
     def anchor_span(self) -> Span:
         """Return the place of the scalar's anchor, such as `&name`."""

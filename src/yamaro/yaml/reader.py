@@ -11,7 +11,7 @@ import sys
 from ..diagnostics import Reporter, YamaroError, did_you_mean, failure
 from ..policy import Limits
 from ..source import Source, Span
-from .faults import refuse_characters, refuse_yaml
+from .characters import refuse_characters
 from .libyaml import (
     AliasEvent,
     DocumentStartEvent,
@@ -138,6 +138,8 @@ class _Builder:
             finally:
                 parser.dispose()
         except YAMLError as error:
+            from .faults import refuse_yaml
+
             refuse_yaml(error, self)
 
     def place(self, offset: int) -> int:

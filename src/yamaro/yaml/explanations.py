@@ -1,0 +1,477 @@
+"""What was probably meant by text that is no YAML: a function for each way to get it wrong.
+
+Each takes what the YAML parser said and returns the error to show, or None if the case is another.
+"""
+
+from __future__ import annotations
+
+from ..diagnostics import failure
+from .brackets import find_close
+from .libyaml import Parser, YAMLError
+from .nodes import quoted
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Protocol
+
+    from ..source import Span
+
+    class GivenText(Protocol):
+        """What is being read: the text, and how its offsets map to the file."""
+
+        text: str
+
+        def span(self, start: int, end: int) -> Span:
+            """Return the place of a stretch of the text."""
+
+
+MAX_KEY = 1024
+_NO_BREAK_SPACE = "\u00a0"
+
+
+def _line_around(text: str, at: int) -> tuple[int, int]:
+    """Return start and end of the line that holds offset `at`."""
+    start = max(text.rfind("\n", 0, at), text.rfind("\r", 0, at)) + 1
+    ends = [end for end in (text.find("\n", at), text.find("\r", at)) if end >= 0]
+    return start, min(ends) if ends else len(text)
+
+
+def _tab(given: GivenText, problem: str, context: str, begin: int, at: int) -> Exception | None:
+    text = given.text
+    start, end = _line_around(text, at)
+    margin = text[start:end][: len(text[start:end]) - len(text[start:end].lstrip())]
+    if "\t" not in margin or not ("tab" in problem or start <= at <= start + len(margin)):
+        return None
+    tab = start + margin.index("\t")
+    return failure(
+        "yaml-tab",
+        "a tab stands in the indentation; YAML indents with spaces only",
+        given.span(tab, tab + 1),
+        hint="replace the tab with spaces, and set the editor to do so",
+    )
+
+
+def _no_break_space(
+    given: GivenText, problem: str, context: str, begin: int, at: int
+) -> Exception | None:
+    """Explain an indentation pasted from a web page, which YAML takes for letters."""
+    text = given.text
+    found = text.find(_NO_BREAK_SPACE)
+    _, end = _line_around(text, at)
+    while 0 <= found < end:
+        start, _ = _line_around(text, found)
+        if not text[start:found].strip():
+            return failure(
+                "yaml-tab",
+                "a no-break space (U+00A0) stands in the indentation; YAML indents with spaces",
+                given.span(found, found + 1),
+                hint="replace it with a space; it often comes from pasting a web page",
+            )
+        found = text.find(_NO_BREAK_SPACE, found + 1)
+    return None
+
+
+def _start_of_value(
+    given: GivenText, problem: str, context: str, begin: int, at: int
+) -> Exception | None:
+    text = given.text
+    if "cannot start any token" not in problem and "alphabetic or numeric" not in problem:
+        return None
+    if "alphabetic" in problem:
+        at = begin
+    if text[at : at + 1] == "\t":
+        return failure(
+            "yaml-tab",
+            "a tab stands here, where YAML allows spaces only",
+            given.span(at, at + 1),
+            hint="replace the tab with a space",
+        )
+    return _needs_quotes(given, at)
+
+
+def _needs_quotes(given: GivenText, at: int) -> Exception:
+    """Return the error for a key or value at `at` whose first character YAML reserves."""
+    text = given.text
+    char = text[at : at + 1]
+    start, end = _line_around(text, at)
+    comment = text.find(" #", at, end)
+    value = text[at : comment if comment >= 0 else end].rstrip()
+    before = text[start:at].lstrip()
+    what, behind = "value", ""
+    if not before.strip("- ") and ": " in f"{value} ":
+        value, behind, _ = f"{value} ".partition(": ")
+        what, behind = "key", ":"
+    elif "{" in before or "[" in before:
+        ends = [index for index, each in enumerate(value) if index and each in ",]}"]
+        behind = value[ends[0] :] if ends else ""
+        value = value[: ends[0]].rstrip() if ends else value
+    hint = f"write {before}{quoted(value)}{behind}"
+    if char == "%" and before.endswith("{"):
+        hint = "conditions and loops are the statements `if:` and `for:`"
+    return failure(
+        "yaml-quote",
+        f"a {what} cannot begin with {char} in YAML unless it is quoted",
+        given.span(at, at + max(len(value), 1)),
+        hint=hint,
+    )
+
+
+def _open_quote(
+    given: GivenText, problem: str, context: str, begin: int, at: int
+) -> Exception | None:
+    if "quoted scalar" not in context or "end of stream" not in problem:
+        return None
+    return failure(
+        "yaml-open",
+        "this quote is never closed",
+        given.span(begin, begin + 1),
+        hint="put the same quote behind the text; a ' inside '…' is written ''",
+    )
+
+
+def _open_bracket(
+    given: GivenText, problem: str, context: str, begin: int, at: int
+) -> Exception | None:
+    text = given.text
+    if "flow" not in context or text[begin : begin + 1] not in ("[", "{"):
+        return None
+    closing = "]" if text[begin] == "[" else "}"
+    found = text[at : at + 1].strip()
+    key = max(text.rfind(sign, begin, at) for sign in ",[{") + 1
+    key += len(text[key:at]) - len(text[key:at].lstrip())
+    if found == ":" and at - key > MAX_KEY:
+        return _long_key(given, key)
+    hint = "quote a value that contains , : # [ ] { } and is meant as one text or expression"
+    dollar = text.rfind("$(", begin, at)
+    close = find_close(text, dollar + 2) if dollar >= 0 else -1
+    if close > at:
+        return failure(
+            "yaml-quote",
+            f"an expression that holds {found} must be quoted inside {{ }} and [ ]",
+            given.span(dollar, close + 1),
+            hint=f"write {quoted(text[dollar : close + 1])}",
+        )
+    if found and "\n" not in text[begin:at]:
+        return failure(
+            "yaml-open",
+            f"expected , or {closing} here, found {found}",
+            given.span(at, at + 1),
+            hint=hint,
+        )
+    return failure(
+        "yaml-open",
+        f"this {text[begin]} is not closed: there is no {closing} behind it",
+        given.span(begin, begin + 1),
+        hint=f"put a {closing} at its end; {hint}",
+    )
+
+
+def _escape(given: GivenText, problem: str, context: str, begin: int, at: int) -> Exception | None:
+    if "escape" not in problem and "expected hex" not in problem:
+        return None
+    slash = max(given.text.rfind("\\", 0, at + 1), 0)
+    if "invalid Unicode" in problem:
+        return failure(
+            "yaml-escape",
+            f"the escape that begins with '{given.text[slash : slash + 2]}' stands for no "
+            "character of Unicode",
+            given.span(slash, slash + 2),
+            hint="write the character itself",
+        )
+    lacks_digits = given.text[slash + 1 : slash + 2] in ("x", "u", "U")
+    return failure(
+        "yaml-escape",
+        f"the escape '{given.text[slash : slash + 2]}' has too few hexadecimal digits behind it"
+        if lacks_digits
+        else f"'{given.text[slash : slash + 2]}' is no escape that YAML knows",
+        given.span(slash, slash + 2),
+        hint="use single quotes, where a backslash is just a backslash, or double the backslash",
+    )
+
+
+def _tag(given: GivenText, problem: str, context: str, begin: int, at: int) -> Exception | None:
+    """Explain a tag that is not spelt like one; those that are get the same code."""
+    if "tag handle" not in problem and context not in _READING_TAGS:
+        return None
+    text = given.text
+    start = begin if text[begin : begin + 1] == "!" else at
+    _, end = _line_around(text, start)
+    written = text[start:end].split()[0] if text[start:end].strip() else "!"
+    return failure(
+        "yaml-tag",
+        f"'{written}' begins with !, which makes it a YAML tag, and tags have no meaning here",
+        given.span(start, start + len(written)),
+        hint="quote the value if it is text; an expression says `not` where others write !",
+    )
+
+
+def _second_anchor(
+    given: GivenText, problem: str, context: str, begin: int, at: int
+) -> Exception | None:
+    """Explain an anchor behind which YAML allows neither a second one nor an alias."""
+    text = given.text
+    start, _ = _line_around(text, at)
+    before = text[start:at].rstrip().rpartition(" ")[2]
+    if text[at : at + 1] not in ("&", "*") or not before.startswith("&"):
+        return None
+    written = text[at:].split(maxsplit=1)[0]
+    return failure(
+        "yaml-syntax",
+        "a value can have one anchor only"
+        if written.startswith("&")
+        else "an alias cannot have an anchor: its value has one already",
+        given.span(at, at + len(written)),
+        hint=f"delete {written if written.startswith('&') else before}",
+    )
+
+
+def _colon(given: GivenText, problem: str, context: str, begin: int, at: int) -> Exception | None:
+    text = given.text
+    start, end = _line_around(text, at)
+    if "mapping values are not allowed" in problem:
+        return _second_colon(given, start, end, at)
+    if "expected ':'" not in problem:
+        return None
+    first = text[begin:end]
+    if len(first.partition(": ")[0]) > MAX_KEY:
+        return _long_key(given, begin)
+    return _no_colon(given, begin)
+
+
+def _no_colon(given: GivenText, begin: int) -> Exception:
+    """Return the error for the line that begins at `begin` and is no `key: value`."""
+    text = given.text
+    _, end = _line_around(text, begin)
+    key, colon, value = text[begin:end].partition(":")
+    if colon and key.isidentifier():
+        return failure(
+            "yaml-syntax",
+            "there is no space behind the ':', so this is neither a key nor a value",
+            given.span(begin + len(key), begin + len(key) + 1),
+            hint=f"write {key}: {value.strip()}",
+        )
+    return failure(
+        "yaml-syntax",
+        "this line has no ':' with a space behind it, so it is neither a key nor a value"
+        if colon
+        else "this line has no ':', so it is neither a key nor a value",
+        given.span(begin, max(begin + len(text[begin:end].rstrip()), begin + 1)),
+        hint="put a ':' behind a key; indent a longer text deeper than its key",
+    )
+
+
+def _line_without_key_above(text: str, start: int) -> int | None:
+    """Return where the line above `start` begins if it is as deep and holds no key, or None."""
+    _, end = _line_around(text, start)
+    line = text[start:end]
+    above, above_end = _line_around(text, max(start - 1, 0))
+    before = text[above:above_end]
+    margin = len(before) - len(before.lstrip())
+    is_key = ": " in before or before.rstrip().endswith(":")
+    if not before.strip() or is_key or margin != len(line) - len(line.lstrip()):
+        return None
+    return above + margin
+
+
+def _long_key(given: GivenText, at: int) -> Exception:
+    return failure(
+        "yaml-long-key",
+        f"this key is longer than the {MAX_KEY:,} characters that YAML allows",
+        given.span(at, at + MAX_KEY),
+        hint="put long attribute values into variables: name/attribute=$(variable)",
+    )
+
+
+def _second_colon(given: GivenText, start: int, end: int, at: int) -> Exception:
+    text = given.text
+    line = text[start:end]
+    if at - start > MAX_KEY and ": " not in text[start:at]:
+        return _long_key(given, start + len(line) - len(line.lstrip()))
+    key, colon, value = line.partition(": ")
+    if colon and start + len(key) < at:
+        where = start + len(key) + 2
+        value = value.strip()
+        return failure(
+            "yaml-quote",
+            "a value that contains ': ' must be quoted",
+            given.span(where, max(where + len(value), where + 1)),
+            hint=f"write {key.strip()}: {quoted(value)}",
+        )
+    above = _line_without_key_above(text, start)
+    if above is not None:
+        return _no_colon(given, above)
+    return failure(
+        "yaml-syntax",
+        "a key stands here, but the lines above do not allow one at this indentation",
+        given.span(start + len(line) - len(line.lstrip()), at + 1),
+        hint="keys of one mapping begin in the same column; a key with a value holds no more keys",
+    )
+
+
+def _colon_in_key(
+    given: GivenText, problem: str, context: str, begin: int, at: int
+) -> Exception | None:
+    """Return the error for `item/a=$({'k': 1}['k']):`, where an expression in a key has a `: `."""
+    start, end = _line_around(given.text, at)
+    line = given.text[start:end]
+    before = line.partition(": ")[0]
+    key = line.rpartition(":")[0]
+    is_open = "$(" in before and before.count("(") > before.count(")")
+    if not is_open or before == key or key.count("(") != key.count(")"):
+        return None
+    where = len(key) - len(key.lstrip(" -"))
+    return failure(
+        "yaml-quote",
+        "a key that contains ': ' must be quoted",
+        given.span(start + where, start + len(key)),
+        hint=f"write {quoted(key[where:])}:",
+    )
+
+
+def _misplaced(
+    given: GivenText, problem: str, context: str, begin: int, at: int
+) -> Exception | None:
+    """Explain a sign that stands where YAML gives it another meaning."""
+    text = given.text
+    start, end = _line_around(text, at)
+    line = text[start:end]
+    if "sequence entries are not allowed" in problem:
+        key, _, item = line.strip().partition(": - ")
+        return failure(
+            "yaml-syntax",
+            "a list cannot begin on the line of its key",
+            given.span(at, at + 1),
+            hint=f"write {key}: [{item}], or put the dash on the next line",
+        )
+    if "comment or line break" in problem or "indentation indicator" in problem:
+        return failure(
+            "yaml-syntax",
+            "a block of text begins on the line after its | or >",
+            given.span(at, max(end, at + 1)),
+            hint="move this to the next line, indented",
+        )
+    if "incompatible YAML" in problem:
+        return failure(
+            "yaml-syntax",
+            "this version of YAML is not known",
+            given.span(start, end),
+            hint="delete the line",
+        )
+    if "directive" in problem or "directive" in context:
+        return failure(
+            "yaml-quote",
+            "a line cannot begin with % in YAML unless it is quoted",
+            given.span(start, end),
+            hint=f"write {quoted(line.strip())}",
+        )
+    if line.strip() == ":" or line.lstrip().startswith(": "):
+        colon = text.index(":", start)
+        return failure(
+            "yaml-syntax",
+            "the key is missing in front of this ':'",
+            given.span(colon, colon + 1),
+            hint="write name: value",
+        )
+    if text[at : at + 1] in (",", "]", "}") and not line[: at - start].rstrip().endswith(
+        ("]", "}")
+    ):
+        return _needs_quotes(given, at)
+    return None
+
+
+def _rest(given: GivenText, problem: str, context: str, begin: int, at: int) -> Exception | None:
+    text = given.text
+    start, end = _line_around(text, at)
+    before = text[start:at].rstrip()
+    if "document start" in problem and not before:
+        return failure(
+            "several-documents",
+            "the document has ended above, and this line does not belong to it",
+            given.span(start + len(before), max(end, start + 1)),
+            hint="the keys of a file all begin in the first column; `...` ends a file",
+        )
+    if before.endswith(("]", "}", '"', "'")) and text[at:end].strip():
+        begun = _quote_over_lines(given, start + len(before))
+        if begun is not None:
+            return begun
+        key, colon, value = text[start:end].partition(": ")
+        where = start + len(key) + 2
+        if not colon or at < start + len(key):  # it is the key that begins with a quote
+            colon = ""
+            where, value = start + len(key) - len(key.lstrip(" -")), key.lstrip(" -")
+        value = value.strip()
+        return _text_behind_quote(given, key.strip() if colon else "", value, where, at)
+    if "block" not in context and "document start" not in problem:
+        return None
+    column = at - start + len(text[at:end]) - len(text[at:end].lstrip())
+    return failure(
+        "yaml-syntax",
+        "this line does not fit into the mapping or list around it",
+        given.span(start + column, max(end, start + column + 1)),
+        hint="entries of one mapping or list begin in the same column",
+    )
+
+
+def _quote_over_lines(given: GivenText, end: int) -> Exception | None:
+    """Explain text behind a quote at `end` that closes one of a line before."""
+    text = given.text
+    begin = _start_of_quoted(text, end)
+    if begin is None or not any(char in text[begin:end] for char in "\r\n"):
+        return None
+    line, _ = given.span(end - 1, end).location()
+    return failure(
+        "yaml-open",
+        f"this quote is not closed before line {line}, where text follows behind the closing one",
+        given.span(begin, begin + 1),
+        hint=f"put a {text[begin]} at the end of the text that begins here",
+    )
+
+
+def _start_of_quoted(text: str, end: int) -> int | None:
+    """Return where the quoted text begins whose closing quote stands just before `end`."""
+    parser = Parser(text)
+    try:
+        while (token := parser.get_token()) is not None:
+            if token.end_mark.index == end and getattr(token, "style", None) in ("'", '"'):
+                return int(token.start_mark.index)
+    except YAMLError:
+        return None
+    finally:
+        parser.dispose()
+    return None
+
+
+def _text_behind_quote(given: GivenText, key: str, value: str, where: int, at: int) -> Exception:
+    """Return the error for a value whose quotes or brackets close before its end."""
+    text = given.text
+    closing = text[:at].rstrip()[-1]
+    advice, meant = "quote the whole value:", value
+    extra = value[len(text[where:at].rstrip()) :].strip()
+    if extra and not extra.strip("]}"):
+        advice, meant = "delete what is too much, or quote the whole value:", value
+    if text[at - 1] == closing == value[0] == value[-1] and text[at].isalnum():
+        advice, meant = f"a {closing} inside the text ends it; write", value[1:-1]
+    shown = f"{key}: {quoted(meant)}" if key else quoted(meant)
+    return failure(
+        "yaml-quote",
+        f"text follows behind the closing {closing} of this value",
+        given.span(where, max(where + len(value), where + 1)),
+        hint=f"{advice} {shown}",
+    )
+
+
+_READING_TAGS = ("while parsing a tag", "while scanning a tag")
+EXPLANATIONS = (
+    _colon_in_key,
+    _tag,
+    _tab,
+    _no_break_space,
+    _start_of_value,
+    _open_quote,
+    _open_bracket,
+    _escape,
+    _second_anchor,
+    _colon,
+    _misplaced,
+    _rest,
+)
