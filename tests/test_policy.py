@@ -41,7 +41,7 @@ def codes(path: str, policy: Policy) -> list[str]:
     ("arguments", "options", "message"),
     [
         (["trust"], {}, "there is no mode 'trust'; the modes are trusted, jail, safe"),
-        (["safe"], {"limits": {"step": 1}}, "there is no limit 'step'"),
+        (["safe"], {"limits": {"step": 1}}, "unknown limit 'step'"),
         (
             ["safe"],
             {"limits": {"steps": 0}},

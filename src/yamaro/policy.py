@@ -122,7 +122,7 @@ class Limits:
         for spelling, value in others.items():
             name = spelling.replace("-", "_")
             if name not in _LIMITS:
-                raise ValueError(f"there is no limit '{shown(name)}'")
+                raise ValueError(f"unknown limit '{shown(name)}'")
             if not getattr(self, name):
                 raise ValueError(f"the limit '{shown(name)}' has a meaning in safe mode only")
             least, most = limit_range(name)

@@ -290,7 +290,7 @@ def test_file_with_the_name_of_a_command_is_reached_by_its_path(
     if command != "completion":
         status, _, err = outcome(capsys, command)
         assert status == 2
-        assert f"for a file of that name write './{command}'" in err
+        assert f"to compile the file of that name, write './{command}'" in err
         assert outcome(capsys, command, command, "-q")[0] in (0, 1)
 
 
@@ -490,47 +490,50 @@ def test_words_after_two_dashes_are_no_options() -> None:
 @pytest.mark.parametrize(
     ("words", "message"),
     [
-        ("", "no FILE is given"),
-        ("--", "no FILE is given"),
-        ("a:=1", "no FILE is given"),
+        ("", "missing FILE"),
+        ("--", "missing FILE"),
+        ("a:=1", "missing FILE"),
         ("check", "'yamaro check' needs a FILE"),
-        ("a.yaml b.yaml", "'b.yaml' is one FILE too many after 'a.yaml'"),
+        ("a.yaml b.yaml", "unexpected argument 'b.yaml' after 'a.yaml'"),
         (
             "a.yaml legs=6",
-            "'legs=6' is one FILE too many after 'a.yaml'; variables are set like 'legs:=6'",
+            "unexpected argument 'legs=6' after 'a.yaml'; to set a variable, write 'legs:=6'",
         ),
-        ("chekc a.yaml", "there is no command 'chekc'; did you mean 'check'?"),
-        ("--strct a.yaml", "there is no option '--strct'; did you mean '--strict'?"),
-        ("--colour always a.yaml", "there is no option '--colour'; did you mean '--color'?"),
-        ("-strict a.yaml", "there is no option '-strict'; did you mean '--strict'?"),
-        ("-qz a.yaml", "there is no option '-z'"),
-        ("--xyzzy a.yaml", "there is no option '--xyzzy'"),
+        ("chekc a.yaml", "unknown command 'chekc'; did you mean 'check'?"),
+        ("--strct a.yaml", "unknown option '--strct'; did you mean '--strict'?"),
+        ("--colour always a.yaml", "unknown option '--colour'; did you mean '--color'?"),
+        ("-strict a.yaml", "unknown option '-strict'; did you mean '--strict'?"),
+        ("-qz a.yaml", "unknown option '-z'"),
+        ("--xyzzy a.yaml", "unknown option '--xyzzy'"),
         ("a.yaml -o", "'-o' needs a file name after it"),
         ("a.yaml --output=", "'--output' needs a file name after it"),
         ("a.yaml -o x --output y", "'--output' is given twice"),
         ("a.yaml --quiet=yes", "'--quiet' takes no value"),
         ("a.yaml --color", "'--color' needs auto, always or never after it"),
         ("a.yaml --color on", "'--color' takes auto, always or never, not 'on'"),
-        ("check a.yaml -o x", "'--output' has no meaning for 'yamaro check'"),
-        ("tree a.yaml --deps", "'--deps' has no meaning for 'yamaro tree'"),
-        ("--safe --jail a.yaml", "'--jail' and '--safe' exclude each other"),
-        ("tree a.yaml --safe --trust", "'--trust' and '--safe' exclude each other"),
+        ("check a.yaml -o x", "'--output' cannot be used with 'yamaro check'"),
+        ("tree a.yaml --deps", "'--deps' cannot be used with 'yamaro tree'"),
+        ("--safe --jail a.yaml", "'--jail' and '--safe' cannot be combined"),
+        ("tree a.yaml --safe --trust", "'--trust' and '--safe' cannot be combined"),
         ("--safe=yes a.yaml", "'--safe' takes no value"),
         ("a.yaml --timeout", "'--timeout' needs a number of seconds after it"),
         ("a.yaml --timeout 1 --timeout 2", "'--timeout' is given twice"),
-        ("a.yaml --timeout 0", "'--timeout' takes a number of seconds above 0, not '0'"),
-        ("a.yaml --timeout=1min", "'--timeout' takes a number of seconds above 0, not '1min'"),
-        ("a.yaml --timeout nan", "'--timeout' takes a number of seconds above 0, not 'nan'"),
-        ("a.yaml --timeout inf", "'--timeout' takes a number of seconds above 0, not 'inf'"),
+        ("a.yaml --timeout 0", "'--timeout' takes a number of seconds greater than 0, not '0'"),
+        (
+            "a.yaml --timeout=1min",
+            "'--timeout' takes a number of seconds greater than 0, not '1min'",
+        ),
+        ("a.yaml --timeout nan", "'--timeout' takes a number of seconds greater than 0, not 'nan'"),
+        ("a.yaml --timeout inf", "'--timeout' takes a number of seconds greater than 0, not 'inf'"),
         ("--safe a.yaml --allow-path", "'--allow-path' needs a file or folder after it"),
         ("--safe a.yaml --allow-path=", "'--allow-path' needs a file or folder after it"),
         (
             "a.yaml --allow-path /opt",
-            "'--allow-path' has a meaning with --jail and --safe only",
+            "'--allow-path' needs --jail or --safe",
         ),
         (
             "check --trust a.yaml --allow-path /opt",
-            "'--allow-path' has a meaning with --jail and --safe only",
+            "'--allow-path' needs --jail or --safe",
         ),
         ("a.yaml --limit", "'--limit' needs NAME=NUMBER after it"),
         (
@@ -547,15 +550,15 @@ def test_words_after_two_dashes_are_no_options() -> None:
             "a.yaml --limit turns=-5",
             "the limit 'turns' is a whole number from 1 to 1,125,899,906,842,624",
         ),
-        ("a.yaml --limit turn=9", "there is no limit 'turn'; did you mean 'turns'?"),
-        ("a.yaml --limit xml_depth=9", "there is no limit 'xml_depth'; did you mean 'xml-depth'?"),
+        ("a.yaml --limit turn=9", "unknown limit 'turn'; did you mean 'turns'?"),
+        ("a.yaml --limit xml_depth=9", "unknown limit 'xml_depth'; did you mean 'xml-depth'?"),
         ("a.yaml --limit steps=9", "the limit 'steps' has a meaning in safe mode only"),
         ("--jail a.yaml --limit steps=9", "the limit 'steps' has a meaning in safe mode only"),
-        ("completion --safe bash", "'--safe' has no meaning for 'yamaro completion'"),
+        ("completion --safe bash", "'--safe' cannot be used with 'yamaro completion'"),
         ("completion", "'yamaro completion' needs a shell: bash, zsh, fish"),
         ("completion tcsh", "'yamaro completion' needs a shell: bash, zsh, fish"),
         ("completion bash zsh", "'yamaro completion' needs a shell: bash, zsh, fish"),
-        ("--\x1b[2J", "there is no option '--\\x1b[2J'"),
+        ("--\x1b[2J", "unknown option '--\\x1b[2J'"),
     ],
 )
 def test_wrong_usage_is_told_in_one_line(
@@ -572,7 +575,7 @@ def test_an_unknown_limit_that_is_like_none_lists_them_all(
     status, _, err = outcome(capsys, "--limit", "zzz=1", write(PLAIN))
     assert status == 2
     said = err.splitlines()[0]
-    assert said.startswith("yamaro: error: there is no limit 'zzz'; the limits are file, files, ")
+    assert said.startswith("yamaro: error: unknown limit 'zzz'; the limits are file, files, ")
     assert set(limit_names()) <= set(said.replace(",", "").split())
 
 
@@ -626,13 +629,13 @@ def test_every_option_belongs_to_a_command_and_is_explained() -> None:
 @pytest.mark.parametrize(
     ("words", "message"),
     [
-        ("help chekc", "there is no command 'chekc'; did you mean 'check'?"),
+        ("help chekc", "unknown command 'chekc'; did you mean 'check'?"),
         (
             "help robot.yaml",
-            f"there is no command 'robot.yaml'; there are {', '.join(named_commands())}",
+            f"unknown command 'robot.yaml'; the commands are {', '.join(named_commands())}",
         ),
-        ("help check tree", "'tree' is one COMMAND too many after 'check'"),
-        ("help check --strict", "'--strict' has no meaning for 'yamaro help'"),
+        ("help check tree", "unexpected argument 'tree' after 'check'"),
+        ("help check --strict", "'--strict' cannot be used with 'yamaro help'"),
     ],
 )
 def test_help_of_no_command_is_wrong_usage(
@@ -673,7 +676,7 @@ def test_output_that_is_the_main_file_is_refused(
     os.link("robot.yaml", "hard.yaml")
     status, out, err = outcome(capsys, "robot.yaml", "-o", name)
     assert (status, out) == (2, "")
-    assert f"the output '{name}' is one of the files that are compiled" in err
+    assert f"the output '{name}' is one of the input files" in err
     assert Path("robot.yaml").read_text() == PLAIN
 
 
@@ -757,7 +760,7 @@ def test_working_directory_that_is_gone_is_told() -> None:
         timeout=PATIENCE,
     )
     assert result.returncode == 2
-    assert b"error: the working directory does not exist any more" in result.stderr
+    assert b"error: the working directory no longer exists" in result.stderr
 
 
 def test_streams_are_given_back(capsys: pytest.CaptureFixture[str]) -> None:

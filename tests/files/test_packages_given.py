@@ -77,8 +77,8 @@ def test_several_packages_may_be_given_and_the_last_of_a_name_counts(
         ("hand=../far", "'--package' takes NAME:=FOLDER, not 'hand=../far'"),
         (":=../far", "'--package' takes NAME:=FOLDER, not ':=../far'"),
         ("hand:=", "'--package' takes NAME:=FOLDER, not 'hand:='"),
-        ("hand:=../near", "the folder '../near' of the package 'hand' is not there"),
-        ("hand:=robot.yaml", "the folder 'robot.yaml' of the package 'hand' is not there"),
+        ("hand:=../near", "the folder '../near' of the package 'hand' does not exist"),
+        ("hand:=robot.yaml", "the folder 'robot.yaml' of the package 'hand' does not exist"),
     ],
 )
 def test_what_is_no_folder_is_wrong_usage(

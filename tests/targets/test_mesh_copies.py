@@ -117,7 +117,7 @@ def test_a_file_that_differs_is_not_overwritten(
     output.write_text("old")
     capsys.readouterr()
     assert main(["-q", str(robot), "-o", str(output), "--meshes", "copy"]) == 1
-    assert "another file of that name is there" in capsys.readouterr().err
+    assert "another file has that name" in capsys.readouterr().err
     assert (copy.read_text(), output.read_text()) == ("mine", "old")
 
 

@@ -47,7 +47,7 @@ class Arguments:
         try:
             self.output_path = os.path.join(os.getcwd(), self.options.get("output", ""))
         except OSError:
-            raise WrongUsage("the working directory does not exist any more") from None
+            raise WrongUsage("the working directory no longer exists") from None
 
 
 def parse_arguments(argv: Sequence[str]) -> Arguments:
@@ -89,7 +89,7 @@ def _add_long_option(arguments: Arguments, word: str, pending: list[str]) -> Non
     name, has_value, value = word.partition("=")
     option = SPELLINGS.get(name)
     if option is None:
-        raise WrongUsage(f"there is no option {quote(name)}{near(name, SPELLINGS)}")
+        raise WrongUsage(f"unknown option {quote(name)}{near(name, SPELLINGS)}")
     if not option.value:
         if has_value:
             raise WrongUsage(f"'{name}' takes no value")
@@ -102,12 +102,12 @@ def _add_long_option(arguments: Arguments, word: str, pending: list[str]) -> Non
 def _add_short_options(arguments: Arguments, word: str, pending: list[str]) -> None:
     """Add `-q`, `-qo FILE` or `-oFILE`."""
     if "-" + word in SPELLINGS:
-        raise WrongUsage(f"there is no option {quote(word)}; did you mean '-{word}'?")
+        raise WrongUsage(f"unknown option {quote(word)}; did you mean '-{word}'?")
     for position, letter in enumerate(word[1:], start=2):
         name = "-" + letter
         option = SPELLINGS.get(name)
         if option is None:
-            raise WrongUsage(f"there is no option {quote(name)}")
+            raise WrongUsage(f"unknown option {quote(name)}")
         if option.value:
             _set_option(arguments, name, word[position:] or _next_value(name, option, pending))
             return
@@ -138,11 +138,11 @@ def _check_arguments(arguments: Arguments) -> None:
     for name in arguments.options:
         if command not in OPTIONS[name].commands:
             usage = "yamaro FILE" if command == BUILD else f"yamaro {command}"
-            raise WrongUsage(f"'--{name}' has no meaning for '{usage}'")
+            raise WrongUsage(f"'--{name}' cannot be used with '{usage}'")
     for name, option in OPTIONS.items():
         for other in option.excludes:
             if arguments.has(name) and arguments.has(other):
-                raise WrongUsage(f"'--{name}' and '--{other}' exclude each other")
+                raise WrongUsage(f"'--{name}' and '--{other}' cannot be combined")
     if not COMMANDS[command].words:  # it takes no file
         return
     if not arguments.words:
@@ -153,14 +153,18 @@ def _check_arguments(arguments: Arguments) -> None:
 
 def _missing_file(command: str) -> str:
     if command == BUILD:
-        return "no FILE is given"
-    aside = f"; for a file of that name write './{command}'" if os.path.isfile(command) else ""
+        return "missing FILE"
+    aside = (
+        f"; to compile the file of that name, write './{command}'"
+        if os.path.isfile(command)
+        else ""
+    )
     return f"'yamaro {command}' needs a FILE{aside}"
 
 
 def _second_file(first: str, second: str) -> str:
     if not os.path.exists(first) and (hint := near(first, named_commands())):
-        return f"there is no command {quote(first)}{hint}"
+        return f"unknown command {quote(first)}{hint}"
     name, has_value, value = second.partition("=")
-    hint = f"; variables are set like {quote(f'{name}:={value}')}" if has_value else ""
-    return f"{quote(second)} is one FILE too many after {quote(first)}{hint}"
+    hint = f"; to set a variable, write {quote(f'{name}:={value}')}" if has_value else ""
+    return f"unexpected argument {quote(second)} after {quote(first)}{hint}"

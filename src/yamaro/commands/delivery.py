@@ -39,7 +39,9 @@ def deliver(
         else:
             write_file(arguments.output_path, map(_in_file, chunks))
     except NotForTerminal:
-        raise WrongUsage("this is not for a terminal: name a file, or pipe it on") from None
+        raise WrongUsage(
+            "refusing to write binary data to a terminal: name a file, or use a pipe"
+        ) from None
     except BrokenPipeError:
         raise
     except OSError as error:
@@ -73,7 +75,9 @@ def deliver_assets(
         return DONE
     output = arguments.output_path
     if os.path.exists(output) and not os.path.isfile(output):
-        raise WrongUsage("'--meshes copy' needs a regular file as the output, beside which they go")
+        raise WrongUsage(
+            "'--meshes copy' needs '-o' with a regular file; the copies are written beside it"
+        )
     try:
         folder = os.path.dirname(output)
         files = {os.path.join(folder, name): data for name, data in find().items()}
@@ -91,14 +95,14 @@ def _is_written(path: str, data: bytes) -> bool:
         return False
     if os.path.isfile(path) and read_start(path, len(data) + 1) == data:
         return True
-    raise FileExistsError(17, "another file of that name is there", path)
+    raise FileExistsError(17, "another file has that name", path)
 
 
 def refuse_overwriting(arguments: Arguments, inputs: Callable[[], Sequence[str]]) -> None:
     """Refuse an output that is one of the files read."""
     if not goes_to_standard_output(arguments) and is_input(arguments.output_path, inputs()):
         output = quote(arguments.options["output"])
-        raise WrongUsage(f"the output {output} is one of the files that are compiled")
+        raise WrongUsage(f"the output {output} is one of the input files")
 
 
 def refuse_replacing(arguments: Arguments, paths: Sequence[str]) -> None:
@@ -111,6 +115,4 @@ def refuse_replacing(arguments: Arguments, paths: Sequence[str]) -> None:
         except OSError:
             continue
         if is_there:
-            raise WrongUsage(
-                f"{quote(os.path.relpath(path))} is there already; --force replaces it"
-            )
+            raise WrongUsage(f"{quote(os.path.relpath(path))} already exists; --force replaces it")

@@ -15,17 +15,19 @@ if TYPE_CHECKING:
 COLUMNS = 100
 MARGIN = 24
 """Columns before what is said of an option."""
-STATUS = "exit status: 0 done, 1 errors in the input or nowhere to write, 2 wrong usage"
+STATUS = "exit status: 0 success, 1 errors in the input or the output, 2 wrong usage"
 
 
 def run(arguments: Arguments, streams: Streams) -> int:
     """Write the help of the command that is named; return the exit status."""
     topics = arguments.words or [BUILD]
     if topics[0] not in COMMANDS:
-        hint = near(topics[0], named_commands()) or f"; there are {', '.join(named_commands())}"
-        raise WrongUsage(f"there is no command {quote(topics[0])}{hint}")
+        hint = (
+            near(topics[0], named_commands()) or f"; the commands are {', '.join(named_commands())}"
+        )
+        raise WrongUsage(f"unknown command {quote(topics[0])}{hint}")
     if len(topics) > 1:
-        raise WrongUsage(f"{quote(topics[1])} is one COMMAND too many after {quote(topics[0])}")
+        raise WrongUsage(f"unexpected argument {quote(topics[1])} after {quote(topics[0])}")
     return deliver([help_of(topics[0])], arguments, streams)
 
 
@@ -36,11 +38,11 @@ def help_of(name: str) -> str:
     if command.words:
         blocks.append([line for word, text in command.words for line in _row(word, text)])
     options = [line for option in options_of(name) for line in _option(option, command)]
-    blocks.append(["options, in any place:", *options])
+    blocks.append(["options, in any order:", *options])
     if name == BUILD:
         others = [(other, COMMANDS[other].summary) for other in named_commands()]
         rows = [line for other, summary in others for line in _row(f"yamaro {other}", summary)]
-        blocks.append(["other commands; 'yamaro COMMAND --help' tells more of each:", *rows])
+        blocks.append(["other commands; see 'yamaro COMMAND --help':", *rows])
     if command.examples:
         blocks.append(["examples:", *(f"  {example}" for example in command.examples)])
     if name == BUILD:
@@ -61,7 +63,7 @@ def _option(option: Option, command: Command) -> list[str]:
     if option.is_repeatable:
         text += "; may be repeated"
     if option.name == "safe" and command.looks:
-        text += "; the default, but what safe mode refuses is then run in the jail"
+        text += "; the default, with the jail for files that safe mode rejects"
     if option.name == "trust" and not command.looks:
         text += "; the default"
     head = f"-{option.short}, " if option.short else "    "

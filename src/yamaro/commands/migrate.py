@@ -98,7 +98,7 @@ def _deliver(result: Result, arguments: Arguments, streams: Streams) -> int:
     if status != DONE:
         return status
     if result.has_errors:
-        streams.say(f"{name}: the sources have errors; see above")
+        streams.say(f"{name}: the sources have errors, shown above")
         return INPUT_ERROR
     if not result.is_same:
         say = streams.say
@@ -115,4 +115,4 @@ def _several_files(count: int, arguments: Arguments) -> str:
         path = os.path.basename(arguments.words[0])
     stem = os.path.splitext(path.removesuffix(".xacro"))[0]
     folder = stem if stem not in ("", "-") else "robot"
-    return f"this robot becomes {count} files: give a folder, as in {quote(f'-o {folder}/')}"
+    return f"this robot becomes {count} files: '-o' needs a folder, as in {quote(f'-o {folder}/')}"

@@ -40,7 +40,7 @@ def _request(arguments: Arguments) -> Request:
 
     output = arguments.options.get("output")
     if output is None:
-        raise WrongUsage("'yamaro picture' needs a file to write: -o robot.png")
+        raise WrongUsage("'yamaro picture' needs an output file: -o robot.png")
     try:
         request = Request(output, arguments.options, arguments.lists)
     except UsageError as error:
@@ -53,7 +53,9 @@ def _picture(build: Build, arguments: Arguments, streams: Streams, began: float)
     from ..diagnostics import YamaroError
 
     if build.root.name != "robot":
-        raise WrongUsage(f"'yamaro picture' draws robots, and this is a <{build.root.name}>")
+        raise WrongUsage(
+            f"'yamaro picture' needs a robot, but the root element is <{build.root.name}>"
+        )
     result = _draw(build, arguments, streams, began)
     build.warnings.extend(result.warnings)
     if read_adjustment(arguments).deny(result.warnings):

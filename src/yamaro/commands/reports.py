@@ -79,7 +79,7 @@ def report_fault(error: Exception, streams: Streams) -> int:
     told = f"{kind}: {error}" + (f" ({place})" if place else "")
     streams.say(
         f"yamaro: internal error: {shortened(told)}\n"
-        "this is a fault in Yamaro, not in your file; please report it with what you ran"
+        "this is a bug in Yamaro, not in your file; please report it and the command you ran"
     )
     if os.environ.get("YAMARO_TRACEBACK"):
         import traceback

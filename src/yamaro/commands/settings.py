@@ -30,7 +30,7 @@ def make_policy(arguments: Arguments) -> Policy:
     looks = mode is None and COMMANDS[arguments.command].looks
     allowed = arguments.lists.get("allow-path", [])
     if allowed and not looks and mode in (None, TRUSTED):
-        raise WrongUsage("'--allow-path' has a meaning with --jail and --safe only")
+        raise WrongUsage("'--allow-path' needs --jail or --safe")
     limits = dict(map(_read_limit, arguments.lists.get("limit", [])))
     timeout = _read_timeout(arguments)
     try:
@@ -66,7 +66,7 @@ def _read_limit(text: str) -> tuple[str, int]:
     names = limit_names()
     if name not in names:
         hint = near(name, names) or "; the limits are " + ", ".join(names)
-        raise WrongUsage(f"there is no limit {quote(name)}{hint}")
+        raise WrongUsage(f"unknown limit {quote(name)}{hint}")
     try:
         return name.replace("-", "_"), int(value)
     except ValueError:
@@ -84,7 +84,7 @@ def _read_timeout(arguments: Arguments) -> float | None:
     except ValueError:
         seconds = 0.0
     if not 0 < seconds <= MOST_SECONDS:
-        raise WrongUsage(f"'--timeout' takes a number of seconds above 0, not {quote(text)}")
+        raise WrongUsage(f"'--timeout' takes a number of seconds greater than 0, not {quote(text)}")
     return seconds
 
 
@@ -97,7 +97,7 @@ def read_packages(arguments: Arguments) -> dict[str, str]:
             raise WrongUsage(f"'--package' takes NAME:=FOLDER, not {quote(text)}")
         if not os.path.isdir(folder):
             raise WrongUsage(
-                f"the folder {quote(folder)} of the package {quote(name)} is not there"
+                f"the folder {quote(folder)} of the package {quote(name)} does not exist"
             )
         packages[name] = folder
     return packages

@@ -137,9 +137,9 @@ COMMANDS = {
         Command(
             "check",
             ("FILE [name:=value ...]",),
-            "look for errors, warnings and doubtful things; write nothing",
-            "Look for errors, warnings and doubtful things, and write no XML. Any finding makes it "
-            "exit with 1.",
+            "check a robot for errors and likely mistakes",
+            "Report errors, warnings and likely mistakes, without writing XML. Exit with 1 if "
+            "there are any findings.",
             words=FILE_WORDS,
             looks=True,
             endings=ENDINGS,
@@ -156,9 +156,9 @@ COMMANDS = {
         Command(
             "view",
             ("FILE [name:=value ...]",),
-            "show the robot in the browser, and again at each save",
-            "Show a robot in the browser, and show it again whenever one of its files is saved. "
-            "Ctrl-C ends it.",
+            "show the robot in the browser, updated at each save",
+            "Show a robot in the browser, and update it whenever one of its files is saved. "
+            "Press Ctrl-C to stop.",
             words=FILE_WORDS,
             looks=True,
             endings=ENDINGS,
@@ -166,8 +166,9 @@ COMMANDS = {
         Command(
             "watch",
             ("FILE -o FILE [name:=value ...]",),
-            "compile again at each save, and report each build",
-            "Compile a file now and whenever one of its files is saved. Ctrl-C ends it.",
+            "compile at each save, and report each build",
+            "Compile a file now and whenever one of its input files is saved. Press Ctrl-C to "
+            "stop.",
             words=FILE_WORDS,
             endings=ENDINGS,
             examples=("yamaro watch robot.yaml -o robot.urdf",),
@@ -175,9 +176,9 @@ COMMANDS = {
         Command(
             "picture",
             ("FILE -o FILE.png [name:=value ...]",),
-            "draw the robot as a PNG, GIF or MP4",
-            "Draw a robot. Needs no display and no browser, but the Python packages of "
-            "yamaro[picture].",
+            "render the robot as a PNG, GIF or MP4",
+            "Render an image or a film of a robot. Requires the Python packages of "
+            "yamaro[picture], but no display or browser.",
             words=FILE_WORDS,
             looks=True,
             endings=ENDINGS,
@@ -190,13 +191,13 @@ COMMANDS = {
         Command(
             "migrate",
             ("FILE [-o FILE]", "FILE -o FOLDER [name:=value ...]"),
-            "write a URDF, a robot in xacro or other XML as YAML",
-            "Write a URDF, or other XML, as a YAML file of Yamaro; write a robot in xacro as a "
-            "folder of YAML files, one for each of its files. Then build the result, and report "
-            "any difference.",
+            "convert URDF, xacro or other XML to YAML",
+            "Convert a URDF, or other XML, to a YAML file; convert a xacro robot to a folder of "
+            "YAML files, one for each xacro file. Then build the result, and report any "
+            "difference.",
             words=(
                 ("FILE", "the XML file, or - for standard input"),
-                ("name:=value", "set an argument of xacro for the comparison"),
+                ("name:=value", "set a xacro argument for the comparison"),
             ),
             looks=True,
             endings=("urdf", "xacro", "xml"),
@@ -205,14 +206,14 @@ COMMANDS = {
             "completion",
             ("bash|zsh|fish",),
             "print a completion script for a shell",
-            "Print a script with which a shell completes commands, options, files and variables.",
+            "Print a script that lets a shell complete commands, options, files and variables.",
             examples=('eval "$(yamaro completion bash)"',),
         ),
         Command(
             "help",
             ("[COMMAND]",),
             "show the options of a command",
-            "Show what a command does and which options it has.",
+            "Show what a command does, and its options.",
         ),
     )
 }
@@ -230,8 +231,7 @@ OPTIONS = {
     for option in (
         Option(
             "output",
-            "write to FILE instead of standard output; it is replaced in one step if all went "
-            "well, and is left as it was otherwise",
+            "write to FILE instead of standard output; after an error, FILE is not changed",
             ("build", "watch", "picture", "migrate"),
             short="o",
             value="FILE",
@@ -239,21 +239,21 @@ OPTIONS = {
             completes="files",
             help_in={
                 "picture": ".png or .jpg; .gif or .mp4 for a film; - for a PNG on standard output",
-                "migrate": "write to FILE instead of standard output; a robot in xacro of several "
+                "migrate": "write to FILE instead of standard output; a xacro robot of several "
                 "files needs a folder",
             },
         ),
-        Option("force", "replace a file that is there already", ("migrate",)),
+        Option("force", "replace existing files", ("migrate",)),
         Option(
             "exact",
-            "keep what means nothing, such as which origins are left out, instead of writing what "
-            "is shorter",
+            "keep details without meaning, such as which origins are omitted, instead of writing "
+            "the shorter form",
             ("migrate",),
         ),
         Option(
             "with",
-            "migrate the files of that package as well; by default those of the robot's own "
-            "package, and what they cannot do without",
+            "also migrate the files of that package; by default only the files of the robot's own "
+            "package and the files they depend on are migrated",
             ("migrate",),
             value="PACKAGE",
             wants="the name of a package",
@@ -263,14 +263,14 @@ OPTIONS = {
         Option("all", "migrate the files of all packages", ("migrate",), excludes=("with",)),
         Option(
             "deps",
-            "list the files read and the meshes used, one a line, instead of the XML",
+            "list the files read and the meshes used, one per line, instead of writing the XML",
             ("build",),
         ),
         Option(
             "meshes",
-            "name meshes and textures that are there: relative to the output (the default), keep "
-            "them as written, absolute, copy them to assets/ beside the output, package://NAME; "
-            "none leaves meshes out",
+            "how the XML refers to existing meshes and textures: relative to the output (the "
+            "default), keep the paths as written, absolute, copy them to assets/ beside the "
+            "output, package://NAME; none omits meshes",
             ("build", "watch"),
             value="HOW",
             wants="relative, keep, absolute, copy, package://NAME or none",
@@ -278,16 +278,16 @@ OPTIONS = {
         ),
         Option(
             "port",
-            "serve the page at that port; by default at any that is free",
+            "serve the page at that port; by default at any free port",
             VIEW,
             value="N",
             wants="a number from 0 to 65535",
         ),
-        Option("no-browser", "open no browser, only print the address of the page", VIEW),
+        Option("no-browser", "do not open a browser, only print the address of the page", VIEW),
         Option(
             "editor",
-            "open files with that command: 'code -g {file}:{line}:{column}'; by default with what "
-            "VISUAL or EDITOR names, if that has a window",
+            "open files with that command: 'code -g {file}:{line}:{column}'; by default with "
+            "VISUAL or EDITOR, if it opens a window",
             VIEW,
             value="COMMAND",
             wants="a command",
@@ -302,8 +302,9 @@ OPTIONS = {
         ),
         Option(
             "view",
-            "direction to look from: iso (the default), front, back, left, right, top, bottom, or "
-            "azimuth and elevation of the camera in degrees: 30,20; several make a sheet",
+            "viewing direction: iso (the default), front, back, left, right, top, bottom, or "
+            "azimuth and elevation of the camera in degrees: 30,20; several are combined in one "
+            "image",
             PICTURE,
             value="VIEW",
             wants="the name of a view, or azimuth,elevation",
@@ -320,8 +321,8 @@ OPTIONS = {
         ),
         Option(
             "show",
-            "what to draw: visual (the default), collision, inertia, frames, grid; several with "
-            "commas",
+            "what to show: visual (the default), collision, inertia, frames, grid; separate "
+            "several with commas",
             PICTURE,
             value="WHAT",
             wants="visual, collision, inertia, frames or grid",
@@ -330,14 +331,14 @@ OPTIONS = {
         ),
         Option(
             "transparent",
-            "draw nothing behind the robot but its shadow; .png and .gif",
+            "make the background transparent, except for the robot's shadow; .png and .gif",
             PICTURE,
         ),
-        Option("turn", "make a film in which the camera goes around the robot", PICTURE),
+        Option("turn", "make a film in which the camera circles the robot", PICTURE),
         Option(
             "sweep",
-            "make a film in which joints go through their limits; names with commas, all of them "
-            "at once with 'all', or one after the other with 'each'",
+            "make a film in which joints move through their limits; names separated by commas, "
+            "'all' for all at once, or 'each' for one after the other",
             PICTURE,
             value="JOINTS",
             wants="names of joints, all or each",
@@ -352,14 +353,14 @@ OPTIONS = {
         ),
         Option(
             "frames-per-second",
-            "number of pictures in a second of a film; 20 for a .gif and 25 for an .mp4 by default",
+            "frame rate of a film; 20 for a .gif and 25 for an .mp4 by default",
             PICTURE,
             value="N",
             wants="a number",
         ),
         Option(
             "quiet",
-            "show errors only: no warnings, nothing that is printed",
+            "show errors only: no warnings and no output of 'print'",
             WORKING,
             short="q",
         ),
@@ -375,7 +376,7 @@ OPTIONS = {
         ),
         Option(
             "deny",
-            "treat messages with that code as errors; advice of 'yamaro check' too",
+            "treat messages with that code as errors; also advice of 'yamaro check'",
             BUILDING,
             value="CODE",
             wants="the code of a message",
@@ -384,33 +385,33 @@ OPTIONS = {
         ),
         Option(
             "trust",
-            "let the file do whatever Python can",
+            "allow the file to do anything that Python can",
             WORKING,
             excludes=("jail", "safe"),
         ),
         Option(
             "jail",
-            "let it do so in a process that can only read: its own folder and packages; it can "
-            "write nothing, and reach no network (Linux only)",
+            "allow the file all of Python in a process that can read its folder and packages, but "
+            "cannot write files or reach the network (Linux only)",
             WORKING,
             excludes=("trust", "safe"),
         ),
         Option(
             "safe",
-            "let it do nothing but compute: no Python modules, no loops in `process`",
+            "allow the file only to compute: no Python modules, no loops in `process`",
             WORKING,
             excludes=("trust", "jail"),
         ),
         Option(
             "timeout",
-            "end it after that time; with --jail and --safe after 60 by default",
+            "stop after that time; with --jail and --safe, 60 by default",
             WORKING,
             value="SECONDS",
             wants="a number of seconds",
         ),
         Option(
             "allow-path",
-            "with --jail and --safe, let it read a file or folder",
+            "allow reading a file or folder with --jail and --safe",
             WORKING,
             value="PATH",
             wants="a file or folder",
@@ -419,7 +420,7 @@ OPTIONS = {
         ),
         Option(
             "limit",
-            "set how much it may use, such as turns=5000000",
+            "change a limit, such as turns=5000000",
             WORKING,
             value="NAME=N",
             wants="NAME=NUMBER",
@@ -428,7 +429,7 @@ OPTIONS = {
         ),
         Option(
             "package",
-            "say where a ROS package is that is not found",
+            "set the folder of a ROS package",
             WORKING,
             value="NAME:=FOLDER",
             wants="NAME:=FOLDER",

@@ -13,7 +13,7 @@ INTERNAL_ERROR = 70  # EX_SOFTWARE of sysexits.h
 INTERRUPTED = 130  # 128 + SIGINT, as shells count
 PIPE_CLOSED = 141  # 128 + SIGPIPE
 
-USAGE = "usage: yamaro [options] FILE [name:=value ...]   ('yamaro --help' tells more)"
+USAGE = "usage: yamaro [options] FILE [name:=value ...]   (see 'yamaro --help')"
 
 
 class WrongUsage(Exception):

@@ -46,7 +46,7 @@ def _outcome(turn: Turn, output: str, *, is_written: bool) -> str:
     """Return what came of a build, in a few words."""
     told = count_told(turn.diagnostics)
     if turn.build is None:
-        return f"{turn.fault or told}; {output} is left as it was"
+        return f"{turn.fault or told}; {output} is unchanged"
     milliseconds = f"{1000 * turn.seconds:.0f} ms"
     if not is_written:
         return f"built in {milliseconds}, and not written"

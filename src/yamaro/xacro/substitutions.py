@@ -71,7 +71,7 @@ def _replaced(text: str, answers: Answers, commands: tuple[str, ...]) -> str:
         if command not in COMMANDS:
             raise Fault(
                 "xacro-substitution",
-                f"there is no command '{command}' for $(…)",
+                f"unknown command '{command}' for $(…)",
                 f"the commands are {', '.join(COMMANDS)} and eval; ${{…}} is for expressions",
             )
         if command in commands:

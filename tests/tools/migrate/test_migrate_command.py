@@ -86,7 +86,7 @@ def test_quiet_says_nothing_if_all_is_well(capsys: pytest.CaptureFixture[str]) -
 
 def test_a_file_that_is_there_is_not_replaced(capsys: pytest.CaptureFixture[str]) -> None:
     Path("arm.yaml").write_text("mine\n")
-    told = f"yamaro: error: 'arm.yaml' is there already; --force replaces it\n{USAGE}"
+    told = f"yamaro: error: 'arm.yaml' already exists; --force replaces it\n{USAGE}"
     assert outcome(capsys, "arm.urdf", "-o", "arm.yaml") == (2, "", told)
     assert Path("arm.yaml").read_text() == "mine\n"
 
@@ -108,7 +108,7 @@ def test_what_is_no_regular_file_needs_no_force(
 def test_the_file_itself_is_never_replaced(capsys: pytest.CaptureFixture[str]) -> None:
     status, out, err = outcome(capsys, "arm.urdf", "-o", "./arm.urdf", "--force")
     assert (status, out) == (2, "")
-    assert err.startswith("yamaro: error: the output './arm.urdf' is one of the files")
+    assert err.startswith("yamaro: error: the output './arm.urdf' is one of the input files")
     assert Path("arm.urdf").read_text() == URDF
 
 
@@ -205,10 +205,10 @@ def test_what_cannot_be_read_is_wrong_usage(
     ("words", "problem"),
     [
         ([], "'yamaro migrate' needs a FILE"),
-        (["arm.urdf", "leg.urdf"], "'leg.urdf' is one FILE too many after 'arm.urdf'"),
+        (["arm.urdf", "leg.urdf"], "unexpected argument 'leg.urdf' after 'arm.urdf'"),
         (["arm.urdf", "n:=1"], "a URDF has no argument to set: 'n:=1'"),
-        (["arm.urdf", "--strict"], "'--strict' has no meaning for 'yamaro migrate'"),
-        (["arm.urdf", "--jail", "--safe"], "'--jail' and '--safe' exclude each other"),
+        (["arm.urdf", "--strict"], "'--strict' cannot be used with 'yamaro migrate'"),
+        (["arm.urdf", "--jail", "--safe"], "'--jail' and '--safe' cannot be combined"),
     ],
 )
 def test_wrong_usage_is_told(
@@ -219,7 +219,7 @@ def test_wrong_usage_is_told(
 
 def test_force_is_for_migrate_only(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["--force", "arm.yaml"]) == 2
-    told = f"yamaro: error: '--force' has no meaning for 'yamaro FILE'\n{USAGE}"
+    told = f"yamaro: error: '--force' cannot be used with 'yamaro FILE'\n{USAGE}"
     assert capsys.readouterr().err == told
 
 

@@ -240,7 +240,7 @@ def test_a_robot_in_one_xacro_file_becomes_one_file(
     assert outcome(capsys, "-q", name, "-o", "new/burger.yml", "side:=right") == (0, "", "")
     assert Path("new/burger.yml").read_text() == text
     status, _, err = outcome(capsys, name, "-o", "burger.yaml")
-    assert (status, "'burger.yaml' is there already; --force replaces it" in err) == (2, True)
+    assert (status, "'burger.yaml' already exists; --force replaces it" in err) == (2, True)
     assert outcome(capsys, "-q", name, "-o", "burger.yaml", "--force", "side:=right")[0] == 0
     assert outcome(capsys, "-q", name, "-o", "burger")[0] == 0
     assert os.listdir("burger") == ["one.yaml"]
@@ -269,6 +269,6 @@ def test_a_robot_in_several_xacro_files_asks_for_a_folder(
     )
     status, out, err = outcome(capsys, "robot.urdf.xacro", *words)
     assert (status, out) == (2, "")
-    told = f"this robot becomes 2 files: give a folder, as in '-o {folder_meant}'"
+    told = f"this robot becomes 2 files: '-o' needs a folder, as in '-o {folder_meant}'"
     assert err.startswith(f"yamaro: error: {told}\n")
     assert sorted(os.listdir()) == ["leg.xacro", "robot.urdf.xacro"]

@@ -474,7 +474,7 @@ def test_what_is_in_the_folder_stays(
     capsys.readouterr()
     Path("out/r.yaml").write_text("mine")
     assert main(["migrate", "r.xacro", "-o", "out"]) == 2
-    assert "'out/r.yaml' is there already; --force replaces it" in capsys.readouterr().err
+    assert "'out/r.yaml' already exists; --force replaces it" in capsys.readouterr().err
     assert Path("out/r.yaml").read_text() == "mine"
     assert main(["migrate", "r.xacro", "-o", "out", "--force", "-q"]) == 0
     assert capsys.readouterr().err == ""

@@ -146,7 +146,7 @@ def robot(tmp_path: Path) -> str:
 
 def test_a_picture_needs_a_file_to_write(robot: str, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["picture", robot]) == 2
-    assert "'yamaro picture' needs a file to write: -o robot.png" in capsys.readouterr().err
+    assert "'yamaro picture' needs an output file: -o robot.png" in capsys.readouterr().err
 
 
 def test_what_is_wrong_with_a_picture_is_told_before_the_robot_is_read(
@@ -160,7 +160,7 @@ def test_picture_options_mean_nothing_to_other_commands(
     robot: str, capsys: pytest.CaptureFixture[str]
 ) -> None:
     assert main(["tree", robot, "--turn"]) == 2
-    assert "'--turn' has no meaning for 'yamaro tree'" in capsys.readouterr().err
+    assert "'--turn' cannot be used with 'yamaro tree'" in capsys.readouterr().err
 
 
 @pytest.mark.parametrize("module", ["vtkmodules", "PIL", "trimesh"])

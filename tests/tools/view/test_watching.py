@@ -157,7 +157,7 @@ def test_watch_writes_on_each_save_and_tells_in_a_line(tmp_path: Path) -> None:
     lines = [line[10:] for line in log.read_text().splitlines() if line[2:3] == line[5:6] == ":"]
     assert [line.partition(",")[0] for line in lines] == [
         "out.urdf written",
-        "1 error; out.urdf is left as it was",
+        "1 error; out.urdf is unchanged",
         "out.urdf written",
     ]
 
@@ -168,7 +168,7 @@ def test_watch_writes_on_each_save_and_tells_in_a_line(tmp_path: Path) -> None:
         (["robot.yaml"], "needs a file to write, as in '-o robot.urdf'"),
         (["robot.yaml", "-o", "-"], "needs a file to write, as in '-o robot.urdf'"),
         (["-", "-o", "out.urdf"], "needs a FILE with a name, to see it change"),
-        (["robot.yaml", "-o", "robot.yaml"], "is one of the files that are compiled"),
+        (["robot.yaml", "-o", "robot.yaml"], "is one of the input files"),
         (["nothing.yaml", "-o", "out.urdf"], "there is no such file"),
     ],
 )
