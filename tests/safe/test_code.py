@@ -22,11 +22,12 @@ from hypothesis import strategies as st
 from tests.effort import examples, is_quick
 from tests.hostile.escape_payloads import Payload, read_payloads
 from tests.waiting import PATIENCE
-from yamaro.safe import code as safe_code
-from yamaro.safe.code import classify, compile_safe
+from yamaro.safe import syntax
+from yamaro.safe.code import HANDLERS, classify, compile_safe
 from yamaro.safe.limits import SafeLimits, SafetyError
 from yamaro.safe.methods import CHANGING, DATA, READING
 from yamaro.safe.modules import MODULES
+from yamaro.safe.rewriter import Rewriter
 from yamaro.safe.runtime import SafeRuntime
 from yamaro.safe.values import Function, Module, OrderedSet
 
@@ -137,7 +138,7 @@ def test_classes_of_a_later_python_are_unknown_and_refused() -> None:
         pass
 
     assert classify(LazyImport) == "unknown"
-    rewriter = safe_code._Rewriter(SafeLimits(), is_statements=False)
+    rewriter = Rewriter(HANDLERS, SafeLimits(), is_statements=False)
     with pytest.raises(SafetyError, match="`LazyImport` is not allowed"):
         rewriter.visit(LazyImport())
 
@@ -147,13 +148,13 @@ def test_a_class_that_only_looks_like_an_allowed_one_is_refused() -> None:
         pass
 
     with pytest.raises(SafetyError):
-        safe_code._Rewriter(SafeLimits(), is_statements=False).visit(Constant())
+        Rewriter(HANDLERS, SafeLimits(), is_statements=False).visit(Constant())
 
 
 def test_no_class_is_both_allowed_and_refused() -> None:
-    allowed = safe_code._HANDLERS.keys() | safe_code._SYMBOLS | safe_code._OPERATORS.keys()
-    assert not allowed & safe_code.REFUSED.keys()
-    assert not (allowed | safe_code.REFUSED.keys()) & (safe_code.ABSTRACT | safe_code.GONE)
+    allowed = HANDLERS.keys() | syntax.SYMBOLS | syntax.OPERATORS.keys()
+    assert not allowed & syntax.REFUSED.keys()
+    assert not (allowed | syntax.REFUSED.keys()) & (syntax.ABSTRACT | syntax.GONE)
 
 
 # --- what code can get hold of --------------------------------------------------------------------

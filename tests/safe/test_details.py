@@ -16,8 +16,9 @@ from typing import Any
 
 import pytest
 
-from yamaro.safe.code import _Rewriter, compile_safe
+from yamaro.safe.code import HANDLERS, compile_safe
 from yamaro.safe.limits import RUN_IT, SafeLimits, SafetyError
+from yamaro.safe.rewriter import Rewriter
 from yamaro.safe.runtime import SafeRuntime
 from yamaro.safe.values import OrderedSet
 
@@ -184,7 +185,7 @@ def test_an_operator_of_a_later_python_is_refused() -> None:
     one, name = ast.Constant(1), ast.Name("a", ast.Store())
     for node in (ast.BinOp(one, LogicalXor(), one), ast.AugAssign(name, LogicalXor(), one)):
         with pytest.raises(SafetyError, match="`LogicalXor` is not allowed"):
-            _Rewriter(SafeLimits(), is_statements=True).visit(node)
+            Rewriter(HANDLERS, SafeLimits(), is_statements=True).visit(node)
 
 
 @pytest.mark.parametrize("line", lines_of("errors.txt"))
@@ -443,7 +444,7 @@ def test_a_module_is_made_once() -> None:
     assert [runtime.module(name) is runtime.module(name) for name in MODULES] == [True] * 3
 
 
-@pytest.mark.parametrize("name", ["arrays", "numpy"])
+@pytest.mark.parametrize("name", ["arithmetic", "arrays", "numpy"])
 def test_only_numpy_itself_can_be_missing(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.delitem(sys.modules, "yamaro.safe.numpy", raising=False)
     monkeypatch.setitem(sys.modules, f"yamaro.safe.{name}", None)
@@ -454,7 +455,7 @@ def test_only_numpy_itself_can_be_missing(name: str, monkeypatch: pytest.MonkeyP
 def test_without_numpy_a_file_is_told_where_it_is_looked_for(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    for name in ("arrays", "numpy"):
+    for name in ("arithmetic", "arrays", "numpy", "numpy_functions"):
         monkeypatch.delitem(sys.modules, f"yamaro.safe.{name}", raising=False)
     monkeypatch.setitem(sys.modules, "numpy", None)
     with pytest.raises(SafetyError) as caught:

@@ -30,9 +30,10 @@ VERSION = tuple(map(int, np.__version__.split(".")[:2]))
 IS_OLD = VERSION < (2, 0)
 IS_RAGGED = VERSION < (1, 24)
 
-from yamaro.safe import arrays as safe_arrays  # noqa: E402
 from yamaro.safe import numpy as safe_numpy  # noqa: E402
+from yamaro.safe.arithmetic import broadcast, extent  # noqa: E402
 from yamaro.safe.arrays import Array, Number, Whole  # noqa: E402
+from yamaro.safe.numpy_functions import FUNCTIONS, LINEAR_ALGEBRA  # noqa: E402
 
 REPOSITORY = Path(__file__).parents[2]
 HOSTILE = REPOSITORY / "tests" / "hostile"
@@ -329,13 +330,13 @@ def test_a_large_array_from_outside_is_not_let_in() -> None:
     ],
 )
 def test_the_shape_of_a_result_is_foretold(shapes: Any, expected: Any) -> None:
-    assert safe_arrays.broadcast(*shapes) == expected == np.broadcast_shapes(*shapes)
+    assert broadcast(*shapes) == expected == np.broadcast_shapes(*shapes)
 
 
 def test_an_array_without_numbers_is_as_large_as_what_it_may_become() -> None:
-    assert safe_arrays.extent((0, 1000)) == 1000
-    assert safe_arrays.extent((3, 4)) == 12
-    assert safe_arrays.extent(()) == 1
+    assert extent((0, 1000)) == 1000
+    assert extent((3, 4)) == 12
+    assert extent(()) == 1
 
 
 # --- warnings, files ---------------------------------------------------------------------------
@@ -458,7 +459,7 @@ def test_a_name_that_is_not_there_suggests_one_that_is() -> None:
 def test_the_documentation_lists_every_name() -> None:
     page = (REPOSITORY / "docs" / "safety.md").read_text(encoding="utf-8")
     words = set(page.replace("`", " ").split())
-    tables = (safe_numpy.FUNCTIONS, safe_numpy.LINEAR_ALGEBRA, safe_numpy.CONSTANTS)
+    tables = (FUNCTIONS, LINEAR_ALGEBRA, safe_numpy.CONSTANTS)
     names = [name for table in tables for name in table] + list(safe_numpy.TYPES)
     names += list(READING[Array]) + list(CHANGING[Array])
     assert [name for name in names if name not in words] == []

@@ -1,20 +1,26 @@
 """The part of numpy that safe code may import: functions, and the methods of arrays.
 
-Each function is listed with the arguments that it may be given and a check that counts its cost
-before it runs. What is in no table is refused: numpy reads and writes files, loads libraries, calls
-functions that it is given, and shows memory that nobody has filled. The rules, for people who write
-robots, are in docs/safety.md.
+Each call is checked first, and its cost counted. What is in no table of `numpy_functions.py` is
+refused: numpy reads and writes files, loads libraries, calls functions that it is given, and shows
+memory that nobody has filled. The rules, for people who write robots, are in docs/safety.md.
 """
 
 from __future__ import annotations
 
-from math import ceil
-
 import numpy as np
 
-from .arrays import DIMENSIONS, Arithmetic, Array, Number, Whole, broadcast, extent
+from .arithmetic import DIMENSIONS, Arithmetic
+from .arrays import Array, Number, Whole
 from .limits import RUN_IT, refused
 from .methods import CHANGING, DATA, READING
+from .numpy_functions import (
+    FUNCTIONS,
+    LINEAR_ALGEBRA,
+    METHODS,
+    METHODS_OF_NUMBERS,
+    METHODS_THAT_CHANGE,
+    each_number,
+)
 from .values import Module, a_type, function
 
 TYPE_CHECKING = False
@@ -23,10 +29,8 @@ if TYPE_CHECKING:
     from typing import Any
 
     from .guards import Guards
+    from .numpy_functions import Check, Given, Table
 
-    Given = dict[str, Any]
-    Check = Callable[["Numpy", Given], None]
-    Table = dict[str, tuple[str, Check]]
 
 CONSTANTS = {
     "e": np.e,
@@ -70,7 +74,7 @@ class Numpy(Arithmetic):
         ]
         members: dict[str, Any] = {**CONSTANTS}
         for name in TYPES:
-            members[name] = self._function(np, name, "x", _each(), f"<class 'numpy.{name}'>")
+            members[name] = self._function(np, name, "x", each_number(), f"<class 'numpy.{name}'>")
             self._types.append((members[name], name))
         members |= self._functions(np, FUNCTIONS)
         members["linalg"] = Module("numpy.linalg", self._functions(np.linalg, LINEAR_ALGEBRA))
@@ -200,336 +204,7 @@ def _setting(value: Any, depth: int = 0) -> Any:
     raise refused(f"{a_type(value)} as this argument", hint=RUN_IT)
 
 
-# --- what functions cost --------------------------------------------------------------------------
-
-
-def _shape(value: Any) -> tuple[int, ...]:
-    return getattr(value, "shape", ())
-
-
-def _shape_asked(value: Any) -> tuple[int, ...]:
-    """Return the shape that an argument asks for, if there is one.
-
-    Raises:
-        TypeError: it is no whole numbers, some functions of numpy's would take decimals.
-    """
-    sizes = value if type(value) in _LISTS else () if value is None else (value,)
-    if not all(type(size) in (int, bool) for size in sizes):
-        raise TypeError("sizes have to be whole numbers")
-    return tuple(map(abs, sizes))
-
-
-def _each(weight: int = 1) -> Check:
-    """Return the check of functions of each number of their arguments."""
-
-    def check(numpy: Numpy, given: Given) -> None:
-        numpy.charge(broadcast(*map(_shape, given.values())), weight)
-
-    return check
-
-
-def _sorting(numpy: Numpy, given: Given) -> None:
-    shape = _first(given)
-    numpy.charge(shape, 20 + extent(shape).bit_length() >> 2)
-
-
-def _first(given: Given) -> tuple[int, ...]:
-    return _shape(next(iter(given.values()), None))
-
-
-def _quantiles(numpy: Numpy, given: Given) -> None:
-    _sorting(numpy, given)
-    rows = 1 if given.get("axis") is None else extent(_first(given))
-    numpy.charge((rows, extent(_shape(given.get("q")))))
-
-
-def _averaging(numpy: Numpy, given: Given) -> None:
-    for shape in map(_shape, given.values()):  # weights of one axis go along that axis
-        numpy.charge(shape, 2)
-
-
-def _crossing(numpy: Numpy, given: Given) -> None:
-    a, b = (_shape(given.get(name)) for name in ("a", "b"))
-    if given.get("axis") is not None and len(a) != len(b):
-        raise refused("an `axis` of arrays of unlike dimensions")
-    numpy.charge(broadcast(a, b), 4)
-
-
-def _triangle(numpy: Numpy, given: Given) -> None:
-    shape = _first(given)
-    numpy.charge(shape * 2 if len(shape) == 1 else shape, 2)
-
-
-def _new(numpy: Numpy, given: Given) -> None:
-    numpy.charge(_shape_asked(given.get("shape")))
-
-
-def _square(numpy: Numpy, given: Given) -> None:
-    rows = given.get("N", given.get("n"))
-    columns = given.get("M")
-    if rows is not None:  # else numpy tells that it is missing
-        numpy.charge(_shape_asked([rows, rows if columns is None else columns]))
-
-
-def _steps(numpy: Numpy, given: Given) -> None:
-    start, stop, step = (given.get(name) for name in ("start", "stop", "step"))
-    if stop is None:
-        start, stop = 0, start
-    if stop is None:
-        return  # numpy tells what is missing
-    start = 0 if start is None else start
-    count = (float(stop) - float(start)) / (1.0 if step is None else float(step))
-    if count > 0:
-        numpy.charge((ceil(min(count, 1e18)),))
-
-
-def _spaced(numpy: Numpy, given: Given) -> None:
-    ends = broadcast(_shape(given.get("start")), _shape(given.get("stop")))
-    numpy.charge((*ends, *_shape_asked(given.get("num", 50))), 4)
-
-
-def _grid(numpy: Numpy, given: Given) -> None:
-    vectors = given.get("xi", [])
-    sizes = tuple(extent(_shape(vector)) for vector in vectors)
-    numpy.charge((len(sizes), *sizes))
-
-
-def _joining(numpy: Numpy, given: Given) -> None:
-    parts = given.get("arrays", given.get("tup"))
-    if isinstance(parts, list):
-        numpy.charge((sum(extent(_shape(part)) for part in parts),))
-        numpy.charge((len(parts),), 10)
-    else:  # an array: its rows are joined
-        numpy.charge(_shape(parts))
-        numpy.charge(_shape(parts)[:1], 10)
-
-
-def _appending(numpy: Numpy, given: Given) -> None:
-    numpy.charge((sum(extent(_shape(given.get(name))) for name in ("arr", "values")),))
-
-
-def _repeating(numpy: Numpy, given: Given) -> None:
-    times = given.get("repeats")
-    if type(times) is not int:
-        raise refused("a list of numbers of times", hint="repeat them with a list: [… for x in …]")
-    numpy.charge((*_first(given), abs(times)))
-
-
-def _tiling(numpy: Numpy, given: Given) -> None:
-    numpy.charge((*_first(given), *_shape_asked(given.get("reps"))))
-
-
-def _diagonal(numpy: Numpy, given: Given) -> None:
-    shape = _first(given)
-    if len(shape) == 1:
-        shape = (shape[0] + sum(_shape_asked(given.get("k"))),) * 2
-    numpy.charge(shape)
-
-
-def _dot(numpy: Numpy, given: Given) -> None:
-    a, b = (_shape(given.get(name)) for name in ("a", "b"))
-    numpy.charge_product(a, b, is_dot=True)
-
-
-def _matmul(numpy: Numpy, given: Given) -> None:
-    a, b = (_shape(given.get(name)) for name in ("x1", "x2"))
-    numpy.charge_product(a, b, is_dot=False)
-
-
-def _inner(numpy: Numpy, given: Given) -> None:
-    a, b = (_shape(given.get(name)) for name in ("a", "b"))
-    numpy.charge_product(a, (*b[:-2], *b[-1:], *b[-2:-1]), is_dot=True)
-
-
-def _all_pairs(numpy: Numpy, given: Given) -> None:
-    numpy.charge(tuple(extent(_shape(value)) for value in given.values()))
-
-
-def _polynomial(numpy: Numpy, given: Given) -> None:
-    factors, values = _first(given), _shape(given.get("x"))
-    if len(factors) > 1:
-        raise refused("a table of factors", hint="give them as one list")
-    numpy.charge(values)
-    numpy.charge(factors, extent(values) + 20)
-
-
-def _searching(numpy: Numpy, given: Given) -> None:
-    for shape in map(_shape, given.values()):
-        numpy.charge(shape, 4)
-
-
-def _linear(weight: int) -> Check:
-    """Return the check of a function that takes a matrix's size times its rows."""
-
-    def check(numpy: Numpy, given: Given) -> None:
-        for shape in map(_shape, given.values()):
-            numpy.charge(shape, 4)
-            numpy.charge_work((extent(shape) * max(_first(given)[-1:] or (1,)) + 100) * weight)
-
-    return check
-
-
-def _norm(numpy: Numpy, given: Given) -> None:
-    _each(4)(numpy, given)
-    if given.get("ord") in (2, -2, "nuc"):  # singular values, along any two axes
-        shape = _first(given)
-        numpy.charge_work(extent(shape) * max(shape or (1,)) * 10)
-
-
-def _solving(numpy: Numpy, given: Given) -> None:
-    _linear(1)(numpy, given)
-    a, b = (_shape(given.get(name)) for name in ("a", "b"))
-    rows = max(extent(a[-2:]), extent(b[-2:]))
-    for stacks in (b[:-2], b[:-1] if len(b) == len(a) - 1 else ()):  # of matrices, or of vectors
-        numpy.charge((*broadcast(a[:-2], stacks), rows))
-
-
-def _power_of_matrix(numpy: Numpy, given: Given) -> None:
-    exponent = given.get("n")
-    _linear(exponent.bit_length() + 1 if type(exponent) is int else 1)(numpy, given)
-
-
-# --- the tables -----------------------------------------------------------------------------------
-
-_ELEMENTWISE = (
-    "abs absolute acos acosh arccos arccosh arcsin arcsinh arctan arctanh asin asinh atan atanh "
-    "cbrt ceil conj conjugate cos cosh deg2rad degrees exp exp2 expm1 fabs floor isfinite isinf "
-    "isnan log log10 log1p log2 logical_not negative positive rad2deg radians reciprocal rint sign "
-    "signbit sin sinh sqrt square tan tanh trunc"
-).split()
-_OF_TWO = (
-    "add arctan2 atan2 copysign divide equal float_power floor_divide fmax fmin fmod greater "
-    "greater_equal heaviside hypot less less_equal logical_and logical_or logical_xor maximum "
-    "minimum mod multiply not_equal pow power remainder subtract true_divide"
-).split()
-_REDUCTIONS: Table = {
-    **{name: ("a axis | keepdims", _each()) for name in "all any argmax argmin max min".split()},
-    **{name: ("a axis | dtype keepdims", _each()) for name in "mean prod sum".split()},
-    **{name: ("a axis | ddof dtype keepdims", _each(4)) for name in "std var".split()},
-    **{name: ("a axis | dtype", _each()) for name in "cumprod cumsum".split()},
-}
-_RESHAPING: Table = {
-    "argsort": ("a axis", _sorting),
-    "diagonal": ("a offset axis1 axis2", _each()),
-    "dot": ("a b", _dot),
-    "nonzero": ("a", _each(4)),
-    "ravel": ("a", _each()),
-    "repeat": ("a repeats axis", _repeating),
-    "round": ("a decimals", _each(2)),
-    "squeeze": ("a axis", _each()),
-    "swapaxes": ("a axis1 axis2", _each()),
-    "trace": ("a offset axis1 axis2", _each()),
-}
-
-FUNCTIONS: Table = {
-    **{name: ("x", _each()) for name in _ELEMENTWISE},
-    **{name: ("x1 x2", _each()) for name in _OF_TWO},
-    **_REDUCTIONS,
-    **_RESHAPING,
-    "allclose": ("a b rtol atol equal_nan", _each(4)),
-    "amax": ("a axis | keepdims", _each()),
-    "amin": ("a axis | keepdims", _each()),
-    "append": ("arr values axis", _appending),
-    "arange": ("start stop step dtype", _steps),
-    "argwhere": ("a", _each(4)),
-    "around": ("a decimals", _each(2)),
-    "array": ("object dtype | ndmin", _each()),
-    "array_equal": ("a1 a2", _each()),
-    "asarray": ("object dtype", _each()),
-    "atleast_1d": ("a", _each()),
-    "atleast_2d": ("a", _each()),
-    "atleast_3d": ("a", _each()),
-    "average": ("a axis weights", _averaging),
-    "clip": ("a a_min a_max", _each()),
-    "column_stack": ("tup", _joining),
-    "concatenate": ("arrays axis | dtype", _joining),
-    "copy": ("a", _each()),
-    "count_nonzero": ("a axis | keepdims", _each()),
-    "cross": ("a b | axis", _crossing),
-    "diag": ("v k", _diagonal),
-    "diff": ("a | axis", _each()),
-    "dstack": ("tup", _joining),
-    "expand_dims": ("a axis", _each()),
-    "eye": ("N M k dtype", _square),
-    "flatnonzero": ("a", _each(2)),
-    "flip": ("m axis", _each()),
-    "fliplr": ("m", _each()),
-    "flipud": ("m", _each()),
-    "full": ("shape fill_value dtype", _new),
-    "full_like": ("a fill_value dtype", _each()),
-    "geomspace": ("start stop num endpoint | dtype", _spaced),
-    "hstack": ("tup", _joining),
-    "identity": ("n dtype", _square),
-    "inner": ("a b", _inner),
-    "interp": ("x xp fp left right", _searching),
-    "isclose": ("a b rtol atol equal_nan", _each(4)),
-    "kron": ("a b", _all_pairs),
-    "linspace": ("start stop num endpoint | dtype retstep", _spaced),
-    "logspace": ("start stop num endpoint base | dtype", _spaced),
-    "matmul": ("x1 x2", _matmul),
-    "median": ("a axis | keepdims", _sorting),
-    "meshgrid": ("xi | indexing", _grid),
-    "moveaxis": ("a source destination", _each()),
-    "ndim": ("a", _each()),
-    "ones": ("shape dtype", _new),
-    "ones_like": ("a dtype", _each()),
-    "outer": ("a b", _all_pairs),
-    "percentile": ("a q axis | keepdims", _quantiles),
-    "polyval": ("p x", _polynomial),
-    "ptp": ("a axis | keepdims", _each(2)),
-    "quantile": ("a q axis | keepdims", _quantiles),
-    "reshape": ("a shape", _each()),
-    "roll": ("a shift axis", _each()),
-    "rot90": ("m k axes", _each()),
-    "searchsorted": ("a v side", _searching),
-    "shape": ("a", _each()),
-    "size": ("a axis", _each()),
-    "sort": ("a axis", _sorting),
-    "stack": ("arrays axis", _joining),
-    "tile": ("A reps", _tiling),
-    "transpose": ("a axes", _each()),
-    "tril": ("m k", _triangle),
-    "triu": ("m k", _triangle),
-    "unique": ("ar", _sorting),
-    "vdot": ("a b", _each()),
-    "vstack": ("tup", _joining),
-    "where": ("condition x y", _each(4)),
-    "zeros": ("shape dtype", _new),
-    "zeros_like": ("a dtype", _each()),
-}
-"""Functions with their arguments (those behind `|` by name only), and what they cost."""
-
-LINEAR_ALGEBRA: Table = {
-    "cholesky": ("a", _linear(1)),
-    "cond": ("x p", _linear(10)),
-    "det": ("a", _linear(1)),
-    "eigvals": ("a", _linear(20)),
-    "eigvalsh": ("a", _linear(10)),
-    "inv": ("a", _linear(2)),
-    "matrix_power": ("a n", _power_of_matrix),
-    "matrix_rank": ("a", _linear(10)),
-    "norm": ("x ord axis keepdims", _norm),
-    "pinv": ("a", _linear(20)),
-    "solve": ("a b", _solving),
-}
-
-_METHODS: Table = {
-    **_REDUCTIONS,
-    **_RESHAPING,
-    "astype": ("a dtype", _each()),
-    "clip": ("a min max", _each()),
-    "conj": ("a", _each()),
-    "conjugate": ("a", _each()),
-    "copy": ("a", _each()),
-    "flatten": ("a", _each()),
-    "item": ("a index", _each(0)),
-    "ptp": ("a axis | keepdims", _each(2)),
-    "tolist": ("a", lambda numpy, given: numpy.charge_lists(_first(given))),
-}
-_METHODS_OF_NUMBERS: Table = {
-    name: ("a", _each(0)) for name in "as_integer_ratio bit_count hex is_integer".split()
-}
-_CHANGING: Table = {"fill": ("a values", _each()), "sort": ("a axis", _sorting)}
+# --- methods of arrays and numbers ------------------------------------------------------------
 
 
 def _method(name: str, parameters: str, check: Check) -> Callable[..., Any]:
@@ -561,12 +236,12 @@ def _methods(table: Table) -> dict[str, Callable[..., Any]]:
     return {
         name: _method(name, parameters, check)
         for name, (parameters, check) in table.items()
-        if hasattr(np.ndarray, name) or table is _METHODS_OF_NUMBERS
+        if hasattr(np.ndarray, name) or table is METHODS_OF_NUMBERS
     }
 
 
-READING[Array] = _methods(_METHODS) | {name: _of_axes(name) for name in ("reshape", "transpose")}
-READING[Number] = READING[Whole] = READING[Array] | _methods(_METHODS_OF_NUMBERS)
-CHANGING[Array] = _methods(_CHANGING)
+READING[Array] = _methods(METHODS) | {name: _of_axes(name) for name in ("reshape", "transpose")}
+READING[Number] = READING[Whole] = READING[Array] | _methods(METHODS_OF_NUMBERS)
+CHANGING[Array] = _methods(METHODS_THAT_CHANGE)
 for _kind in (Array, Number, Whole):
     DATA[_kind] = frozenset(("T", "imag", "ndim", "real", "shape", "size"))

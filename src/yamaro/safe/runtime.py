@@ -7,10 +7,10 @@ eval(code, scope, scope)          # with runtime.names() among the names of the 
 from __future__ import annotations
 
 from .builtins import BARE, permitted, refusal
-from .code import RUNTIME
 from .guards import Guards
 from .limits import SafeLimits, SafetyError, refused
 from .modules import module
+from .rewriter import RUNTIME
 from .values import (
     CONTAINERS,
     LIST_ITERATOR,
