@@ -19,7 +19,7 @@ from lxml import etree
 from packaging.specifiers import SpecifierSet
 
 from tests.effort import sample
-from yamaro import compiler
+from yamaro import pipeline
 from yamaro.commands.main import main
 from yamaro.runtime.interpreter import Interpreter
 from yamaro.sandbox import jail
@@ -143,7 +143,7 @@ def test_case_gives_exactly_what_is_expected(
         result.messages,
     ), "a second run in the same process gives something else"
     with monkeypatch.context() as patch:
-        patch.setattr(compiler, "Interpreter", functools.partial(Interpreter, shares=False))
+        patch.setattr(pipeline, "Interpreter", functools.partial(Interpreter, shares=False))
         plain = compile_case(case, options)
     assert (plain.status, plain.xml, plain.messages) == (
         result.status,

@@ -26,7 +26,7 @@ import pytest
 import yamaro
 from tests.test_killed import LONG, left_over, long_document
 from tests.waiting import PATIENCE
-from yamaro import compiler
+from yamaro import result
 from yamaro.commands.main import main
 from yamaro.output import write_file
 
@@ -45,7 +45,7 @@ NEW = (
 def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """Work in a folder with a file whose output comes in many chunks, and an old output."""
     monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr(compiler, "PIECES_IN_CHUNK", 5)
+    monkeypatch.setattr(result, "PIECES_IN_CHUNK", 5)
     Path("file.yaml").write_text(SOURCE)
     Path("out.urdf").write_text(OLD)
     Path("out.urdf").chmod(0o640)

@@ -12,7 +12,7 @@ import pytest
 
 import yamaro
 from tests.waiting import PATIENCE
-from yamaro import Policy, YamaroError, compiler, confined
+from yamaro import Policy, YamaroError, confined, pipeline
 from yamaro.commands.main import main
 from yamaro.policy import Limits, limit_names, limit_range
 from yamaro.sandbox import jail
@@ -409,7 +409,7 @@ def test_a_fault_of_ours_in_a_jail_is_reported_as_ours(
     def fail(*_: object, **__: object) -> None:
         raise AttributeError("no \x1b[2J such thing")
 
-    monkeypatch.setattr(compiler, "write_pieces", fail)
+    monkeypatch.setattr(pipeline, "write_pieces", fail)
     path = write(tmp_path, "out: 1\n")
     assert main([*words, "--jail", path]) == 70
     told = capsys.readouterr()
@@ -426,9 +426,9 @@ def test_a_file_that_claims_a_fault_of_ours_gains_nothing(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     text = (
-        "process: |\n  import yamaro.compiler\n"
+        "process: |\n  import yamaro.pipeline\n"
         "  def fail(*a):\n    raise type('\\x1b]0;E\\n', (Exception,), {})('\\x9b' * 10**7)\n"
-        "  yamaro.compiler.write_pieces = fail\nout: 1\n"
+        "  yamaro.pipeline.write_pieces = fail\nout: 1\n"
     )
     path = write(tmp_path, text)
     assert main(["--jail", path]) == 70
@@ -442,8 +442,8 @@ def test_a_file_that_claims_a_fault_of_ours_gains_nothing(
 @needs_jail
 @pytest.mark.parametrize("end", ["SystemExit(3)", "KeyboardInterrupt()", "GeneratorExit()"])
 def test_a_file_that_ends_its_jail_is_no_fault_of_ours(tmp_path: Path, end: str) -> None:
-    code = f"  def fail(*a):\n    raise {end}\n  yamaro.compiler.write_pieces = fail\n"
-    text = f"process: |\n  import yamaro.compiler\n{code}out: 1\n"
+    code = f"  def fail(*a):\n    raise {end}\n  yamaro.pipeline.write_pieces = fail\n"
+    text = f"process: |\n  import yamaro.pipeline\n{code}out: 1\n"
     assert codes(write(tmp_path, text), Policy("jail")) == ["jail-broken"]
 
 

@@ -2,12 +2,10 @@
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from .compiler import Build as Build
-    from .compiler import Program as Program
-    from .compiler import UsageError as UsageError
-    from .compiler import build as build
-    from .compiler import convert as convert
-    from .compiler import load as load
+    from .api import build as build
+    from .api import convert as convert
+    from .api import load as load
+    from .arguments import UsageError as UsageError
     from .diagnostics import Diagnostic as Diagnostic
     from .diagnostics import YamaroError as YamaroError
     from .diagnostics import YamaroWarning as YamaroWarning
@@ -15,6 +13,8 @@ if TYPE_CHECKING:
     from .files.loader import LoadError as LoadError
     from .files.loader import MemoryLoader as MemoryLoader
     from .policy import Policy as Policy
+    from .program import Program as Program
+    from .result import Build as Build
     from .yaml.flexidict import FlexiDict as FlexiDict
 
 __version__ = "0.1.0"
@@ -38,20 +38,20 @@ __all__ = [
 # Where each name comes from when it is first asked for: the command imports this package too, and
 # `yamaro --version` or a completion in the shell needs none of them.
 _MODULES = {
-    "Build": "compiler",
+    "Build": "result",
     "Diagnostic": "diagnostics",
     "FileLoader": "files.loader",
     "FlexiDict": "yaml.flexidict",
     "LoadError": "files.loader",
     "MemoryLoader": "files.loader",
     "Policy": "policy",
-    "Program": "compiler",
-    "UsageError": "compiler",
+    "Program": "program",
+    "UsageError": "arguments",
     "YamaroError": "diagnostics",
     "YamaroWarning": "diagnostics",
-    "build": "compiler",
-    "convert": "compiler",
-    "load": "compiler",
+    "build": "api",
+    "convert": "api",
+    "load": "api",
 }
 
 

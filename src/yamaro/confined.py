@@ -6,22 +6,25 @@ import io
 import sys
 from time import monotonic
 
-from .diagnostics import YamaroError, failure
+from .diagnostics import YamaroError, failure_of_all
 from .files.packages import MODEL_PATHS
 from .policy import JAIL, NO_JAIL, USUAL_SECONDS, Limits, Policy
 from .runtime.expressions import TIME_HINT
 from .runtime.messages import Messages
 from .sandbox.deadline import TimeOver, run_within
 from .sandbox.deep_stack import run_on_deep_stack
-from .source import Source, Span
+from .xml.tree import write_pieces
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
     from typing import TypeVar
 
+    from .result import Build
     from .sandbox.jail import JailError, JailLimits
     from .sandbox.transfer import Outcome
+    from .targets.mesh_paths import MeshPaths
+    from .xml.tree import Element
 
     T = TypeVar("T")
 
@@ -114,6 +117,44 @@ def run_confined(
         outcome = work(printed.append)
         outcome.messages = printed
         return outcome
+
+
+def outcome_of_build(build: Build, *, has_root: bool) -> Outcome:
+    """Return what leaves the jail of a build; with `has_root` the tree does too."""
+    from .sandbox.transfer import Outcome
+
+    return Outcome(
+        diagnostics=build.warnings,
+        pieces=build.pieces,
+        files=build.files,
+        meshes=build.meshes,
+        root=build.root if has_root else None,
+    )
+
+
+def build_of_outcome(outcome: Outcome, paths: MeshPaths, limits: Limits) -> Build:
+    """Return the build that left a jail; meshes are named here, as only here the output is known.
+
+    Raises:
+        YamaroError: the document is longer than the limits allow.
+    """
+    from .result import Build
+
+    if outcome.root is not None and outcome.root.name == "robot":  # as it was written
+        outcome.pieces = write_pieces(*paths.applied_to(outcome.root, {}), limits)
+
+    def make_root() -> Element:
+        assert outcome.root is not None, "only those who need the tree ask for it"
+        return outcome.root
+
+    return Build(
+        make_root,
+        lambda: outcome.meshes,
+        paths=paths,
+        pieces=outcome.pieces,
+        warnings=outcome.diagnostics,
+        files=outcome.files,
+    )
 
 
 def run_in_jail(
@@ -224,11 +265,6 @@ class Reader:
             return work()
         except (JailTimeOver, JailCpuTimeOver):
             raise time_is_over(self._name, self._policy) from None
-
-
-def failure_of_all(code: str, message: str, name: str, hint: str | None) -> YamaroError:
-    """Return an error about a conversion as a whole, which is at no place of the file."""
-    return failure(code, message, Span(Source("", name=name), 0, 0), hint=hint)
 
 
 def time_is_over(name: str, policy: Policy) -> YamaroError:

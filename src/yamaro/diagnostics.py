@@ -167,6 +167,11 @@ def failure(
     return YamaroError([Diagnostic(code, message, span, hint=hint, notes=notes, trace=trace)])
 
 
+def failure_of_all(code: str, message: str, name: str, hint: str | None) -> YamaroError:
+    """Return an error about a conversion as a whole, which is at no place of the file."""
+    return failure(code, message, Span(Source("", name=name), 0, 0), hint=hint)
+
+
 class Adjustment:
     """What was asked for the severity of diagnostics: codes allowed, codes denied, and strictness.
 

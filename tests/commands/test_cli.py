@@ -15,7 +15,7 @@ from typing import Any
 import pytest
 
 from tests.waiting import PATIENCE
-from yamaro import compiler
+from yamaro import api
 from yamaro.commands.arguments import parse_arguments
 from yamaro.commands.help import help_of
 from yamaro.commands.main import main
@@ -179,7 +179,7 @@ def test_deps_lists_meshes_that_are_files_and_each_once(
             meshes=["/r/m.stl", "package://unknown/n.stl", "/r/b.yaml"],
         )
 
-    monkeypatch.setattr(compiler, "build", build)
+    monkeypatch.setattr(api, "build", build)
     expected = "/r/robot.yaml\n/r/b.yaml\n/r/m.stl\n"
     assert outcome(capsys, write(PLAIN), "--deps") == (0, expected, "")
 
@@ -697,7 +697,7 @@ def test_a_fault_of_ours_is_told_apart_and_shows_no_traceback(
     def build(path: str, **options: object) -> None:
         raise KeyError("oops")
 
-    monkeypatch.setattr(compiler, "build", build)
+    monkeypatch.setattr(api, "build", build)
     status, out, err = outcome(capsys, write(PLAIN))
     assert (status, out) == (70, "")
     assert err.startswith("yamaro: internal error: KeyError: 'oops' (test_cli.py:")
@@ -724,7 +724,7 @@ def test_interrupts_do_not_pass_for_success(
     def build(path: str, **options: object) -> None:
         raise fault
 
-    monkeypatch.setattr(compiler, "build", build)
+    monkeypatch.setattr(api, "build", build)
     result = outcome(capsys, write(PLAIN), "-o", "arm.urdf")
     assert result[:2] == (status, "")
     assert result[2].startswith(said)
@@ -1133,7 +1133,7 @@ def test_a_conversion_imports_little(words: list[str], text: str) -> None:
 def test_what_a_document_does_not_need_is_not_imported(text: str, unused: str) -> None:
     write(text)
     modules = imported(RUN, "robot.yaml")
-    assert "yamaro.compiler" in modules
+    assert "yamaro.pipeline" in modules
     assert unused not in modules
 
 
@@ -1148,7 +1148,7 @@ def test_what_a_document_does_not_need_is_not_imported(text: str, unused: str) -
 )
 def test_what_compiles_nothing_does_not_import_the_compiler(code: str, words: list[str]) -> None:
     modules = imported(code, *words)
-    assert {"yamaro.compiler", "yaml._yaml"}.isdisjoint(modules)
+    assert {"yamaro.pipeline", "yaml._yaml"}.isdisjoint(modules)
 
 
 # --- completion -------------------------------------------------------------------------------

@@ -18,11 +18,12 @@ from typing import Any
 
 from lxml import etree
 
-from yamaro import compiler
-from yamaro.compiler import UsageError
+from yamaro import api, pipeline
+from yamaro.arguments import UsageError
 from yamaro.diagnostics import YamaroError, render
 from yamaro.files.loader import LoadError
 from yamaro.policy import Policy
+from yamaro.result import Build
 from yamaro.runtime.interpreter import Interpreter
 from yamaro.sandbox import jail
 
@@ -146,7 +147,7 @@ def replaced(module: Any, name: str, value: object) -> Iterator[None]:
 
 def without_sharing() -> AbstractContextManager[None]:
     """Let the compiler build each element for its place."""
-    return replaced(compiler, "Interpreter", functools.partial(Interpreter, shares=False))
+    return replaced(pipeline, "Interpreter", functools.partial(Interpreter, shares=False))
 
 
 def without_jail() -> AbstractContextManager[None]:
@@ -157,7 +158,7 @@ def without_jail() -> AbstractContextManager[None]:
 def result_of(text: str, *, mode: str) -> Result:
     printed: list[str] = []
     try:
-        build = compiler.build(
+        build = api.build(
             MAIN,
             loader=Files(files_in(text)),
             policy=Policy(mode, limits=SAFE_LIMITS if mode == "safe" else LIMITS),
@@ -174,7 +175,7 @@ def result_of(text: str, *, mode: str) -> Result:
     return build.xml(), tuple(map(render, build.warnings)), tuple(printed), ""
 
 
-def require_root(build: compiler.Build) -> None:
+def require_root(build: Build) -> None:
     """Require that every element tells where it was made."""
     for element in elements_of(build.root):
         span = element.span

@@ -13,7 +13,7 @@ import random
 from typing import Any
 
 from tests.effort import examples
-from yamaro.compiler import build
+from yamaro.api import build
 from yamaro.diagnostics import YamaroError
 from yamaro.files.loader import MemoryLoader
 

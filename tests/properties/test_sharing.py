@@ -14,7 +14,7 @@ import random
 import pytest
 
 from tests.effort import examples
-from yamaro import YamaroError, compiler
+from yamaro import YamaroError, api, pipeline
 from yamaro.codes import ADJUSTABLE
 from yamaro.diagnostics import render
 from yamaro.files.loader import MemoryLoader
@@ -219,7 +219,7 @@ def result_of(files: dict[str, str]) -> tuple[str, list[str]]:
     folder = os.path.abspath("robots")
     loader = MemoryLoader({os.path.join(folder, name): text for name, text in files.items()})
     try:
-        build = compiler.build(
+        build = api.build(
             os.path.join(folder, "robot.yaml"), loader=loader, advice=True, allow=ADJUSTABLE
         )
     except YamaroError as error:
@@ -233,7 +233,7 @@ def test_sharing_changes_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
     for seed in range(SEED, SEED + COUNT):
         files = Programs(seed).files()
         with monkeypatch.context() as patch:
-            patch.setattr(compiler, "Interpreter", plain)
+            patch.setattr(pipeline, "Interpreter", plain)
             expected = result_of(files)
         found = result_of(files)
         assert found == expected, f"seed {seed}:\n{files['robot.yaml']}\n{files['inner.yaml']}"

@@ -10,7 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from tests.effort import examples
-from yamaro.compiler import build
+from yamaro.api import build
 from yamaro.diagnostics import Diagnostic, Frame, YamaroError, render
 from yamaro.policy import Limits
 from yamaro.sandbox.deep_stack import run_on_deep_stack

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from lxml import etree
 
 from tests.effort import examples
-from yamaro.compiler import build
+from yamaro.api import build
 from yamaro.diagnostics import YamaroError
 from yamaro.files.loader import MemoryLoader
 

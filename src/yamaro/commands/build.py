@@ -12,7 +12,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
-    from ..compiler import Build
+    from ..result import Build
     from ..streams import Streams
     from .arguments import Arguments
 
@@ -38,7 +38,7 @@ def _document(build: Build) -> Iterable[bytes]:
 
 def _dependencies(build: Build) -> list[bytes]:
     """Return a line for each file; refuse a name that programs would read as several."""
-    from ..confined import failure_of_all
+    from ..diagnostics import failure_of_all
 
     names = dict.fromkeys(filter(os.path.isabs, build.files + build.meshes))
     for name in names:

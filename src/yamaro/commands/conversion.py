@@ -15,8 +15,8 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable
 
-    from ..compiler import Build
     from ..policy import Policy
+    from ..result import Build
     from ..streams import Streams
     from .arguments import Arguments
 
@@ -122,7 +122,8 @@ def _build(
     """Build the file; return the build and what to write."""
     import warnings
 
-    from .. import compiler
+    from .. import api
+    from ..arguments import UsageError
 
     path = arguments.words[0]
     text = read_pipe(path, policy.limits)
@@ -130,7 +131,7 @@ def _build(
         with warnings.catch_warnings():
             if not sys.warnoptions:  # user code's warnings, unless asked for with -W
                 warnings.simplefilter("ignore")
-            build = compiler.build(
+            build = api.build(
                 path,
                 text=text,
                 policy=policy,
@@ -146,7 +147,7 @@ def _build(
                 meshes=arguments.options.get("meshes", "relative"),
             )
             return build, take(build)
-    except compiler.UsageError as error:
+    except UsageError as error:
         raise WrongUsage(str(error)) from None
     except SystemExit as error:
         raise ProgramEnded(f"Python code of the file ended the program: {error!r}") from None

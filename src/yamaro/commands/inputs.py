@@ -27,7 +27,7 @@ def read_pipe(path: str, limits: Limits) -> str | None:
     try:
         check_size(len(data), limits)
     except LoadError as error:
-        from ..compiler import refusal_of_main
+        from ..main_file import refusal_of_main
 
         raise refusal_of_main(name, error) from None
     return decode(data, name=name, path=absolute).text

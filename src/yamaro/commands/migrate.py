@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
 def run(arguments: Arguments, streams: Streams) -> int:
     """Write the source or sources; return the exit status."""
-    from ..compiler import UsageError
+    from ..arguments import UsageError
     from ..diagnostics import YamaroError
 
     arguments.resolve_output()

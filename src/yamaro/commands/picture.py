@@ -12,7 +12,7 @@ from .usage import WrongUsage
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from ..compiler import Build
+    from ..result import Build
     from ..streams import Streams
     from ..tools.picture.command import Result
     from ..tools.picture.request import Request
@@ -34,7 +34,7 @@ def run(arguments: Arguments, streams: Streams) -> int:
 
 def _request(arguments: Arguments) -> Request:
     """Return what to draw; raise WrongUsage if that makes no sense, YamaroError if it cannot be."""
-    from ..compiler import UsageError
+    from ..arguments import UsageError
     from ..tools.picture.command import check_packages
     from ..tools.picture.request import Request
 

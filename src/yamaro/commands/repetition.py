@@ -35,7 +35,7 @@ def repeat(
     """
     import warnings
 
-    from .. import compiler
+    from ..arguments import UsageError
     from ..tools.rebuilding import Rebuilder
 
     arguments.resolve_output()
@@ -67,7 +67,7 @@ def repeat(
                 meshes=arguments.options.get("meshes", "relative"),
             )
             run(rebuilder)
-    except compiler.UsageError as error:
+    except UsageError as error:
         raise WrongUsage(str(error)) from None
     except KeyboardInterrupt:
         return DONE

@@ -47,7 +47,7 @@ def read_adjustment(arguments: Arguments) -> Adjustment:
     Raises:
         WrongUsage: a code to allow or deny is unknown, or always an error.
     """
-    from ..compiler import UsageError, adjustment_of
+    from ..arguments import UsageError, adjustment_of
 
     lists = arguments.lists
     try:

@@ -8,7 +8,7 @@ from .usage import WrongUsage
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from ..compiler import Build
+    from ..result import Build
     from ..streams import Streams
     from .arguments import Arguments
 

@@ -9,7 +9,7 @@ from .usage import DONE, WrongUsage
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from ..compiler import Build
+    from ..result import Build
     from ..streams import Streams
     from ..tools.rebuilding import Rebuilder
     from .arguments import Arguments

@@ -1,1 +1,1 @@
-"""What stands on top of the compiler: a module each."""
+"""What stands on top of the pipeline: a module each."""

@@ -5,16 +5,17 @@ from __future__ import annotations
 import os
 import time
 
-from ..compiler import Program, UsageError
+from ..arguments import UsageError
 from ..diagnostics import ERROR, Diagnostic, YamaroError
+from ..program import Program
 from .watching import INTERVAL, FileWatch, surroundings
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping, Sequence
 
-    from ..compiler import Build
     from ..policy import Policy
+    from ..result import Build
 
 
 class Turn:

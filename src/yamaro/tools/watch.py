@@ -10,7 +10,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from ..compiler import Build
+    from ..result import Build
 
 
 def watch(

@@ -5,8 +5,8 @@ from __future__ import annotations
 from textwrap import dedent, indent
 
 from tests.tools.migrate.same_robot import is_same_robot
+from yamaro.api import build
 from yamaro.codes import ADJUSTABLE
-from yamaro.compiler import build
 from yamaro.source import Source
 from yamaro.tools.migrate.urdf import Migration, migrate_urdf
 from yamaro.xml.reader import read_xml

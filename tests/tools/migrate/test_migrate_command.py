@@ -13,7 +13,7 @@ import pytest
 
 from tests.tools.migrate.same_robot import is_same_robot
 from tests.waiting import PATIENCE
-from yamaro import compiler
+from yamaro import api
 from yamaro.commands import usage
 from yamaro.commands.main import main
 from yamaro.tools.migrate.command import report
@@ -77,7 +77,7 @@ def test_the_source_goes_to_a_file(capsys: pytest.CaptureFixture[str]) -> None:
 
 def test_what_the_source_makes_is_what_it_came_from(capsys: pytest.CaptureFixture[str]) -> None:
     outcome(capsys, "arm.urdf", "-o", "arm.yaml")
-    assert is_same_robot(URDF.encode(), compiler.convert("arm.yaml").encode())
+    assert is_same_robot(URDF.encode(), api.convert("arm.yaml").encode())
 
 
 def test_quiet_says_nothing_if_all_is_well(capsys: pytest.CaptureFixture[str]) -> None:
@@ -283,7 +283,7 @@ def test_other_xml_is_brought_over(xml: str, capsys: pytest.CaptureFixture[str])
     Path("other.xml").write_text(xml)
     status, out, err = outcome(capsys, "other.xml", "-o", "other.yaml")
     assert (status, out, err) == (0, "", "other.xml: identical\n")
-    assert is_same_robot(xml.encode(), compiler.convert("other.yaml").encode())
+    assert is_same_robot(xml.encode(), api.convert("other.yaml").encode())
 
 
 def test_differences_are_told_and_fail_though_the_sources_are_written(
@@ -393,7 +393,7 @@ def test_exact_keeps_poses_as_they_are(capsys: pytest.CaptureFixture[str], xacro
         made = Path("out/arm.yaml") if xacro else Path("out")
         assert ("<origin/xyz=0 0 1>:" in made.read_text()) is is_exact
         assert ("xmlns:sensor" in made.read_text()) is is_exact
-        built = compiler.build(made, on_message=print).xml()
+        built = api.build(made, on_message=print).xml()
         assert is_same_robot(PREFIXED.encode(), built.encode(), exact=is_exact)
 
 

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from tests.tools.migrate.same_robot import is_same_robot
-from yamaro.compiler import build
+from yamaro.api import build
 from yamaro.policy import Limits
 from yamaro.tools.migrate.command import migrate_file
 

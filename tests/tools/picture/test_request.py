@@ -5,8 +5,8 @@ from pathlib import Path
 import pytest
 
 from tests.scene.robots import JOINTS, robot_of
+from yamaro.arguments import UsageError
 from yamaro.commands.main import main
-from yamaro.compiler import UsageError
 from yamaro.tools.picture.motion import moments, swung
 from yamaro.tools.picture.request import Request, read_positions
 

@@ -10,7 +10,7 @@ from typing import Any
 
 import pytest
 
-from yamaro.compiler import build
+from yamaro.api import build
 from yamaro.diagnostics import YamaroError
 from yamaro.files.readable import Reach
 from yamaro.policy import SAFE, Policy

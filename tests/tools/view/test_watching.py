@@ -13,7 +13,7 @@ import pytest
 
 from tests.tools.view.conftest import ROOT
 from tests.waiting import PATIENCE, wait_for
-from yamaro.compiler import UsageError
+from yamaro.arguments import UsageError
 from yamaro.policy import Policy
 from yamaro.tools.rebuilding import Rebuilder, count_told
 from yamaro.tools.watching import FileWatch, surroundings

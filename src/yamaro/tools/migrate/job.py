@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import os
 
-from ...compiler import UsageError, finder_for, reach_of
+from ...arguments import UsageError
 from ...confined import has_jail, no_jail, run_in_jail, time_is_over
 from ...diagnostics import ERROR, YamaroError
+from ...main_file import finder_for, reach_of
 from ...policy import JAIL, SAFE, Policy
 from ...runtime.xml_includes import read_included, xacro_in_safe_mode
 from ...sandbox.deadline import TimeOver, run_within

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from ...confined import failure_of_all
+from ...diagnostics import failure_of_all
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from ...compiler import Build
     from ...confined import Reader
     from ...diagnostics import Diagnostic
+    from ...result import Build
     from .request import Request
 
 OLDEST_VTK = (9, 6)

@@ -21,9 +21,9 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
-    from ...compiler import Build
     from ...confined import Reader
     from ...diagnostics import Diagnostic
+    from ...result import Build
     from .cameras import Camera
     from .motion import Moment
     from .request import Request

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from math import pi, sin
 
-from ...compiler import UsageError
+from ...arguments import UsageError
 from ..scene.robot import CONTINUOUS
 from .request import EACH_SECONDS, MOST_FRAMES, SWEEP_SECONDS, TURN_SECONDS, find_joint
 from .words import ALL, EACH

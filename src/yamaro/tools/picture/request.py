@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from math import isfinite
 
-from ...compiler import UsageError
+from ...arguments import UsageError
 from ...diagnostics import did_you_mean
 from ...terminal import shortened
 from ..scene.robot import LARGEST

@@ -10,8 +10,8 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
 
-    from ...compiler import Build
     from ...diagnostics import Diagnostic
+    from ...result import Build
     from .mesh_files import MeshFiles
     from .origins import Json
 

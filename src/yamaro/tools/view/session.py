@@ -6,11 +6,12 @@ import json
 import os
 import threading
 
-from ...compiler import UsageError, reach_of, read_command_line
+from ...arguments import UsageError, read_command_line
 from ...confined import Reader
 from ...diagnostics import YamaroError
 from ...files.loader import FileLoader, LoadError, decode
 from ...files.regular import open_regular
+from ...main_file import reach_of
 from ...syntax.includes import holds_xml
 from .description import Description, fault_data
 from .fields import Field, WrongValue, read_fields

@@ -6,10 +6,10 @@ import os
 from contextlib import redirect_stderr, redirect_stdout
 from io import StringIO
 
-from ....compiler import Program as Yamaro
 from ....diagnostics import WARNING, Diagnostic, YamaroError, did_you_mean, failure
 from ....files.loader import FileLoader, LoadError
 from ....files.packages import PackageFinder
+from ....program import Program as Yamaro
 from ....sandbox.deep_stack import run_on_deep_stack
 from ....source import Source, Span
 from ....xml.reader import decode_xml, read_xml

@@ -8,7 +8,7 @@ import pytest
 
 import yamaro
 from yamaro import YamaroError, YamaroWarning, build, convert
-from yamaro.compiler import UsageError
+from yamaro.arguments import UsageError
 from yamaro.files.loader import MemoryLoader
 
 ECHO = "variables: {n: 1}\nout: $(repr(n))\n"

@@ -1,0 +1,153 @@
+"""The functions that the package offers: `build`, `convert` and `load`."""
+
+from __future__ import annotations
+
+from .arguments import UsageError
+from .policy import Policy
+from .program import Program, as_built_in, converted
+from .targets.mesh_paths import RELATIVE
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    import os
+    from collections.abc import Callable, Iterable, Mapping, Sequence
+
+    from .files.loader import Loader
+    from .result import Build
+
+
+def build(
+    path: str | os.PathLike[str],
+    *,
+    command_line: Sequence[str] = (),
+    variables: Mapping[str, object] | None = None,
+    text: str | None = None,
+    strict: bool = False,
+    advice: bool = False,
+    on_message: Callable[[str], None] | None = None,
+    loader: Loader | None = None,
+    policy: Policy | None = None,
+    packages: Mapping[str, str] | None = None,
+    has_root: bool = True,
+    output: str | os.PathLike[str] | None = None,
+    meshes: str = RELATIVE,
+    allow: Iterable[str] = (),
+    deny: Iterable[str] = (),
+) -> Build:
+    """Compile a file.
+
+    Args:
+        path: the main file: YAML, or by its ending a URDF, a robot in xacro or other XML; "-" with
+            `text` for a text that is in no file.
+        command_line: variables as `name:=value`, the value in YAML.
+        variables: variables as Python objects.
+        text: what to compile in place of the content of `path`.
+        strict: raise warnings as errors.
+        advice: also warn of what is legal but seldom meant.
+        on_message: takes each line that `print` and `process` print; standard error by default.
+        loader: gives the text of files; the disk by default.
+        policy: how far the file is trusted; in full by default.
+        packages: folders of ROS packages by name, before those that are found.
+        has_root: without, there may be no tree in the end, which spares taking it out of a jail.
+        output: where the XML is to be written; relative paths of meshes start at its folder. By
+            default at that of the main file.
+        meshes: how the XML names meshes and textures that are there: "relative", "keep" (as they
+            are written), "absolute", "copy" (the files of `Build.assets`, which are not written),
+            "package://NAME", or "none", without shapes that are meshes.
+        allow: codes of diagnostics that are warnings, also with `strict`.
+        deny: codes of diagnostics that are errors.
+
+    Raises:
+        YamaroError: the input has errors; it holds them, and the warnings found before.
+        UsageError: the main file cannot be read, a `name:=value` or `meshes` is malformed, or a
+            code of `allow` or `deny` is unknown or always an error.
+    """
+    program = Program(
+        path,
+        text=text,
+        loader=loader,
+        policy=policy,
+        packages=packages,
+        allow=allow,
+        deny=deny,
+    )
+    return program.build(
+        command_line=command_line,
+        variables=variables,
+        strict=strict,
+        advice=advice,
+        on_message=on_message,
+        has_root=has_root,
+        output=output,
+        meshes=meshes,
+    )
+
+
+def convert(
+    path: str | os.PathLike[str],
+    /,
+    *assignments: str,
+    allow: Iterable[str] = (),
+    deny: Iterable[str] = (),
+    **variables: object,
+) -> str:
+    """Compile a file and return the XML.
+
+    What the file prints goes to standard error; warnings are issued as `YamaroWarning`.
+
+    Args:
+        path: the main file: YAML, a URDF or a robot in xacro.
+        assignments: variables of the main file, or arguments of xacro, as on the command line:
+            `"length:=2"`.
+        allow: codes of diagnostics that are warnings.
+        deny: codes of diagnostics that are errors.
+        variables: the same as Python objects: `width=0.3`.
+
+    Raises:
+        YamaroError: the input has errors.
+        OSError: the main file cannot be read.
+        ValueError: an assignment is malformed.
+    """
+    if isinstance(variables.get("policy"), Policy):
+        raise TypeError("convert() takes no policy: write load(path, policy=policy).convert(…)")
+    try:
+        program = Program(path, allow=allow, deny=deny)
+    except UsageError as error:
+        raise as_built_in(error) from None
+    return converted(program, assignments, variables)
+
+
+def load(
+    path: str | os.PathLike[str],
+    *,
+    loader: Loader | None = None,
+    policy: Policy | None = None,
+    packages: Mapping[str, str] | None = None,
+    allow: Iterable[str] = (),
+    deny: Iterable[str] = (),
+) -> Program:
+    """Return a program that converts a file again and again.
+
+    Args:
+        path: the main file.
+        loader: gives the text of files; the disk by default.
+        policy: how far the file is trusted; in full by default.
+        packages: folders of ROS packages by name, before those that are found.
+        allow: codes of diagnostics that are warnings in all conversions.
+        deny: codes of diagnostics that are errors in all conversions.
+
+    Raises:
+        YamaroError: the main file has errors, which are found without running it.
+        OSError: the main file cannot be read.
+        ValueError: a code of `allow` or `deny` is unknown or always an error.
+    """
+    import threading  # noqa: F401 - lets `deep_stack` keep its thread for the next conversion
+
+    try:
+        program = Program(
+            path, loader=loader, policy=policy, packages=packages, allow=allow, deny=deny
+        )
+        program.parse()
+    except UsageError as error:
+        raise as_built_in(error) from None
+    return program

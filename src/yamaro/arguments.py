@@ -1,0 +1,98 @@
+"""What a build is asked for with: variables, and codes to allow and deny."""
+
+from __future__ import annotations
+
+from .diagnostics import Adjustment, Reporter, YamaroError
+from .runtime.predefined import plain_data
+from .source import COMMAND_LINE, KEYWORD_ARGUMENT, Source, Span
+from .syntax.context import ParseContext
+from .syntax.names import is_identifier, python_name
+from .syntax.values import parse_inline
+from .xml.tree import format_value
+from .yaml.nodes import PLAIN, ScalarNode
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Mapping, Sequence
+
+
+class UsageError(Exception):
+    """The command was used wrongly: the main file is missing, or an argument is malformed."""
+
+
+def adjustment_of(
+    allow: Iterable[str], deny: Iterable[str], *, is_strict: bool = False
+) -> Adjustment:
+    """Return which codes are allowed and denied; a lone text is one code.
+
+    Raises:
+        UsageError: a code is unknown, always an error, or both allowed and denied.
+    """
+    allowed = frozenset([allow] if isinstance(allow, str) else allow)
+    denied = frozenset([deny] if isinstance(deny, str) else deny)
+    if allowed or denied:
+        from .codes import fault_of_codes
+
+        fault = fault_of_codes(allowed, denied)
+        if fault is not None:
+            raise UsageError(fault)
+    return Adjustment(allowed, denied, is_strict=is_strict)
+
+
+def read_arguments(
+    command_line: Sequence[str], variables: Mapping[str, object], *, is_xml: bool
+) -> tuple[dict[str, object], dict[str, Span]]:
+    """Return the variables passed to the main file, and where each name is written.
+
+    Args:
+        command_line: variables as `name:=value`.
+        variables: variables as Python objects; they replace those of the command line.
+        is_xml: the main file is URDF or xacro, whose arguments are texts.
+
+    Raises:
+        UsageError: a `name:=value` is malformed.
+    """
+    if is_xml:
+        values, places = _read_texts(command_line)
+        values.update({name: format_value(value) for name, value in variables.items()})
+    else:
+        values, places = read_command_line(command_line)
+        values.update(variables)
+    for name in variables:
+        places[name] = Span(Source(f"{name}=…", name=KEYWORD_ARGUMENT), 0, len(name))
+    return values, places
+
+
+def read_command_line(arguments: Sequence[str]) -> tuple[dict[str, object], dict[str, Span]]:
+    """Return the variables given as `name:=value`, and where each name stands."""
+    values: dict[str, object] = {}
+    places: dict[str, Span] = {}
+    for argument in arguments:
+        name, separator, _ = argument.partition(":=")
+        if not separator or not is_identifier(name):
+            raise UsageError(f"'{argument}' is not of the form name:=value")
+        source = Source(argument, name=COMMAND_LINE)
+        node = ScalarNode(argument, PLAIN, source, 0, len(argument))
+        reporter = Reporter()
+        try:
+            context = ParseContext(reporter)
+            start = len(name) + 2
+            value = parse_inline(node, start, len(argument), context, is_literal=True)
+            values[python_name(name)] = plain_data(value)
+        except YamaroError as error:
+            raise UsageError(f"'{argument}': {error.diagnostics[0].message}") from None
+        places[python_name(name)] = Span(source, 0, len(name))
+    return values, places
+
+
+def _read_texts(command_line: Sequence[str]) -> tuple[dict[str, object], dict[str, Span]]:
+    """Return the arguments of a xacro file, as they are written, and where each name is."""
+    values: dict[str, object] = {}
+    places: dict[str, Span] = {}
+    for argument in command_line:
+        name, separator, value = argument.partition(":=")
+        if not separator or not name:
+            raise UsageError(f"'{argument}' is not of the form name:=value")
+        values[name] = value
+        places[name] = Span(Source(argument, name=COMMAND_LINE), 0, len(name))
+    return values, places

@@ -1,0 +1,99 @@
+"""The phases of the pipeline, each as a function that calls the room which does the work.
+
+A room is imported when a file needs it: a document without parts loads nothing of `robot/`.
+"""
+
+from __future__ import annotations
+
+from .diagnostics import Reporter
+from .runtime.unread import warn_of_unread, warn_of_unread_includes
+from .xml.tree import Element
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from .files.mesh_files import MeshFinder
+    from .request import Request
+    from .runtime.interpreter import Interpreter
+    from .xml.tree import Shared
+
+
+def evaluate(request: Request, interpreter: Interpreter) -> Element:
+    """Run the main file, which is parsed then, and each file it includes, when it is reached."""
+    variables, places, reporter = request.variables, request.places, request.reporter
+    if request.source.is_xml:
+        from .runtime.xml_main import run_xml_main
+
+        texts = {name: str(text) for name, text in variables.items()}  # they are texts already
+        root, is_xacro = run_xml_main(request.source, interpreter, texts, places, reporter)
+        if not is_xacro:
+            warn_of_unread(places, interpreter.files, reporter)
+        return root
+    root = interpreter.run_main(
+        request.source, stem=request.stem, variables=variables, places=places
+    )
+    warn_of_unread(places, interpreter.files, reporter)
+    warn_of_unread_includes(interpreter.passed.values(), interpreter.files, reporter)
+    return root
+
+
+def lower(
+    root: Element, interpreter: Interpreter, finder: MeshFinder, reporter: Reporter, shared: Shared
+) -> Element:
+    """Return the tree without parts, in which the names of materials do not clash."""
+    if interpreter.has_parts:
+        from .robot.part import lower as lower_parts
+
+        root = lower_parts(
+            root,
+            reporter=reporter,
+            resolve_mesh=finder.resolve,
+            may_read=finder.allows,
+            shared=shared,
+        )
+    return _put_together(root) if interpreter.is_yaml else root
+
+
+def _put_together(root: Element) -> Element:
+    """Return a robot of several files, in which the names of materials do not clash."""
+    if root.name != "robot" or not any(
+        isinstance(child, Element) and (child.name == "material" or child.body is not None)
+        for child in root.children
+    ):
+        return root
+    from .robot.material_names import settle_materials
+
+    return settle_materials(root)
+
+
+def check(
+    root: Element,
+    finder: MeshFinder,
+    reporter: Reporter,
+    shared: Shared,
+    wants: Callable[[str], bool] | None,
+) -> bool:
+    """Check a robot, and report advice with the codes wanted; tell whether it refers to files."""
+    if root.name != "robot":
+        if root.span.source.is_xml:
+            from .check.robot import check_format
+
+            check_format(root, reporter)
+        return False
+    from .check.robot import check as check_robot
+
+    advisor = None if wants is None else Reporter()
+    has_files = check_robot(
+        root,
+        reporter=reporter,
+        resolve_mesh=finder.resolve,
+        places_searched=finder.places_searched,
+        path_meant=finder.path_meant,
+        advice=advisor,
+        shared=shared,
+    )
+    for diagnostic in advisor.diagnostics if advisor else ():
+        if wants is not None and wants(diagnostic.code):
+            reporter.add(diagnostic)
+    return has_files

@@ -1,0 +1,92 @@
+"""The pipeline: read → parse → evaluate → lower → check → emit."""
+
+from __future__ import annotations
+
+from .diagnostics import INHERITED, Reporter, YamaroError
+from .phases import check, evaluate, lower
+from .result import Build, Finished
+from .runtime.interpreter import Interpreter
+from .xml.tree import unshared, write_pieces
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from .policy import Policy
+    from .request import Request
+    from .runtime.library import Library
+    from .xml.tree import Element, Shared
+
+
+def compile_request(
+    request: Request, library: Library, policy: Policy, say: Callable[[str], None]
+) -> Build:
+    """Return what is built of a main file, which `main_file.py` has read.
+
+    Args:
+        request: the main file, and what was asked for with it.
+        library: reads and parses files.
+        policy: how far they are trusted.
+        say: takes the lines that they print.
+
+    Raises:
+        YamaroError: the input has errors.
+    """
+    reporter, finder = request.reporter, request.paths.finder
+    interpreter = Interpreter(
+        library=library,
+        reporter=reporter,
+        on_message=say,
+        policy=policy,
+        packages=request.packages,
+    )
+    evaluated = evaluate(request, interpreter)
+    document = _finish(evaluated, request, interpreter)
+    finished = document.root
+    if finished is not None:
+        request.adjustment.allow(document.diagnostics)
+    else:
+        from .runtime.origins import add_origins
+
+        for diagnostic in document.diagnostics:
+            add_origins(diagnostic, interpreter.files, interpreter.places)
+    if finished is None or request.adjustment.deny(document.diagnostics):
+        raise YamaroError(document.diagnostics)
+    for diagnostic in document.diagnostics:
+        reporter.add(diagnostic)
+    return Build(
+        lambda: lower(unshared(evaluated), interpreter, finder, Reporter(), {}),
+        lambda: finder.referred_to(finished),
+        paths=request.paths,
+        pieces=document.pieces,
+        warnings=reporter.diagnostics,
+        files=list(interpreter.files.read),
+    )
+
+
+def _finish(evaluated: Element, request: Request, interpreter: Interpreter) -> Finished:
+    """Lower, check and write what was evaluated.
+
+    An element that stands in several places cannot tell which calls led to each of them. So if
+    there is something to tell about one, all is done again with an element for each place.
+    """
+    document = _lower_check_emit(evaluated, interpreter.builder.shared, request, interpreter)
+    if any(diagnostic.trace is INHERITED for diagnostic in document.diagnostics):
+        if interpreter.has_frames:
+            return _lower_check_emit(unshared(evaluated), {}, request, interpreter)
+        for diagnostic in document.diagnostics:
+            diagnostic.trace = None
+    return document
+
+
+def _lower_check_emit(
+    root: Element, shared: Shared, request: Request, interpreter: Interpreter
+) -> Finished:
+    reporter, paths = Reporter(), request.paths
+    try:
+        root = lower(root, interpreter, paths.finder, reporter, shared)
+        has_files = check(root, paths.finder, reporter, shared, request.wanted_advice())
+        written = paths.applied_to(root, shared) if has_files else (root, shared)
+        return Finished(root, write_pieces(*written, interpreter.limits), reporter.diagnostics)
+    except YamaroError as error:
+        return Finished(None, [], [*reporter.diagnostics, *error.diagnostics])

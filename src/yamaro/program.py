@@ -1,0 +1,391 @@
+"""A file that can be converted again and again: in this process, or in a jail."""
+
+from __future__ import annotations
+
+import os
+import sys
+
+from .arguments import UsageError, adjustment_of, read_arguments
+from .diagnostics import Adjustment, Reporter, YamaroError, YamaroWarning, failure_of_all
+from .files.loader import FileLoader, LoadError
+from .files.mesh_files import MeshFinder
+from .main_file import finder_for, folder_of, reach_of, read_main, stem_of
+from .pipeline import compile_request
+from .policy import NO_JAIL, UNSAFE, Policy
+from .request import Request
+from .runtime.collector import RareCollection
+from .runtime.library import Library, rules_of
+from .sandbox.deadline import TimeOver, run_within
+from .sandbox.deep_stack import run_on_deep_stack
+from .targets.mesh_paths import COPY, RELATIVE, MeshPaths
+from .terminal import harmless
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterable, Mapping, Sequence
+    from typing import TypeVar
+
+    from .diagnostics import Diagnostic
+    from .files.loader import Loader
+    from .files.packages import PackageFinder
+    from .result import Build
+    from .sandbox.transfer import Outcome
+    from .source import Source
+    from .targets.assets import Assets
+
+    T = TypeVar("T")
+    Say = Callable[[str], None]
+
+
+class Program:
+    """A file that can be converted again and again, with other variables.
+
+    It and the files it includes are read and parsed once, when they are first needed, as are the
+    Python modules beside them; changes on the disk are not seen. All else begins anew in each
+    conversion. Conversions may run in several threads at once.
+    """
+
+    __slots__ = (
+        "_adjustment",
+        "_in_jail",
+        "_library",
+        "_packages",
+        "_path",
+        "_policy",
+        "_reach",
+        "_source",
+        "_text",
+    )
+
+    def __init__(
+        self,
+        path: str | os.PathLike[str],
+        *,
+        text: str | None = None,
+        loader: Loader | None = None,
+        policy: Policy | None = None,
+        packages: Mapping[str, str] | None = None,
+        allow: Iterable[str] = (),
+        deny: Iterable[str] = (),
+    ) -> None:
+        """Name the main file; see `yamaro.build`.
+
+        Raises:
+            UsageError: `allow` or `deny` names a code that cannot be allowed or denied.
+        """
+        self._adjustment = adjustment_of(allow, deny)
+        self._path = path = os.fspath(path)
+        self._text = text
+        self._policy = policy or Policy()
+        self._packages = dict(packages or {})
+        self._reach = reach_of(path, self._policy, self._packages)
+        self._library = Library(
+            loader or FileLoader(self._policy.limits, self._reach), rules_of(self._policy)
+        )
+        self._source: Source | None = None
+        self._in_jail: Program | None = None  # the same file, once safe mode has refused it
+
+    def parse(self) -> None:
+        """Read and parse the main file.
+
+        Raises:
+            YamaroError: the file has errors.
+            UsageError: it cannot be read.
+        """
+        source = self._main_file()
+        reporter = Reporter()
+        if not self._has_jail(source):
+            self._run(lambda: self._parse(source, reporter), reporter, source)
+            return
+
+        def parse_there(program: Program, say: Say) -> Outcome:
+            from .sandbox.transfer import Outcome
+
+            program._parse(source, reporter)
+            return Outcome(diagnostics=reporter.diagnostics)
+
+        outcome = self._run_confined(
+            parse_there, reporter, source, has_root=False, has_document=False
+        )
+        if outcome.has_errors:
+            raise YamaroError(outcome.diagnostics)
+
+    def _parse(self, source: Source, reporter: Reporter) -> None:
+        if source.is_xml:
+            from .runtime.xml_includes import read_included
+
+            read_included(source, self._policy.limits)
+        else:
+            self._library.parse(source, reporter=reporter)
+
+    def convert(self, /, *assignments: str, **variables: object) -> str:
+        """Return the XML; see `yamaro.convert`.
+
+        Raises:
+            YamaroError: the input has errors.
+            ValueError: an assignment is malformed.
+        """
+        return converted(self, assignments, variables)
+
+    def build(
+        self,
+        *,
+        command_line: Sequence[str] = (),
+        variables: Mapping[str, object] | None = None,
+        strict: bool = False,
+        advice: bool = False,
+        on_message: Callable[[str], None] | None = None,
+        has_root: bool = True,
+        output: str | os.PathLike[str] | None = None,
+        meshes: str = RELATIVE,
+    ) -> Build:
+        """Compile the file; see `yamaro.build`.
+
+        Raises:
+            YamaroError: the input has errors; it holds them, and the warnings found before.
+            UsageError: a `name:=value` or `meshes` is malformed.
+        """
+        request = self._request(
+            command_line, variables, strict=strict, advice=advice, output=output, meshes=meshes
+        )
+        return self._compile(request, lambda build: build, say=on_message, has_root=has_root)
+
+    def xml_and_warnings(
+        self, command_line: Sequence[str], variables: Mapping[str, object]
+    ) -> tuple[str, list[Diagnostic]]:
+        """Compile the file; return the XML and the warnings.
+
+        Raises:
+            YamaroError: the input has errors; it holds them, and the warnings found before.
+            UsageError: a `name:=value` is malformed.
+        """
+        request = self._request(command_line, variables)
+        return self._compile(request, lambda build: (build.xml(), build.warnings))
+
+    def _request(
+        self,
+        command_line: Sequence[str],
+        variables: Mapping[str, object] | None,
+        *,
+        strict: bool = False,
+        advice: bool = False,
+        output: str | os.PathLike[str] | None = None,
+        meshes: str = RELATIVE,
+    ) -> Request:
+        """Return what a build is asked for with; raise UsageError if it makes no sense."""
+        source = self._main_file()
+        values, places = read_arguments(command_line, variables or {}, is_xml=source.is_xml)
+        packages = finder_for(self._path, self._reach, self._packages)
+        adjustment = self._adjustment
+        if strict:
+            adjustment = Adjustment(adjustment.allowed, adjustment.denied, is_strict=True)
+        return Request(
+            source,
+            stem=stem_of(self._path),
+            variables=values,
+            places=places,
+            packages=packages,
+            paths=self._mesh_paths(meshes, output, packages),
+            reporter=Reporter(),
+            adjustment=adjustment,
+            has_advice=advice,
+        )
+
+    def _compile(
+        self,
+        request: Request,
+        take: Callable[[Build], T],
+        *,
+        say: Say | None = None,
+        has_root: bool = False,
+    ) -> T:
+        """Compile the file, see `build`, and return what `take` takes of the result.
+
+        What it does not take is freed in the thread that made it, whose core has it at hand. Out of
+        a jail the tree comes only with `has_root`, since that takes time.
+        """
+        source, reporter = request.source, request.reporter
+        say = say or _print_to_standard_error
+
+        def compile_here() -> T:
+            return take(compile_request(request, self._library, self._policy, say))
+
+        try:
+            if self._has_jail(source):
+                result = take(self._compile_confined(request, say, has_root=has_root))
+            else:
+                result = self._run(compile_here, reporter, source)
+        except YamaroError as error:
+            request.adjustment.deny(error.diagnostics)
+            raise
+        if request.adjustment.deny(reporter.diagnostics):
+            raise YamaroError(reporter.diagnostics)
+        return result
+
+    def _compile_confined(self, request: Request, say: Say, *, has_root: bool) -> Build:
+        """Return the build that came out of a jail.
+
+        Raises:
+            YamaroError: the input has errors.
+        """
+        from .confined import build_of_outcome, outcome_of_build
+
+        def compile_there(program: Program, say: Say) -> Outcome:
+            build = compile_request(request, program._library, program._policy, say)
+            return outcome_of_build(build, has_root=has_root)
+
+        reporter = request.reporter
+        outcome = self._run_confined(compile_there, reporter, request.source, has_root=has_root)
+        for line in outcome.messages:
+            say(line)
+        for diagnostic in outcome.diagnostics:
+            reporter.add(diagnostic)
+        if outcome.has_errors:
+            raise YamaroError(reporter.diagnostics)
+        return build_of_outcome(outcome, request.paths, self._policy.limits)
+
+    def _mesh_paths(
+        self, mode: str, output: str | os.PathLike[str] | None, packages: PackageFinder
+    ) -> MeshPaths:
+        """Return how the output names meshes; raise UsageError if it cannot as asked."""
+        start = folder_of(self._path)
+        folder = start if output is None else folder_of(os.fspath(output))
+        finder = MeshFinder(packages, self._reach, start=start)
+        if mode == COPY and output is None:
+            raise UsageError("'copy' needs an output file (-o FILE): the meshes go beside it")
+        try:
+            return MeshPaths(mode, folder, finder, self._assets(finder) if mode == COPY else None)
+        except ValueError as error:
+            raise UsageError(str(error)) from None
+
+    def _assets(self, finder: MeshFinder) -> Assets:
+        """Return the copies of meshes, which are looked into in a jail if they are not trusted."""
+        from .confined import Reader
+        from .targets.assets import Assets
+
+        def run(work: Callable[[], bytes]) -> bytes:
+            if self._policy.is_confined:
+                return work()
+            return Reader(self._policy, readable=finder.roots, name=self._path).run(work)
+
+        return Assets(finder, run)
+
+    def _main_file(self) -> Source:
+        if self._source is None:
+            self._source = read_main(self._path, self._text, self._library)
+        return self._source
+
+    def _has_jail(self, source: Source) -> bool:
+        """Tell whether to run the file in a jail; raise YamaroError if that is asked in vain."""
+        if self._policy.is_trusted:
+            return False
+        from .confined import has_jail
+
+        return has_jail(self._policy, source.name)
+
+    def _run(self, function: Callable[[], T], reporter: Reporter, source: Source) -> T:
+        """Return what `function` returns; an error it raises holds the warnings as well."""
+
+        def run() -> T:
+            try:
+                return run_within(self._policy.timeout, function)
+            except TimeOver:
+                from .confined import time_is_over
+
+                raise time_is_over(source.name, self._policy) from None
+            except MemoryError:
+                hint = self._policy.limits.hint("memory")
+                message = "there is not enough memory for this file"
+                raise failure_of_all("limit-memory", message, source.name, hint) from None
+
+        try:
+            with RareCollection():
+                return run_on_deep_stack(run)
+        except YamaroError as error:
+            raise YamaroError([*reporter.diagnostics, *error.diagnostics]) from None
+
+    def _run_confined(
+        self,
+        work: Callable[[Program, Say], Outcome],
+        reporter: Reporter,
+        source: Source,
+        *,
+        has_root: bool,
+        has_document: bool = True,
+    ) -> Outcome:
+        """Return what comes of a conversion that is run in a jail, in safe mode if that will do."""
+
+        def run(program: Program) -> Outcome:
+            return program._confined(
+                work, reporter, source, has_root=has_root, has_document=has_document
+            )
+
+        program = self._in_jail or self
+        outcome = run(program)
+        fallback = program._policy.fallback
+        if fallback is None or not any(one.code == UNSAFE for one in outcome.diagnostics):
+            return outcome
+        program = Program(
+            self._path, loader=self._library.loader, policy=fallback, packages=self._packages
+        )
+        try:
+            in_jail = run(program)
+        except YamaroError as error:
+            if any(one.code == NO_JAIL for one in error.diagnostics):
+                return outcome
+            raise
+        self._in_jail = program
+        return in_jail
+
+    def _confined(
+        self,
+        work: Callable[[Program, Say], Outcome],
+        reporter: Reporter,
+        source: Source,
+        *,
+        has_root: bool,
+        has_document: bool,
+    ) -> Outcome:
+        """Return what comes of a conversion that is run in a jail, under the policy of this one."""
+        from .confined import run_confined
+        from .sandbox.transfer import Outcome
+
+        def work_there(say: Say) -> Outcome:
+            try:
+                return self._run(lambda: work(self, say), reporter, source)
+            except YamaroError as error:
+                return Outcome(diagnostics=error.diagnostics)
+
+        assert self._reach is not None
+        return run_confined(
+            work_there,
+            policy=self._policy,
+            readable=self._reach.roots,
+            name=source.name,
+            has_root=has_root,
+            has_document=has_document,
+        )
+
+
+def converted(program: Program, assignments: Sequence[str], variables: Mapping[str, object]) -> str:
+    """Return the XML; issue the warnings in the name of whoever called our caller."""
+    try:
+        xml, found = program.xml_and_warnings(assignments, variables)
+    except UsageError as error:
+        raise as_built_in(error) from None
+    if found:
+        import warnings
+
+        for diagnostic in found:
+            warnings.warn(str(YamaroError([diagnostic])), YamaroWarning, stacklevel=3)
+    return xml
+
+
+def as_built_in(error: UsageError) -> Exception:
+    """Return the exception of Python's own that says the same."""
+    is_missing = isinstance(error.__cause__, LoadError)
+    return FileNotFoundError(str(error)) if is_missing else ValueError(str(error))
+
+
+def _print_to_standard_error(text: str) -> None:
+    print(harmless(text), file=sys.stderr)

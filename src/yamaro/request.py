@@ -1,0 +1,69 @@
+"""One conversion as it was asked for: what every phase of the pipeline may need to know."""
+
+from __future__ import annotations
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from .diagnostics import Adjustment, Reporter
+    from .files.packages import PackageFinder
+    from .source import Source, Span
+    from .targets.mesh_paths import MeshPaths
+
+
+class Request:
+    """What is built, with which variables, and where messages go.
+
+    Attributes:
+        source: the main file, as it was read.
+        stem: the name of the robot, if the file does not name it.
+        variables: the variables passed, by name.
+        places: where the name of each of them is written.
+        packages: finds packages.
+        paths: tells where the files of meshes are, and how they are named.
+        reporter: takes the warnings.
+        adjustment: which codes are allowed and denied.
+        has_advice: whether all advice is wanted, and not only that of codes which are denied.
+    """
+
+    __slots__ = (
+        "adjustment",
+        "has_advice",
+        "packages",
+        "paths",
+        "places",
+        "reporter",
+        "source",
+        "stem",
+        "variables",
+    )
+
+    def __init__(
+        self,
+        source: Source,
+        *,
+        stem: str,
+        variables: dict[str, object],
+        places: dict[str, Span],
+        packages: PackageFinder,
+        paths: MeshPaths,
+        reporter: Reporter,
+        adjustment: Adjustment,
+        has_advice: bool,
+    ) -> None:
+        self.source = source
+        self.stem = stem
+        self.variables = variables
+        self.places = places
+        self.packages = packages
+        self.paths = paths
+        self.reporter = reporter
+        self.adjustment = adjustment
+        self.has_advice = has_advice
+
+    def wanted_advice(self) -> Callable[[str], bool] | None:
+        """Return what tells which codes of advice to report, or None if no advice is wanted."""
+        if self.has_advice:
+            return lambda code: True
+        return self.adjustment.denied.__contains__ if self.adjustment.denied else None

@@ -1,0 +1,110 @@
+"""The result of a build: the document, what it refers to, and the tree it was written from."""
+
+from __future__ import annotations
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterator
+
+    from .diagnostics import Diagnostic
+    from .targets.mesh_paths import MeshPaths
+    from .xml.tree import Element
+
+PIECES_IN_CHUNK = 10_000
+"""Pieces of text, of some dozens of characters each, that are written at a time."""
+
+
+class Finished:
+    """What lowering, checking and writing gave: no root if the diagnostics hold errors."""
+
+    __slots__ = ("diagnostics", "pieces", "root")
+
+    def __init__(
+        self, root: Element | None, pieces: list[str], diagnostics: list[Diagnostic]
+    ) -> None:
+        self.root = root
+        self.pieces = pieces
+        self.diagnostics = diagnostics
+
+
+class Build:
+    """A finished robot or other document.
+
+    Attributes:
+        files: the absolute path of every file read, in order.
+        finder: finds the files of meshes and textures.
+        pieces: the document, in pieces.
+        warnings: the warnings, in order.
+    """
+
+    __slots__ = (
+        "_find_assets",
+        "_find_meshes",
+        "_make_root",
+        "_root",
+        "files",
+        "finder",
+        "pieces",
+        "warnings",
+    )
+
+    def __init__(
+        self,
+        make_root: Callable[[], Element],
+        find_meshes: Callable[[], list[str]],
+        *,
+        paths: MeshPaths,
+        pieces: list[str],
+        warnings: list[Diagnostic],
+        files: list[str],
+    ) -> None:
+        """Hold the results of a build.
+
+        Args:
+            make_root: makes the finished tree, each element traced to its origin.
+            find_meshes: gives the meshes referred to.
+            paths: tells where the file of a mesh is, and how it is named.
+            pieces: the document, in pieces.
+            warnings: what was noticed, in order.
+            files: the absolute path of every file read, in order.
+        """
+        self._make_root = make_root
+        self._find_meshes = find_meshes
+        self._root: Element | None = None
+        self.pieces = pieces
+        self._find_assets = paths.assets
+        self.finder = paths.finder
+        self.warnings = warnings
+        self.files = files
+
+    @property
+    def meshes(self) -> list[str]:
+        """Return the meshes referred to: absolute paths, or as written if not found."""
+        return self._find_meshes()
+
+    @property
+    def assets(self) -> dict[str, bytes]:
+        """Return what belongs beside the output with `meshes="copy"`, by paths relative to it.
+
+        Raises:
+            OSError: a mesh cannot be read any more.
+        """
+        return self._find_assets.of(self.meshes) if self._find_assets else {}
+
+    @property
+    def root(self) -> Element:
+        """Return the root element; every element tells where in the YAML it was made."""
+        if self._root is None:
+            self._root = self._make_root()
+        return self._root
+
+    def xml(self) -> str:
+        """Return the document as text."""
+        if len(self.pieces) > 1:
+            self.pieces = ["".join(self.pieces)]
+        return self.pieces[0]
+
+    def encoded(self) -> Iterator[bytes]:
+        """Give the document in UTF-8, chunk by chunk: a long one is never in memory as a whole."""
+        for start in range(0, len(self.pieces), PIECES_IN_CHUNK):
+            yield "".join(self.pieces[start : start + PIECES_IN_CHUNK]).encode()
