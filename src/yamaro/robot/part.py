@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from ..diagnostics import YamaroError, failure
 from ..syntax.forms import FormedPart
-from ..xml.tree import Element, PartElement, format_value
+from ..xml.tree import Element, PartElement, RobotWord, format_value
 from .fields import (
     Fields,
     check_plain,
@@ -169,7 +169,11 @@ class PartNames:
 
 def _lower_part(lowering: Lowering, part: Element, out: list[Node]) -> None:
     """Append the joint and link of a part, in the order written, and then what stands beside."""
-    if type(part) is FormedPart:
+    if type(part) is RobotWord:
+        from .words import lower_word
+
+        lower_word(lowering, part, out)
+    elif type(part) is FormedPart:
         lower_formed(lowering, part, out, _lower_each)
     else:
         _lower_each(lowering, part, out)

@@ -38,6 +38,7 @@ from ..syntax.nodes import (
     PartNode,
     PrintNode,
     ProcessNode,
+    RobotWordNode,
     TextContent,
     TextNode,
     VariablesNode,
@@ -153,6 +154,8 @@ class Interpreter:
         self.depth = 0
         self.statements_left = policy.limits.statements
         self.part_depth = 0
+        self.element_depth = 0  # of XML elements below the <robot>
+        self.is_robot = False
         self._frames: dict[tuple[str, int, Frame | None, Frame | None], Frame] = {}
         self._matches: dict[int, Match] = {}  # by the identity of a call's arguments
 
@@ -201,15 +204,19 @@ class Interpreter:
             raise failure(fault.code, message, Span(source, 0, 0), hint=fault.hint) from None
 
     def _run_root(self, document: Document, scope: Scope, stem: str) -> Element:
-        self._run_sections(document, scope)
+        self.is_robot = document.root is None or document.root.name == "robot"
+        words = self._run_sections(document, scope)
         if document.root is not None:
             out: list[Node] = []
-            self._run_element(document.root, scope, out, None)
+            self.element_depth -= 1
+            self.run_element(document.root, scope, out, None)
+            self.element_depth += 1
             root = out[0] if out else None
             assert isinstance(root, Element), "a root element has a fixed name"
             is_named = "name" in root.attributes or root.verbatim
             if root.name == "robot" and not is_named:
                 root.attributes = {"name": stem, **root.attributes}
+            root.children += words
             return root
         start = document.model_span or Span(document.source, 0, 0)
         root = Element("robot", start, attributes={"name": stem})
@@ -220,6 +227,7 @@ class Interpreter:
             root.span = content.span
             name = self.values.written(content.value, scope)
             root.attributes["name"] = stem if name is None else name
+        root.children += words
         return root
 
     def _begin_file(self, document: Document, *, caller: Scope | None) -> Scope:
@@ -227,12 +235,21 @@ class Interpreter:
         home = self.files.begin(document, self.frame)
         return Scope(home, self.shared, closure=None, caller=caller)
 
-    def _run_sections(self, document: Document, scope: Scope) -> None:
-        """Run what stands before the model: imports first, the others as written."""
+    def _run_sections(
+        self, document: Document, scope: Scope, *, is_included: bool = False
+    ) -> list[Node]:
+        """Run what stands before the model: imports first, the others as written.
+
+        Returns:
+            The sections of a robot, which follow its model.
+        """
         self.files.import_modules(document, scope.home, self.evaluator)
-        nothing: list[Node] = []
+        words: list[Node] = []
         for statement in document.sections:
-            _RUN[type(statement)](self, statement, scope, nothing, None)
+            if document.is_lone_section and not is_included and type(statement) is RobotWordNode:
+                continue
+            _RUN[type(statement)](self, statement, scope, words, None)
+        return words
 
     # --- bodies ---
 
@@ -245,14 +262,15 @@ class Interpreter:
         for statement in statements:
             _RUN[type(statement)](self, statement, scope, out, body)
 
-    def _run_element(
+    def run_element(
         self, node: ElementNode, scope: Scope, out: list[Node], body: Body | None
     ) -> None:
+        """Run an element, and append it to `out`; nothing if its name is empty."""
         form = node.form
         if form is not None and self.shares:
             values = evaluate_holes(form, scope, self.values)
             in_part = self.part_depth > 0
-            out.append(self.builder.element(form, values, in_part, self._trace()))
+            out.append(self.builder.element(form, values, in_part, self.trace()))
             return
         name = node.name
         if not isinstance(name, str):
@@ -269,7 +287,7 @@ class Interpreter:
             name,
             node.span,
             attributes=attributes,
-            trace=self._trace(),
+            trace=self.trace(),
             value_spans=value_spans,
             verbatim=node.verbatim,
             body=body,
@@ -296,7 +314,7 @@ class Interpreter:
         """Put out a text or comment that the parser has made."""
         out.append(node)
 
-    def _trace(self) -> Frame | None:
+    def trace(self) -> Frame | None:
         """Return the trace of an element that is made here."""
         return INHERITED if self.frame is self.holder and self.shares else self.frame
 
@@ -304,7 +322,9 @@ class Interpreter:
         """Give an element its content."""
         if isinstance(content, Body):
             holder, self.holder = self.holder, self.frame
+            self.element_depth += 1
             self.run_body(content, scope, element.children)
+            self.element_depth -= 1
             self.holder = holder
         elif isinstance(content, TextContent):
             value = self.values.written(content.value, scope)
@@ -380,15 +400,22 @@ class Interpreter:
         self.has_parts = True
         if node.form is not None and self.shares:
             values = evaluate_holes(node.form, scope, self.values)
-            out.append(self.builder.part(node.form, values, self._trace()))
+            out.append(self.builder.part(node.form, values, self.trace()))
             return
-        part = PartElement("part", node.span, trace=self._trace(), body=body)
+        part = PartElement("part", node.span, trace=self.trace(), body=body)
         self.part_depth += 1
         holder, self.holder = self.holder, self.frame
         self.run_body(node.body, scope, part.children)
         self.holder = holder
         self.part_depth -= 1
         out.append(part)
+
+    def _run_robot_word(
+        self, node: RobotWordNode, scope: Scope, out: list[Node], body: Body | None
+    ) -> None:
+        from .robot_words import run_robot_word
+
+        run_robot_word(self, node, scope, out, body)
 
     def _run_dynamic(
         self, node: DynamicNode, scope: Scope, out: list[Node], body: Body | None
@@ -421,7 +448,7 @@ class Interpreter:
                 if "/" in text
                 else NAME_RULE,
             )
-        element = Element(text, node.span, trace=self._trace(), body=body)
+        element = Element(text, node.span, trace=self.trace(), body=body)
         self._fill(element, node.content, scope)
         out.append(element)
 
@@ -546,7 +573,7 @@ class Interpreter:
             self.run_body(function.node.body, callee, out)
             if callee.kinds:
                 for key, value in callee.exported():
-                    self._receive(scope, key, value, span, callee.place_of(key))
+                    self.receive(scope, key, value, span, callee.place_of(key))
         except YamaroError as error:
             add_trace(error, frame)
             raise
@@ -607,7 +634,7 @@ class Interpreter:
             trace=self.frame,
         )
 
-    def _receive(self, scope: Scope, key: str, value: Any, span: Span, place: Span | None) -> None:
+    def receive(self, scope: Scope, key: str, value: Any, span: Span, place: Span | None) -> None:
         """Take a `parent` name to where the call or include stands."""
         self._warn_of_replacement(scope.get(key), value, key, span)
         scope.declare(key, value, place=place)
@@ -632,9 +659,10 @@ class Interpreter:
 
     # --- includes ---
 
-    def _run_include(
+    def run_include(
         self, node: IncludeNode, scope: Scope, out: list[Node], body: Body | None
     ) -> None:
+        """Run a file in a context of its own, and take the names that it hands back."""
         path = path_of(node, scope, self.values)
         namespace = namespace_of(node, scope, self.values)
         passed = passed_by(node, scope, self.values)
@@ -661,8 +689,9 @@ class Interpreter:
                 name = argument.name or ""
                 inner.declare(name, passed[name], place=argument.span)
             inner.passed = frozenset(passed)
-            self._run_sections(document, inner)
+            words = self._run_sections(document, inner, is_included=True)
             self._run_included_model(document, inner, out)
+            out += words
         except YamaroError as error:
             add_trace(error, frame)
             raise
@@ -750,9 +779,11 @@ class Interpreter:
     def _run_included_model(self, document: Document, inner: Scope, out: list[Node]) -> None:
         for model in document.model:
             self.run_body(model, inner, out)
-        if document.root is not None:
+        if document.root is not None and not document.is_lone_section:
             made: list[Node] = []
-            self._run_element(document.root, inner, made, None)
+            self.element_depth -= 1
+            self.run_element(document.root, inner, made, None)
+            self.element_depth += 1
             for element in made:
                 if isinstance(element, Element):
                     out.extend(map(self._traced, element.children))
@@ -780,7 +811,7 @@ class Interpreter:
         """Bring the names of an included file to the one that included it."""
         if namespace is None:
             for key, value in inner.exported():
-                self._receive(scope, key, value, span, inner.place_of(key))
+                self.receive(scope, key, value, span, inner.place_of(key))
             return
         context = scope.context
         space = context.find(namespace) if namespace in context else None
@@ -796,19 +827,20 @@ class Interpreter:
 
 # Not in the interpreter itself, which would then refer to itself and live until the collector runs.
 _RUN: dict[type, Callable[[Interpreter, Any, Scope, list[Node], Body | None], None]] = {
-    ElementNode: Interpreter._run_element,
+    ElementNode: Interpreter.run_element,
     Element: Interpreter._run_static,
     Text: Interpreter._run_ready,
     Comment: Interpreter._run_ready,
     TextNode: Interpreter._run_text,
     CommentNode: Interpreter._run_comment,
     PartNode: Interpreter._run_part,
+    RobotWordNode: Interpreter._run_robot_word,
     CallNode: Interpreter._run_call,
     InsertNode: Interpreter._run_insert,
     DynamicNode: Interpreter._run_dynamic,
     IfNode: Interpreter._run_if,
     ForNode: Interpreter._run_for,
-    IncludeNode: Interpreter._run_include,
+    IncludeNode: Interpreter.run_include,
     VariablesNode: Interpreter._run_variables,
     FunctionsNode: Interpreter._run_functions,
     PrintNode: Interpreter._run_print,

@@ -7,11 +7,11 @@ from __future__ import annotations
 
 from ..diagnostics import Reporter, YamaroError
 from ..syntax.context import ParseContext
-from ..syntax.nodes import Argument, DynamicNode, Value
+from ..syntax.nodes import Argument, DynamicNode, ElementNode, RobotWordNode, Value
 from ..syntax.parser import register
 from ..syntax.python import PythonCode
 from ..syntax.rules import Rules
-from ..syntax.statements import parse_arguments
+from ..syntax.statements import parse_arguments, parse_element
 from ..syntax.values import parse_value
 
 
@@ -23,7 +23,7 @@ class Late:
         names_read: every name that an expression read late reads.
     """
 
-    __slots__ = ("_calls", "_codes", "_values", "context", "names_read")
+    __slots__ = ("_calls", "_codes", "_elements", "_values", "context", "names_read")
 
     def __init__(self, reporter: Reporter, codes: dict[str, PythonCode], rules: Rules) -> None:
         """Report warnings to `reporter`; add Python code that defines functions to `codes`."""
@@ -31,6 +31,7 @@ class Late:
         self.names_read: set[str] = set()
         self._codes = codes
         self._values: dict[Argument, Value] = {}
+        self._elements: dict[RobotWordNode, ElementNode] = {}
         self._calls: dict[DynamicNode, list[Argument]] = {}
 
     def value(self, argument: Argument) -> Value:
@@ -59,6 +60,20 @@ class Late:
                 raise YamaroError(self.context.errors)
             self._register()
         return call
+
+    def element(self, word: RobotWordNode) -> ElementNode:
+        """Return a robot's word as an element, once it turned out to stand where no part may.
+
+        Raises:
+            YamaroError: what stands there can be no element.
+        """
+        element = self._elements.get(word)
+        if element is None:
+            element = self._elements[word] = parse_element(word.key, word.node, self.context)
+            if self.context.errors:
+                raise YamaroError(self.context.errors)
+            self._register()
+        return element
 
     def _register(self) -> None:
         for python in self.context.codes:

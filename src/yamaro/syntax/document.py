@@ -41,6 +41,7 @@ class Document:
         "declarations",
         "extents",
         "imports",
+        "is_lone_section",
         "model",
         "model_span",
         "names_read",
@@ -59,6 +60,7 @@ class Document:
             model: the bodies of the `model:` sections, in order.
             model_span: where `model:` stands first, or None without one.
             root: the root element written in place of `model`, if there is one.
+            is_lone_section: whether the root element is a section of a robot in an included file.
             robot_name: what stands behind `robot:`.
             codes: Python code by its file name, to find the place of an error in a function.
             declarations: every name declared, with the scope and place.
@@ -71,6 +73,7 @@ class Document:
         self.model: list[Body] = []
         self.model_span: Span | None = None
         self.root: ElementNode | None = None
+        self.is_lone_section = False
         self.robot_name: TextContent | None = None
         self.codes: dict[str, PythonCode] = {}
         self.declarations: list[tuple[str, str, Span]] = []

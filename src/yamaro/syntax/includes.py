@@ -61,15 +61,25 @@ def parse_include(key: ScalarNode, node: YamlNode, context: ParseContext) -> Inc
     if isinstance(node, ScalarNode):
         path = _parse_path(node, key, context)
         return IncludeNode(path, None, [], path_span=node.span(), span=key.span())
+    return parse_include_of(key, pairs_of(node, "an include", context), context)
+
+
+def parse_include_of(key: ScalarNode, pairs: Pairs, context: ParseContext) -> IncludeNode:
+    """Return the include that the entries of an `include` or `attach` stand for.
+
+    Raises:
+        YamaroError: it has no path, or an argument has no proper name.
+    """
+    word = key.text
     path_pair: tuple[ScalarNode, YamlNode] | None = None
     namespace_pair: tuple[ScalarNode, YamlNode] | None = None
     rest: Pairs = []
-    for own, value in pairs_of(node, "an include", context):
+    for own, value in pairs:
         if own.text == "path":
-            refuse_twice(path_pair, own, "include")
+            refuse_twice(path_pair, own, word)
             path_pair = (own, value)
         elif own.text == "namespace":
-            refuse_twice(namespace_pair, own, "include")
+            refuse_twice(namespace_pair, own, word)
             namespace_pair = (own, value)
         else:
             rest.append((own, value))
@@ -78,7 +88,7 @@ def parse_include(key: ScalarNode, node: YamlNode, context: ParseContext) -> Inc
         near = suggest("path", names) or next((n for n in names if n in OTHER_WORDS), None)
         raise failure(
             "missing-key",
-            "`include` needs an entry `path`",
+            f"`{word}` needs an entry `path`",
             key.span(),
             hint=f"did you mean `path` by '{near}'?" if near else "write path: other.yaml",
         )

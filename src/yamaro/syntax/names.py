@@ -26,6 +26,10 @@ SECTIONS = (
     "if",
     "for",
 )
+ROBOT_STATEMENTS = ("attach", "mirror", "loop")
+"""Statements where a part may stand, and elements elsewhere."""
+ROBOT_SECTIONS = ("control", "states", "groups", "collisions", "naming", "base")
+"""Sections of a file that describes a robot."""
 _KEYWORDS = frozenset(
     """False None True and as assert async await break class continue def del elif else except
     finally for from global if import in is lambda nonlocal not or pass raise return try while

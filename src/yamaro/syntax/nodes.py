@@ -161,6 +161,47 @@ class ElementNode:
         self.form: Form | None = None
 
 
+class RobotWordItem:
+    """What stands once under `attach`, `mirror` or `loop`, or under a section such as `states`.
+
+    Attributes:
+        content: its own keys as elements, or its text.
+        body: the statements under `body`, if there are any.
+        include: the file that is attached, with what is passed to it.
+        span: the place of what stands there.
+    """
+
+    __slots__ = ("body", "content", "include", "span")
+
+    def __init__(self, span: Span) -> None:
+        self.span = span
+        self.content: Content = None
+        self.body: Body | None = None
+        self.include: IncludeNode | None = None
+
+
+class RobotWordNode:
+    """`attach`, `mirror` or `loop`, or a section of a robot such as `states`.
+
+    Attributes:
+        key: the word.
+        node: what stands under it, to be read as an element's content where no part may stand.
+        is_section: whether it is a section of the file.
+        items: one, or those of a list.
+        faults: what is wrong with it, reported if it is run as the word.
+    """
+
+    __slots__ = ("faults", "is_section", "items", "key", "node", "span")
+
+    def __init__(self, key: ScalarNode, node: YamlNode, *, is_section: bool) -> None:
+        self.key = key
+        self.node = node
+        self.span = key.span()
+        self.is_section = is_section
+        self.items: list[RobotWordItem] = []
+        self.faults: Sequence[Diagnostic] = ()
+
+
 class TextNode:
     """`<#text>:`: text between child elements."""
 
@@ -411,6 +452,7 @@ Statement = (
     | TextNode
     | CommentNode
     | PartNode
+    | RobotWordNode
     | CallNode
     | InsertNode
     | DynamicNode

@@ -9,11 +9,18 @@ from ..yaml.reader import read
 from .context import ParseContext
 from .document import Document, ImportNode
 from .mappings import Pairs, pairs_of
-from .names import SECTIONS, STATEMENTS, is_function_name, is_identifier
+from .names import (
+    ROBOT_SECTIONS,
+    ROBOT_STATEMENTS,
+    SECTIONS,
+    STATEMENTS,
+    is_function_name,
+    is_identifier,
+)
 from .nodes import ElementNode, TextContent, VariablesNode
 from .python import PythonCode
 from .rules import Rules
-from .statements import parse_body, parse_pairs, parse_statement
+from .statements import parse_body, parse_element, parse_pairs, parse_statement
 from .template import parse_template
 from .values import is_empty
 
@@ -81,14 +88,27 @@ def _parse_root(root: YamlNode, document: Document, context: ParseContext) -> No
             context.attempt(_parse_model, key, node, document, context)
         elif is_function_name(word) and word.lower() in SECTIONS:
             context.attempt(_refuse_misspelt, key, word.lower())
-        elif word in STATEMENTS or is_function_name(word):
+        elif word in STATEMENTS or word in ROBOT_SECTIONS or is_function_name(word):
             statements.append((key, node))
         else:
             context.attempt(_parse_root_element, key, node, document, context)
+    _read_lone_section(statements, document, context)
     document.sections = parse_pairs(statements, context).statements
     for section in document.sections:
         if isinstance(section, VariablesNode):
             section.is_root = True
+
+
+def _read_lone_section(statements: Pairs, document: Document, context: ParseContext) -> None:
+    """Read a robot's section as the root element too, if nothing else could be the root.
+
+    Which of the two it is depends on whether the file is included, where it is a section.
+    """
+    words = [pair for pair in statements if pair[0].text in ROBOT_SECTIONS]
+    has_robot = document.robot_name is not None or document.model_span or document.root is not None
+    if len(words) == 1 and not has_robot:
+        context.attempt(_parse_root_element, *words[0], document, context)
+        document.is_lone_section = document.root is not None
 
 
 def _parse_robot_name(
@@ -126,7 +146,8 @@ def _parse_root_element(
 ) -> None:
     word = key.text
     bare = word.partition("/")[0]
-    near = suggest(bare, SECTIONS) if not bare.startswith("<") and bare not in SECTIONS else None
+    is_name = bare.startswith("<") or bare in SECTIONS or bare in ROBOT_SECTIONS
+    near = None if is_name else suggest(bare, SECTIONS)
     if near is not None and "/" not in word:
         _refuse_misspelt(key, near)
     if bare.startswith("xacro:"):
@@ -146,7 +167,9 @@ def _parse_root_element(
         )
     context.at_root = False
     try:
-        element = parse_statement(key, node, context)
+        is_word = word in ROBOT_STATEMENTS or word in ROBOT_SECTIONS
+        parse_it = parse_element if is_word else parse_statement
+        element = parse_it(key, node, context)
     finally:
         context.at_root = True
     if not isinstance(element, ElementNode) or not isinstance(element.name, str):

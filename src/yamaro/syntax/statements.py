@@ -11,7 +11,14 @@ from .includes import parse_include
 from .iterations import parse_in, parse_iterator, parse_range
 from .keys import PlainKeyPlaces, find_outside, parse_attributes, parse_name, parse_plain_key
 from .mappings import Entries, Pairs, item_hint, pairs_of, refuse_not_indented
-from .names import ROOT_STATEMENTS, STATEMENTS, is_function_name, is_identifier
+from .names import (
+    ROBOT_SECTIONS,
+    ROBOT_STATEMENTS,
+    ROOT_STATEMENTS,
+    STATEMENTS,
+    is_function_name,
+    is_identifier,
+)
 from .nodes import (
     Argument,
     Body,
@@ -104,6 +111,11 @@ def parse_statement(key: ScalarNode, node: YamlNode, context: ParseContext) -> S
     parse = _PARSERS.get(word)
     if parse is not None:
         return parse(key, node, context)
+    is_section = context.at_root and word in ROBOT_SECTIONS
+    if is_section or (word in ROBOT_STATEMENTS and not isinstance(node, ScalarNode)):
+        from .robot_words import parse_robot_word
+
+        return parse_robot_word(key, node, context)
     if word.startswith("<") and word.endswith(">"):
         return _parse_angled(key, node, context)
     if word in ("#text", "#comment"):
@@ -124,7 +136,7 @@ def parse_statement(key: ScalarNode, node: YamlNode, context: ParseContext) -> S
 def _refuse_at_root(key: ScalarNode) -> None:
     """Raise YamaroError if a statement may not stand at the root of a file."""
     word = key.text
-    if word in ROOT_STATEMENTS:
+    if word in ROOT_STATEMENTS or word in ROBOT_SECTIONS:
         return
     if word in STATEMENTS or is_function_name(word):
         what = f"`{word}`" if word in STATEMENTS else f"the call `{word}`"
@@ -157,7 +169,8 @@ def _parse_bare(key: ScalarNode, node: YamlNode, context: ParseContext) -> State
             return _parse_dynamic(key, template, node, context)
     element = _parse_element(key, 0, len(word), node, context, verbatim=False)
     assert isinstance(element.name, str), "what is evaluated in it makes it one of `$(…)`"
-    context.plain_keys[word] = (element.name, {})
+    if word not in ROBOT_STATEMENTS:
+        context.plain_keys[word] = (element.name, {})
     _warn_of_misspelt_statement(key, node, context)
     return element
 
@@ -258,6 +271,15 @@ def _static_children(content: Content) -> list[Node] | None:
     if isinstance(content, TextContent) and isinstance(content.value, str):
         return [Text(content.value, content.span)]
     return None
+
+
+def parse_element(key: ScalarNode, node: YamlNode, context: ParseContext) -> ElementNode:
+    """Return a pair as an element, whatever its key means elsewhere.
+
+    Raises:
+        YamaroError: it is no element.
+    """
+    return _parse_element(key, 0, len(key.text), node, context, verbatim=False)
 
 
 def _parse_element(

@@ -149,6 +149,17 @@ class PartElement(Element):
     __slots__ = ()
 
 
+class RobotWord(PartElement):
+    """A robot's statement or section as evaluated, before it is lowered: `mirror`, `states`.
+
+    Its children are its own keys, whose names are as they were written and need not be XML's. A
+    list under a key is one `LiteralList`; an item that is a mapping or list is an element `-`. The
+    last child is an element `body` if it has one: what the body made, or the file it attaches.
+    """
+
+    __slots__ = ()
+
+
 Node = Element | Text | Comment
 
 

@@ -1,0 +1,76 @@
+"""Runs `attach`, `mirror`, `loop` and the sections of a robot: what they hold, for lowering.
+
+Nothing is known here of what they mean, only where they are words: where a part may stand. In an
+XML element, and in a root that is not a `<robot>`, they are XML elements themselves.
+"""
+
+from __future__ import annotations
+
+from ..diagnostics import YamaroError
+from ..syntax.nodes import Body, TextContent
+from ..xml.tree import Element, RobotWord, Text
+from .scope import Scope
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from ..syntax.nodes import RobotWordItem, RobotWordNode
+    from ..xml.tree import Node
+    from .interpreter import Interpreter
+
+
+def run_robot_word(
+    interpreter: Interpreter, node: RobotWordNode, scope: Scope, out: list[Node], body: Body | None
+) -> None:
+    """Append what a robot's word makes: a `RobotWord` for each item, or an XML element.
+
+    Raises:
+        YamaroError: it is faulty.
+    """
+    if not node.is_section and not _may_hold_parts(interpreter):
+        interpreter.run_element(interpreter.files.late.element(node), scope, out, body)
+        return
+    if node.faults:
+        raise YamaroError(fault.copy() for fault in node.faults)
+    interpreter.has_parts = True
+    out.extend([_run_item(interpreter, node, item, scope) for item in node.items])
+
+
+def _may_hold_parts(interpreter: Interpreter) -> bool:
+    depth = interpreter.element_depth + interpreter.part_depth
+    return interpreter.is_robot and depth == 0
+
+
+def _run_item(
+    interpreter: Interpreter, node: RobotWordNode, item: RobotWordItem, scope: Scope
+) -> RobotWord:
+    word = RobotWord(node.key.text, node.span, trace=interpreter.trace())
+    holder, interpreter.holder = interpreter.holder, interpreter.frame
+    if isinstance(item.content, Body):
+        interpreter.part_depth += 1
+        interpreter.run_body(item.content, scope, word.children)
+        interpreter.part_depth -= 1
+    elif isinstance(item.content, TextContent):
+        text = interpreter.values.written(item.content.value, scope)
+        word.children.append(Text(text, item.content.span))
+    if item.include is not None or item.body is not None:
+        content = Element("body", node.span, trace=word.trace)
+        word.children.append(content)
+        if item.include is not None:
+            interpreter.run_include(item.include, scope, content.children, None)
+        elif item.body is not None:
+            _run_body(interpreter, node, item.body, scope, content.children)
+    interpreter.holder = holder
+    return word
+
+
+def _run_body(
+    interpreter: Interpreter, node: RobotWordNode, body: Body, scope: Scope, out: list[Node]
+) -> None:
+    """Run a body: that of `attach` in a context of its own, like a call."""
+    if node.key.text != "attach":
+        interpreter.run_body(body, scope, out)
+        return
+    callee = Scope(scope.home, interpreter.shared, closure=scope, caller=scope.context)
+    interpreter.run_body(body, callee, out)
+    for key, value in callee.exported():
+        interpreter.receive(scope, key, value, node.span, callee.place_of(key))
