@@ -60,7 +60,9 @@ class Frame:
 
 
 INHERITED = Frame("inherited", "", Span(Source("", name=""), 0, 0), parent=None)
-"""The trace of an element that came the way of the element around it, wherever it stands."""
+"""The trace of an element that the same calls led to as to the part it is in, or, outside of parts,
+to the child of the root that it is in; a child of the root itself was not called at all. So one
+element can be in many places. Walks give their findings the trace of the place, see `settle`."""
 
 
 class Diagnostic:
@@ -242,6 +244,13 @@ class Reporter:
         if key not in self._seen:
             self._seen.add(key)
             self.diagnostics.append(diagnostic)
+
+
+def settle(diagnostics: Iterable[Diagnostic], trace: Frame | None) -> None:
+    """Give a trace to the diagnostics of elements that inherit theirs."""
+    for diagnostic in diagnostics:
+        if diagnostic.trace is INHERITED:
+            diagnostic.trace = trace
 
 
 def suggest(word: str, candidates: Iterable[str]) -> str | None:

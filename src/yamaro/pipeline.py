@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from .diagnostics import INHERITED, Reporter, YamaroError
+from .diagnostics import Reporter, YamaroError
 from .phases import check, evaluate, lower
 from .result import Build, Finished
 from .runtime.interpreter import Interpreter
@@ -41,7 +41,7 @@ def compile_request(
         packages=request.packages,
     )
     evaluated = evaluate(request, interpreter)
-    document = _finish(evaluated, request, interpreter)
+    document = _lower_check_emit(evaluated, interpreter.builder.shared, request, interpreter)
     finished = document.root
     if finished is not None:
         request.adjustment.allow(document.diagnostics)
@@ -62,21 +62,6 @@ def compile_request(
         warnings=reporter.diagnostics,
         files=list(interpreter.files.read),
     )
-
-
-def _finish(evaluated: Element, request: Request, interpreter: Interpreter) -> Finished:
-    """Lower, check and write what was evaluated.
-
-    An element that stands in several places cannot tell which calls led to each of them. So if
-    there is something to tell about one, all is done again with an element for each place.
-    """
-    document = _lower_check_emit(evaluated, interpreter.builder.shared, request, interpreter)
-    if any(diagnostic.trace is INHERITED for diagnostic in document.diagnostics):
-        if interpreter.has_frames:
-            return _lower_check_emit(unshared(evaluated), {}, request, interpreter)
-        for diagnostic in document.diagnostics:
-            diagnostic.trace = None
-    return document
 
 
 def _lower_check_emit(

@@ -38,6 +38,29 @@ CALLS = {
 """What each function may call; the last one is the main file."""
 
 
+SKIN = """\
+  Skin:
+    input: v
+    body:
+      - visual: {xyz: $(v) 0 0, <extra>: {<deep>: $(v)}}
+      - Coat: $(v)
+      - collision:
+          if: {condition: v == 1, body: {scale: 1 2 3}}
+          Plate: $(v)
+      - density: $(v)
+  Coat:
+    input: v
+    body: {visual: {geometry: sphere, scale: $(v), material: {name: m, color: 1 1 $(v) 1}}}
+  Plate:
+    input: v
+    body: {geometry: box, if: {condition: v == 2, body: {scale: 1 $(v) 1}}}
+  Bounds:
+    input: v
+    body: {limit: {lower: -$(v), upper: $(v)}, dynamics: {damping: 1, frction: $(v)}}
+""".splitlines()
+"""Functions that are called in parts."""
+
+
 class Programs:
     """Writes random programs as YAML."""
 
@@ -70,11 +93,13 @@ class Programs:
         main = ["robot: shared", "variables: {v: 1, w: 0.5, name: n, i: 0}", "functions:"]
         for name in ("Shape", "Plain", "Limb", "Pair", "Around"):
             main += self.function(name)
+        main += SKIN
         self.inside = ""
         main += ["model:", *indented(self.body("robot", 3))]
         self.inside = "Plain"
         inner = ["variables: {v: 2, w: 0.25, name: m, i: 1}", "functions:"]
         inner += self.function("Shape")
+        inner += SKIN
         self.inside = "Plain"
         inner += ["model:", *indented(self.body("robot", 2))]
         return {"robot.yaml": "\n".join(main) + "\n", "inner.yaml": "\n".join(inner) + "\n"}
@@ -145,6 +170,8 @@ class Programs:
                 lines.append(f"    limit: {limit}")
             if self.random.random() < 0.3:
                 lines.append(f"    rpy: {self.row()}")
+            if self.random.random() < 0.3:
+                lines.append(f"    Bounds: {self.number()}")
         lines += ["- link:", f"    geometry: {'bx' if self.is_faulty() else 'box'}"]
         lines += [f"    scale: {self.row(has_zeros=False)}", f"    mass: {self.number()}"]
         if self.random.random() < 0.5:
@@ -154,6 +181,8 @@ class Programs:
             for section, chance in (("visual", 0.5), ("collision", 0.5), ("unknown", self.faults))
             if self.random.random() < chance
         ]
+        if self.random.random() < 0.4:
+            lines += [f"    Skin: {self.value()}"]
         if self.random.random() < 0.2:
             lines += self.body("robot", depth - 1)
         return ["- part:", *indented(lines)]

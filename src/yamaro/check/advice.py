@@ -50,13 +50,14 @@ def check_advice(
     resolve_mesh: Callable[[str, Span], str | None] | None,
 ) -> None:
     """Report to `advice` what is legal but seldom meant."""
-    told = CheckContext(advice, version=context.version)
+    told = CheckContext(root, advice, version=context.version)
     children = {
         attribute_text(child_named(joint, "child"), "link") for joint in tree.joints.values()
     }
     sizes: dict[tuple[str, str], float | None] = {}
     _advise_on_names(tree, told)
     for name, link in tree.links.items():
+        told.outermost = link
         if name not in children:
             _advise_on_root(link, told)
         _advise_on_mass(link, told)
@@ -66,8 +67,10 @@ def check_advice(
             if resolve_mesh is not None:
                 _advise_on_mesh(section, link, told, resolve_mesh, sizes)
     for joint in tree.joints.values():
+        told.outermost = joint
         _advise_on_pose(joint, joint, told)
         _advise_on_limit(joint, told)
+    told.outermost = None
     advise_on_motion(tree, told)
     advise_on_leftovers(root, told)
     told.flush()

@@ -65,13 +65,16 @@ class CheckContext:
     """One run of the checks: where findings go, and what has been worked out so far."""
 
     __slots__ = (
+        "_around",
         "_found",
         "_suggestion_budget",
         "count",
         "file_owners",
         "material_uses",
         "materials_inside",
+        "outermost",
         "reporter",
+        "root",
         "sound",
         "sound_children",
         "sound_elements",
@@ -80,17 +83,24 @@ class CheckContext:
     )
 
     def __init__(
-        self, reporter: Reporter, *, version: str = "1.0", shared: Shared | None = None
+        self,
+        root: Element,
+        reporter: Reporter,
+        *,
+        version: str = "1.0",
+        shared: Shared | None = None,
     ) -> None:
         """Report to `reporter`.
 
         Args:
+            root: the robot.
             reporter: takes the findings.
             version: the URDF version of the robot.
             shared: the elements that stand in several places.
 
         Attributes:
             count: how often something was found.
+            outermost: the child of the root that is being looked at, if it is one alone.
             stage: the stage that findings belong to.
             sound: what else has been found right: what was asked, and the texts of the values.
             sound_children: of the children that several elements have, where all was right in
@@ -100,6 +110,9 @@ class CheckContext:
             materials_inside: the names of the materials that are defined in visuals.
             file_owners: the links and materials that may refer to files, each in turn.
         """
+        self.root = root
+        self.outermost: Element | None = None
+        self._around: dict[int, Element] | None = None
         self.reporter = reporter
         self.version = version
         self.stage = SCHEMA
@@ -142,7 +155,7 @@ class CheckContext:
                 hint=hint,
                 notes=notes,
                 severity=WARNING,
-                trace=element.trace,
+                trace=self._trace_of(element),
             ),
             (attribute, missing),
         )
@@ -166,7 +179,6 @@ class CheckContext:
         file may be so in itself, but what two includes of it make together was made by YAML.
         """
         elements = among or (element,)
-        is_known = all(other.trace is not INHERITED for other in among)
         self._note(
             Diagnostic(
                 code,
@@ -175,10 +187,30 @@ class CheckContext:
                 hint=hint,
                 notes=notes,
                 severity=WARNING if _are_taken_as_they_are(elements) else ERROR,
-                trace=element.trace if is_known else INHERITED,
+                trace=self._trace_of(element),
             ),
             (attribute, missing),
         )
+
+    def _trace_of(self, element: Element) -> Frame | None:
+        """Return the calls and includes that led to an element at the place that is looked at."""
+        if element.trace is not INHERITED:
+            return element.trace
+        outermost = self.outermost or self._first_around(element)
+        return None if outermost.trace is INHERITED else outermost.trace
+
+    def _first_around(self, element: Element) -> Element:
+        """Return the first child of the root that an element is in, or else the root itself."""
+        if self._around is None:
+            self._around = {}
+            for child in self.root.elements():
+                pending = [child]
+                while pending:
+                    inner = pending.pop()
+                    if id(inner) not in self._around:
+                        self._around[id(inner)] = child
+                        pending += inner.elements()
+        return self._around.get(id(element), self.root)
 
     def _note(self, diagnostic: Diagnostic, about: tuple[str | None, str | None]) -> None:
         """Note a finding; what is wrong at the same place for the same reason counts as one."""

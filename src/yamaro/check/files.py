@@ -30,6 +30,7 @@ def check_files(
         if filename is None or filename in told or not is_local(filename):
             continue
         told.add(filename)
+        context.outermost = owner
         span = element.value_span("filename")
         if not filename.strip():
             _report_empty(element, owner, context)
@@ -46,6 +47,7 @@ def check_files(
         elif package not in told:
             told.add(package)
             _report_package(package, places, element, owner, context)
+    context.outermost = None
 
 
 def note_file(element: Element, children: Children, owner: Element, context: CheckContext) -> None:

@@ -14,12 +14,14 @@ def check_materials(materials: list[Element], context: CheckContext) -> None:
     """Check the robot's own materials, and that the materials of its visuals are defined."""
     known: dict[str, Element] = {}
     for material in materials:
+        context.outermost = material
         _check_global(material, known, context)
     context.stage = USES
     inside = context.materials_inside
     for name, (link, material) in context.material_uses.items():
         if name in known or name in inside:
             continue
+        context.outermost = link
         context.warn(
             "unknown-material",
             f"the material '{name}' of {label(link)} is not defined",

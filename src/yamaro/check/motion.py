@@ -18,7 +18,9 @@ LIMITED = ("revolute", "prismatic")
 def advise_on_motion(tree: Tree, context: CheckContext) -> None:
     """Report limits that say something else than they seem to, and links without mass that move."""
     for name, joint in tree.joints.items():
+        context.outermost = joint
         _advise_on_joint(name, joint, tree, context)
+    context.outermost = None
     _advise_on_massless(tree, context)
 
 

@@ -24,6 +24,7 @@ def check_references(
     for element in root.children:
         if not isinstance(element, Element):
             continue
+        context.outermost = element
         if element.name == "gazebo":
             _check_gazebo(element, tree, context)
         elif element.name == "transmission":
@@ -34,7 +35,9 @@ def check_references(
             _check_sensor(element, tree, context)
     for joint, _, _, mimic in joints:
         if mimic is not None:
+            context.outermost = joint
             _check_mimic(joint, mimic, tree, context)
+    context.outermost = None
 
 
 def _check_gazebo(gazebo: Element, tree: Tree, context: CheckContext) -> None:

@@ -55,7 +55,7 @@ def check(
     children = root.elements()
     links = [child for child in children if child.name == "link"]
     materials = [child for child in children if child.name == "material"]
-    context = CheckContext(reporter, shared=shared)
+    context = CheckContext(root, reporter, shared=shared)
     context.version = _check_robot(root, links, context)
     joints = check_elements(root, context)
     context.stage = TREE

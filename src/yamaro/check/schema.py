@@ -139,6 +139,7 @@ def check_elements(root: Element, context: CheckContext) -> list[JointParts]:
     for child in root.children:
         if not isinstance(child, Element):
             continue
+        context.outermost = child
         if child.name in ("link", "joint", "material"):
             children = _check_element(child, ELEMENTS[child.name], child, context)
             if child.name == "joint":
@@ -146,6 +147,7 @@ def check_elements(root: Element, context: CheckContext) -> list[JointParts]:
                 joints.append((child, get("parent"), get("child"), get("mimic")))
         elif child.name not in OUTERMOST:
             _check_outermost(child, context)
+    context.outermost = None
     return joints
 
 

@@ -140,6 +140,7 @@ def _check_references(
     hanging = Hanging()
     is_complete = True
     for joint, parent_element, child_element, _ in joints:
+        context.outermost = joint
         parent = _reference(joint, parent_element, tree, context)
         child = _reference(joint, child_element, tree, context)
         if child is None:
@@ -149,6 +150,7 @@ def _check_references(
         else:
             hanging.joints[child] = joint
             hanging.parents[child] = NOWHERE if parent is None else parent
+    context.outermost = None
     return hanging, is_complete
 
 
@@ -229,7 +231,7 @@ def _check_circles(hanging: Hanging, context: CheckContext) -> bool:
 
 def _report_circle(circle: list[str], hanging: Hanging, context: CheckContext) -> None:
     """Report a circle, given from child to parent, at the joint that was written last."""
-    joint = hanging.joints[circle[0]]
+    context.outermost = joint = hanging.joints[circle[0]]
     way = [circle[0], *reversed(circle)]
     if len(way) > MAX_PATH_SHOWN:
         way = [*way[: MAX_PATH_SHOWN - 2], "…", way[-1]]
@@ -248,6 +250,7 @@ def _report_circle(circle: list[str], hanging: Hanging, context: CheckContext) -
         hint=hint,
         among=[hanging.joints[name] for name in circle],
     )
+    context.outermost = None
 
 
 def _check_roots(tree: Tree, hanging: Hanging, context: CheckContext) -> None:
@@ -314,6 +317,7 @@ def _check_mimics(joints: list[JointParts], tree: Tree, context: CheckContext) -
         if master is None:
             continue
         name = attribute_text(joint, "name") or ""
+        context.outermost = joint
         if master not in tree.joints:
             context.error(
                 "unknown-mimic",
@@ -325,6 +329,7 @@ def _check_mimics(joints: list[JointParts], tree: Tree, context: CheckContext) -
         elif tree.joints.get(name) is joint:
             masters[name] = master
     _check_mimic_circles(masters, tree, context)
+    context.outermost = None
 
 
 def _check_mimic_circles(masters: dict[str, str], tree: Tree, context: CheckContext) -> None:
@@ -342,7 +347,7 @@ def _check_mimic_circles(masters: dict[str, str], tree: Tree, context: CheckCont
 
 
 def _report_mimic_circle(circle: list[str], tree: Tree, context: CheckContext) -> None:
-    joint = tree.joints[circle[0]]
+    context.outermost = joint = tree.joints[circle[0]]
     hint = "let one of them be moved by itself, without a mimic"
     if len(circle) == 1:
         hint = "name the joint that leads, or leave the mimic out"

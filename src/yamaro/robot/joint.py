@@ -107,6 +107,7 @@ def lower_joint(lowering: Lowering, key: Element, name: str, *, child: str) -> E
             found = CommonJoint(joint_type, children[start:], has_mimic=has_mimic)
             remember(lowering.joints, common_keys, found)
     joint = _joint_element(key, name, joint_type, children)
+    lowering.give_trace(joint)
     if "parent" not in fields.plain:
         lowering.parents.append(joint)
     if has_mimic:

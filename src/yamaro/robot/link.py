@@ -35,7 +35,9 @@ def lower_link(lowering: Lowering, key: Element, name: str) -> Element:
     for attribute, value in key.attributes.items():
         attributes.setdefault(attribute, value)
     children = lowering.once(key, _lower_children)
-    return Element("link", key.span, attributes, children, key.trace, key.value_spans)
+    link = Element("link", key.span, attributes, children, key.trace, key.value_spans)
+    lowering.give_trace(link)
+    return link
 
 
 def _lower_children(lowering: Lowering, key: Element) -> list[Node]:

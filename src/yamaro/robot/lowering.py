@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from ..xml.tree import Element
+from ..diagnostics import INHERITED, settle
+from ..xml.tree import Element, with_trace
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -18,6 +19,8 @@ if TYPE_CHECKING:
     from .patterns import Pattern
 
     Product = TypeVar("Product", Element, list[Node])
+    Entered = tuple[Frame | None, int, int]
+    """The trace in which a part was entered, and how many errors and warnings there were."""
 
 
 class Lowering:
@@ -36,6 +39,7 @@ class Lowering:
         mimics: the joints with a `<mimic>` made here, of which the joint may yet be the name of a
             part.
         told: how often something was reported so far.
+        trace: the calls and includes that led to the part that is being lowered.
         part_links: the link of each part, by the part's name.
         part_joints: the joint of each part, by the part's name.
     """
@@ -58,6 +62,7 @@ class Lowering:
         "resolve_mesh",
         "shared",
         "told",
+        "trace",
     )
 
     def __init__(
@@ -87,6 +92,39 @@ class Lowering:
         self.part_joints: dict[str, str] = {}
         self._reported: set[object] = set()
         self.told = 0
+        self.trace: Frame | None = None
+
+    def enter(self, element: Element) -> Entered:
+        """Begin with a part, or with another child of the root: what is in it may inherit from it.
+
+        Returns:
+            What to give `leave`.
+        """
+        before = self.trace, len(self.errors), len(self.reporter.diagnostics)
+        if element.trace is not INHERITED:
+            self.trace = element.trace
+        return before
+
+    def leave(self, entered: Entered) -> None:
+        """End what `enter` has begun: what was reported since then is given its trace."""
+        before, errors, warnings = entered
+        if self.told:
+            settle(self.errors[errors:], self.trace)
+            settle(self.reporter.diagnostics[warnings:], self.trace)
+        self.trace = before
+
+    def give_trace(self, element: Element) -> None:
+        """Give a new element the trace of the part, if it is to inherit that: it is put outside."""
+        if element.trace is INHERITED:
+            element.trace = self.trace
+
+    def outermost(self, element: Element) -> Element:
+        """Return an element for a place under the root, where it cannot inherit from the part."""
+        if element.trace is not INHERITED or self.trace is None:
+            return element
+        if id(element) in self.shared:
+            self.shared.setdefault(id(element.children), {})
+        return with_trace(element, self.trace)
 
     def absorb(self, error: YamaroError) -> None:
         """Record the errors of an exception and go on; the same at the same place counts once."""

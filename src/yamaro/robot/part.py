@@ -6,9 +6,9 @@ that joints refer to are resolved at the end, over the whole tree.
 
 from __future__ import annotations
 
-from ..diagnostics import YamaroError, failure
+from ..diagnostics import INHERITED, YamaroError, failure, settle
 from ..syntax.forms import FormedPart
-from ..xml.tree import Element, PartElement, RobotWord, format_value
+from ..xml.tree import Element, PartElement, RobotWord, format_value, unshared
 from .fields import (
     Fields,
     check_plain,
@@ -29,7 +29,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from ..diagnostics import Reporter
+    from ..diagnostics import Frame, Reporter
     from ..source import Span
     from ..xml.tree import Node, Shared
 
@@ -73,7 +73,7 @@ def lower(
             f"'part' makes links and joints of a robot, but the root element is <{root.name}>",
             first.span,
             hint="write robot: as the root, or <part>: for an XML element of that name",
-            trace=first.trace,
+            trace=_trace_of_part(root, first, places),
         )
     lowering = Lowering(
         reporter,
@@ -82,7 +82,9 @@ def lower(
         has_capsule=_has_capsule(root),
         shared=shared if shared is not None else {},
     )
-    robot = _rebuilt(lowering, root, places)
+    robot = _rebuilt(lowering, root, places, is_root=True)
+    settle(reporter.diagnostics, None)
+    settle(lowering.errors, None)
     if lowering.errors:
         raise YamaroError(lowering.errors)
     _resolve_names(lowering, robot)
@@ -116,6 +118,16 @@ def _places_of_parts(root: Element) -> dict[int, Element]:
     return holders
 
 
+def _trace_of_part(root: Element, part: Element, holders: dict[int, Element]) -> Frame | None:
+    """Return what led to the part that `holders` gives for the root."""
+    if part.trace is not INHERITED:
+        return part.trace
+    for child in root.elements():
+        if child is part or holders.get(id(child)) is part:
+            return None if child.trace is INHERITED else child.trace
+    raise AssertionError("the part is in none of the children")
+
+
 def _has_capsule(root: Element) -> bool:
     """Tell whether the root says that it is URDF 1.1 or newer."""
     major, _, minor = format_value(root.attributes.get("version")).strip().partition(".")
@@ -124,19 +136,27 @@ def _has_capsule(root: Element) -> bool:
     return (int(major), int(minor)) >= CAPSULE_VERSION
 
 
-def _rebuilt(lowering: Lowering, element: Element, holders: dict[int, Element]) -> Element:
+def _rebuilt(
+    lowering: Lowering, element: Element, holders: dict[int, Element], *, is_root: bool = False
+) -> Element:
     """Return a copy of an element that holds parts, with the parts lowered."""
     children: list[Node] = []
     for child in element.children:
         if isinstance(child, PartElement):
             if element.name != "robot":
                 _warn_of_place(lowering, element, child)
+            if not is_root:
+                # Its joint and link will inherit from what it is in.
+                child = unshared(child, lowering.trace)
             _lower_part(lowering, child, children)
         elif isinstance(child, Element) and id(child) in holders:
+            entered = lowering.enter(child) if is_root else None
             if child.name in ("joint", "link"):
                 refuse_part(lowering, holders[id(child)], child.name)
             else:
                 children.append(_rebuilt(lowering, child, holders))
+            if entered is not None:
+                lowering.leave(entered)
         else:
             children.append(child)
     return element.with_children(children)
@@ -169,6 +189,7 @@ class PartNames:
 
 def _lower_part(lowering: Lowering, part: Element, out: list[Node]) -> None:
     """Append the joint and link of a part, in the order written, and then what stands beside."""
+    entered = lowering.enter(part)
     if type(part) is RobotWord:
         from .words import lower_word
 
@@ -177,6 +198,7 @@ def _lower_part(lowering: Lowering, part: Element, out: list[Node]) -> None:
         lower_formed(lowering, part, out, _lower_each)
     else:
         _lower_each(lowering, part, out)
+    lowering.leave(entered)
 
 
 def _lower_each(lowering: Lowering, part: Element, out: list[Node]) -> None:
@@ -203,14 +225,14 @@ def _lower_each(lowering: Lowering, part: Element, out: list[Node]) -> None:
         else:
             out.append(lower_link(lowering, node, names.link))
     if "link" not in fields.keys:
-        out.append(_empty_link(part, fields, names))
+        out.append(_empty_link(lowering, part, fields, names))
     out += beside
     out += pending
 
 
-def _empty_link(part: Element, fields: Fields, names: PartNames) -> Element:
+def _empty_link(lowering: Lowering, part: Element, fields: Fields, names: PartNames) -> Element:
     key = fields.keys.get("name", part)
-    return Element("link", key.span, attributes={"name": names.link}, trace=part.trace)
+    return Element("link", key.span, attributes={"name": names.link}, trace=lowering.trace)
 
 
 def _lower_beside(lowering: Lowering, node: Element, out: list[Node]) -> None:
@@ -220,18 +242,18 @@ def _lower_beside(lowering: Lowering, node: Element, out: list[Node]) -> None:
         return
     if node.name == "material" and not node.verbatim:
         try:
-            out.append(lowering.once(node, lower_material))
+            out.append(lowering.outermost(lowering.once(node, lower_material)))
         except YamaroError as error:
             lowering.absorb(error)
         return
     check_plain(lowering, node, None)
     holders = _places_of_parts(node)
     if not holders:
-        out.append(node)
+        out.append(lowering.outermost(node))
     elif node.name in ("joint", "link"):
         refuse_part(lowering, holders[id(node)], node.name)
     else:
-        out.append(_rebuilt(lowering, node, holders))
+        out.append(lowering.outermost(_rebuilt(lowering, node, holders)))
 
 
 def _read_names(lowering: Lowering, part: Element, fields: Fields) -> PartNames:
@@ -307,6 +329,7 @@ def _resolve_names(lowering: Lowering, robot: Element) -> None:
     links = _names(robot, "link")
     part_links = lowering.part_links
     root_link: Element | None = None
+    trace: Frame | None = None
     for joint in lowering.parents:
         parent = joint.children[0]
         assert isinstance(parent, Element)
@@ -318,7 +341,7 @@ def _resolve_names(lowering: Lowering, robot: Element) -> None:
         if link_name is not None:
             _refer(lowering, joint, parent, "link", link_name)
         elif name == ROOT_LINK and root_link is None:
-            root_link = parent
+            root_link, trace = parent, joint.trace
     joints = _names(robot, "joint") if lowering.mimics else set()
     for joint in lowering.mimics:
         mimic = _mimic_of(joint)
@@ -330,7 +353,7 @@ def _resolve_names(lowering: Lowering, robot: Element) -> None:
             "link",
             root_link.value_span("link"),
             attributes={"name": ROOT_LINK},
-            trace=root_link.trace,
+            trace=trace,
         )
         robot.children.insert(0, link)
 

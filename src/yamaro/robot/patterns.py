@@ -265,10 +265,10 @@ def _take_over(
         origin,
         *known.rest,
     ]
-    attributes = {**first.attributes, "name": joint_name}
-    joint = Element("joint", first.span, attributes, children, INHERITED, first.value_spans)
+    attributes, trace = {**first.attributes, "name": joint_name}, lowering.trace
+    joint = Element("joint", first.span, attributes, children, trace, first.value_spans)
     own = known.link
-    link = Element("link", own.span, {"name": link_name}, own.children, INHERITED, own.value_spans)
+    link = Element("link", own.span, {"name": link_name}, own.children, trace, own.value_spans)
     out += (joint, link) if pattern.is_joint_first else (link, joint)
     lowering.parents.append(joint)
     if known.has_mimic:

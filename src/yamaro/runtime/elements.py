@@ -9,7 +9,7 @@ from __future__ import annotations
 from ..diagnostics import INHERITED, Frame
 from ..safe.namespace import MISSING
 from ..syntax.forms import Form, FormedPart, filled, key_of
-from ..xml.tree import Element, Text, format_value, with_trace
+from ..xml.tree import Element, Text, format_value, unshared, with_trace
 from .scope import Scope
 from .values import ALWAYS_WRITABLE, SHORT, Values
 
@@ -49,7 +49,7 @@ class Builder:
         self.shared: Shared = {}
         self._kept: list[Element] = []  # what `shared` names by identity has to live
         self._emitted: set[int] = set()
-        self._traced: dict[tuple[int, Frame | None], Element] = {}
+        self._traced: dict[tuple[int, Frame | None, Frame | None], Element] = {}
         self._in_parts: dict[Form, Known] = {}
         self._outside: dict[Form, Known] = {}
 
@@ -67,19 +67,25 @@ class Builder:
             self._emitted.add(id(element))
 
     def element(
-        self, form: Form, values: tuple[Any, ...], in_part: bool, trace: Frame | None = INHERITED
+        self,
+        form: Form,
+        values: tuple[Any, ...],
+        in_part: bool,
+        trace: Frame | None = INHERITED,
+        inner: Frame | None = INHERITED,
     ) -> Element:
         """Return an element of a form with these values, one for each of its holes.
 
-        It may stand in other places as well, which are reached the same way if it has a trace.
+        It may be in other places as well, which are reached the same way if it has a trace. `inner`
+        is the trace of all that is in it.
         """
         known = self._known(form, in_part)
         elements = known.elements
         key = None if elements is None else key_of(values)
         if elements is None or key is None:
-            return self._make(form, values, trace, in_part, known)
+            return self._make(form, values, trace, inner, in_part, known)
         if trace is not INHERITED:
-            key = (trace, key)
+            key = (trace, inner, key)
         found = elements.get(key)
         if found is not None:
             known.new_in_a_row = 0
@@ -90,20 +96,29 @@ class Builder:
             known.elements = None
         elif len(elements) >= MAX_KNOWN:
             elements.clear()
-        found = elements[key] = self._make(form, values, trace, in_part, known)
+        found = elements[key] = self._make(form, values, trace, inner, in_part, known)
         return found
 
-    def traced(self, element: Element, trace: Frame | None) -> Element:
-        """Return an element that the parser made with a trace, the same for the same trace."""
-        key = (id(element), trace)
+    def traced(
+        self, element: Element, trace: Frame | None, inner: Frame | None = INHERITED
+    ) -> Element:
+        """Return an element that the parser made with a trace, the same for the same trace.
+
+        `inner` is the trace of all that is in it.
+        """
+        key = (id(element), trace, inner)
         found = self._traced.get(key)
         if found is not None:
             self.share(found)
             return found
-        for child in element.children:
-            if isinstance(child, Element):
-                self.emit(child)
-        found = self._traced[key] = with_trace(element, trace)
+        if inner is not INHERITED:
+            found = unshared(element, trace)
+        else:
+            found = with_trace(element, trace)
+            for child in element.children:
+                if isinstance(child, Element):
+                    self.emit(child)
+        self._traced[key] = found
         return found
 
     def _known(self, form: Form, in_part: bool) -> Known:
@@ -118,6 +133,7 @@ class Builder:
         form: Form,
         values: tuple[Any, ...],
         trace: Frame | None,
+        inner: Frame | None,
         in_part: bool,
         known: Known,
     ) -> Element:
@@ -137,7 +153,7 @@ class Builder:
             form.name,
             form.span,
             attributes,
-            self._children(form, values, in_part, known),
+            self._children(form, values, inner, in_part, known),
             trace,
             form.value_spans,
             form.verbatim,
@@ -145,13 +161,20 @@ class Builder:
         )
 
     def _children(
-        self, form: Form, values: tuple[Any, ...], in_part: bool, known: Known
+        self,
+        form: Form,
+        values: tuple[Any, ...],
+        trace: Frame | None,
+        in_part: bool,
+        known: Known,
     ) -> list[Node]:
         children: list[Node] = []
         for node, inner, first, end, text, span in form.content:
             if inner is not None:
-                children.append(self.element(inner, values[first:end], in_part))
+                children.append(self.element(inner, values[first:end], in_part, trace, trace))
             elif node is not None:
+                if trace is not INHERITED and isinstance(node, Element):
+                    node = self.traced(node, trace, trace)
                 children.append(node)
             else:
                 value = filled(text, values)
@@ -170,7 +193,7 @@ class Builder:
 
     def part_children(self, form: Form, values: tuple[Any, ...]) -> list[Node]:
         """Return what a part of a form holds."""
-        return self._children(form, values, True, self._known(form, True))
+        return self._children(form, values, INHERITED, True, self._known(form, True))
 
 
 def evaluate_holes(form: Form, scope: Scope, values: Values) -> tuple[Any, ...]:

@@ -145,12 +145,13 @@ class Interpreter:
         self.shares = shares
         self.builder = Builder()
         self.frame: Frame | None = None
-        self.holder: Frame | None = None  # the frame in which the element around was made
+        self.root_content: Content | None = None  # what is in the root of the main file
+        self.is_inside = False  # whether what is made is in a child of the root, or in a part
+        self.holder: Frame | None = None  # the frame in which that child or part was made
         self.is_yaml = False  # whether the main file is
         self.places: Mapping[str, Span] = {}  # where the variables of the main file are set
         self.passed: dict[tuple[int, int], Passed] = {}  # by the include and the file
         self.has_parts = False
-        self.has_frames = False
         self.depth = 0
         self.statements_left = policy.limits.statements
         self.part_depth = 0
@@ -208,6 +209,7 @@ class Interpreter:
         words = self._run_sections(document, scope)
         if document.root is not None:
             out: list[Node] = []
+            self.root_content = document.root.content
             self.element_depth -= 1
             self.run_element(document.root, scope, out, None)
             self.element_depth += 1
@@ -269,8 +271,9 @@ class Interpreter:
         form = node.form
         if form is not None and self.shares:
             values = evaluate_holes(form, scope, self.values)
-            in_part = self.part_depth > 0
-            out.append(self.builder.element(form, values, in_part, self.trace()))
+            trace = self.trace()
+            inner = trace if self.is_inside else INHERITED
+            out.append(self.builder.element(form, values, self.part_depth > 0, trace, inner))
             return
         name = node.name
         if not isinstance(name, str):
@@ -305,7 +308,8 @@ class Interpreter:
         elif self.frame is self.holder:
             self.builder.emit(element)
         else:
-            element = self.builder.traced(element, self.frame)
+            inner = self.frame if self.is_inside else INHERITED
+            element = self.builder.traced(element, self.frame, inner)
         out.append(element)
 
     def _run_ready(
@@ -321,11 +325,12 @@ class Interpreter:
     def _fill(self, element: Element, content: Content, scope: Scope) -> None:
         """Give an element its content."""
         if isinstance(content, Body):
-            holder, self.holder = self.holder, self.frame
             self.element_depth += 1
-            self.run_body(content, scope, element.children)
+            if self.is_inside or content is self.root_content:
+                self.run_body(content, scope, element.children)
+            else:
+                self._run_inside(content, scope, element.children)
             self.element_depth -= 1
-            self.holder = holder
         elif isinstance(content, TextContent):
             value = self.values.written(content.value, scope)
             if value is not None or self.part_depth:  # in a part, None leaves the key out
@@ -340,6 +345,13 @@ class Interpreter:
                 )
             items = self.values.spelled_list(content.value, scope)
             element.children.append(Text(LiteralList(items), content.span))
+
+    def _run_inside(self, body: Body, scope: Scope, out: list[Node]) -> None:
+        """Run the body of a child of the root, or of a part, whose elements may inherit from it."""
+        before = self.is_inside, self.holder
+        self.is_inside, self.holder = True, self.frame
+        self.run_body(body, scope, out)
+        self.is_inside, self.holder = before
 
     def _add_attribute(
         self,
@@ -404,9 +416,7 @@ class Interpreter:
             return
         part = PartElement("part", node.span, trace=self.trace(), body=body)
         self.part_depth += 1
-        holder, self.holder = self.holder, self.frame
-        self.run_body(node.body, scope, part.children)
-        self.holder = holder
+        self._run_inside(node.body, scope, part.children)
         self.part_depth -= 1
         out.append(part)
 
@@ -594,7 +604,6 @@ class Interpreter:
         if self.depth >= self.limits.nesting:
             raise self._too_deep(span)
         self.depth += 1
-        self.has_frames = True
         self.frame = self.evaluator.frame = frame
 
     def _leave(self, frame: Frame) -> None:
@@ -735,7 +744,7 @@ class Interpreter:
                 mark_included(root, "")
                 content = root.children
             else:
-                content = xml_content(root, passed.get("prefix"), frame)
+                content = xml_content(root, passed.get("prefix"), frame, is_inside=self.is_inside)
             declare_prefixes(root, content)
             out += content
         except YamaroError as error:

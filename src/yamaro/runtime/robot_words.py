@@ -44,7 +44,8 @@ def _run_item(
     interpreter: Interpreter, node: RobotWordNode, item: RobotWordItem, scope: Scope
 ) -> RobotWord:
     word = RobotWord(node.key.text, node.span, trace=interpreter.trace())
-    holder, interpreter.holder = interpreter.holder, interpreter.frame
+    before = interpreter.is_inside, interpreter.holder
+    interpreter.is_inside, interpreter.holder = True, interpreter.frame
     if isinstance(item.content, Body):
         interpreter.part_depth += 1
         interpreter.run_body(item.content, scope, word.children)
@@ -59,7 +60,7 @@ def _run_item(
             interpreter.run_include(item.include, scope, content.children, None)
         elif item.body is not None:
             _run_body(interpreter, node, item.body, scope, content.children)
-    interpreter.holder = holder
+    interpreter.is_inside, interpreter.holder = before
     return word
 
 

@@ -82,18 +82,19 @@ def xacro_in_safe_mode(span: Span) -> YamaroError:
     )
 
 
-def xml_content(root: Element, prefix: object, frame: Frame) -> list[Node]:
+def xml_content(root: Element, prefix: object, frame: Frame, *, is_inside: bool) -> list[Node]:
     """Return what stands under the root of an XML file, reached by an include.
 
     Args:
         root: the root.
         prefix: put in front of the names of links and joints, wherever they are named.
         frame: the include.
+        is_inside: whether it is put into a child of the root or into a part, with calls of its own.
     """
     text = format_value(prefix)
     if text:
         rename(root, text)
-    _tidy(root)
+    _tidy(root, frame if is_inside else INHERITED)
     for child in root.children:
         if isinstance(child, Element):
             child.trace = frame
@@ -145,15 +146,15 @@ def _prefixes_in(element: Element) -> list[str]:
     return list(found)
 
 
-def _tidy(root: Element) -> None:
-    """Leave out the white space between elements, and let them inherit what led to the root.
+def _tidy(root: Element, trace: Frame = INHERITED) -> None:
+    """Leave out the white space between elements, and give them a trace.
 
     CDATA sections become plain text, which the writer knows.
     """
     pending = [root]
     while pending:
         element = pending.pop()
-        element.trace = INHERITED
+        element.trace = trace
         inner = [child for child in element.children if isinstance(child, Element)]
         if inner or element is root:
             element.children = [child for child in element.children if not _is_space(child)]

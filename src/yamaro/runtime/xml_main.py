@@ -47,7 +47,6 @@ def run_xml_main(
         host = XacroHost(
             files, interpreter.messages, limits, main=source, has_environment=safety is None
         )
-        interpreter.has_frames = True  # those of macros
         return expand(source, host, arguments, reporter, root=root, places=places), True
     finally:
         interpreter.messages.close()

@@ -6,7 +6,7 @@ formatting, value formatting and escaping happen here and nowhere else.
 
 from __future__ import annotations
 
-from ..diagnostics import INHERITED, Frame, InputFault, YamaroError, failure
+from ..diagnostics import INHERITED, Frame, InputFault, YamaroError, failure, settle
 from ..policy import Limits
 from ..source import Span
 
@@ -84,8 +84,8 @@ class Element:
             span: the place of the key that made the element.
             attributes: names and values in the order of output; None values are not written.
             children: elements, text and comments in order.
-            trace: the calls and includes that led here; INHERITED where they are those of the
-                element around, so that one element can stand in many places.
+            trace: the calls and includes that led here; INHERITED where they are those of the part
+                or of the child of the root around it.
             value_spans: where the attributes' values are written; `span` stands in for the rest.
             verbatim: written in angle brackets: plain XML, whatever its name.
             body: identity of the mapping the element's key was written in.
@@ -189,16 +189,17 @@ def unshared(root: Element, trace: Frame | None = None) -> Element:
     The copy may be changed. `trace` is that of a root which inherits its own.
     """
     top = with_trace(root, trace if root.trace is INHERITED else root.trace)
-    pending = [top]
+    pending = [(top, top.trace)]
     while pending:
-        element = pending.pop()
+        element, inherited = pending.pop()
         element.attributes = dict(element.attributes)
         children = element.children = list(element.children)
         for index, child in enumerate(children):
             if isinstance(child, Element):
-                own = element.trace if child.trace is INHERITED else child.trace
+                own = inherited if child.trace is INHERITED else child.trace
                 copy = children[index] = with_trace(child, own)
-                pending.append(copy)
+                begins = element is top or isinstance(child, PartElement)
+                pending.append((copy, own if begins else inherited))
     return top
 
 
@@ -335,19 +336,18 @@ def write_pieces(root: Element, shared: Shared, limits: Limits | None = None) ->
     """
     out = ['<?xml version="1.0"?>\n']
     limits = limits or Limits()
-    _Writer(root, shared, limits).write(root, "", "\n", out, frozenset(("xml",)))
+    _Writer(root, shared, limits).write_root(out)
     if sum(map(len, out)) > limits.output:
         raise _too_long(root, limits)
     return out
 
 
-def _too_long(element: Element, limits: Limits) -> YamaroError:
+def _too_long(root: Element, limits: Limits) -> YamaroError:
     return failure(
         "limit-output",
         f"the XML has more than {limits.output:,} characters, which is the limit",
-        element.span,
+        root.span,
         hint=limits.hint("output"),
-        trace=element.trace,
     )
 
 
@@ -360,6 +360,7 @@ class _Writer:
         "_long",
         "_most_long",
         "_most_margin",
+        "_outermost",
         "_passages",
         "_root",
         "_shared",
@@ -367,6 +368,7 @@ class _Writer:
 
     def __init__(self, root: Element, shared: Shared, limits: Limits) -> None:
         self._root = root
+        self._outermost = root  # the child of the root that is being written
         self._shared = shared
         self._limits = limits
         self._most_margin = 2 * (limits.xml_depth - 1)  # two spaces a level
@@ -374,6 +376,19 @@ class _Writer:
         self._long = 0  # characters of long values; those of others are counted in the end
         self._most_long = limits.output
         self._passages: dict[int, _Passage] = {}
+
+    def write_root(self, out: list[str]) -> None:
+        """Write the whole; what an error is about came the way of the child of the root it is in.
+
+        Raises:
+            YamaroError: see `write_pieces`.
+        """
+        try:
+            self.write(self._root, "", "\n", out, frozenset(("xml",)))
+        except YamaroError as error:
+            settle(error.diagnostics, self._outermost.trace)
+            settle(error.diagnostics, None)
+            raise
 
     def write(
         self, element: Element, margin: str, end: str, out: list[str], prefixes: frozenset[str]
@@ -447,7 +462,10 @@ class _Writer:
         prefixes: frozenset[str],
     ) -> None:
         shared = self._shared
+        is_outermost = owner is self._root
         for child in children:
+            if is_outermost and isinstance(child, Element):
+                self._outermost = child
             if not isinstance(child, Element):
                 if isinstance(child, Comment):
                     out.append(f"{margin}<!--{_comment_text(child, owner)}-->{end}")
@@ -483,6 +501,8 @@ class _Writer:
         self._go_deeper(element)
         inner: list[str] = []
         for child in element.children:
+            if element is self._root and isinstance(child, Element):
+                self._outermost = child
             if isinstance(child, Text):
                 text = format_value(child.value)
                 self._long += len(text)
