@@ -273,7 +273,7 @@ def test_a_warning_leads_to_its_link(page: Page, view: Start, tmp_path: Path) ->
     assert page.text("#origin-title") == "left_link"
     assert f"looked for {tmp_path / 'meshes' / 'left.stl'}" in page.text("#warnings .more")
     assert page.run("yamaro.robot.highlighted.selected") == "left_link"
-    boxes = "yamaro.model.shapes.filter(s => s.group.getObjectByName('missing')).map(s => s.kind)"
+    boxes = "yamaro.robot.shapes.filter(s => s.group.getObjectByName('missing')).map(s => s.kind)"
     assert page.run(boxes) == ["collision", "collision"]
 
 
@@ -454,13 +454,13 @@ def test_meshes_of_each_format_are_seen(page: Page, view: Start, tmp_path: Path)
     path.write_text(f"robot: meshes\nmodel:\n- link/name=base:\n{parts}", encoding="utf-8")
     page.show(view(path))
     sizes = page.run(
-        "yamaro.model.shapes.map(s => { const b = new yamaro.stage.Box3().setFromObject(s.group);"
+        "yamaro.robot.shapes.map(s => { const b = new yamaro.stage.Box3().setFromObject(s.group);"
         " return [s.link, ...b.max.toArray().map((v, i) => v - b.min.toArray()[i])]; })"
     )
     assert [name for name, *_ in sizes] == [name.replace(".", "_") for name in names]
     for name, *sides in sizes:
         assert sides == pytest.approx([0.2, 0.4, 0.6], abs=1e-5), name
-    page.run("yamaro.model.shapes.forEach(s => { s.group.visible = s.link === 'textured_obj' })")
+    page.run("yamaro.robot.shapes.forEach(s => { s.group.visible = s.link === 'textured_obj' })")
     assert reds(page.stage()) > 1000  # the texture of the OBJ's material
 
 
@@ -512,7 +512,7 @@ def test_names_that_javascript_objects_have_are_names_like_others(
     rows = "[...document.querySelectorAll('#tree .row')].map(r => r.dataset.link)"
     assert sorted(page.run(rows)) == sorted(["base", "odd", *names])
     assert sorted(page.run("[...yamaro.robot.joints.keys()]")) == sorted(["odd", *names])
-    assert page.run("yamaro.model.shapes.length") == len(names) + 1
+    assert page.run("yamaro.robot.shapes.length") == len(names) + 1
     page.press("#tree [data-link=__proto__]")
     assert page.text("#origin [data-kind=joint] .what") == "__proto__"
     page.run("yamaro.setJoint('__proto__', 1)")
@@ -542,7 +542,7 @@ def test_a_robot_in_ruins_is_shown_as_far_as_it_goes(
     path = tmp_path / "ruin.urdf"
     path.write_text(f'<robot name="ruin">{links}{joints}</robot>', encoding="utf-8")
     page.show(view(path))
-    assert page.run("yamaro.model.shapes.length") == 6
+    assert page.run("yamaro.robot.shapes.length") == 6
     assert sorted(page.run("yamaro.robot.dropped")) == ["loop", "nowhere"]
     assert page.text("#warnings-pane") != "" or page.text("#fault") != ""
 

@@ -465,7 +465,7 @@ def test_wrong_usage_is_told_at_once(view: Callable[..., Viewer], tmp_path: Path
         (["--port", "many"], "'--port' takes a number from 0 to 65535, not 'many'"),
         (["--editor", ""], "'--editor' takes a command"),
         (["--editor", "'"], "'--editor' takes a command"),
-        (["side=2"], "is one FILE too many"),
+        (["side=2"], "unexpected argument '"),
         ([":=2"], "is not of the form name:=value"),
     ):
         viewer = view(path, *options)
