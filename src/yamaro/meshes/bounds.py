@@ -137,12 +137,12 @@ def _lines_after(data: bytes, word: bytes, most: int) -> list[bytes]:
     """Return what follows a word at the start of a line, each once; a line is looked at once."""
     found: dict[bytes, None] = {}
     end = 0
-    while (place := data.find(word, end)) >= 0 and len(found) < most:
-        start = data.rfind(b"\n", end, place) + 1 or end
-        end = data.find(b"\n", place)
+    while (start_of_word := data.find(word, end)) >= 0 and len(found) < most:
+        start = data.rfind(b"\n", end, start_of_word) + 1 or end
+        end = data.find(b"\n", start_of_word)
         end = len(data) if end < 0 else end
-        after = place + len(word)
-        if not data[start:place].strip() and data[after : after + 1] in (b" ", b"\t"):
+        after = start_of_word + len(word)
+        if not data[start:start_of_word].strip() and data[after : after + 1] in (b" ", b"\t"):
             found.setdefault(data[after:end].strip())
     return list(found)
 

@@ -44,25 +44,25 @@ _SILENT = 1000
 
 
 class Body:
-    """A body of a file at its place.
+    """A body of a file where it is placed.
 
     Attributes:
         points: corners, N×3, in metres.
         triangles: indices of corners, M×3, counterclockwise seen from outside.
         mesh: what trimesh made of it, before it was placed.
-        place: where it is in the file, 4×4.
+        T_file_body: where it is in the file, 4×4.
     """
 
-    __slots__ = ("mesh", "place", "points", "triangles")
+    __slots__ = ("T_file_body", "mesh", "points", "triangles")
 
-    def __init__(self, mesh: Any, place: Floats, factor: float) -> None:
+    def __init__(self, mesh: Any, T_file_body: Floats, factor: float) -> None:
         """Place a body; the factor makes metres of the file's unit."""
         self.mesh = mesh
-        self.place = place
+        self.T_file_body = T_file_body
         corners = np.asarray(mesh.vertices, float)
-        self.points: Floats = (corners @ place[:3, :3].T + place[:3, 3]) * factor
+        self.points: Floats = (corners @ T_file_body[:3, :3].T + T_file_body[:3, 3]) * factor
         self.triangles: Whole = np.asarray(mesh.faces)
-        if np.linalg.det(place[:3, :3]) < 0:
+        if np.linalg.det(T_file_body[:3, :3]) < 0:
             self.triangles = self.triangles[:, ::-1]
 
 
@@ -114,7 +114,7 @@ def _read(data: bytes, kind: str, companions: Companions, has_colors: bool) -> l
     factor = _metres(scene)
     bodies: list[Body] = []
     triangles = 0
-    for place, name in map(scene.graph.get, scene.graph.nodes_geometry):
+    for T_file_body, name in map(scene.graph.get, scene.graph.nodes_geometry):
         mesh = scene.geometry[name]
         if not isinstance(mesh, trimesh.Trimesh):
             continue
@@ -123,7 +123,7 @@ def _read(data: bytes, kind: str, companions: Companions, has_colors: bool) -> l
             raise MeshFileError(f"it places more than {MOST_PLACED:,} bodies")
         if triangles > MOST_TRIANGLES:
             raise MeshFileError(f"it has more than {MOST_TRIANGLES:,} triangles")
-        body = Body(mesh, place, factor)
+        body = Body(mesh, T_file_body, factor)
         check_corners(body.triangles, len(body.points))
         bodies.append(body)
     return bodies

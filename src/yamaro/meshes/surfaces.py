@@ -168,7 +168,7 @@ def _add_material(surface: Surface, body: Body) -> None:
         surface.texture = np.asarray(image.convert("RGB"))
         surface.texture_points = np.asarray(uv, float)[:, :2]
         surface.normals = np.asarray(body.mesh.vertex_normals, float) @ np.linalg.inv(
-            body.place[:3, :3]
+            body.T_file_body[:3, :3]
         )
         return
     color = np.clip(np.asarray(material.main_color, float) / 255, 0, 1)

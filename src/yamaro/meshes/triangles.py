@@ -68,7 +68,7 @@ def is_closed(mesh: TriangleMesh) -> bool:
 
 
 def read_mesh(path: str, allows: Callable[[str], bool] | None = None) -> TriangleMesh:
-    """Return the mesh in the file, corners at the same place made one.
+    """Return the mesh in the file, corners at the same point merged.
 
     Args:
         path: the file.
@@ -134,7 +134,7 @@ def read_stl(data: bytes) -> TriangleMesh:
 
 
 def _merged(corners: Iterable[Vector]) -> TriangleMesh:
-    """Return a mesh of corners, three to a triangle, those at the same place made one."""
+    """Return a mesh of corners, three to a triangle, those at the same point merged."""
     indices: dict[Vector, int] = {}
     order = [indices.setdefault(corner, len(indices)) for corner in corners]
     return TriangleMesh(
@@ -169,12 +169,12 @@ def _parse_binary_stl(data: bytes) -> TriangleMesh:
 
 def _parse_ascii_stl(data: bytes) -> TriangleMesh:
     words = data.lower().split()
-    places = [place for place, word in enumerate(words) if word == b"vertex"]
+    indices = [index for index, word in enumerate(words) if word == b"vertex"]
     try:
-        numbers = [float(words[place + axis]) for place in places for axis in (1, 2, 3)]
+        numbers = [float(words[index + axis]) for index in indices for axis in (1, 2, 3)]
     except (ValueError, IndexError) as error:
         raise MeshFileError("a vertex of the ASCII STL is not three numbers") from error
-    if len(places) % 3:
+    if len(indices) % 3:
         raise MeshFileError("the ASCII STL has a facet without three vertices")
     _check_finite(numbers)
     return _merged(zip(numbers[0::3], numbers[1::3], numbers[2::3], strict=True))
@@ -193,8 +193,8 @@ def _parse_obj(data: bytes) -> TriangleMesh:
                 vertices.append((float(words[1]), float(words[2]), float(words[3])))
             elif words[0] == b"f":
                 face = [_obj_vertex(word, vertices) for word in words[1:]]
-                for place in range(1, len(face) - 1):
-                    corners += (face[0], face[place], face[place + 1])
+                for index in range(1, len(face) - 1):
+                    corners += (face[0], face[index], face[index + 1])
     except (ValueError, IndexError) as error:
         raise MeshFileError("a line of the OBJ file cannot be read") from error
     _check_finite(number for vertex in vertices for number in vertex)

@@ -98,14 +98,14 @@ def _check_size(tree: ast.AST, limits: SafeLimits) -> None:
     """Check how many nodes a tree has, and how deep it is, before anything recurses over it."""
     hint = "split it into several variables"
     count = depth = 0
-    place: Position | None = None
+    position: Position | None = None
     level: list[ast.AST] = [tree]
     while level:
         count += len(level)
         depth += 1
-        place = next(filter(None, map(position_of, level)), place)
+        position = next(filter(None, map(position_of, level)), position)
         if count > limits.nodes:
             raise limits.passed("nodes", "this Python text has too many parts", hint)
         if depth > limits.depth:
-            raise limits.passed("depth", "this is nested too deep", hint, place)
+            raise limits.passed("depth", "this is nested too deep", hint, position)
         level = [child for node in level for child in ast.iter_child_nodes(node)]

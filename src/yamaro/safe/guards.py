@@ -390,8 +390,8 @@ class Guards(OperatorGuards):
             return sorted(items, reverse=reverse)
         keys = list(map(self.called(key), items))
         self.check_sortable(keys, len(keys))
-        places = sorted(range(len(items)), key=keys.__getitem__, reverse=reverse)
-        return [items[place] for place in places]
+        order = sorted(range(len(items)), key=keys.__getitem__, reverse=reverse)
+        return [items[index] for index in order]
 
     def new_dict(self, pairs: Any = (), /, **named: Any) -> dict[Any, Any]:
         """Return what Python's `dict` does."""

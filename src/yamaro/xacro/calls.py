@@ -12,9 +12,12 @@ from .statements import PREFIX
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from typing import Any
+
     from ..xml.tree import Node
     from .expansion import Expansion
     from .parameters import Parameter
+    from .places import XacroPlace
 
 
 def call_macro(expansion: Expansion, node: Element, site: Site) -> None:
@@ -199,43 +202,60 @@ def _take_defaults(
     site: Site,
 ) -> None:
     """Give the parameters that are left their defaults."""
-    around = expansion.frame.parent if expansion.frame else None
     defaults = {
         own.name: own for own in macro.parameters if own.default is not None or own.is_forwarded
     }
     for parameter in list(missing):
-        name = parameter.name
-        known = defaults.get(name)
+        known = defaults.get(parameter.name)
         if known is None or known.is_block:
             continue
-        default = known.default
         place = expansion.place(macro.element, "params")
-        place.shift = known.start
-        if known.is_forwarded and site.scope.has(name):
-            value = site.scope[name]
-        elif default is not None:
-            place.shift = known.end - len(default)
-            value = expansion.evaluator.value(default, site.scope, place)
-        else:
-            raise failure(
-                "xacro-missing-parameter",
-                f"there is no property '{name}' for the parameter '{name}' of '{_name(macro)}'",
-                node.span,
-                hint=f'the caller has to have it, or to give it: {name}="…"',
-                notes=_defined(macro),
-                trace=around,
-            )
+        value = _default_of(known, place, expansion, node, macro, site)
         missing.remove(parameter)
-        assign(expansion, scope, name, value, place)
+        assign(expansion, scope, parameter.name, value, place)
     if missing:
         names = ", ".join(f"'{own.name}'" for own in missing)
-        raise failure(
-            "xacro-missing-parameter",
-            f"the macro '{_name(macro)}' is called without {names}",
-            node.span,
-            notes=_defined(macro),
-            trace=around,
+        raise _missing(
+            f"the macro '{_name(macro)}' is called without {names}", expansion, node, macro
         )
+
+
+def _default_of(
+    known: Parameter,
+    place: XacroPlace,
+    expansion: Expansion,
+    node: Element,
+    macro: Macro,
+    site: Site,
+) -> Any:
+    """Return the default of a parameter, and move `place` to where it is written."""
+    name, default = known.name, known.default
+    place.shift = known.start
+    if known.is_forwarded and site.scope.has(name):
+        return site.scope[name]
+    if default is not None:
+        place.shift = known.end - len(default)
+        return expansion.evaluator.value(default, site.scope, place)
+    raise _missing(
+        f"there is no property '{name}' for the parameter '{name}' of '{_name(macro)}'",
+        expansion,
+        node,
+        macro,
+        hint=f'the caller has to have it, or to give it: {name}="…"',
+    )
+
+
+def _missing(
+    message: str, expansion: Expansion, node: Element, macro: Macro, hint: str | None = None
+) -> YamaroError:
+    return failure(
+        "xacro-missing-parameter",
+        message,
+        node.span,
+        hint=hint,
+        notes=_defined(macro),
+        trace=expansion.frame.parent if expansion.frame else None,
+    )
 
 
 def _known_hint(known: list[str]) -> str | None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from ..diagnostics import YamaroError, failure
 from .literals import guess_value, is_property_name, truth
-from .places import Place
+from .places import XacroPlace
 from .scope import Lazy, Macro, Namespace, Scope
 
 TYPE_CHECKING = False
@@ -60,13 +60,7 @@ def define_property(expansion: Expansion, node: Element, site: Site) -> None:
     text, attribute = given.value, "value"
     if given.default is not None:
         if given.scope is not None:
-            expansion.reporter.warn(
-                "xacro-scope",
-                f"the default of '{name}' is looked at in this scope only",
-                node.value_span("scope"),
-                hint="leave scope out",
-                trace=expansion.frame,
-            )
+            _warn_of_scope(expansion, name, node)
         if scope.has(name):
             return
         text, attribute = given.default, "default"
@@ -86,13 +80,23 @@ def define_property(expansion: Expansion, node: Element, site: Site) -> None:
         _make_lazy(target, name, text, place)
 
 
-def assign(expansion: Expansion, scope: Scope, name: str, value: Any, place: Place) -> None:
+def _warn_of_scope(expansion: Expansion, name: str, node: Element) -> None:
+    expansion.reporter.warn(
+        "xacro-scope",
+        f"the default of '{name}' is looked at in this scope only",
+        node.value_span("scope"),
+        hint="leave scope out",
+        trace=expansion.frame,
+    )
+
+
+def assign(expansion: Expansion, scope: Scope, name: str, value: Any, place: XacroPlace) -> None:
     """Give a name a value, which is a number if its text is one."""
     warn_if_hiding(expansion, name, place)
     scope.put(name, guess_value(value))
 
 
-def warn_if_hiding(expansion: Expansion, name: str, place: Place) -> None:
+def warn_if_hiding(expansion: Expansion, name: str, place: XacroPlace) -> None:
     """Warn of a new name that all expressions know as something else."""
     if name in expansion.evaluator.names:
         expansion.reporter.warn(
@@ -104,7 +108,7 @@ def warn_if_hiding(expansion: Expansion, name: str, place: Place) -> None:
         )
 
 
-def _make_lazy(scope: Scope, name: str, text: str, place: Place) -> None:
+def _make_lazy(scope: Scope, name: str, text: str, place: XacroPlace) -> None:
     """Have a value evaluated when it is needed, if it is a text still."""
     value = dict.__getitem__(scope, name)
     if not isinstance(value, str):

@@ -9,7 +9,7 @@ from ..diagnostics import Frame, InputFault, YamaroError, failure, suggest
 from ..source import Span
 from .faults import Fault, add_trace
 from .literals import guess_value
-from .places import Place
+from .places import XacroPlace
 from .scope import Lazy, Scope
 from .substitutions import substitute
 from .symbols import predefined
@@ -48,7 +48,7 @@ class Arguments(dict[str, str]):
         return super().__getitem__(name)
 
 
-class Evaluator:
+class XacroEvaluator:
     """Evaluates templates in scopes, and answers what expressions ask.
 
     Attributes:
@@ -66,13 +66,13 @@ class Evaluator:
         self.reporter = reporter
         self.arguments = Arguments(arguments)
         self.files: list[str] = []
-        self.place: Place
+        self.place: XacroPlace
         self.names = predefined(self)
         self._python = python
         self._templates: dict[str, Template] = {}
         self._span: Span | None = None  # of the substitution being replaced
 
-    def value(self, text: str, scope: Scope, place: Place) -> Any:
+    def value(self, text: str, scope: Scope, place: XacroPlace) -> Any:
         """Return the value of a text: of any type if one `${…}` is all of it, else a text.
 
         Raises:
@@ -98,7 +98,7 @@ class Evaluator:
                 trace=place.trace,
             ) from None
 
-    def text(self, text: str, scope: Scope, place: Place) -> str:
+    def text(self, text: str, scope: Scope, place: XacroPlace) -> str:
         """Return the value of a text as a text."""
         if "$" not in text:
             return text

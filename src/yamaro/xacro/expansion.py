@@ -15,11 +15,11 @@ from ..xml.tree import Comment, Element, Text, is_comment_text
 from .calls import call_by_name, call_macro, insert_block
 from .comments import Comments
 from .definitions import declare_argument, define_macro, define_property
-from .evaluator import Evaluator
+from .evaluator import XacroEvaluator
 from .includes import include
 from .literals import truth
 from .namespaces import declare_lost
-from .places import Place
+from .places import XacroPlace
 from .python import Python
 from .scope import Macros, Scope
 from .site import Site
@@ -67,7 +67,7 @@ def expand(
     Raises:
         YamaroError: the file cannot be expanded; the first fault, with its place.
     """
-    evaluator = Evaluator(host, reporter, python or Python(host.limits), arguments)
+    evaluator = XacroEvaluator(host, reporter, python or Python(host.limits), arguments)
     result = Expansion(host, reporter, evaluator, frame).expand(source, root)
     known = evaluator.arguments.used
     for name, span in (places or {}).items():
@@ -100,7 +100,7 @@ class Expansion:
     """
 
     def __init__(
-        self, host: Host, reporter: Reporter, evaluator: Evaluator, frame: Frame | None = None
+        self, host: Host, reporter: Reporter, evaluator: XacroEvaluator, frame: Frame | None = None
     ) -> None:
         """Begin outside of all files, or in one that `frame` includes."""
         self.host = host
@@ -143,9 +143,9 @@ class Expansion:
         """Return a new scope in another."""
         return Scope(parent, self.evaluator.resolve)
 
-    def place(self, node: Element | Text | Comment, attribute: str = "") -> Place:
+    def place(self, node: Element | Text | Comment, attribute: str = "") -> XacroPlace:
         """Return the place of a value, as it is reached now."""
-        return Place(node, attribute, self.frame)
+        return XacroPlace(node, attribute, self.frame)
 
     # --- the walk ---------------------------------------------------------------------------
 
@@ -156,7 +156,7 @@ class Expansion:
             if ":" in name and name.startswith(PREFIX):
                 continue
             if "$" in value:  # type: ignore[operator]
-                value = self.evaluator.text(value, scope, Place(node, name, self.frame))  # type: ignore[arg-type]
+                value = self.evaluator.text(value, scope, XacroPlace(node, name, self.frame))  # type: ignore[arg-type]
             attributes[name] = value
         attributes.pop("xmlns:xacro", None)
         spans = node.value_spans
@@ -323,7 +323,7 @@ def _attribute(expansion: Expansion, node: Element, site: Site) -> None:
         holder.value_spans = _OtherPlace(holder, key, node.value_span("value"))
 
 
-def _checked_name(name: object, tag: str, place: Place) -> str:
+def _checked_name(name: object, tag: str, place: XacroPlace) -> str:
     """Return the name of an element or attribute."""
     problem = None
     if name == "":

@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 _ENTITIES = {"lt": "<", "gt": ">", "amp": "&", "quot": '"', "apos": "'"}
 
 
-class Place:
+class XacroPlace:
     """What is being evaluated: an attribute, a text or a comment, and how it was reached.
 
     Attributes:

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from ..diagnostics import Frame
     from ..xml.tree import Element
     from .parameters import Parameter
-    from .places import Place
+    from .places import XacroPlace
 
 _MISSING = object()
 
@@ -25,13 +25,13 @@ class Lazy:
 
     __slots__ = ("place", "text")
 
-    def __init__(self, text: str, place: Place) -> None:
+    def __init__(self, text: str, place: XacroPlace) -> None:
         """Hold the text, and where it is written."""
         self.text = text
         self.place = place
 
 
-class Block:
+class XacroBlock:
     """An element that `insert_block` puts in.
 
     Attributes:
@@ -108,12 +108,12 @@ class Scope(dict[str, "Any"]):
             dict.pop(own, name, None)
             own.lazy.pop(name, None)
 
-    def block(self, name: str) -> Block | None:
+    def block(self, name: str) -> XacroBlock | None:
         """Return the block of that name; one whose content is meant comes first."""
         for key, is_content in (("**" + name, True), ("*" + name, False)):
             for own in self.chain():
                 if key in own.blocks:
-                    return Block(own.blocks[key], is_content)
+                    return XacroBlock(own.blocks[key], is_content)
         return None
 
     def block_names(self) -> set[str]:

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from ..diagnostics import failure, suggest
 from .parameters import Parameter, parse_parameters
-from .places import Place
+from .places import XacroPlace
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -168,6 +168,6 @@ class Statements:
                 )
         return [str(element.attributes[name]) for name in names]
 
-    def place(self, element: Element, attribute: str) -> Place:
+    def place(self, element: Element, attribute: str) -> XacroPlace:
         """Return the place of an attribute's value, as it is reached now."""
-        return Place(element, attribute, self.trace)
+        return XacroPlace(element, attribute, self.trace)

@@ -18,9 +18,9 @@ from yamaro.tools.rebuilding import Rebuilder
 from yamaro.tools.view import command
 from yamaro.tools.view.description import Description
 from yamaro.tools.view.editors import find_editor
-from yamaro.tools.view.fields import WrongValue, read_fields
 from yamaro.tools.view.mesh_files import MeshFiles
 from yamaro.tools.view.session import Session
+from yamaro.tools.view.variable_fields import WrongValue, read_variable_fields
 
 
 def described(folder: Path, text: str, **files: str) -> Any:
@@ -112,7 +112,7 @@ def test_a_warning_is_of_the_link_in_whose_call_it_arose(tmp_path: Path) -> None
 
 
 def test_variables_with_plain_values_are_fields() -> None:
-    fields = read_fields(
+    fields = read_variable_fields(
         textwrap.dedent(
             """\
             robot: one
@@ -145,7 +145,7 @@ def test_variables_with_plain_values_are_fields() -> None:
 
 
 def test_a_field_takes_values_of_its_kind_only() -> None:
-    fields = read_fields("variables: {n: 3, x: 0.5, b: false, t: a}", "robot.yaml")
+    fields = read_variable_fields("variables: {n: 3, x: 0.5, b: false, t: a}", "robot.yaml")
     assert fields["n"].read(4.0) == 4 and isinstance(fields["n"].read(4.0), int)
     assert fields["n"].read(4.5) == 4.5
     assert isinstance(fields["x"].read(4.0), float)
@@ -158,7 +158,7 @@ def test_a_field_takes_values_of_its_kind_only() -> None:
 def test_a_file_with_errors_has_no_fields() -> None:
     for text, name in (("variables: {n: 3", "robot.yaml"), ("<robot><xacro:arg", "robot.xacro")):
         with pytest.raises(YamaroError):
-            read_fields(text, name)
+            read_variable_fields(text, name)
 
 
 def test_arguments_of_xacro_are_fields() -> None:
@@ -167,7 +167,7 @@ def test_arguments_of_xacro_are_fields() -> None:
         '<xacro:arg name="sim" default="true"/><xacro:arg name="side" default="left"/>'
         '<xacro:arg name="path" default="$(find x)/y"/><xacro:arg name="must"/></robot>'
     )
-    found = {name: field.default for name, field in read_fields(text, "r.xacro").items()}
+    found = {name: field.default for name, field in read_variable_fields(text, "r.xacro").items()}
     assert found == {"n": 2, "sim": True, "side": "left"}
 
 

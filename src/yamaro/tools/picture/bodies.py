@@ -134,11 +134,11 @@ def axes_bodies(length: float) -> list[tuple[vtkPolyData, tuple[float, float, fl
     colors = ((0.86, 0.16, 0.19), (0.18, 0.62, 0.24), (0.16, 0.36, 0.86))
     found = []
     for turn, color in zip(turns, colors, strict=True):
-        place = vtkTransform()
+        transform = vtkTransform()
         if turn is not None:
-            place.RotateWXYZ(*turn)
-        place.Translate(0, 0, length / 2)
-        found.append((_moved(cylinder_body(thickness, length), place), color))
+            transform.RotateWXYZ(*turn)
+        transform.Translate(0, 0, length / 2)
+        found.append((_moved(cylinder_body(thickness, length), transform), color))
     return found
 
 
@@ -185,10 +185,10 @@ def _upright(source: Any) -> vtkPolyData:
     return _moved(_output(source), turn)
 
 
-def _moved(body: vtkPolyData, place: vtkTransform) -> vtkPolyData:
+def _moved(body: vtkPolyData, transform: vtkTransform) -> vtkPolyData:
     move = vtkTransformPolyDataFilter()
     move.SetInputData(body)
-    move.SetTransform(place)
+    move.SetTransform(transform)
     return _output(move)
 
 

@@ -42,18 +42,18 @@ class Camera:
 
     __slots__ = ("height", "is_flat", "position", "target", "up")
 
-    def __init__(self, view: View, target: Floats, distance: float, reach: float) -> None:
+    def __init__(self, view: View, target: Floats, distance: float, radius: float) -> None:
         """Look at a target.
 
         Args:
             view: from where.
             target: a point in metres.
             distance: how far from it what is seen is as wide as the view angle says, in metres.
-            reach: how far what is seen lies around the target; a flat view stands behind that.
+            radius: how far what is seen lies around the target; a flat view stands behind that.
         """
         _, up, back = axes_of(view)
         self.is_flat = view.is_flat
-        self.position = target + (distance + 2 * reach if view.is_flat else distance) * back
+        self.position = target + (distance + 2 * radius if view.is_flat else distance) * back
         self.target = target
         self.up = up
         self.height = 2 * distance * tan(radians(VIEW_ANGLE / 2))
@@ -98,8 +98,8 @@ def fitted_around(views: Sequence[View], points: Floats, aspect: float) -> list[
         right, up, depth = axes_of(view) @ (points - center).T
         needed = np.maximum(abs(right) / (slope * aspect), abs(up) / slope)
         distance = max(distance, (needed + (0.0 if view.is_flat else depth)).max())
-    reach = float(np.linalg.norm(points - center, axis=1).max())
-    return [Camera(view, center, _safe(distance), reach) for view in views]
+    radius = float(np.linalg.norm(points - center, axis=1).max())
+    return [Camera(view, center, _safe(distance), radius) for view in views]
 
 
 def _safe(distance: float) -> float:

@@ -99,7 +99,7 @@ class Drawing:
         for moment, row in zip(self._moments, cameras, strict=True):
             self._reader.check_time()
             if before is None or before.positions != moment.positions:
-                self._figure.place(moment.positions)
+                self._figure.set_positions(moment.positions)
                 self._figure.lay_floor(low, extent)
             before = moment
             yield _sheet([self._shot(camera) for camera in row])
@@ -118,7 +118,7 @@ class Drawing:
         for moment in self._moments:
             self._reader.check_time()
             if before is None or before.positions != moment.positions:
-                self._figure.place(moment.positions)
+                self._figure.set_positions(moment.positions)
                 found.append(self._figure.outline())
             before = moment
         return np.concatenate(found)

@@ -62,18 +62,18 @@ class Body:
     Attributes:
         actor: what VTK draws.
         link: the name of the link it moves with.
-        place: T_link_body, 4×4.
+        T_link_body: its pose, 4×4.
         outline: its outermost points in its own frame, N×3.
         samples: points all over its surface, for its shadow; none if it has no shadow.
     """
 
-    __slots__ = ("actor", "link", "outline", "place", "samples")
+    __slots__ = ("T_link_body", "actor", "link", "outline", "samples")
 
-    def __init__(self, actor: vtkActor, link: str, place: Floats, outline: Floats) -> None:
+    def __init__(self, actor: vtkActor, link: str, T_link_body: Floats, outline: Floats) -> None:
         """Hold a body without a shadow."""
         self.actor = actor
         self.link = link
-        self.place = place
+        self.T_link_body = T_link_body
         self.outline = outline
         self.samples: Floats = np.zeros((0, 3))
 
@@ -88,7 +88,7 @@ class Figure:
         shows: Collection[str],
         meshes: Meshes,
     ) -> None:
-        """Put the robot on the stage; `place` has to say where its joints are.
+        """Put the robot on the stage; `set_positions` has to say where its joints are.
 
         Args:
             robot: the robot.
@@ -118,7 +118,7 @@ class Figure:
                     missing.append((link, shape))
             if INERTIA in shows and link.inertial is not None:
                 self._add_inertia(link, link.inertial)
-        self.place({})
+        self.set_positions({})
         size = self._size([(link.name, shape.pose.position) for link, shape in missing])
         for link, shape in missing:
             self._add_missing(link, shape, size)
@@ -127,7 +127,7 @@ class Figure:
             for link in self.robot.links.values():
                 for body, color in axes_bodies(0.07 * size):
                     self._add(link, body, np.eye(4), color)
-        self.place({})
+        self.set_positions({})
         self._sample_shadow()
         self.stage.shade_corners(size)
 
@@ -139,10 +139,10 @@ class Figure:
     # --- bodies ---
 
     def _add(
-        self, link: Link, body: vtkPolyData, place: Floats, color: Color, opacity: float = 1.0
+        self, link: Link, body: vtkPolyData, T_link_body: Floats, color: Color, opacity: float = 1.0
     ) -> Body:
         actor = self.stage.add(body, color, opacity)
-        added = Body(actor, link.name, place, outermost(corners_of(body)))
+        added = Body(actor, link.name, T_link_body, outermost(corners_of(body)))
         self._bodies.append(added)
         return added
 
@@ -150,8 +150,8 @@ class Figure:
         """Add a shape, or return that it cannot be drawn."""
         if shape.kind != MESH:
             color, alpha = _look_of(shape, shape.color)
-            place = np.array(shape.pose.matrix())
-            self._add(link, shape_body(shape), place, color, alpha * opacity)
+            T_link_body = np.array(shape.pose.matrix())
+            self._add(link, shape_body(shape), T_link_body, color, alpha * opacity)
             return True
         surfaces = self._meshes.surfaces_of(link, shape)
         for surface in surfaces:
@@ -173,8 +173,8 @@ class Figure:
     def _add_missing(self, link: Link, shape: Shape, size: float) -> None:
         """Add a box in place of a mesh that cannot be drawn."""
         edge = MISSING_EDGE * size
-        place = np.array(shape.pose.matrix())
-        body = self._add(link, box_body((edge, edge, edge)), place, MISSING, 0.55)
+        T_link_body = np.array(shape.pose.matrix())
+        body = self._add(link, box_body((edge, edge, edge)), T_link_body, MISSING, 0.55)
         look = body.actor.GetProperty()
         look.EdgeVisibilityOn()
         look.SetEdgeColor(*MISSING)
@@ -184,12 +184,12 @@ class Figure:
         if found is None:
             return
         edges, axes = found
-        place = np.array(inertial.pose.matrix())
-        turned = place.copy()
-        turned[:3, :3] = place[:3, :3] @ axes
+        T_link_body = np.array(inertial.pose.matrix())
+        turned = T_link_body.copy()
+        turned[:3, :3] = T_link_body[:3, :3] @ axes
         self._add(link, box_body(edges.tolist()), turned, WEIGHING, 0.45)
         ball = sphere_body(0.08 * max(float(edges.max()), 1e-3))
-        self._add(link, ball, place, BONES)
+        self._add(link, ball, T_link_body, BONES)
 
     def _sample_shadow(self) -> None:
         """Spread the samples of the shadow over the bodies, by the size of their boxes."""
@@ -203,14 +203,14 @@ class Figure:
                 count = int(SAMPLES * share) + 100
                 body.samples = surface_samples(corners_of(polygons), triangles, count)
 
-    # --- places ---
+    # --- positions ---
 
-    def place(self, positions: Mapping[str, float]) -> None:
+    def set_positions(self, positions: Mapping[str, float]) -> None:
         """Move the joints; those that are not named stand at rest."""
         poses = link_poses(self.robot, positions)
         self._poses = {name: np.array(pose.matrix()) for name, pose in poses.items()}
         for body in self._bodies:
-            body.actor.SetUserMatrix(make_matrix(self._poses[body.link] @ body.place))
+            body.actor.SetUserMatrix(make_matrix(self._poses[body.link] @ body.T_link_body))
         if self._has_bones:
             self._place_bones()
 
@@ -229,7 +229,9 @@ class Figure:
 
     def outline(self) -> Floats:
         """Return the outermost points, which have to be in a picture, N×3."""
-        found = [_moved(body.outline, self._poses[body.link] @ body.place) for body in self._bodies]
+        found = [
+            _moved(body.outline, self._poses[body.link] @ body.T_link_body) for body in self._bodies
+        ]
         if self._has_bones or not any(map(len, found)):
             found.append(self._origins())
         return np.concatenate(found)
@@ -250,7 +252,7 @@ class Figure:
 
     def lay_floor(self, level: float, size: float) -> None:
         """Put a floor under the robot as it stands now, at a height in metres."""
-        samples = [_moved(b.samples, self._poses[b.link] @ b.place) for b in self._bodies]
+        samples = [_moved(b.samples, self._poses[b.link] @ b.T_link_body) for b in self._bodies]
         if any(map(len, samples)):
             shadow = Shadow(np.concatenate(samples), level, size)
             self.stage.lay_floor(shadow, level, size=size, has_grid=self._has_grid)
@@ -264,8 +266,8 @@ def _look_of(shape: Shape, given: Sequence[float] | None) -> tuple[Color, float]
     return (red, green, blue), alpha
 
 
-def _moved(points: Floats, place: Floats) -> Floats:
-    moved: Floats = points @ place[:3, :3].T + place[:3, 3]
+def _moved(points: Floats, T: Floats) -> Floats:
+    moved: Floats = points @ T[:3, :3].T + T[:3, 3]
     return moved
 
 

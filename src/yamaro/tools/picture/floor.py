@@ -93,8 +93,8 @@ def grid_lines(middle: Floats, size: float, level: float) -> Floats:
 
 def _blurred(image: Floats, width: float) -> Floats:
     """Return an image blurred by a bell curve of this width, in cells."""
-    reach = max(int(3 * width), 1)
-    weights = np.exp(-0.5 * (np.arange(-reach, reach + 1) / max(width, 0.3)) ** 2)
+    radius = max(int(3 * width), 1)
+    weights = np.exp(-0.5 * (np.arange(-radius, radius + 1) / max(width, 0.3)) ** 2)
     weights /= weights.sum()
     for _ in range(2):
         image = np.stack([np.convolve(row, weights, "same") for row in image]).T

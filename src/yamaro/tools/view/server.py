@@ -20,7 +20,7 @@ from http import HTTPStatus
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from socketserver import TCPServer
 
-from .fields import WrongValue
+from .variable_fields import WrongValue
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

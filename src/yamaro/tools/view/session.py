@@ -14,9 +14,9 @@ from ...files.regular import open_regular
 from ...main_file import reach_of
 from ...syntax.includes import holds_xml
 from .description import Description, fault_data
-from .fields import Field, WrongValue, read_fields
 from .mesh_files import Library, MeshFiles
 from .origins import Places
+from .variable_fields import VariableField, WrongValue, read_variable_fields
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from io import BufferedReader
 
     from ..rebuilding import Rebuilder, Turn
-    from .fields import Value
+    from .variable_fields import Value
 
     Json = dict[str, object]
 
@@ -55,7 +55,7 @@ class Session:
         self._fault: Json | None = None
         self._fault_places = Places()
         self._seconds = 0.0
-        self._fields: dict[str, Field] = {}
+        self._fields: dict[str, VariableField] = {}
         self._is_xml = False
         self._values: dict[str, Value] = {}
         self._files = [MeshFiles(None), MeshFiles(None)]  # of this robot, and of the one before it
@@ -105,7 +105,7 @@ class Session:
         try:
             data = self._loader.read(os.path.abspath(self._path))
             text = decode(data, name=self._path, path=self._path).text
-            fields = read_fields(text, self._path)
+            fields = read_variable_fields(text, self._path)
             self._is_xml = holds_xml(self._path, text)
         except (LoadError, YamaroError):
             return

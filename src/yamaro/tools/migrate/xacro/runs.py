@@ -9,7 +9,7 @@ from __future__ import annotations
 import os
 
 from ....diagnostics import Reporter, YamaroError
-from ....xacro.evaluator import Evaluator
+from ....xacro.evaluator import XacroEvaluator
 from ....xacro.expansion import Expansion
 from ....xacro.literals import guess_value
 from ....xacro.python import Python
@@ -216,7 +216,7 @@ class Watch:
         self._host.say(text, span)
 
 
-class WatchedEvaluator(Evaluator):
+class WatchedEvaluator(XacroEvaluator):
     """An evaluator that notes which data is named by relative paths; see `Runs`."""
 
     bases: dict[str, set[str]]

@@ -31,7 +31,7 @@ class WrongValue(Exception):
     """A field cannot take a value; the text says why."""
 
 
-class Field:
+class VariableField:
     """A variable with a plain value.
 
     Attributes:
@@ -83,7 +83,7 @@ class Field:
             return self.default
 
 
-def read_fields(text: str, name: str) -> dict[str, Field]:
+def read_variable_fields(text: str, name: str) -> dict[str, VariableField]:
     """Return the variables that a main file has with a plain number, truth value or text.
 
     Those that are computed, and lists, are left out. Of a xacro file these are its arguments.
@@ -102,8 +102,8 @@ def read_fields(text: str, name: str) -> dict[str, Field]:
     return _xacro_fields(source) if holds_xml(name, text) else _yaml_fields(source)
 
 
-def _yaml_fields(source: Source) -> dict[str, Field]:
-    fields: dict[str, Field] = {}
+def _yaml_fields(source: Source) -> dict[str, VariableField]:
+    fields: dict[str, VariableField] = {}
     for section, body in _pairs(read(source, reporter=Reporter())):
         if section.text != "variables":
             continue
@@ -112,17 +112,17 @@ def _yaml_fields(source: Source) -> dict[str, Field]:
             if written.isidentifier() and isinstance(value, ScalarNode):
                 default = _plain_value(value)
                 if default is not None:
-                    fields[python_name(written)] = Field(written, default, value.span())
+                    fields[python_name(written)] = VariableField(written, default, value.span())
     return fields
 
 
-def _xacro_fields(source: Source) -> dict[str, Field]:
-    fields: dict[str, Field] = {}
+def _xacro_fields(source: Source) -> dict[str, VariableField]:
+    fields: dict[str, VariableField] = {}
     for element in read_xml(source, Limits()).root.elements():
         argument = format_value(element.attributes.get("name"))
         default = format_value(element.attributes.get("default"))
         if element.name == "xacro:arg" and "$" not in default and "default" in element.attributes:
-            fields[argument] = Field(argument, value_of_text(default), element.span)
+            fields[argument] = VariableField(argument, value_of_text(default), element.span)
     return fields
 
 
