@@ -22,7 +22,7 @@ from yamaro.diagnostics import did_you_mean
 from yamaro.runtime import loops
 from yamaro.sandbox import jail
 from yamaro.syntax import forms, keys, python
-from yamaro.xml import tree as xmltree
+from yamaro.xml import writer as xml_writer
 from yamaro.yaml import brackets
 from yamaro.yaml import characters as yaml_characters
 from yamaro.yaml import nodes as yaml_nodes
@@ -193,7 +193,7 @@ PLANTED: list[tuple[str, str, Plant]] = [
     ("template", "triple quotes", in_place_of(brackets.end_of_string, knowing_no_triple_quotes)),
     ("template", "comments", in_place_of(find_close, knowing_no_comments)),
     ("template", "places", of_class(python.PythonCode, "position", one_too_far)),
-    ("pipeline", "escaping", in_place_of(xmltree._attribute_text, escaping_nothing)),
+    ("pipeline", "escaping", in_place_of(xml_writer._attribute_text, escaping_nothing)),
     ("pipeline", "sharing", in_place_of(key_of, taking_equal_for_the_same)),
     ("pipeline", "chance", in_place_of(did_you_mean, numbering)),
     ("pipeline", "a traceback", in_place_of(loops.unpack, failing)),

@@ -17,7 +17,7 @@ from yamaro.commands.main import main
 from yamaro.sandbox import jail
 from yamaro.streams import BINARY, NAMES, XML, NotForTerminal, Streams
 from yamaro.terminal import STYLES, harmless, harmless_xml
-from yamaro.xml.tree import is_xml_character
+from yamaro.xml.values import is_xml_character
 
 EVIL = (
     "\x1b]0;TITLE\x07\x1b[31m\x1b]52;c;cm0=\x07\x9b31m\x9d0;T\x9c\x85\x7f\b\r\v\f"

@@ -8,7 +8,7 @@ from .source import COMMAND_LINE, KEYWORD_ARGUMENT, Source, Span
 from .syntax.context import ParseContext
 from .syntax.names import is_identifier, python_name
 from .syntax.values import parse_inline
-from .xml.tree import format_value
+from .xml.values import format_value
 from .yaml.nodes import PLAIN, ScalarNode
 
 TYPE_CHECKING = False

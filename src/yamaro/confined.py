@@ -13,7 +13,7 @@ from .runtime.expressions import TIME_HINT
 from .runtime.messages import Messages
 from .sandbox.deadline import TimeOver, run_within
 from .sandbox.deep_stack import run_on_deep_stack
-from .xml.tree import write_pieces
+from .xml.writer import write_pieces
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

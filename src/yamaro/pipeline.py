@@ -6,7 +6,8 @@ from .diagnostics import Reporter, YamaroError
 from .phases import check, evaluate, lower
 from .result import Build, Finished
 from .runtime.interpreter import Interpreter
-from .xml.tree import unshared, write_pieces
+from .xml.tree import unshared
+from .xml.writer import write_pieces
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

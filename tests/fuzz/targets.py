@@ -13,7 +13,17 @@ from .corpus import read_corpus, seeds_of
 from .mutations import Mutator
 
 PACKAGE = Path(yamaro.__file__).parent
-WHOLE = ("source.py", "diagnostics.py", "xml/tree.py", "pipeline.py", "syntax", "runtime", "robot")
+WHOLE = (
+    "source.py",
+    "diagnostics.py",
+    "xml/tree.py",
+    "xml/values.py",
+    "xml/writer.py",
+    "pipeline.py",
+    "syntax",
+    "runtime",
+    "robot",
+)
 
 
 class Target:

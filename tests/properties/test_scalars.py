@@ -14,7 +14,7 @@ from hypothesis import strategies as st
 from tests.effort import examples
 from yamaro.diagnostics import Reporter, YamaroError
 from yamaro.source import Source
-from yamaro.xml.tree import format_number
+from yamaro.xml.values import format_number
 from yamaro.yaml.nodes import MappingNode, ScalarNode
 from yamaro.yaml.reader import read
 from yamaro.yaml.scalars import type_plain

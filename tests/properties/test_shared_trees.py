@@ -12,7 +12,9 @@ from tests.effort import examples
 from yamaro.check.robot import check
 from yamaro.diagnostics import INHERITED, Diagnostic, Frame, Reporter, YamaroError
 from yamaro.source import Source, Span
-from yamaro.xml.tree import Comment, Element, Shared, Text, format_number, unshared, write_pieces
+from yamaro.xml.tree import Comment, Element, Shared, Text, unshared
+from yamaro.xml.values import format_number
+from yamaro.xml.writer import write_pieces
 
 SPAN = Span(Source("key: value", name="t.yaml"), 0, 3)
 

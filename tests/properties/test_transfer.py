@@ -17,7 +17,8 @@ from yamaro.sandbox.deep_stack import run_on_deep_stack
 from yamaro.sandbox.jail import JailAnswerBroken, pack, unpack
 from yamaro.sandbox.transfer import Outcome, from_bytes, to_bytes
 from yamaro.source import Source, Span
-from yamaro.xml.tree import Comment, Element, Text, write
+from yamaro.xml.tree import Comment, Element, Text
+from yamaro.xml.writer import write
 
 EXAMPLES = sorted((Path(__file__).parents[2] / "examples").rglob("*.yaml"))
 texts = st.text(max_size=12)

@@ -14,7 +14,9 @@ import yaml
 from yamaro.diagnostics import Diagnostic, Reporter, YamaroError, render
 from yamaro.robot.part import lower
 from yamaro.source import Source, Span
-from yamaro.xml.tree import Comment, Element, LiteralList, PartElement, Text, write
+from yamaro.xml.tree import Comment, Element, PartElement, Text
+from yamaro.xml.values import LiteralList
+from yamaro.xml.writer import write
 
 NAMES = {"math": math, "numpy": numpy, "pi": math.pi}
 

@@ -11,7 +11,7 @@ from yamaro.sandbox import jail
 from yamaro.source import Source
 from yamaro.tools.rebuilding import Rebuilder
 from yamaro.xml.reader import _Reader, read_xml
-from yamaro.xml.tree import write
+from yamaro.xml.writer import write
 
 needs_jail = pytest.mark.skipif(jail.check_available() is not None, reason="no jail here")
 

@@ -15,7 +15,8 @@ from yamaro.sandbox.deep_stack import run_on_deep_stack
 from yamaro.source import Source
 from yamaro.xacro.expansion import expand
 from yamaro.xacro.python import Python
-from yamaro.xml.tree import Element, write
+from yamaro.xml.tree import Element
+from yamaro.xml.writer import write
 
 
 def prop(name: str, value: str, **others: str) -> str:

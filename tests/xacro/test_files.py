@@ -13,7 +13,7 @@ import pytest
 from tests.properties.test_xacro_same import shape
 from tests.xacro.xacro_host import FileHost, expand_file
 from yamaro.diagnostics import YamaroError
-from yamaro.xml.tree import write
+from yamaro.xml.writer import write
 
 xacro: Any = pytest.importorskip("xacro")
 

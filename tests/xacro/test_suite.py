@@ -12,7 +12,7 @@ from yamaro.diagnostics import Reporter, YamaroError, render
 from yamaro.sandbox.deep_stack import run_on_deep_stack
 from yamaro.source import Source
 from yamaro.xacro.expansion import expand
-from yamaro.xml.tree import write
+from yamaro.xml.writer import write
 
 
 def expand_to_text(document: xacro_suite.Document) -> str:

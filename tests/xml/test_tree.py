@@ -10,7 +10,9 @@ import pytest
 
 from yamaro.diagnostics import YamaroError
 from yamaro.source import Source, Span
-from yamaro.xml.tree import Comment, Element, Text, format_value, is_number, write
+from yamaro.xml.tree import Comment, Element, Text
+from yamaro.xml.values import format_value, is_number
+from yamaro.xml.writer import write
 
 PLACE = Span(Source("key: value", name="t.yaml"), 0, 3)
 

@@ -5,7 +5,8 @@ from __future__ import annotations
 from math import isfinite, nan
 
 from ..diagnostics import ERROR, INHERITED, WARNING, Diagnostic, suggest
-from ..xml.tree import LONGEST_ROW_REMEMBERED, Element, format_value, remember
+from ..xml.tree import Element
+from ..xml.values import LONGEST_ROW_REMEMBERED, format_value, remember
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

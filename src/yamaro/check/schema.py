@@ -20,7 +20,8 @@ from ..model.urdf_schema import (
     AttributeRule,
     ElementRule,
 )
-from ..xml.tree import LONGEST_ROW_REMEMBERED, Element, remember
+from ..xml.tree import Element
+from ..xml.values import LONGEST_ROW_REMEMBERED, remember
 from .context import (
     NOT_FINITE,
     SCHEMA,

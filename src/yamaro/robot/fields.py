@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from ..diagnostics import YamaroError, failure, suggest
 from ..syntax.names import bad_name_character
-from ..xml.tree import Comment, Element, LiteralList, Text, format_value
+from ..xml.tree import Comment, Element, Text
+from ..xml.values import LiteralList, format_value
 from .places import Place, home_of
 
 TYPE_CHECKING = False

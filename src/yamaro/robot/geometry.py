@@ -6,7 +6,8 @@ from math import isfinite
 
 from ..diagnostics import failure, suggest
 from ..model.shapes import Box, Capsule, Cylinder, Mesh, Sphere
-from ..xml.tree import Element, Text, format_value
+from ..xml.tree import Element, Text
+from ..xml.values import format_value
 from .fields import read_record, read_value, word_of
 from .numbers import read_numbers
 

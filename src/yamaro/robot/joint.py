@@ -6,7 +6,8 @@ from math import pi
 
 from ..diagnostics import YamaroError, failure
 from ..model.urdf_schema import JOINT_TYPES, joint_type_hint
-from ..xml.tree import Element, format_number, format_value, remember
+from ..xml.tree import Element
+from ..xml.values import format_number, format_value, remember
 from .fields import read_record, read_value, sort_fields, with_attributes, word_of
 from .numbers import read_attribute
 from .places import JOINT, POSE_KEYS, RECORD_KEYS

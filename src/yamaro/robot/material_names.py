@@ -8,7 +8,8 @@ from __future__ import annotations
 
 import os
 
-from ..xml.tree import Element, IncludedRobot, Text, format_value
+from ..xml.tree import Element, IncludedRobot, Text
+from ..xml.values import format_value
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

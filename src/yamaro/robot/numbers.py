@@ -6,7 +6,7 @@ from math import isfinite
 
 from ..diagnostics import YamaroError, failure
 from ..source import Span
-from ..xml.tree import (
+from ..xml.values import (
     LONGEST_ROW_REMEMBERED,
     LiteralList,
     format_number,

@@ -8,7 +8,8 @@ from __future__ import annotations
 
 from ..diagnostics import INHERITED, YamaroError, failure, settle
 from ..syntax.forms import FormedPart
-from ..xml.tree import Element, PartElement, RobotWord, format_value, unshared
+from ..xml.tree import Element, PartElement, RobotWord, unshared
+from ..xml.values import format_value
 from .fields import (
     Fields,
     check_plain,

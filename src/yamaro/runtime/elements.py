@@ -9,7 +9,8 @@ from __future__ import annotations
 from ..diagnostics import INHERITED, Frame
 from ..safe.namespace import MISSING
 from ..syntax.forms import Form, FormedPart, filled, key_of
-from ..xml.tree import Element, Text, format_value, unshared, with_trace
+from ..xml.tree import Element, Text, unshared, with_trace
+from ..xml.values import format_value
 from .scope import Scope
 from .values import ALWAYS_WRITABLE, SHORT, Values
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from ..diagnostics import failure
 from ..syntax.names import is_identifier, name_hint
 from ..syntax.nodes import IncludeNode
-from ..xml.tree import format_value
+from ..xml.values import format_value
 from .scope import Scope
 from .values import Values
 

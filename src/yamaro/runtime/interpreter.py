@@ -46,17 +46,8 @@ from ..syntax.nodes import (
 from ..syntax.statements import refuse_second_function
 from ..syntax.template import Template
 from ..syntax.variables import variable_name
-from ..xml.tree import (
-    Comment,
-    Element,
-    LiteralList,
-    PartElement,
-    Text,
-    format_value,
-    is_comment_text,
-    unshared,
-    with_trace,
-)
+from ..xml.tree import Comment, Element, PartElement, Text, unshared, with_trace
+from ..xml.values import LiteralList, format_value, is_comment_text
 from .calls import (
     Block,
     Function,

@@ -5,7 +5,7 @@ from __future__ import annotations
 from ..source import Span
 from ..syntax.nodes import Constant, DictValue, ListValue, Value
 from ..syntax.template import Template
-from ..xml.tree import format_number, format_value, is_number, plain_value
+from ..xml.values import format_number, format_value, is_number, plain_value
 from .expressions import Evaluator
 from .predefined import gather_pairs
 from .scope import Scope

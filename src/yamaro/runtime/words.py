@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ..xml.tree import format_value
+from ..xml.values import format_value
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import re
 
-from ..xml.tree import Element, Text, format_value
+from ..xml.tree import Element, Text
+from ..xml.values import format_value
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

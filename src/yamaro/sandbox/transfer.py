@@ -14,8 +14,10 @@ from ..diagnostics import ERROR, FRAME_KINDS, WARNING, Diagnostic, Frame, Yamaro
 from ..policy import Limits
 from ..source import Source, Span
 from ..syntax.names import bad_name_character
-from ..xml.tree import Comment, Element, Text, format_value, is_comment_text, write_pieces
+from ..xml.tree import Comment, Element, Text
+from ..xml.values import format_value, is_comment_text
 from ..xml.wellformed import check_document
+from ..xml.writer import write_pieces
 from .jail.limits import JailAnswerBroken
 from .jail.packing import pack, unpack
 

@@ -6,7 +6,8 @@ expressions differ. Its form lists these once, for all runs.
 
 from __future__ import annotations
 
-from ..xml.tree import Comment, Element, PartElement, Text, format_number, format_value
+from ..xml.tree import Comment, Element, PartElement, Text
+from ..xml.values import format_number, format_value
 from .nodes import Body, Content, ElementNode, PartNode, TextContent
 from .template import Template
 

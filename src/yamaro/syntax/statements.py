@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from ..diagnostics import INHERITED, YamaroError, did_you_mean, failure, suggest
-from ..xml.tree import Comment, Element, Text, is_comment_text
+from ..xml.tree import Comment, Element, Text
+from ..xml.values import is_comment_text
 from ..yaml.nodes import MappingNode, ScalarNode, SequenceNode
 from .context import ParseContext
 from .forms import form_of

@@ -10,7 +10,8 @@ import os
 from operator import is_
 
 from ..files.mesh_files import FILE_ELEMENTS, MeshFinder
-from ..xml.tree import Element, format_value
+from ..xml.tree import Element
+from ..xml.values import format_value
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

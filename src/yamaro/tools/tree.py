@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ..terminal import BOLD, CYAN, DIM, RED, painted, printable, width
-from ..xml.tree import format_value
+from ..xml.values import format_value
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

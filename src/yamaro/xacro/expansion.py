@@ -11,7 +11,8 @@ import os
 
 from ..diagnostics import Frame, YamaroError, did_you_mean, failure
 from ..xml.reader import CData, read_xml
-from ..xml.tree import Comment, Element, Text, is_comment_text
+from ..xml.tree import Comment, Element, Text
+from ..xml.values import is_comment_text
 from .calls import call_by_name, call_macro, insert_block
 from .comments import Comments
 from .definitions import declare_argument, define_macro, define_property

@@ -16,7 +16,7 @@ from yamaro.tools.migrate.refused import build_allowing
 from yamaro.tools.migrate.xacro.command import DiskHost, expanded_by_xacro, migrate_robot
 from yamaro.tools.migrate.xacro.sources import XacroMigration
 from yamaro.xml.reader import decode_xml
-from yamaro.xml.tree import write
+from yamaro.xml.writer import write
 
 
 def migrated_for(folder: Path, text: str, *values: str) -> str:

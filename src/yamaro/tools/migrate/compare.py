@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from ...xml.tree import Element, Text, format_value
+from ...xml.tree import Element, Text
+from ...xml.values import format_value
 
 UNORDERED = frozenset(("robot", "link", "joint", "visual", "collision", "inertial"))
 """Elements in which URDF reads each name for itself: only what has one name keeps its order."""

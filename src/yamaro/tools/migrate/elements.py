@@ -6,7 +6,8 @@ from collections.abc import Mapping
 from textwrap import dedent
 
 from ...syntax.names import STATEMENTS
-from ...xml.tree import Comment, Element, Text, format_value
+from ...xml.tree import Comment, Element, Text
+from ...xml.values import format_value
 from .compare import values_of
 from .document import Body, Entry, element_key, joined, spaced, words_of
 from .pairing import has_text

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from ...xml.tree import Comment, Element, Text, format_value
+from ...xml.tree import Comment, Element, Text
+from ...xml.values import format_value
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from ...diagnostics import ERROR, YamaroError, render
-from ...xml.tree import Element, format_value
+from ...xml.tree import Element
+from ...xml.values import format_value
 from .origins import Owners, Places
 
 TYPE_CHECKING = False

@@ -10,7 +10,7 @@ from ...source import Source, Span
 from ...syntax.includes import holds_xml
 from ...syntax.names import python_name
 from ...xml.reader import read_xml
-from ...xml.tree import format_value
+from ...xml.values import format_value
 from ...yaml.nodes import PLAIN, MappingNode, ScalarNode, SequenceNode
 from ...yaml.reader import read
 from ...yaml.scalars import type_plain

@@ -9,7 +9,8 @@ from __future__ import annotations
 
 import re
 
-from ....xml.tree import Element, format_value
+from ....xml.tree import Element
+from ....xml.values import format_value
 from ..elements import walk
 
 TYPE_CHECKING = False

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from ....syntax.names import is_identifier
-from ....xml.tree import Comment, Element, format_value
+from ....xml.tree import Comment, Element
+from ....xml.values import format_value
 from ..document import Body, Entry
 from ..elements import add_loose, comments_at_ends
 from .parts import is_statement

@@ -14,7 +14,8 @@ from ....xacro.faults import Fault
 from ....xacro.literals import guess_value
 from ....xacro.parameters import parse_parameters
 from ....xacro.templates import Expression, Substitution, parse_template
-from ....xml.tree import Element, format_value
+from ....xml.tree import Element
+from ....xml.values import format_value
 from ..elements import walk
 
 TYPE_CHECKING = False

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from ....syntax.template import skip_expression
-from ....xml.tree import Element, format_value
+from ....xml.tree import Element
+from ....xml.values import format_value
 from ....yaml.scalars import type_plain
 from ..document import Body, Entry, Quoted
 from .program import names_in

@@ -6,7 +6,8 @@ a name there may be, whatever the arguments are, the macros and all their calls 
 
 from __future__ import annotations
 
-from ....xml.tree import Element, format_value
+from ....xml.tree import Element
+from ....xml.values import format_value
 from ..elements import walk
 from .program import names_in, used_in
 

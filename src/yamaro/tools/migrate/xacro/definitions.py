@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from ....runtime.predefined import CONSTANTS
 from ....syntax.names import is_identifier
-from ....xml.tree import Element, format_value
+from ....xml.tree import Element
+from ....xml.values import format_value
 from ..document import Body, Entry, Quoted, Row, without_expressions
 from .arguments import is_argument
 from .calls import block_name, place_of_block

@@ -6,7 +6,7 @@ import os
 import re
 
 from ....syntax.names import STATEMENTS
-from ....xml.tree import format_value
+from ....xml.values import format_value
 from ..compare import is_used, prefixes_in
 from ..document import Body, Entry, Quoted, joined, literal
 from ..elements import comments_above, tidy_text, walk

@@ -7,7 +7,8 @@ import os
 from ....diagnostics import YamaroError
 from ....syntax.names import is_identifier
 from ....xacro.templates import Substitution, parse_template
-from ....xml.tree import Element, format_value
+from ....xml.tree import Element
+from ....xml.values import format_value
 from ..document import Body, Entry, literal
 from .python import CannotMigrate
 

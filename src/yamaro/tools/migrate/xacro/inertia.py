@@ -6,7 +6,8 @@ from itertools import permutations
 
 from ....xacro.faults import Fault
 from ....xacro.templates import Expression, parse_template
-from ....xml.tree import Comment, Element, Text, format_value
+from ....xml.tree import Comment, Element, Text
+from ....xml.values import format_value
 from ..compare import values_of
 from ..parts import MOMENTS
 from ..solids import SIZES, NotComputed, Sample, are_equal, is_inertia_of, key_of, samples

@@ -11,7 +11,8 @@ import os
 
 from ....files.packages import manifest_name
 from ....syntax.names import is_identifier
-from ....xml.tree import Element, format_value
+from ....xml.tree import Element
+from ....xml.values import format_value
 from ..elements import walk
 from .includes import computed_name, source_name
 from .program import Program, common_folder, used_in

@@ -18,7 +18,8 @@ import re
 
 from ....syntax.names import is_identifier
 from ....xacro.literals import guess_value
-from ....xml.tree import Comment, Element, Text, format_value
+from ....xml.tree import Comment, Element, Text
+from ....xml.values import format_value
 from ..document import Body, Entry
 from ..elements import tidy_text, walk
 from ..pairing import has_text

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from ....xml.tree import Element, format_value
+from ....xml.tree import Element
+from ....xml.values import format_value
 from ..elements import walk
 
 TYPE_CHECKING = False

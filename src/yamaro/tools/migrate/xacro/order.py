@@ -6,7 +6,8 @@ further down. A variable is evaluated where it is declared: it has to stand behi
 
 from __future__ import annotations
 
-from ....xml.tree import Element, format_value
+from ....xml.tree import Element
+from ....xml.values import format_value
 from ..elements import walk
 from .program import Program, defined_in, names_in, used_in
 

@@ -12,7 +12,8 @@ import re
 from ....diagnostics import YamaroError
 from ....xacro.literals import guess_value
 from ....xacro.parameters import Parameter, parse_parameters
-from ....xml.tree import Comment, Element, format_value
+from ....xml.tree import Comment, Element
+from ....xml.values import format_value
 from ..document import spaced
 from ..elements import comments_at_ends, tidy_text, walk
 from .arguments import HiddenArguments, arguments_in

@@ -6,7 +6,8 @@ its parameters and properties. A function of Yamaro shows them only the variable
 
 from __future__ import annotations
 
-from ....xml.tree import Element, format_value
+from ....xml.tree import Element
+from ....xml.values import format_value
 from ..elements import walk
 from .program import Program, defined_in, used_in
 

@@ -6,7 +6,8 @@ import re
 
 from ....xacro.faults import Fault
 from ....xacro.templates import Expression, Substitution, parse_template
-from ....xml.tree import Element, format_value
+from ....xml.tree import Element
+from ....xml.values import format_value
 from ..elements import walk
 from .arguments import is_argument
 

@@ -14,7 +14,7 @@ from ....xacro.expansion import Expansion
 from ....xacro.literals import guess_value
 from ....xacro.python import Python
 from ....xacro.scope import Lazy, Scope
-from ....xml.tree import format_number
+from ....xml.values import format_number
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

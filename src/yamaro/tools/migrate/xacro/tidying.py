@@ -236,7 +236,8 @@ def _words_of_values(body: Body) -> Iterator[str]:
 
 
 def _words_in_macro(element: object) -> set[str]:
-    from ....xml.tree import Element, format_value
+    from ....xml.tree import Element
+    from ....xml.values import format_value
     from ..elements import walk
 
     assert isinstance(element, Element)

@@ -7,7 +7,8 @@ from __future__ import annotations
 
 from ....xacro.literals import guess_value
 from ....xacro.parameters import parse_parameters
-from ....xml.tree import Element, format_value
+from ....xml.tree import Element
+from ....xml.values import format_value
 from ..elements import walk
 
 TYPE_CHECKING = False

@@ -6,7 +6,8 @@ import os
 from contextlib import contextmanager
 
 from ....syntax.names import is_identifier
-from ....xml.tree import Comment, Element, Text, format_value
+from ....xml.tree import Comment, Element, Text
+from ....xml.values import format_value
 from ..document import Body, Entry, Value, literal
 from ..elements import (
     ElementWriter,

@@ -1,0 +1,168 @@
+"""Values as text: how numbers and other values are spelled in XML, and what is escaped in it.
+
+Number formatting, value formatting and escaping happen here and nowhere else.
+"""
+
+from __future__ import annotations
+
+from ..diagnostics import Frame, InputFault, failure
+from ..source import Span
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any, TypeVar
+
+    Key = TypeVar("Key")
+    Value = TypeVar("Value")
+
+
+class LiteralList(list[object]):
+    """A list written as a YAML list under an element: numbers for `part`, an error elsewhere."""
+
+    __slots__ = ()
+
+
+# --- what comes again ---------------------------------------------------------------------------
+
+MOST_REMEMBERED = 4096
+"""How much of a kind is remembered at a time; what is forgotten is only worked out again."""
+LONGEST_ROW_REMEMBERED = 24
+"""Characters of a row of numbers worth remembering: longer ones are computed, and seldom equal."""
+
+
+def remember(known: dict[Key, Value], key: Key, value: Value) -> None:
+    """Keep what has been worked out for when it comes again, in bounded memory."""
+    if len(known) >= MOST_REMEMBERED:
+        known.clear()
+    known[key] = value
+
+
+# --- values to text ---------------------------------------------------------------------------
+
+
+def format_number(value: float) -> str:
+    """Return a float as `repr` of the value rounded to 15 significant digits; no minus zero."""
+    text = f"{value:.15g}"
+    if "." in text and "e" not in text:
+        return text  # `repr` says the same: what has 15 digits comes through a float unchanged
+    rounded = float(text)
+    if rounded - rounded != 0:  # the largest floats have no room to be rounded up
+        rounded = value
+    return repr(rounded) if rounded else "0.0"
+
+
+def format_value(value: Any) -> str:
+    """Return the text a value has in XML: language rule "number to text"."""
+    kind = type(value)
+    if kind is str:
+        return value  # type: ignore[no-any-return]
+    if kind is float:
+        return format_number(value)
+    if kind is bool:
+        return "true" if value else "false"
+    if kind is int:
+        return str(value)
+    if value is None:
+        return ""
+    return _format_other(value)
+
+
+def _format_other(value: Any) -> str:
+    plain = plain_value(value)
+    if type(plain) in (str, float, bool, int):
+        return format_value(plain)
+    if isinstance(plain, (list, tuple)):
+        items = [plain_value(item) for item in plain]
+        if all(is_number(item) for item in items):
+            return " ".join(format_value(item) for item in items)
+    _refuse_without_text(plain)
+    return str(value)
+
+
+def _refuse_without_text(value: Any) -> None:
+    """Raise InputFault for a function, an iterator and the like: their texts are chance."""
+    kind: Any = type(value)
+    if kind.__str__ is not object.__str__:
+        return
+    if callable(value):
+        raise InputFault("no-text", "a function is no text", "to call it, write name(…)")
+    if hasattr(kind, "__next__"):
+        raise InputFault("no-text", "an iterator is no text", "write list(…) around it")
+    if kind.__repr__ is object.__repr__:
+        hint = f"give the class {kind.__name__} a __str__, or write what is meant of it"
+        raise InputFault("no-text", f"an object of the class {kind.__name__} is no text", hint)
+
+
+def plain_value(value: Any) -> Any:
+    """Return a numpy scalar or array as the Python value it stands for, all else unchanged."""
+    if type(value).__module__ == "numpy" and hasattr(value, "tolist"):
+        return value.tolist()
+    if isinstance(value, float):
+        return float(value)
+    if isinstance(value, int) and not isinstance(value, bool):
+        return int(value)
+    if isinstance(value, str):
+        return str(value)
+    return value
+
+
+def is_number(value: object) -> bool:
+    """Tell whether a value is an int or a float (booleans are not numbers here)."""
+    return isinstance(value, (int, float)) and not isinstance(value, bool)
+
+
+# --- escaping -----------------------------------------------------------------------------------
+
+_TEXT_ESCAPES = {"&": "&amp;", "<": "&lt;", ">": "&gt;", "\r": "&#13;"}
+_ATTRIBUTE_ESCAPES = {
+    "&": "&amp;",
+    "<": "&lt;",
+    ">": "&gt;",
+    '"': "&quot;",
+    "\t": "&#9;",
+    "\n": "&#10;",
+    "\r": "&#13;",
+}
+_TEXT_TABLE = str.maketrans(_TEXT_ESCAPES)
+_ATTRIBUTE_TABLE = str.maketrans(_ATTRIBUTE_ESCAPES)
+
+
+def escaped_text(text: str) -> str:
+    """Return what is written for a text between tags."""
+    return text.translate(_TEXT_TABLE)
+
+
+def escaped_attribute(text: str) -> str:
+    """Return what is written for the value of an attribute."""
+    return text.translate(_ATTRIBUTE_TABLE)
+
+
+def is_comment_text(text: str) -> bool:
+    """Tell whether a comment can hold the text (production 15, Comment)."""
+    return "--" not in text and not text.endswith("-")
+
+
+def is_xml_character(char: str) -> bool:
+    """Tell whether XML 1.0 allows the character (production 2, Char)."""
+    code = ord(char)
+    return (
+        code in (0x9, 0xA, 0xD)
+        or 0x20 <= code <= 0xD7FF
+        or 0xE000 <= code <= 0xFFFD
+        or code >= 0x10000
+    )
+
+
+def check_characters(text: str, span: Span, *, trace: Frame | None = None) -> None:
+    """Raise YamaroError if the text holds a character that XML forbids."""
+    if text.isprintable():
+        return
+    for char in text:
+        if not is_xml_character(char):
+            raise failure(
+                "control-character",
+                f"the character U+{ord(char):04X} cannot stand in XML",
+                span,
+                hint="remove it; XML allows only tab, line breaks and printable characters",
+                trace=trace,
+            )

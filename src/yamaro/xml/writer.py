@@ -1,0 +1,316 @@
+"""Writes a tree as an XML document."""
+
+from __future__ import annotations
+
+from ..diagnostics import YamaroError, failure, settle
+from ..policy import Limits
+from ..source import Span
+from .tree import Comment, Element, Text
+from .values import check_characters, escaped_attribute, escaped_text, format_value, remember
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from .tree import Node, Shared
+
+_LONGEST_REMEMBERED = 16
+"""Characters of a value worth remembering: longer ones seldom come again, and there are many."""
+
+
+_spelled: dict[str, str] = {}
+"""Values of attributes as they are written, whatever document they are of."""
+
+
+def write(root: Element) -> str:
+    """Return the tree as an XML document; raise YamaroError where XML cannot hold a character."""
+    return "".join(write_pieces(root, {}))
+
+
+def write_pieces(root: Element, shared: Shared, limits: Limits | None = None) -> list[str]:
+    """Return the pieces of text that make the document, which spares putting them together.
+
+    Raises:
+        YamaroError: XML cannot hold a character, or the document passes one of the limits, which
+            by default are those of trusted files.
+    """
+    out = ['<?xml version="1.0"?>\n']
+    limits = limits or Limits()
+    _Writer(root, shared, limits).write_root(out)
+    if sum(map(len, out)) > limits.output:
+        raise _too_long(root, limits)
+    return out
+
+
+def _too_long(root: Element, limits: Limits) -> YamaroError:
+    return failure(
+        "limit-output",
+        f"the XML has more than {limits.output:,} characters, which is the limit",
+        root.span,
+        hint=limits.hint("output"),
+    )
+
+
+class _Writer:
+    """Writes elements, remembering what comes again: values of attributes and shared elements."""
+
+    __slots__ = (
+        "_depth",
+        "_limits",
+        "_long",
+        "_most_long",
+        "_most_margin",
+        "_outermost",
+        "_passages",
+        "_root",
+        "_shared",
+    )
+
+    def __init__(self, root: Element, shared: Shared, limits: Limits) -> None:
+        self._root = root
+        self._outermost = root  # the child of the root that is being written
+        self._shared = shared
+        self._limits = limits
+        self._most_margin = 2 * (limits.xml_depth - 1)  # two spaces a level
+        self._depth = 0  # of what stands inline among text
+        self._long = 0  # characters of long values; those of others are counted in the end
+        self._most_long = limits.output
+        self._passages: dict[int, _Passage] = {}
+
+    def write_root(self, out: list[str]) -> None:
+        """Write the whole; what an error is about came the way of the child of the root it is in.
+
+        Raises:
+            YamaroError: see `write_pieces`.
+        """
+        try:
+            self.write(self._root, "", "\n", out, frozenset(("xml",)))
+        except YamaroError as error:
+            settle(error.diagnostics, self._outermost.trace)
+            settle(error.diagnostics, None)
+            raise
+
+    def write(
+        self, element: Element, margin: str, end: str, out: list[str], prefixes: frozenset[str]
+    ) -> None:
+        """Write an element: on lines of its own, or with no space added if `end` is empty."""
+        name = element.name
+        head = f"{margin}<{name}"
+        for key, value in element.attributes.items():
+            if type(value) is not str:
+                if value is None:
+                    continue
+                value = format_value(value)
+            if not value.isidentifier():  # most names are, and have nothing to escape
+                escaped = _spelled.get(value)
+                if escaped is None:
+                    escaped = _attribute_text(value, element, key)
+                    if len(value) <= _LONGEST_REMEMBERED:
+                        remember(_spelled, value, escaped)
+                    else:
+                        self._long += len(value)
+                        if self._long > self._most_long:
+                            raise _too_long(self._root, self._limits)
+                value = escaped
+            head += f' {key}="{value}"'
+        if ":" in head:
+            prefixes = _prefixes_inside(element, prefixes)
+        children = element.children
+        if not children:
+            out.append(f"{head}/>{end}")
+            return
+        for child in children:
+            if type(child) is Text:
+                self._write_mixed(element, head, end, out, prefixes)
+                return
+        if len(margin) >= self._most_margin:
+            raise self._too_deep(element)
+        if not end:
+            self._go_deeper(element)
+        out.append(f"{head}>{end}")
+        deeper = margin + "  " if end else ""
+        if end and id(children) in self._shared:
+            self._write_shared(children, element, deeper, out, prefixes)
+        else:
+            self._write_children(children, element, deeper, end, out, prefixes)
+        out.append(f"{margin}</{name}>{end}")
+        if not end:
+            self._depth -= 1
+
+    def _go_deeper(self, element: Element) -> None:
+        """Note that what stands in an element is written inline, where no margin tells how deep."""
+        self._depth += 1
+        if self._depth >= self._limits.xml_depth:
+            raise self._too_deep(element)
+
+    def _too_deep(self, element: Element) -> YamaroError:
+        return failure(
+            "limit-xml-depth",
+            f"elements are nested more than {self._limits.xml_depth} deep, which is the limit",
+            element.span,
+            hint=self._limits.hint("xml_depth"),
+            trace=element.trace,
+        )
+
+    def _write_children(
+        self,
+        children: list[Node],
+        owner: Element,
+        margin: str,
+        end: str,
+        out: list[str],
+        prefixes: frozenset[str],
+    ) -> None:
+        shared = self._shared
+        is_outermost = owner is self._root
+        for child in children:
+            if is_outermost and isinstance(child, Element):
+                self._outermost = child
+            if not isinstance(child, Element):
+                if isinstance(child, Comment):
+                    out.append(f"{margin}<!--{_comment_text(child, owner)}-->{end}")
+            elif shared and end and id(child) in shared:
+                self._write_shared(child, child, margin, out, prefixes)
+            else:
+                self.write(child, margin, end, out, prefixes)
+
+    def _write_shared(
+        self,
+        what: Element | list[Node],
+        owner: Element,
+        margin: str,
+        out: list[str],
+        prefixes: frozenset[str],
+    ) -> None:
+        """Write an element, or children, of several places: from the second on, in one piece."""
+        passage = self._passages.get(id(what))
+        if passage is not None and passage.margin == margin and passage.prefixes == prefixes:
+            out.append(passage.text or passage.put_together(out))
+            return
+        start = len(out)
+        if isinstance(what, Element):
+            self.write(what, margin, "\n", out, prefixes)
+        else:
+            self._write_children(what, owner, margin, "\n", out, prefixes)
+        self._passages[id(what)] = _Passage(margin, prefixes, start, len(out))
+
+    def _write_mixed(
+        self, element: Element, head: str, end: str, out: list[str], prefixes: frozenset[str]
+    ) -> None:
+        """Write an element that holds text; its elements stand inline so that no space is added."""
+        self._go_deeper(element)
+        inner: list[str] = []
+        for child in element.children:
+            if element is self._root and isinstance(child, Element):
+                self._outermost = child
+            if isinstance(child, Text):
+                text = format_value(child.value)
+                self._long += len(text)
+                if self._long > self._most_long:
+                    raise _too_long(self._root, self._limits)
+                inner.append(_element_text(text, child.span, element))
+            elif isinstance(child, Comment):
+                inner.append(f"<!--{_comment_text(child, element)}-->")
+            else:
+                self.write(child, "", "", inner, prefixes)
+        content = "".join(inner)
+        out.append(f"{head}>{content}</{element.name}>{end}" if content else f"{head}/>{end}")
+        self._depth -= 1
+
+
+class _Passage:
+    """Where a shared element was written, so that its text can be used again in its like.
+
+    The text is only put together for a second place: of elements in elements that stand in several
+    places, one text is needed.
+    """
+
+    __slots__ = ("margin", "prefixes", "start", "stop", "text")
+
+    def __init__(self, margin: str, prefixes: frozenset[str], start: int, stop: int) -> None:
+        """Say that pieces `start` to `stop` were written at a margin, with prefixes declared."""
+        self.margin = margin
+        self.prefixes = prefixes
+        self.start = start
+        self.stop = stop
+        self.text = ""
+
+    def put_together(self, out: list[str]) -> str:
+        """Return the element's text, made of the pieces written for it."""
+        self.text = "".join(out[self.start : self.stop])
+        return self.text
+
+
+def _element_text(text: str, span: Span, element: Element) -> str:
+    if text.isalnum() and text.isascii():
+        return text
+    check_characters(text, span, trace=element.trace)
+    return escaped_text(text)
+
+
+def _attribute_text(text: str, element: Element, key: str) -> str:
+    if not (text.isascii() and text.isprintable()):
+        check_characters(text, element.value_span(key), trace=element.trace)
+    elif not ("&" in text or "<" in text or ">" in text or '"' in text):
+        return text  # finding nothing to escape is several times faster than escaping nothing
+    return escaped_attribute(text)
+
+
+def _comment_text(comment: Comment, element: Element) -> str:
+    check_characters(comment.text, comment.span, trace=element.trace)
+    return comment.text
+
+
+def _prefixes_inside(element: Element, prefixes: frozenset[str]) -> frozenset[str]:
+    """Return the prefixes that are declared inside an element, having checked those it uses."""
+    prefixed = [
+        key for key, value in element.attributes.items() if ":" in key and value is not None
+    ]
+    if prefixed:
+        prefixes = _declared(element, prefixes)
+        for key in prefixed:
+            if not key.startswith("xmlns:"):
+                _check_prefix(key, element, prefixes)
+    if ":" in element.name:
+        _check_prefix(element.name, element, prefixes)
+    return prefixes
+
+
+def _declared(element: Element, prefixes: frozenset[str]) -> frozenset[str]:
+    """Return the prefixes that are declared inside an element, its own name included."""
+    new = {
+        key[6:]: format_value(value)
+        for key, value in element.attributes.items()
+        if key.startswith("xmlns:") and value is not None
+    }
+    for prefix, address in new.items():
+        if not address or prefix in ("xml", "xmlns"):
+            raise failure(
+                "undeclared-prefix",
+                f"the XML prefix '{prefix}' is declared without an address"
+                if not address
+                else f"the XML prefix '{prefix}' has its meaning and cannot be declared",
+                element.value_span(f"xmlns:{prefix}"),
+                hint=f"write xmlns:{prefix}=https://…"
+                if not address
+                else "leave the declaration out, or name another prefix",
+                trace=element.trace,
+            )
+    return prefixes.union(new) if new else prefixes
+
+
+def _check_prefix(name: str, element: Element, prefixes: frozenset[str]) -> None:
+    prefix = name.partition(":")[0]
+    if prefix not in prefixes:
+        raise failure(
+            "undeclared-prefix",
+            f"the XML prefix '{prefix}' of '{name}' is not declared",
+            element.span,
+            hint=_PREFIX_HINTS.get(prefix)
+            or f"declare it on this or an outer element: xmlns:{prefix}=https://…",
+            trace=element.trace,
+        )
+
+
+_PREFIX_HINTS = {
+    "xacro": "xacro's tags do not exist here; see docs/coming-from-xacro.md",
+    "xmlns": "xmlns: begins the attributes that declare prefixes: name/xmlns:gz=https://…",
+}
