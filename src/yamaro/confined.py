@@ -9,8 +9,8 @@ from time import monotonic
 from .diagnostics import YamaroError, failure_of_all
 from .files.packages import MODEL_PATHS
 from .policy import JAIL, NO_JAIL, USUAL_SECONDS, Limits, Policy
-from .runtime.expressions import TIME_HINT
 from .runtime.messages import Messages
+from .runtime.python_errors import TIME_HINT
 from .sandbox.deadline import TimeOver, run_within
 from .sandbox.deep_stack import run_on_deep_stack
 from .xml.writer import write_pieces

@@ -16,12 +16,13 @@ import statistics
 import sys
 import unicodedata  # noqa: F401 - Python itself needs it for names that are not ASCII
 from types import SimpleNamespace
-from typing import Any, NoReturn
+from typing import Any
 
 import numpy as np
 
-from yamaro.diagnostics import YamaroError
+from yamaro.diagnostics import Frame, YamaroError
 from yamaro.runtime.expressions import Evaluator
+from yamaro.runtime.python_errors import Explainer
 from yamaro.runtime.scope import Home, Scope, Shared
 from yamaro.safe.code import compile_safe
 from yamaro.safe.limits import SafeLimits, SafetyError
@@ -55,13 +56,15 @@ class SafePython(PythonCode):
         return Span(self.node.source, start, whole if end is None else end)
 
 
-class WatchedEvaluator(Evaluator):
-    """An evaluator that ends the watch when the attack is over and its error is looked at."""
+class WatchedExplainer(Explainer):
+    """An explainer that ends the watch when the attack is over and its error is looked at."""
 
-    def explain(self, error: BaseException, python: PythonCode, scope: Scope) -> NoReturn:
+    def explained(
+        self, error: BaseException, python: PythonCode, scope: Scope, frame: Frame | None
+    ) -> YamaroError:
         global is_watching
         is_watching = False
-        super().explain(error, python, scope)
+        return super().explained(error, python, scope, frame)
 
 
 def watch(event: str, args: tuple[Any, ...]) -> None:
@@ -104,7 +107,7 @@ def attack(mode: str, text: str, steps: int | None = None) -> dict[str, Any]:
     node = ScalarNode(text, "|", source, 0, len(text))
     python = SafePython(text, node, 0, Rules(), opening="(" if mode == "eval" else "")
     python.runtime = runtime
-    evaluator = WatchedEvaluator({}, lambda name: [], limits)
+    evaluator = Evaluator(WatchedExplainer({}, lambda name: [], limits))
     before = world()
     watched.clear()
     is_watching = True

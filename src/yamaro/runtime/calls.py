@@ -12,9 +12,8 @@ from ..syntax.statements import parse_body
 from ..syntax.template import Template
 from ..yaml.nodes import MappingNode, SequenceNode
 from .declared import Declaration, notes_on
-from .expressions import function_names
 from .late import Late
-from .scope import BlockScope, Scope, function_key
+from .scope import BlockScope, Scope, function_key, function_names
 from .values import Values
 from .words import count
 

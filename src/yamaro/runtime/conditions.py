@@ -5,7 +5,8 @@ from __future__ import annotations
 from ..diagnostics import failure
 from ..syntax.nodes import Constant
 from ..syntax.python import PythonCode
-from .expressions import YAML_1_1_BOOLEANS, Evaluator, evaluate_bare
+from .expressions import Evaluator, evaluate_bare
+from .python_errors import YAML_1_1_BOOLEANS
 from .scope import Scope
 from .words import a_kind_of
 

@@ -59,11 +59,12 @@ from .calls import (
 )
 from .conditions import holds
 from .elements import Builder, evaluate_holes
-from .expressions import Evaluator, SafeEvaluator, add_trace
+from .expressions import Evaluator, SafeEvaluator
 from .files import Files
 from .includes import namespace_of, passed_by, path_of
 from .loops import iterate, too_many_turns, unpack
 from .messages import Messages
+from .python_errors import Explainer, add_trace
 from .scope import BlockScope, Scope, Shared, function_key
 from .unread import Passed
 from .values import Values
@@ -125,13 +126,15 @@ class Interpreter:
             safety=self.safety,
             packages=packages or PackageFinder(),
         )
-        codes, where_declared = self.files.codes, self.files.where_declared
-        self.evaluator = (
-            Evaluator(codes, where_declared, policy.limits)
-            if self.safety is None
-            else SafeEvaluator(codes, where_declared, policy.limits, self.safety)
+        explainer = Explainer(
+            self.files.codes,
+            self.files.where_declared,
+            policy.limits,
+            is_jailed=policy.mode == JAIL,
         )
-        self.evaluator.is_jailed = policy.mode == JAIL
+        self.evaluator = (
+            Evaluator(explainer) if self.safety is None else SafeEvaluator(explainer, self.safety)
+        )
         self.values = Values(self.evaluator)
         self.shares = shares
         self.builder = Builder()

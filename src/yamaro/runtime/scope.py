@@ -377,3 +377,21 @@ def _calls_seen(scope: Scope) -> tuple[Scope, ...]:
     assert written is not None, "a block is written somewhere"
     seen = {id(host): host for host in (*scope.hosts, *_calls_seen(written))}
     return tuple(seen.values())
+
+
+def variable_names(scope: Scope) -> list[str]:
+    """Return the names of variables, imports and predefined names visible from a scope."""
+    return [name for name in scope.visible_names() if name.isidentifier() and name[:2] != "__"]
+
+
+def function_names(scope: Scope) -> list[str]:
+    """Return the names of functions and blocks visible from a scope."""
+    names = list(scope.visible_names())
+    found = [name[:-2] for name in names if name.endswith("()")]
+    for name in names:
+        if name.endswith("()") or not name.isidentifier():
+            continue
+        value = scope.find(name)
+        if isinstance(value, Namespace):
+            found.extend(f"{name}.{inner[:-2]}" for inner in value._names if inner.endswith("()"))
+    return found
