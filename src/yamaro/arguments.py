@@ -30,6 +30,9 @@ def adjustment_of(
     """
     allowed = frozenset([allow] if isinstance(allow, str) else allow)
     denied = frozenset([deny] if isinstance(deny, str) else deny)
+    for code in (*allowed, *denied):
+        if not isinstance(code, str):
+            raise UsageError(f"a code that can be allowed or denied is a text, not {code!r}")
     if allowed or denied:
         from .codes import fault_of_codes
 

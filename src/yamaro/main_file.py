@@ -34,6 +34,8 @@ def read_main(path: str, text: str | None, library: Library) -> Source:
         source = Source(text, name=name, path=os.path.abspath(path) if is_file else "")
         source.is_xml = holds_xml(path, text)
         return source
+    if not path:
+        raise UsageError("the file name is empty")
     try:
         return library.source(os.path.abspath(path), path)
     except LoadError as error:

@@ -587,6 +587,14 @@ def test_missing_main_file_is_wrong_usage(capsys: pytest.CaptureFixture[str]) ->
     assert err.endswith(USAGE + "\n")
 
 
+@pytest.mark.parametrize("command", ["build", "check", "tree"])
+def test_an_empty_file_name_is_wrong_usage(
+    command: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main([command, ""]) == 2
+    assert "error: the file name is empty\n" in capsys.readouterr().err
+
+
 @pytest.mark.parametrize("word", ["1x:=2", ":=2", "a b:=2", "for:=1"])
 def test_malformed_variables_are_wrong_usage(capsys: pytest.CaptureFixture[str], word: str) -> None:
     status, out, err = outcome(capsys, write(PLAIN), word)

@@ -201,6 +201,10 @@ def test_what_cannot_be_read_is_wrong_usage(
     assert outcome(capsys, path) == (2, "", told)
 
 
+def test_an_empty_file_name_is_wrong_usage(capsys: pytest.CaptureFixture[str]) -> None:
+    assert outcome(capsys, "") == (2, "", f"yamaro: error: the file name is empty\n{USAGE}")
+
+
 @pytest.mark.parametrize(
     ("words", "problem"),
     [

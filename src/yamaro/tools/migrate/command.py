@@ -33,6 +33,8 @@ def read_file(path: str, limits: Limits, data: bytes | None = None) -> Source:
         YamaroError: it is not in the encoding that it says.
         UsageError: it cannot be read.
     """
+    if not path:
+        raise UsageError("the file name is empty")
     absolute = "" if path == STANDARD_INPUT else os.path.abspath(path)
     try:
         if data is None:
