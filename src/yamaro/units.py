@@ -199,6 +199,8 @@ def parse_quantity(text: str) -> tuple[float, Dimension | None]:
     text = text.strip()
     end = _end_of_number(text)
     number, rest = text[:end], text[end:].lstrip()
+    if not number:
+        raise ValueError(f"'{text[:20]}' is not a quantity")
     if not rest:
         return _plain(number), None
     unit = parse_unit(rest, len(text) - len(rest))

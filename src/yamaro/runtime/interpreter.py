@@ -232,17 +232,26 @@ class Interpreter:
         return Scope(home, self.shared, closure=None, caller=caller)
 
     def _run_sections(
-        self, document: Document, scope: Scope, *, is_included: bool = False
+        self, document: Document, scope: Scope, include: IncludeNode | None = None
     ) -> list[Node]:
-        """Run what stands before the model: imports first, the others as written.
+        """Run what is before the model: imports first, then arguments, the others as written.
+
+        Args:
+            document: the file.
+            scope: its context.
+            include: what includes it; None for the main file.
 
         Returns:
             The sections of a robot, which follow its model.
         """
         self.files.import_modules(document, scope.home, self.evaluator)
+        if document.arguments is not None:
+            from .argument_values import settle_arguments
+
+            settle_arguments(document.arguments, scope, self.values, include)
         words: list[Node] = []
         for statement in document.sections:
-            if document.is_lone_section and not is_included and type(statement) is RobotWordNode:
+            if document.is_lone_section and include is None and type(statement) is RobotWordNode:
                 continue
             _RUN[type(statement)](self, statement, scope, words, None)
         return words
@@ -692,7 +701,7 @@ class Interpreter:
                 name = argument.name or ""
                 inner.declare(name, passed[name], place=argument.span)
             inner.passed = frozenset(passed)
-            words = self._run_sections(document, inner, is_included=True)
+            words = self._run_sections(document, inner, node)
             self._run_included_model(document, inner, out)
             out += words
         except YamaroError as error:

@@ -6,6 +6,7 @@ from ..source import Source, Span
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from .argument_types import ArgumentEntry
     from .nodes import Body, ElementNode, Statement, TextContent
     from .python import PythonCode
 
@@ -37,6 +38,7 @@ class Document:
     """A parsed file."""
 
     __slots__ = (
+        "arguments",
         "codes",
         "declarations",
         "extents",
@@ -55,6 +57,7 @@ class Document:
         """Start an empty document.
 
         Attributes:
+            arguments: what may be passed to the file, or None if it does not say.
             imports: the modules, in order.
             sections: the other sections but the model, in order.
             model: the bodies of the `model:` sections, in order.
@@ -68,6 +71,7 @@ class Document:
             names_read: every name that some expression reads.
         """
         self.source = source
+        self.arguments: list[ArgumentEntry] | None = None
         self.imports: list[ImportNode] = []
         self.sections: list[Statement] = []
         self.model: list[Body] = []

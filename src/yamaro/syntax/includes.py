@@ -5,7 +5,7 @@ from __future__ import annotations
 from ..diagnostics import failure, suggest
 from ..yaml.nodes import ScalarNode
 from .context import ParseContext
-from .mappings import Pairs, pairs_of, refuse_twice
+from .mappings import Pairs, is_mapping, pairs_of, refuse_twice
 from .names import is_identifier, name_hint
 from .nodes import Argument, IncludeNode
 from .signatures import parse_argument_name
@@ -74,6 +74,7 @@ def parse_include_of(key: ScalarNode, pairs: Pairs, context: ParseContext) -> In
     path_pair: tuple[ScalarNode, YamlNode] | None = None
     namespace_pair: tuple[ScalarNode, YamlNode] | None = None
     rest: Pairs = []
+    given: Pairs = []  # under `arguments`, where they may have any name
     for own, value in pairs:
         if own.text == "path":
             refuse_twice(path_pair, own, word)
@@ -81,6 +82,8 @@ def parse_include_of(key: ScalarNode, pairs: Pairs, context: ParseContext) -> In
         elif own.text == "namespace":
             refuse_twice(namespace_pair, own, word)
             namespace_pair = (own, value)
+        elif own.text == "arguments" and is_mapping(value):
+            given += pairs_of(value, "`arguments`", context)
         else:
             rest.append((own, value))
     if path_pair is None:
@@ -97,7 +100,7 @@ def parse_include_of(key: ScalarNode, pairs: Pairs, context: ParseContext) -> In
         rest.append(namespace_pair)  # XML has no names to put into one, but xacro files arguments
         namespace_pair = None
     namespace = _parse_namespace(namespace_pair[1], context) if namespace_pair else None
-    arguments = _include_arguments(rest, context)
+    arguments = _include_arguments(rest + given, context)
     path_span = path_pair[1].span()
     return IncludeNode(path, namespace, arguments, path_span=path_span, span=key.span())
 

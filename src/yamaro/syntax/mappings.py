@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from ..diagnostics import did_you_mean, failure
 from ..source import Span
-from ..yaml.nodes import MappingNode, ScalarNode
+from ..yaml.nodes import MappingNode, ScalarNode, SequenceNode
 from .context import ParseContext
 from .keys import find_outside
 from .names import is_function_name, is_identifier
@@ -49,6 +49,13 @@ def pairs_of(node: YamlNode, what: str, context: ParseContext) -> Pairs:
                 hint=item_hint(item),
             )
     return pairs
+
+
+def is_mapping(node: YamlNode) -> bool:
+    """Tell whether a node is a mapping, or a list of mappings, which means the same."""
+    if isinstance(node, SequenceNode):
+        return bool(node.items) and all(isinstance(item, MappingNode) for item in node.items)
+    return isinstance(node, MappingNode)
 
 
 # Statements that are never empty, with the entries they take.

@@ -26,6 +26,8 @@ SECTIONS = (
     "if",
     "for",
 )
+ARGUMENTS = "arguments"
+"""Another section. Words like it are no misspelt sections: `fragment:` may be a root element."""
 ROBOT_STATEMENTS = ("attach", "mirror", "loop")
 """Statements where a part may stand, and elements elsewhere."""
 ROBOT_SECTIONS = ("control", "states", "groups", "collisions", "naming", "base")

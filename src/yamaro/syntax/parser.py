@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ..diagnostics import Reporter, YamaroError, failure, suggest
+from ..diagnostics import Reporter, YamaroError, did_you_mean, failure, suggest
 from ..source import Source, Span
 from ..yaml.nodes import MappingNode, ScalarNode, SequenceNode
 from ..yaml.reader import read
@@ -10,6 +10,7 @@ from .context import ParseContext
 from .document import Document, ImportNode
 from .mappings import Pairs, pairs_of
 from .names import (
+    ARGUMENTS,
     ROBOT_SECTIONS,
     ROBOT_STATEMENTS,
     SECTIONS,
@@ -86,7 +87,11 @@ def _parse_root(root: YamlNode, document: Document, context: ParseContext) -> No
             context.attempt(_parse_imports, node, document, context)
         elif word == "model":
             context.attempt(_parse_model, key, node, document, context)
-        elif is_function_name(word) and word.lower() in SECTIONS:
+        elif word == ARGUMENTS:
+            from .argument_section import parse_arguments
+
+            context.attempt(parse_arguments, node, document, context)
+        elif is_function_name(word) and word.lower() in (*SECTIONS, ARGUMENTS):
             context.attempt(_refuse_misspelt, key, word.lower())
         elif word in STATEMENTS or word in ROBOT_SECTIONS or is_function_name(word):
             statements.append((key, node))
@@ -97,6 +102,10 @@ def _parse_root(root: YamlNode, document: Document, context: ParseContext) -> No
     for section in document.sections:
         if isinstance(section, VariablesNode):
             section.is_root = True
+    if document.arguments is not None:
+        from .argument_section import refuse_variables_of_same_name
+
+        refuse_variables_of_same_name(document, context)
 
 
 def _read_lone_section(statements: Pairs, document: Document, context: ParseContext) -> None:
@@ -106,7 +115,7 @@ def _read_lone_section(statements: Pairs, document: Document, context: ParseCont
     """
     words = [pair for pair in statements if pair[0].text in ROBOT_SECTIONS]
     has_robot = document.robot_name is not None or document.model_span or document.root is not None
-    if len(words) == 1 and not has_robot:
+    if len(words) == 1 and not has_robot and document.arguments is None:
         context.attempt(_parse_root_element, *words[0], document, context)
         document.is_lone_section = document.root is not None
 
@@ -235,7 +244,8 @@ def _refuse_beside_model(span: Span, model: Span, context: ParseContext) -> None
         "two-roots",
         f"'{span.written()}' is no section, and would be a root element beside `model:`",
         span,
-        hint="elements of a robot go under `model:`; a file has a `model` or a root element",
+        hint=did_you_mean(span.written(), [ARGUMENTS])
+        or "elements of a robot go under `model:`; a file has a `model` or a root element",
         notes=[f"`model:` is at {model.place()}"],
     )
 

@@ -1,0 +1,416 @@
+"""Parses the section `arguments`: what may be passed to a file, of which type, in which range."""
+
+from __future__ import annotations
+
+from ..diagnostics import InputFault, Reporter, YamaroError, did_you_mean, failure
+from ..units import UnknownUnit, parse_unit
+from ..xml.values import is_number
+from ..yaml.nodes import MappingNode, ScalarNode, SequenceNode
+from ..yaml.reader import read
+from .argument_types import (
+    ANY,
+    BOOLEAN,
+    LIST,
+    MAPPING,
+    NUMBER,
+    NUMERIC,
+    TEXT,
+    TYPES,
+    ArgumentEntry,
+    checked,
+    quantity,
+    unknown_unit,
+)
+from .context import ParseContext
+from .mappings import Pairs, pairs_of, refuse_twice
+from .names import bad_variable_name, is_identifier, name_hint, python_name
+from .nodes import Constant, DictValue, ListValue, Value, VariablesNode
+from .rules import Rules
+from .template import Template
+from .values import parse_value
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from ..source import Source, Span
+    from ..yaml.nodes import YamlNode
+    from .document import Document
+
+ENTRIES = ("default", "type", "choices", "range", "unit", "help", "step", "log")
+_OF_NUMBERS = ("range", "unit", "step", "log")
+_OTHER_WORDS = {
+    "description": "help", "doc": "help", "enum": "choices", "options": "choices",
+    "values": "choices", "value": "default", "min": "range", "max": "range", "limits": "range",
+    "units": "unit", "kind": "type", "required": "type",
+}  # fmt: skip
+_OTHER_TYPES = {
+    "float": "number", "double": "number", "int": "integer", "str": "text", "string": "text",
+    "bool": "boolean", "array": "list", "dict": "mapping", "object": "mapping", "file": "path",
+}  # fmt: skip
+
+
+def parse_arguments(node: YamlNode, document: Document, context: ParseContext) -> None:
+    """Add the entries of an `arguments:` section to a document.
+
+    What is wrong with one entry does not hide the others.
+
+    Raises:
+        YamaroError: the section is not a mapping.
+    """
+    if document.arguments is None:
+        document.arguments = []
+    for key, value in pairs_of(node, "`arguments`", context):
+        entry = context.attempt(_parse_entry, key, value, document, context)
+        if entry is not None:
+            document.arguments.append(entry)
+            context.declarations.append((entry.name, "local", entry.span))
+
+
+def refuse_variables_of_same_name(document: Document, context: ParseContext) -> None:
+    """Keep an error for each name that stands in `arguments` and in the root's `variables`."""
+    places = {entry.name: entry.span for entry in document.arguments or ()}
+    for section in document.sections:
+        for variable in section.entries if isinstance(section, VariablesNode) else ():
+            if isinstance(variable.name, str) and variable.name in places:
+                context.attempt(_refuse_variable, variable.name, variable.span, places)
+
+
+def _refuse_variable(name: str, span: Span, places: dict[str, Span]) -> None:
+    raise failure(
+        "given-twice",
+        f"'{name}' is an argument and a variable of this file",
+        span,
+        hint="keep the argument, and write its default there",
+        notes=[f"the argument is declared at {places[name].place()}"],
+    )
+
+
+def arguments_of(source: Source) -> list[ArgumentEntry] | None:
+    """Return the arguments that a file declares, without parsing the rest of it.
+
+    A file without the section gives None.
+
+    Raises:
+        YamaroError: the file is not YAML, or the section has errors.
+    """
+    from .document import Document
+
+    context = ParseContext(Reporter(), Rules())
+    document = Document(source)
+    root = read(source, reporter=context.reporter)
+    for key, node in root.pairs if isinstance(root, MappingNode) else _pairs_of_list(root):
+        if key.text == "arguments":
+            context.attempt(parse_arguments, node, document, context)
+    if context.errors:
+        raise YamaroError(context.errors)
+    return document.arguments
+
+
+def _pairs_of_list(root: YamlNode) -> Pairs:
+    items = root.items if isinstance(root, SequenceNode) else []
+    return [pair for item in items if isinstance(item, MappingNode) for pair in item.pairs]
+
+
+# --- one entry ----------------------------------------------------------------------------------
+
+
+def _parse_entry(
+    key: ScalarNode, node: YamlNode, document: Document, context: ParseContext
+) -> ArgumentEntry:
+    name = _name_of(key)
+    for earlier in document.arguments or ():
+        if earlier.name == name:
+            raise failure(
+                "given-twice",
+                f"the argument '{name}' is declared twice",
+                key.span(),
+                hint="keep one of the two",
+                notes=[f"first declared at {earlier.span.place()}"],
+            )
+    entry = ArgumentEntry(name, key.span())
+    if isinstance(node, MappingNode) and any(own.text in ENTRIES for own, _ in node.pairs):
+        _parse_long(entry, node, context)
+    else:
+        entry.default = parse_value(node, context)
+        _settle_kind(entry, None)
+    _check_default(entry)
+    return entry
+
+
+def _name_of(key: ScalarNode) -> str:
+    name = key.text.strip()
+    if is_identifier(name):
+        return python_name(name)
+    hint = name_hint(name)
+    if "$(" in name:
+        hint = "arguments are read without running the file, so their names are plain"
+    before, slash, scope = name.partition("/")
+    if slash and is_identifier(before):
+        hint = f"an argument has no scope; hand it on by `variables: {{NAME/{scope}: $({before})}}`"
+    raise failure("bad-variable-name", bad_variable_name(name), key.span(), hint=hint)
+
+
+def _parse_long(entry: ArgumentEntry, node: MappingNode, context: ParseContext) -> None:
+    """Fill in an entry from a mapping of `ENTRIES`; collect the errors in it."""
+    found = _entries_of(node, context)
+    literal = {
+        name: parse_value(value, context, is_literal=True)
+        for name, (_, value) in found.items()
+        if name != "default"
+    }
+    if "default" in found:
+        entry.default = parse_value(found["default"][1], context)
+    entry.help = _text_of(literal.get("help"))
+    _parse_kind(entry, literal, found)
+    for name in _OF_NUMBERS:
+        if name in found and (entry.kind not in NUMERIC or (name == "unit" and _is_whole(entry))):
+            needs = "a number" if name == "unit" else "a number or an integer"
+            raise _bad(
+                f"`{name}` is for an argument that is {needs}, and '{entry.name}' is "
+                f"{'of any type' if entry.kind == ANY else f'of the type {entry.kind}'}",
+                found[name][0].span(),
+                hint="write type: number, or leave it out",
+            )
+    if "unit" in literal:
+        _parse_unit(entry, literal["unit"], found["unit"][1])
+    if "range" in literal:
+        _parse_range(entry, literal["range"], found["range"][1])
+    if "step" in literal:
+        _parse_step(entry, literal["step"], found["step"][1])
+    if "log" in literal:
+        _parse_log(entry, literal["log"], found["log"][1])
+    if "choices" in literal:
+        _parse_choices(entry, literal["choices"], found["choices"][1])
+
+
+def _entries_of(node: MappingNode, context: ParseContext) -> dict[str, tuple[ScalarNode, YamlNode]]:
+    found: dict[str, tuple[ScalarNode, YamlNode]] = {}
+    for key, value in node.pairs:
+        word = key.text
+        if word not in ENTRIES:
+            near = _OTHER_WORDS.get(word.lower())
+            hint = f"did you mean '{near}'?" if near else did_you_mean(word, ENTRIES)
+            raise failure(
+                "unknown-key",
+                f"an argument has no entry '{word}'",
+                key.span(),
+                hint=hint
+                or f"its entries are {', '.join(ENTRIES)}; a mapping as the default is written "
+                "under `default:`",
+            )
+        refuse_twice(found.get(word), key, "argument")
+        if word != "help" and word != "default":
+            _refuse_expressions(value, word)
+        found[word] = (key, value)
+    return found
+
+
+def _refuse_expressions(node: YamlNode, word: str) -> None:
+    """Raise YamaroError if a literal entry holds `$(`, which would stay as it is."""
+    if isinstance(node, ScalarNode):
+        if "$(" in node.text:
+            at = node.text.index("$(")
+            raise _bad(
+                f"`{word}` is read without running the file, so '$(' is not evaluated here",
+                node.span(at, at + 2),
+                hint="write the value itself; only a `default` may be computed",
+            )
+    elif isinstance(node, SequenceNode):
+        for item in node.items:
+            _refuse_expressions(item, word)
+
+
+def _bad(message: str, span: Span, *, hint: str | None = None) -> YamaroError:
+    return failure("bad-argument", message, span, hint=hint)
+
+
+def _text_of(value: Value | None) -> str:
+    if isinstance(value, Constant):
+        return value.value if isinstance(value.value, str) else value.node.text
+    return ""
+
+
+# --- the type -----------------------------------------------------------------------------------
+
+
+def _parse_kind(
+    entry: ArgumentEntry,
+    literal: dict[str, Value],
+    found: dict[str, tuple[ScalarNode, YamlNode]],
+) -> None:
+    if "type" not in literal:
+        _settle_kind(entry, literal.get("choices"), any(name in found for name in _OF_NUMBERS))
+        return
+    kind = _text_of(literal["type"])
+    if kind not in TYPES:
+        near = _OTHER_TYPES.get(kind.lower())
+        raise _bad(
+            f"'{kind}' is not a type of arguments",
+            found["type"][1].span(),
+            hint=f"did you mean '{near}'?"
+            if near
+            else did_you_mean(kind, TYPES) or f"the types are {', '.join(TYPES)}",
+        )
+    entry.kind = kind
+    entry.is_null_allowed = _is_null(entry.default)
+
+
+def _settle_kind(entry: ArgumentEntry, choices: Value | None, is_number: bool = False) -> None:
+    """Give an entry without `type:` the type of its default, or else of its choices."""
+    default = entry.default
+    entry.is_null_allowed = _is_null(default)
+    if is_number:
+        entry.kind = NUMBER
+        return
+    if default is not None and not entry.is_null_allowed:
+        entry.kind = _kind_of(default)
+    if entry.kind == ANY and isinstance(choices, ListValue):
+        kinds = {_kind_of(item) for item in choices.items}
+        if len(kinds) == 1:
+            entry.kind = kinds.pop()
+
+
+def _kind_of(value: Value) -> str:
+    if isinstance(value, Template):
+        return ANY if value.only is not None else TEXT
+    if isinstance(value, ListValue):
+        return LIST
+    if isinstance(value, DictValue):
+        return MAPPING
+    if isinstance(value.value, bool):
+        return BOOLEAN
+    if isinstance(value.value, str):
+        return TEXT
+    return NUMBER if is_number(value.value) else ANY
+
+
+def _is_null(value: Value | None) -> bool:
+    return isinstance(value, Constant) and value.value is None
+
+
+def _is_whole(entry: ArgumentEntry) -> bool:
+    return entry.kind != NUMBER
+
+
+# --- entries of numbers ---------------------------------------------------------------------------
+
+
+def _parse_unit(entry: ArgumentEntry, value: Value, node: YamlNode) -> None:
+    text = _text_of(value).strip()
+    try:
+        entry.unit = parse_unit(text)
+    except UnknownUnit as fault:
+        told = unknown_unit(fault.unit)
+        raise failure(told.code, told.message, node.span(), hint=told.hint) from None
+    except ValueError:
+        raise _bad(
+            f"'{text}' is not a unit" if text else "`unit` takes a unit",
+            node.span(),
+            hint="write a unit such as mm, deg or N*m",
+        ) from None
+    entry.unit_text = text
+
+
+def _parse_range(entry: ArgumentEntry, value: Value, node: YamlNode) -> None:
+    if not isinstance(value, ListValue) or len(value.items) != 2:
+        raise _bad(
+            "`range` takes a list of two numbers, the least and the greatest",
+            node.span(),
+            hint="write range: [0.3, 1.3]; null at one end leaves it open",
+        )
+    ends = [None if _is_null(item) else _number(entry, item) for item in value.items]
+    entry.low, entry.high = ends
+    if entry.low is not None and entry.high is not None and entry.low > entry.high:
+        raise _bad("the range ends below its start", node.span(), hint="exchange the two numbers")
+
+
+def _parse_step(entry: ArgumentEntry, value: Value, node: YamlNode) -> None:
+    entry.step = _number(entry, value)
+    if entry.step <= 0:
+        raise _bad("`step` takes a number above zero", node.span())
+
+
+def _parse_log(entry: ArgumentEntry, value: Value, node: YamlNode) -> None:
+    if not isinstance(value, Constant) or not isinstance(value.value, bool):
+        raise _bad("`log` takes true or false", node.span())
+    entry.is_log = value.value
+    if entry.is_log and (entry.low is None or entry.high is None or entry.low <= 0):
+        raise _bad(
+            "`log` needs a `range` between two numbers above zero",
+            node.span(),
+            hint="write range: [0.01, 100]",
+        )
+
+
+def _number(entry: ArgumentEntry, value: Value) -> float:
+    """Return a literal number of an entry in SI."""
+    try:
+        return quantity(entry, literal_value(value))
+    except InputFault as fault:
+        code = "bad-argument" if fault.code == "argument-type" else fault.code
+        raise failure(code, fault.message, place_of(value), hint=fault.hint) from None
+
+
+def _parse_choices(entry: ArgumentEntry, value: Value, node: YamlNode) -> None:
+    if not isinstance(value, ListValue) or not value.items:
+        raise _bad(
+            "`choices` takes a list of values",
+            node.span(),
+            hint="write choices: [none, two_finger, vacuum]",
+        )
+    choices = [_checked(entry, item) for item in value.items]
+    entry.choices = choices
+
+
+def _check_default(entry: ArgumentEntry) -> None:
+    """Check a default that is known without running the file."""
+    default = entry.default
+    if default is not None and is_literal(default):
+        _checked(entry, default)
+
+
+def _checked(entry: ArgumentEntry, value: Value) -> object:
+    """Return a literal value as the argument has it.
+
+    Raises:
+        YamaroError: the argument does not take it.
+    """
+    try:
+        return checked(entry, literal_value(value), spelling=spelling_of(value))
+    except InputFault as fault:
+        raise failure(fault.code, fault.message, place_of(value), hint=fault.hint) from None
+
+
+# --- literal values -------------------------------------------------------------------------------
+
+
+def is_literal(value: Value) -> bool:
+    """Tell whether nothing in a value has to be evaluated."""
+    if isinstance(value, ListValue):
+        return all(map(is_literal, value.items))
+    if isinstance(value, DictValue):
+        return all(is_literal(key) and is_literal(item) for key, item in value.pairs)
+    return isinstance(value, Constant)
+
+
+def literal_value(value: Value) -> object:
+    """Return the Python object of a value in which nothing has to be evaluated."""
+    if isinstance(value, ListValue):
+        return [literal_value(item) for item in value.items]
+    if isinstance(value, DictValue):
+        return {literal_value(key): literal_value(item) for key, item in value.pairs}
+    assert isinstance(value, Constant)
+    return value.value
+
+
+def spelling_of(value: Value) -> str | None:
+    """Return how a scalar is written that is not a text already, or None."""
+    if isinstance(value, Constant) and not isinstance(value.value, str):
+        return value.node.text
+    return None
+
+
+def place_of(value: Value) -> Span:
+    """Return where a value is written."""
+    if isinstance(value, Constant):
+        return value.node.span()
+    return value.span() if isinstance(value, Template) else value.span
