@@ -203,7 +203,10 @@ def test_comments_of_the_item_stay_and_that_of_the_call_goes(tmp_path: Path) -> 
 HANDED = '<xacro:property name="v" value="${i}" scope="parent"/>'
 GIVEN = '<xacro:property name="v" value="1"/>'
 END = guarded("unless ${i}", '<end i="${i}"/>')
-SHOW = '<xacro:macro name="show" params=""><a i="${i}"/></xacro:macro>'
+SHOW = f"""<xacro:macro name="show" params="shown:=0">{
+    guarded("if ${shown}", '<a i="${i}"/>')
+}</xacro:macro>"""
+SHOWN = '<xacro:show shown="1"/>'
 FEWER = '<xacro:property name="n" value="${n - 1}" lazy_eval="false"/>'
 
 
@@ -233,8 +236,8 @@ FEWER = '<xacro:property name="n" value="${n - 1}" lazy_eval="false"/>'
         macro("i", guarded("if ${i}", HANDED + ONE + LOWER), GIVEN, DOWN),
         # what stands at the end reads the counter, which a loop leaves one behind
         macro("i", guarded("if ${i}", ONE + LOWER) + END, DOWN),
-        # a macro that is called reads the counter
-        macro("i", guarded("if ${i}", "<xacro:show/>" + LOWER), SHOW, DOWN),
+        # a macro that is called reads the counter, which is not passed to it
+        macro("i", guarded("if ${i}", SHOWN + LOWER), SHOW, "<xacro:show/>", DOWN),
         # the list is read as a whole, or seen by others while it shrinks
         macro("items", guarded("if ${items}", '<a n="${len(items)}"/>' + ITEM + REST), LISTED),
         macro("items", guarded("if ${items}", POPPED + EACH + SAME), LISTED),
@@ -252,6 +255,11 @@ def test_what_may_differ_stays_a_call(tmp_path: Path, text: str) -> None:
     lines = function_of(tmp_path, text)
     assert not any("for:" in line for line in lines)
     assert any("Loop:" in line or "$('Loop' if" in line for line in lines)
+
+
+def test_the_counter_is_passed_to_a_macro_that_reads_it(tmp_path: Path) -> None:
+    text = macro("i", guarded("if ${i}", SHOWN + LOWER), SHOW, DOWN)
+    assert any("for:" in line for line in function_of(tmp_path, text))
 
 
 def test_a_macro_that_is_defined_in_two_ways_stays_a_call(tmp_path: Path) -> None:

@@ -19,6 +19,22 @@ def test_a_file_that_a_macro_includes_reads_its_parameters(tmp_path: Path) -> No
         """,
         hand='<link name="${side}_hand"/>',
     )
+    assert "include: {path: hand.yaml, side: $(side)}" in files["r.yaml"]
+    assert hold_for(tmp_path, []) == []
+
+
+def test_what_a_file_that_a_macro_includes_calls_sees_its_parameters(tmp_path: Path) -> None:
+    files = migrated(
+        tmp_path,
+        """\
+        <xacro:macro name="finger" params=""><link name="${side}_finger"/></xacro:macro>
+        <xacro:macro name="arm" params="side">
+          <xacro:include filename="hand.xacro"/>
+        </xacro:macro>
+        <xacro:arm side="left"/>
+        """,
+        hand='<link name="${side}_hand"/><xacro:finger/>',
+    )
     assert "side/child: $(side)" in files["r.yaml"]
     assert hold_for(tmp_path, []) == []
 

@@ -186,20 +186,24 @@ def test_what_a_macro_hands_down_is_declared_with_its_own_variables(tmp_path: Pa
     made = migrated(
         tmp_path,
         """\
-        <xacro:macro name="inner" params=""><i v="${depth}" w="${wide}"/></xacro:macro>
+        <xacro:macro name="inner" params="is_shown">
+          <xacro:if value="${is_shown}"><i v="${depth}" w="${wide}"/></xacro:if>
+        </xacro:macro>
         <xacro:macro name="outer" params="depth">
           <xacro:property name="wide" value="${depth * 2}"/>
-          <xacro:inner/>
+          <xacro:inner is_shown="true"/>
         </xacro:macro>
         <xacro:outer depth="4"/>
+        <xacro:inner is_shown="false"/>
         """,
     )
-    assert made["r.yaml"].partition("input: depth\n")[2].partition("model:")[0] == (
+    outer = made["r.yaml"].partition("input: depth\n")[2]
+    assert outer.partition("model:")[0] == (
         "    body:\n"
         "      variables:\n"
         "        depth/child: $(depth)\n"
         "        wide/child: $(depth * 2)\n"
-        "      Inner:\n"
+        "      Inner: {is_shown: true}\n"
     )
 
 

@@ -100,6 +100,8 @@ def _scope(writer: FileWriter, name: str, given: str) -> str:
     """Return the scope of a property; in a file, it is the same inside of conditions."""
     scope = SCOPES.get(given, "")
     if writer.here.macro is not None:
+        if scope == "/parent" and name in writer.program.inherited:
+            return "/bridge"
         if _is_handed_down(writer, name, writer.here.macro):
             return {"": "/child", "/parent": "/bridge"}.get(scope, scope)
         return scope
@@ -116,7 +118,7 @@ def _scope(writer: FileWriter, name: str, given: str) -> str:
 
 def _is_handed_down(writer: FileWriter, name: str, macro: Macro | None) -> bool:
     """Tell whether a name of a macro is read by what it calls or includes."""
-    if name in writer.program.inherited:
+    if name in writer.program.inherited and writer.program.has_computed_calls:
         return True
     return macro is not None and name in writer.reach.read_below(macro)
 
@@ -169,7 +171,11 @@ def write_macro(writer: FileWriter, node: Element, body: Body) -> None:
     place = writer.write_for_parts if writer.contents.may_be_in_part(macro) else None
     with writer.at(writer.here.in_macro(macro, writer.program, place)):
         content = _loop(writer, macro) or writer.statements(node.children)
-    shared = [own for own in macro.values() if _is_handed_down(writer, own, macro)]
+    shared = [
+        own
+        for own in macro.values()
+        if _is_handed_down(writer, own, macro) and not writer.reach.is_set_for_all(own, macro)
+    ]
     if shared:
         _declare_first(content, [Entry(f"{own}/child", f"$({own})") for own in shared])
     move_opening(content, function)

@@ -118,7 +118,7 @@ def write_include(writer: FileWriter, node: Element, body: Body) -> None:
     names = [literal(os.path.relpath(writer.output_of(path), folder)) for path in paths]
     if computed is None or _is_pattern(filename):
         for path, name in zip(paths, names, strict=True):
-            body.add("include", _in_namespace(writer, node, path, name) or name)
+            body.add("include", _with_names(writer, node, path, name) or name)
         return
     name = _computed_name(writer, node, computed, dict(zip(paths, names, strict=True)))
     path = paths[0] if paths else ""
@@ -257,6 +257,22 @@ def _as_python(writer: FileWriter, name: str) -> str:
 def _in_sum(python: str) -> str:
     """Return an expression as a part of a sum."""
     return python if " if " not in python and " or " not in python else f"({python})"
+
+
+def is_plain(include: Element) -> bool:
+    """Tell whether an include names one file in so many words, and no namespace for it."""
+    filename = format_value(include.attributes.get("filename"))
+    return "ns" not in include.attributes and not any(mark in filename for mark in "$*?[")
+
+
+def _with_names(writer: FileWriter, node: Element, path: str, file: str) -> Body | None:
+    """Return what an include says that passes names, or puts them in a namespace, if it does."""
+    macro = writer.here.macro
+    names = writer.reach.passed_to(path, macro) if macro is not None and is_plain(node) else ()
+    if not names:
+        return _in_namespace(writer, node, path, file)
+    passed = [Entry(name, f"$({name})") for name in sorted(names)]
+    return Body([Entry("path", file), *passed], in_braces=True)
 
 
 def _in_namespace(writer: FileWriter, node: Element, path: str, file: str) -> Body | None:

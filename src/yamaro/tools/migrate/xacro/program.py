@@ -45,10 +45,11 @@ class Macro:
         parameters: of the macro.
         file: the path of the file it is defined in.
         element: its tag.
+        from_caller: the names in defaults of its parameters that only its callers have.
     """
 
     def __init__(self, element: Element, file: str, function: str) -> None:
-        """Hold them."""
+        """Read its name and parameters."""
         self.element = element
         self.name = format_value(element.attributes.get("name")).removeprefix("xacro:")
         self.parameters: list[Parameter] = parse_parameters(
@@ -56,14 +57,15 @@ class Macro:
         )
         self.file = file
         self.function = function
+        self.from_caller: set[str] = set()
 
     def values(self) -> list[str]:
         """Return the names of the parameters that are values."""
         return [own.name for own in self.parameters if not own.is_block]
 
     def is_default_of_caller(self, own: Parameter) -> bool:
-        """Tell whether a default reads the caller's property of a parameter's name."""
-        return bool(names_in(own.default or "") & set(self.values()))
+        """Tell whether a default reads a property of the caller."""
+        return bool(names_in(own.default or "") & {*self.values(), *self.from_caller})
 
     def blocks(self) -> list[str]:
         """Return the names of the parameters that are blocks, with their stars."""
@@ -133,6 +135,7 @@ class Program:
         assigned_globally: those of them that are set for all files.
         included_by_macros: the files that macros include: their properties are the macros' own.
         hidden: the arguments that something of the same name hides.
+        has_computed_calls: whether it calls macros whose names are computed.
         result: what the robot expands to.
         exact: whether an origin that is missing has to stay missing.
     """
@@ -196,7 +199,7 @@ class Program:
         self.times_defined: dict[str, int] = {}
         self.blocks: set[str] = set()
         self._names: dict[str, set[str]] = {}
-        self._has_computed_calls = False
+        self.has_computed_calls = False
         self.namespaces = Namespaces(self.main, self.roots, self.included)
         for path, root in self.roots.items():
             self._gather(path, root)
@@ -208,6 +211,8 @@ class Program:
             if value.lower() in ("true", "false")
         }
         self._maybe_truths = Truths(self.roots.values(), self.truth_arguments)
+        self.at_top = set().union(*map(defined_in, self.roots.values()))
+        self._pass_names()
         for path, root in self.roots.items():
             self._names[path] |= self.forwarded_in(root)
         self.spelled = self._spelled()
@@ -216,7 +221,6 @@ class Program:
         self._own_names: dict[str, set[str]] = {}
         self._callers: dict[str, set[str]] = {}
         self._look_at_callers()
-        self.at_top: set[str] = set()
         self.read: set[str] = set()
         self.inherited = self._names_of_callers()
         self.hidden = HiddenArguments(
@@ -442,7 +446,7 @@ class Program:
             if element.name.startswith("xacro:"):
                 names.add(f"xacro:{element.name.removeprefix('xacro:').rpartition('.')[2]}")
             if element.name == "xacro:call" and "$" in given.get("macro", ""):
-                self._has_computed_calls = True
+                self.has_computed_calls = True
             if element.name == "xacro:insert_block":
                 names.add(given.get("name", ""))
             if element.name == "xacro:macro" and "name" in given:
@@ -497,7 +501,7 @@ class Program:
             calls = [own for other in self.roots.values() for own in walk(other) if own.name == tag]
             inside = [own for own in walk(root) if own.name == "xacro:macro"]
             if (
-                self._has_computed_calls
+                self.has_computed_calls
                 or not all(id(own.element) in top for own in versions)
                 or any(own.span.source.path != versions[0].file for own in calls)
                 or any(own.name == tag for macro in inside for own in walk(macro))
@@ -509,17 +513,22 @@ class Program:
 
     def _names_of_callers(self) -> set[str]:
         """Return the names that macros read of those who call them."""
-        at_top: set[str] = set()
-        for root in self.roots.values():
-            at_top |= defined_in(root)
         free: set[str] = set()
         own: set[str] = set()
         for path, root in self.roots.items():
             for macro in self._macros_in(path, root):
                 free |= self._unbound_in(macro, set(), own)
-        self.at_top = at_top
         self.read = set().union(*map(used_in, self.roots.values()))
-        return (free - at_top) & own
+        return (free - self.at_top) & own
+
+    def _pass_names(self) -> None:
+        from .passing import Passing  # it reads this module's types
+
+        Passing(self).add_parameters()
+
+    def has_one_definition(self, macro: Macro) -> bool:
+        """Tell whether a macro is the only one of its name, and all of its calls say that."""
+        return len(self._macros_of_name[macro.name]) == 1 and not self.has_computed_calls
 
     def _macros_in(self, path: str, element: Element) -> list[Macro]:
         """Return the macros defined in an element, but for those in other macros."""
@@ -542,7 +551,7 @@ class Program:
         element = macro.element
         local = defined_in(element) | set(macro.values())
         own |= local
-        bound = around | local | self.handed_to(element)
+        bound = around | local | self.handed_to(element) | macro.from_caller
         nested = self._macros_in(macro.file, element)
         inside = {id(other.element) for other in nested}
         free = (used_in(element, without=inside) | self.forwarded_in(element, inside)) - bound
@@ -601,7 +610,10 @@ class Program:
         """Return the macro that a tag calls: of the namespace it names, its file, or another."""
         if not element.name.startswith("xacro:"):
             return None
-        *namespaces, name = element.name.removeprefix("xacro:").split(".")
+        tag = element.name
+        if tag == "xacro:call":
+            tag = format_value(element.attributes.get("macro", ""))
+        *namespaces, name = tag.removeprefix("xacro:").split(".")
         path = element.span.source.path
         near = self.namespaces.files(path, namespaces) if namespaces else [path]
         versions = self._macros_of_name.get(name, [])
@@ -721,7 +733,7 @@ class Program:
         """Tell whether another file has a name in an expression or tag, or any sets it globally."""
         if name in self.assigned_globally:
             return True
-        if self._has_computed_calls and name.startswith("xacro:"):
+        if self.has_computed_calls and name.startswith("xacro:"):
             return True
         return bool(self._readers.files.get(name, set()) - {path})
 

@@ -9,26 +9,34 @@ from __future__ import annotations
 from ....xml.tree import Element
 from ....xml.values import format_value
 from ..elements import walk
+from .includes import is_plain
 from .program import Program, defined_in, used_in
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Container
+
     from .program import Macro
+
+KEYS_OF_INCLUDES = ("path", "namespace", "prefix")
+"""What an include says besides the variables that it passes."""
 
 
 class _Reads:
     """What is read in a macro or file by itself, and where it goes on.
 
     Attributes:
+        used: the names that it reads itself.
         own: the names that are defined in it.
         bound: those, and the ones of the macros that it stands in.
         free: the other names that it, or what it reaches, reads.
         reached: the macros it calls and the files it includes.
     """
 
-    __slots__ = ("bound", "free", "own", "reached")
+    __slots__ = ("bound", "free", "own", "reached", "used")
 
     def __init__(self, own: set[str], used: set[str], reached: set[object]) -> None:
+        self.used = used
         self.own = own
         self.bound = own
         self.free = used - own
@@ -57,14 +65,22 @@ class Reach:
         hidden: the properties of files that a macro's own names hide from what it calls.
     """
 
-    def __init__(self, program: Program) -> None:
-        """Look at all macros and files."""
+    def __init__(self, program: Program, theirs: Container[str] = ()) -> None:
+        """Look at all macros and files.
+
+        Args:
+            program: the robot.
+            theirs: the paths of files that stay as they are.
+        """
         self._program = program
+        self._theirs = theirs
         self._reads: dict[object, _Reads] = {}
         inside = {id(macro.element) for macro in program.definitions.values()}
         for macro in program.definitions.values():
             within = inside - {id(macro.element)}
-            self._reads[macro] = self._reads_of(macro.element, set(macro.values()), within)
+            reads = self._reads_of(macro.element, set(macro.values()), within)
+            reads.free -= macro.from_caller
+            self._reads[macro] = reads
         for path, root in program.roots.items():
             reads = self._reads[path] = self._reads_of(root, set(), inside)
             if path in program.included_by_macros:
@@ -84,7 +100,8 @@ class Reach:
                 reached.add(macro)
             elif each.name == "xacro:include":
                 reached.update(program.files_of(each))
-        return _Reads(own, used_in(element, without=inside), reached)
+        used = used_in(element, without=inside) | program.forwarded_in(element, inside)
+        return _Reads(own, used, reached)
 
     def _bind_nested(self) -> None:
         """Let macros that stand in others see the names of these, as functions do."""
@@ -111,5 +128,44 @@ class Reach:
     def read_below(self, macro: Macro) -> set[str]:
         """Return the names of a macro that what it calls or includes reads."""
         reads = self._reads[macro]
-        below = set().union(*(self._reads[other].free for other in reads.reached))
+        below: set[str] = set()
+        for other in reads.reached:
+            free = self._reads[other].free
+            below |= free - self.passed_to(other, macro) if isinstance(other, str) else free
         return below & reads.own
+
+    def passed_to(self, path: str, macro: Macro) -> set[str]:
+        """Return the parameters of a macro that its includes of a file pass as variables.
+
+        Those are the ones that the file itself reads, and nothing that it calls, includes or
+        defines.
+        """
+        root = self._program.roots[path]
+        if path in self._theirs or not all(
+            is_plain(element)
+            for element in walk(macro.element)
+            if element.name == "xacro:include" and path in self._program.files_of(element)
+        ):
+            return set()
+        reads = self._reads[path]
+        own = [each for each in self._program.definitions.values() if each.file == path]
+        deeper = set().union(*(self._reads[other].free for other in [*reads.reached, *own]))
+        kept = {*KEYS_OF_INCLUDES, *defined_in(root), *self._program.arguments_read(root)}
+        return (reads.used & set(macro.values())) - deeper - kept
+
+    def is_set_for_all(self, name: str, macro: Macro) -> bool:
+        """Tell whether a macro calls first what sets a name for it and for all that it calls."""
+        if name not in self._program.inherited:
+            return False
+        for child in macro.element.elements():
+            called = self._program.macro_called(child)
+            if called is not None and any(
+                each.name == "xacro:property"
+                and each.attributes.get("name") == name
+                and each.attributes.get("scope") == "parent"
+                for each in called.element.elements()
+            ):
+                return True
+            if self._reads_of(child, set(), set()).reached:
+                return False
+        return False

@@ -71,7 +71,7 @@ def migrate_program(program: Program, wanted: Collection[str] = ()) -> XacroMigr
     layout = Layout(program, wanted)
     migration = XacroMigration({}, layout.outputs[program.main], program.result)
     migration.layout = layout
-    reach = Reach(program)
+    reach = Reach(program, layout.theirs)
     placing = Placing(() if program.exact else contents.in_parts())
     is_settled = False
     while not is_settled:

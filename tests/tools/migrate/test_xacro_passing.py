@@ -1,0 +1,155 @@
+"""Names that macros read from their callers are passed to the functions as parameters."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from tests.tools.migrate.test_xacro_migration import hold_for, migrated
+
+FINGER = '<xacro:macro name="finger" params=""><link name="${side}_finger"/></xacro:macro>'
+HAND = '<xacro:macro name="hand" params=""><xacro:finger/></xacro:macro>'
+LEFT = '<xacro:arm side="left"/>'
+
+
+def arm(content: str) -> str:
+    return f'<xacro:macro name="arm" params="side">{content}</xacro:macro>'
+
+
+def sources(folder: Path, *pieces: str) -> str:
+    """Return the functions and model of a robot that is the same for two arguments."""
+    argument = '<xacro:arg name="given" default="a"/>'
+    made = migrated(folder, "\n".join([argument, *pieces]))["r.yaml"]
+    hold_for(folder, ["given:=a"], ["given:=b"])
+    return made.partition("functions:\n")[2]
+
+
+def test_a_name_of_the_caller_becomes_a_parameter(tmp_path: Path) -> None:
+    assert sources(tmp_path, FINGER, arm("<xacro:finger/>"), LEFT) == (
+        "  Finger:\n"
+        "    input: side\n"
+        "    body:\n"
+        "      link/name=$(side)_finger:\n"
+        "  Arm:\n"
+        "    input: side\n"
+        "    body:\n"
+        "      Finger: {side: $(side)}\n"
+        "model:\n"
+        "  Arm: {side: left}\n"
+    )
+
+
+def test_it_is_passed_through_macros_that_do_not_read_it(tmp_path: Path) -> None:
+    made = sources(tmp_path, FINGER, HAND, arm("<xacro:hand/>"), LEFT)
+    assert "      Hand: {side: $(side)}\n" in made
+    assert "/child" not in made
+
+
+def test_a_property_that_is_set_before_the_call_is_passed(tmp_path: Path) -> None:
+    made = sources(
+        tmp_path,
+        FINGER,
+        """\
+        <xacro:macro name="arm" params="">
+          <xacro:property name="side" value="left"/>
+          <xacro:if value="${'$(arg given)' == 'b'}">
+            <xacro:property name="side" value="right"/>
+          </xacro:if>
+          <xacro:finger/>
+        </xacro:macro>
+        <xacro:arm/>
+        """,
+    )
+    assert "Finger: {side: $(side)}" in made
+    assert "/child" not in made
+
+
+def test_a_property_that_may_be_missing_is_not_passed(tmp_path: Path) -> None:
+    made = sources(
+        tmp_path,
+        '<xacro:macro name="finger" params="n"><xacro:if value="${n}">'
+        '<link name="${side}_finger"/></xacro:if></xacro:macro>',
+        """\
+        <xacro:macro name="arm" params="n">
+          <xacro:if value="${n}"><xacro:property name="side" value="left"/></xacro:if>
+          <xacro:finger n="${n}"/>
+        </xacro:macro>
+        <xacro:arm n="${'$(arg given)' == 'b'}"/>
+        """,
+    )
+    assert "side/child: left" in made
+
+
+def test_a_default_that_reads_a_name_of_the_caller_is_passed(tmp_path: Path) -> None:
+    made = sources(
+        tmp_path,
+        '<xacro:macro name="finger" params="name:=${side}_one">'
+        '<link name="${name}"/></xacro:macro>',
+        arm('<xacro:finger/><xacro:finger name="other"/>'),
+        LEFT,
+    )
+    assert "Finger: {name: $(side)_one}" in made
+    assert "/child" not in made
+
+
+def test_a_name_that_only_some_callers_have_is_not_passed(tmp_path: Path) -> None:
+    made = sources(
+        tmp_path,
+        '<xacro:macro name="finger" params="n"><xacro:if value="${n}">'
+        '<link name="${side}_finger"/></xacro:if></xacro:macro>',
+        arm('<xacro:finger n="1"/>'),
+        LEFT,
+        '<xacro:finger n="0"/>',
+    )
+    assert "side/child: $(side)" in made
+
+
+def test_the_argument_of_a_name_that_is_passed_stays_what_it_is(tmp_path: Path) -> None:
+    sources(
+        tmp_path,
+        '<xacro:macro name="finger" params="">'
+        '<link name="${given}_$(arg given)_finger"/></xacro:macro>',
+        '<xacro:macro name="arm" params="given"><xacro:finger/></xacro:macro>',
+        '<xacro:arm given="left"/>',
+    )
+
+
+def test_a_call_in_a_block_has_the_names_of_where_it_is_written(tmp_path: Path) -> None:
+    sources(
+        tmp_path,
+        FINGER,
+        '<xacro:macro name="around" params="side **content">'
+        '<link name="${side}_around"/><xacro:insert_block name="content"/></xacro:macro>',
+        arm('<xacro:around side="outer"><b><xacro:finger/></b></xacro:around>'),
+        LEFT,
+    )
+
+
+def test_a_macro_that_is_called_by_its_name_gets_it_too(tmp_path: Path) -> None:
+    made = sources(tmp_path, FINGER, arm('<xacro:call macro="finger"/>'), LEFT)
+    assert "Finger: {side: $(side)}" in made
+
+
+def test_a_macro_whose_name_is_computed_sees_the_names_of_its_caller(tmp_path: Path) -> None:
+    made = sources(
+        tmp_path, FINGER, '<xacro:property name="which" value="finger"/>',
+        arm('<xacro:call macro="${which}"/>'), LEFT,
+    )  # fmt: skip
+    assert "side/child: $(side)" in made
+
+
+def test_a_name_that_a_macro_sets_for_its_caller_is_seen_by_what_that_calls(
+    tmp_path: Path,
+) -> None:
+    made = sources(
+        tmp_path,
+        FINGER,
+        """\
+        <xacro:macro name="choose" params="side">
+          <xacro:property name="side" value="${side}_$(arg given)" scope="parent"/>
+        </xacro:macro>
+        """,
+        arm('<xacro:choose side="${side}"/><xacro:finger/>'),
+        LEFT,
+    )
+    assert "side/bridge: $(side)_$(given)" in made
+    assert "/child" not in made
