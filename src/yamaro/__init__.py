@@ -12,6 +12,8 @@ if TYPE_CHECKING:
     from .files.loader import FileLoader as FileLoader
     from .files.loader import LoadError as LoadError
     from .files.loader import MemoryLoader as MemoryLoader
+    from .model.pose import Pose as Pose
+    from .model.robot import Robot as Robot
     from .policy import Policy as Policy
     from .program import Program as Program
     from .result import Build as Build
@@ -26,7 +28,9 @@ __all__ = [
     "LoadError",
     "MemoryLoader",
     "Policy",
+    "Pose",
     "Program",
+    "Robot",
     "UsageError",
     "YamaroError",
     "YamaroWarning",
@@ -45,7 +49,9 @@ _MODULES = {
     "LoadError": "files.loader",
     "MemoryLoader": "files.loader",
     "Policy": "policy",
+    "Pose": "model.pose",
     "Program": "program",
+    "Robot": "model.robot",
     "UsageError": "arguments",
     "YamaroError": "diagnostics",
     "YamaroWarning": "diagnostics",

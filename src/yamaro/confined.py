@@ -150,6 +150,7 @@ def build_of_outcome(outcome: Outcome, paths: MeshPaths, limits: Limits) -> Buil
     return Build(
         make_root,
         lambda: outcome.meshes,
+        finished=outcome.root,
         paths=paths,
         pieces=outcome.pieces,
         warnings=outcome.diagnostics,

@@ -58,6 +58,7 @@ def compile_request(
     return Build(
         lambda: lower(unshared(evaluated), interpreter, finder, Reporter(), {}),
         lambda: finder.referred_to(finished),
+        finished=finished,
         paths=request.paths,
         pieces=document.pieces,
         warnings=reporter.diagnostics,

@@ -7,6 +7,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
 
     from .diagnostics import Diagnostic
+    from .model.robot import Robot
     from .targets.mesh_paths import MeshPaths
     from .xml.tree import Element
 
@@ -40,7 +41,9 @@ class Build:
     __slots__ = (
         "_find_assets",
         "_find_meshes",
+        "_finished",
         "_make_root",
+        "_robot",
         "_root",
         "files",
         "finder",
@@ -53,6 +56,7 @@ class Build:
         make_root: Callable[[], Element],
         find_meshes: Callable[[], list[str]],
         *,
+        finished: Element | None,
         paths: MeshPaths,
         pieces: list[str],
         warnings: list[Diagnostic],
@@ -63,6 +67,8 @@ class Build:
         Args:
             make_root: makes the finished tree, each element traced to its origin.
             find_meshes: gives the meshes referred to.
+            finished: the finished tree, in which an element may stand in several places; None if
+                it stayed in a jail.
             paths: tells where the file of a mesh is, and how it is named.
             pieces: the document, in pieces.
             warnings: what was noticed, in order.
@@ -71,6 +77,8 @@ class Build:
         self._make_root = make_root
         self._find_meshes = find_meshes
         self._root: Element | None = None
+        self._finished = finished
+        self._robot: Robot | None = None
         self.pieces = pieces
         self._find_assets = paths.assets
         self.finder = paths.finder
@@ -97,6 +105,20 @@ class Build:
         if self._root is None:
             self._root = self._make_root()
         return self._root
+
+    @property
+    def robot(self) -> Robot:
+        """Return the robot: its links and joints, with the place where each is written.
+
+        Raises:
+            YamaroError: the document is not a `<robot>`.
+        """
+        if self._robot is None:
+            from .model.reading import read_robot
+
+            assert self._finished is not None, "only those who need the tree ask for it"
+            self._robot = read_robot(self._finished)
+        return self._robot
 
     def xml(self) -> str:
         """Return the document as text."""

@@ -17,11 +17,11 @@ from hypothesis import strategies as st
 from tests.counting import calls_of
 from tests.effort import examples
 from yamaro.check.advice import stl_extent
-from yamaro.check.context import read_numbers
 from yamaro.check.link import principal_moments
 from yamaro.check.robot import check
 from yamaro.diagnostics import WARNING, Diagnostic, Reporter, render
 from yamaro.model.urdf_schema import ELEMENTS
+from yamaro.model.values import read_numbers
 from yamaro.source import Source, Span
 from yamaro.xml.tree import Comment, Element, Text
 

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from yamaro.meshes.triangles import TriangleMesh, is_closed, read_mesh
 from yamaro.model.mesh_integrals import solid_moments
-from yamaro.model.shapes import Box, Capsule, Cylinder, Mesh, Sphere
+from yamaro.model.shapes import Box, Capsule, Cylinder, MeshSolid, Sphere
 
 sizes = st.floats(1e-4, 100)
 masses = st.floats(1e-6, 1e5)
@@ -126,7 +126,7 @@ def test_any_mesh_agrees_with_trimesh_scaled_and_mirrored(hull, scale, mass, off
     hull.apply_translation(offset)
     mesh = ours(hull)
     assert is_closed(mesh)
-    shape = Mesh(solid_moments(mesh).scaled(scale))
+    shape = MeshSolid(solid_moments(mesh).scaled(scale))
     # trimesh turns the triangles of a mirrored mesh itself, so that its volume stays positive.
     stretched = hull.copy()
     stretched.apply_transform(numpy.diag([*scale, 1.0]))
@@ -137,7 +137,7 @@ def test_any_mesh_agrees_with_trimesh_scaled_and_mirrored(hull, scale, mass, off
 
 @given(moderate, moderate, moderate, masses)
 def test_a_mesh_of_a_box_has_the_inertia_of_the_box(x, y, z, mass):
-    shape = Mesh(solid_moments(ours(trimesh.creation.box((x, y, z)))))
+    shape = MeshSolid(solid_moments(ours(trimesh.creation.box((x, y, z)))))
     expected = Box(x, y, z).inertia(mass)
     assert shape.inertia(mass) == pytest.approx(expected, rel=1e-12)
 
@@ -147,7 +147,7 @@ def test_moving_a_mesh_moves_only_its_center(offset):
     box = trimesh.creation.box((1, 2, 3))
     moved = box.copy()
     moved.apply_translation(offset)
-    still, away = (Mesh(solid_moments(ours(mesh))) for mesh in (box, moved))
+    still, away = (MeshSolid(solid_moments(ours(mesh))) for mesh in (box, moved))
     assert away.center() == pytest.approx(offset, rel=1e-12)
     assert away.inertia(1.0) == pytest.approx(still.inertia(1.0), rel=1e-9, abs=1e-9)
 
@@ -180,4 +180,4 @@ def test_every_format_is_read_as_trimesh_reads_it(hull, file_type, tmp_path_fact
     expected = trimesh.load_mesh(path)
     mesh = read_mesh(str(path))
     assert is_closed(mesh)
-    assert_agrees(Mesh(solid_moments(mesh)), expected, mass=1.0, tolerance=1e-6)
+    assert_agrees(MeshSolid(solid_moments(mesh)), expected, mass=1.0, tolerance=1e-6)

@@ -8,9 +8,10 @@ from __future__ import annotations
 from math import fabs, pi, remainder, sqrt
 
 from ..model.shapes import Box, Capsule, Cylinder, Sphere
+from ..model.values import attribute_text, child_named
 from ..xml.tree import Element
 from .center import advise_on_center
-from .context import CheckContext, attribute_text, child_named, label, shown
+from .context import CheckContext, label, shown
 from .leftovers import advise_on_leftovers
 from .motion import advise_on_motion
 
@@ -19,7 +20,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
 
     from ..diagnostics import Reporter
-    from ..model.shapes import Shape
+    from ..model.shapes import Solid
     from ..source import Span
     from .tree import Tree
 
@@ -186,14 +187,14 @@ def _shape_volume(geometry: Element | None, context: CheckContext) -> float:
     return solid.volume() if solid is not None else 0.0
 
 
-def _solid_of(shape: Element, context: CheckContext) -> Shape | None:
+def _solid_of(shape: Element, context: CheckContext) -> Solid | None:
     """Return the solid that an element of a geometry describes; None for a mesh or a faulty one."""
     if shape.name == "box":
         size = context.numbers(shape, "size", 3)
         return Box(*size) if len(size) == 3 else None
     radius = context.number(shape, "radius") or 0.0
     length = context.number(shape, "length") or 0.0
-    solids: dict[str, Shape] = {
+    solids: dict[str, Solid] = {
         "sphere": Sphere(radius),
         "cylinder": Cylinder(radius, length),
         "capsule": Capsule(radius, length),

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from math import dist, hypot
 
+from ..model.values import child_named
 from ..xml.tree import Element
-from .context import CheckContext, child_named, label, shown
+from .context import CheckContext, label, shown
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

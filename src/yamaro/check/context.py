@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from math import isfinite, nan
-
 from ..diagnostics import ERROR, INHERITED, WARNING, Diagnostic, suggest
+from ..model.values import NumberFault, attribute_text, read_numbers
 from ..xml.tree import Element
-from ..xml.values import LONGEST_ROW_REMEMBERED, format_value, remember
+from ..xml.values import LONGEST_ROW_REMEMBERED, remember
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -23,20 +22,6 @@ SUGGESTION_BUDGET = 200_000
 """Names compared in one run to find the one meant; keeps a robot full of faults linear."""
 
 NAMED_OWNERS = ("link", "joint", "material")
-
-
-WORD, NOT_FINITE, SPACING = "word", "not finite", "spacing"
-
-
-class NumberFault:
-    """Why a text is not a row of numbers: the item at fault, and what is wrong with it."""
-
-    __slots__ = ("item", "kind")
-
-    def __init__(self, item: str, kind: str) -> None:
-        """Name the item as spelled; `kind` is WORD, NOT_FINITE or SPACING."""
-        self.item = item
-        self.kind = kind
 
 
 SCHEMA, TREE, LINKS, JOINTS, MATERIALS, COLORS, USES, REFERENCES, FILES = range(9)
@@ -309,57 +294,9 @@ _remembered: dict[str, tuple[float, ...] | NumberFault] = {}
 """The numbers in texts, whatever robot they are of."""
 
 
-def read_numbers(text: str) -> tuple[float, ...] | NumberFault:
-    """Return the numbers of a text, spelled as C++ and Python both read them, or the fault.
-
-    Spacing is judged as urdfdom does: it splits at spaces alone, and a lone number must be the end
-    of its text.
-    """
-    try:
-        numbers = tuple(map(float, text.split()))
-    except ValueError:
-        numbers = (nan,)
-    if not text.isascii() or "_" in text or not all(map(isfinite, numbers)):
-        for item in text.split():
-            kind = _fault_of(item)
-            if kind is not None:
-                return NumberFault(item, kind)
-    if (numbers and not text.isprintable()) or (len(numbers) == 1 and text[-1] == " "):
-        return NumberFault(text, SPACING)
-    return numbers
-
-
-def _fault_of(item: str) -> str | None:
-    """Return what is wrong with a number, if anything is."""
-    if "_" in item or not item.isascii():
-        return WORD
-    try:
-        return None if isfinite(float(item)) else NOT_FINITE
-    except ValueError:
-        return WORD
-
-
-def attribute_text(element: Element | None, attribute: str) -> str | None:
-    """Return an attribute as it will be written, or None if it will not be."""
-    if element is None:
-        return None
-    value = element.attributes.get(attribute)
-    if value is None or type(value) is str:
-        return value
-    return format_value(value)
-
-
 def place_of(element: Element, attribute: str | None = None) -> Span:
     """Return where an attribute's value is written, or the element."""
     return element.span if attribute is None else element.value_span(attribute)
-
-
-def child_named(element: Element, name: str) -> Element | None:
-    """Return the first child element of that name; parsers of URDF read no other."""
-    for child in element.children:
-        if isinstance(child, Element) and child.name == name:
-            return child
-    return None
 
 
 def label(owner: Element) -> str:

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from ..model.values import attribute_text, child_named
 from ..xml.tree import Element
-from .context import CheckContext, attribute_text, child_named, label
+from .context import CheckContext, label
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

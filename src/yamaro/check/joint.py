@@ -5,8 +5,9 @@ from __future__ import annotations
 from math import hypot
 
 from ..model.urdf_schema import JOINT_TYPES, joint_type_hint
+from ..model.values import attribute_text
 from ..xml.tree import Element
-from .context import JOINTS, CheckContext, attribute_text, shown
+from .context import JOINTS, CheckContext, shown
 from .link import check_pose
 
 TYPE_CHECKING = False

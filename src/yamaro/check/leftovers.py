@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from ..model.urdf_schema import ELEMENTS, TEXT
+from ..model.values import attribute_text
 from ..xml.tree import Element, Text
-from .context import CheckContext, attribute_text
+from .context import CheckContext
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

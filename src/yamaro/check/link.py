@@ -5,8 +5,9 @@ from __future__ import annotations
 from math import fabs, hypot, tau
 
 from ..model.urdf_schema import SHAPES
+from ..model.values import attribute_text
 from ..xml.tree import Element
-from .context import LINKS, CheckContext, attribute_text, label, shown
+from .context import LINKS, CheckContext, label, shown
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from ..model.values import attribute_text, child_named
 from ..xml.tree import Element
-from .context import CheckContext, attribute_text, child_named, shown
+from .context import CheckContext, shown
 from .tree import is_fixed
 
 TYPE_CHECKING = False

@@ -5,8 +5,9 @@ Only places whose meaning is documented are looked at; what plugins hold is thei
 
 from __future__ import annotations
 
+from ..model.values import attribute_text, child_named
 from ..xml.tree import Element
-from .context import REFERENCES, CheckContext, attribute_text, child_named
+from .context import REFERENCES, CheckContext
 from .tree import is_fixed, near_name
 
 TYPE_CHECKING = False

@@ -6,8 +6,9 @@ Everything here is linear in the size of the robot and recurses no deeper than t
 from __future__ import annotations
 
 from ..model.urdf_schema import OTHER_FORMATS, SRDF_ELEMENTS, VERSIONS
+from ..model.values import attribute_text
 from ..xml.tree import Element
-from .context import FILES, MATERIALS, TREE, CheckContext, attribute_text
+from .context import FILES, MATERIALS, TREE, CheckContext
 from .files import check_files
 from .material import check_materials
 from .references import check_references

@@ -20,18 +20,10 @@ from ..model.urdf_schema import (
     AttributeRule,
     ElementRule,
 )
+from ..model.values import NOT_FINITE, SPACING, NumberFault, attribute_text
 from ..xml.tree import Element
 from ..xml.values import LONGEST_ROW_REMEMBERED, remember
-from .context import (
-    NOT_FINITE,
-    SCHEMA,
-    SPACING,
-    CheckContext,
-    NumberFault,
-    attribute_text,
-    label,
-    shown,
-)
+from .context import SCHEMA, CheckContext, label, shown
 from .files import note_file
 from .joint import check_joint
 from .link import check_inertial, check_section

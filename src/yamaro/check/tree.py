@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from ..diagnostics import INHERITED
+from ..model.values import attribute_text, child_named
 from ..xml.tree import Element
-from .context import CheckContext, attribute_text, child_named, listed
+from .context import CheckContext, listed
 
 JointParts = tuple[Element, Element | None, Element | None, Element | None]
 """A joint with its first parent, child and mimic."""

@@ -12,6 +12,8 @@ Vector = tuple[float, float, float]
 Rotation = tuple[Vector, Vector, Vector]
 
 ZERO: Vector = (0.0, 0.0, 0.0)
+X_AXIS: Vector = (1.0, 0.0, 0.0)
+UNTURNED: Rotation = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
 
 GIMBAL_LOCK = 1e-12
 """Cosine of the pitch below which roll and yaw turn about the same axis."""
@@ -70,4 +72,66 @@ def multiply(first: Rotation, second: Rotation) -> Rotation:
         (a * p + b * s + c * v, a * q + b * t + c * w, a * r + b * u + c * x),
         (d * p + e * s + f * v, d * q + e * t + f * w, d * r + e * u + f * x),
         (g * p + h * s + i * v, g * q + h * t + i * w, g * r + h * u + i * x),
+    )
+
+
+def transposed(rotation: Rotation) -> Rotation:
+    """Return the rotation that turns back: Rᵀ, which is R⁻¹."""
+    (a, b, c), (d, e, f), (g, h, i) = rotation
+    return ((a, d, g), (b, e, h), (c, f, i))
+
+
+def unit_vector(vector: Vector) -> Vector:
+    """Return a vector of the same direction and length 1; the x axis for one of no length."""
+    length = hypot(*vector)
+    if not length:
+        return X_AXIS
+    x, y, z = vector
+    return (x / length, y / length, z / length)
+
+
+def rotation_about(axis: Vector, angle: float) -> Rotation:
+    """Return the rotation by an angle in radians about a unit vector.
+
+    Source: J. J. Craig, Introduction to Robotics, 3rd edition, equation 2.80.
+    """
+    x, y, z = axis
+    c, s = cos(angle), sin(angle)
+    v = 1 - c
+    return (
+        (x * x * v + c, x * y * v - z * s, x * z * v + y * s),
+        (x * y * v + z * s, y * y * v + c, y * z * v - x * s),
+        (x * z * v - y * s, y * z * v + x * s, z * z * v + c),
+    )
+
+
+def rotation_from_z(axis: Vector) -> Rotation:
+    """Return the smallest rotation that takes the z axis to a unit vector.
+
+    About v = z × axis by the angle between them, as R = 1 + [v] + [v]²/(1 + cos); for −z, half a
+    turn about x.
+
+    Source: T. Möller and J. F. Hughes, Efficiently Building a Matrix to Rotate One Vector to
+    Another, Journal of Graphics Tools 4, 1999.
+    """
+    x, y, z = axis
+    if z <= -1.0:
+        return ((1.0, 0.0, 0.0), (0.0, -1.0, 0.0), (0.0, 0.0, -1.0))
+    k = 1 / (1 + z)
+    return ((1 - k * x * x, -k * x * y, x), (-k * x * y, 1 - k * y * y, y), (-x, -y, z))
+
+
+def rotation_from_quaternion(x: float, y: float, z: float, w: float) -> Rotation:
+    """Return the rotation of a quaternion of any length; no rotation for one of length 0.
+
+    Source: J. J. Craig, Introduction to Robotics, 3rd edition, equation 2.91 (Euler parameters).
+    """
+    length = hypot(x, y, z, w)
+    if not length:
+        return UNTURNED
+    x, y, z, w = x / length, y / length, z / length, w / length
+    return (
+        (1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)),
+        (2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)),
+        (2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)),
     )

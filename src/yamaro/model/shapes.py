@@ -1,18 +1,23 @@
-"""The shapes a link can have, with the volume and the inertia of each as a homogeneous body.
+"""The shapes a link can have: their words in URDF, their sizes, volume and inertia.
 
-Sizes are in metres, masses in kilograms, inertias in kg·m². A shape stands in its own frame: its
-middle at the origin, a cylinder's and a capsule's axis along z; only a mesh has its centre of mass
-elsewhere.
+This is the one place that knows what kinds of shapes there are. Sizes are in metres, masses in
+kilograms, inertias in kg·m². The middle of a shape is at the origin of its frame, and the axis of
+a cylinder or capsule is z; only a mesh has its centre of mass elsewhere.
+
+A `Solid` is a body with volume and inertia: the four simple shapes, and the body that a closed
+mesh encloses. A `Shape` is what a visual or collision names: the simple shapes, or a mesh file.
 """
 
 from __future__ import annotations
 
-from math import pi
+from math import hypot, pi
 
 from .rotations import ZERO
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from ..source import Span
+    from ..xml.tree import Element
     from .mesh_integrals import SolidMoments
     from .rotations import Vector
 
@@ -22,17 +27,69 @@ Inertia = tuple[float, float, float, float, float, float]
 NEGLIGIBLE = 1e-12
 """Products of inertia below this part of the moments are rounding, and come out as 0."""
 
+UNSCALED: Vector = (1.0, 1.0, 1.0)
 
-class Box:
+
+class _Shape:
+    """What the shapes have in common.
+
+    Attributes:
+        element: the element it was read from, or None for a shape that was computed.
+    """
+
+    __slots__ = ("element",)
+
+    kind: str
+    """The shape's word, which is also its element's name in URDF."""
+
+    element: Element | None
+
+    @property
+    def span(self) -> Span | None:
+        """Return where the shape is written; None for one that was computed."""
+        return self.element.span if self.element is not None else None
+
+    @property
+    def size(self) -> tuple[float, ...]:
+        """Return its numbers in the order of the constructor and of `scale`."""
+        raise AssertionError
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, _Shape):
+            return NotImplemented
+        return type(self) is type(other) and self._values() == other._values()
+
+    def __hash__(self) -> int:
+        return hash((self.kind, self._values()))
+
+    def __repr__(self) -> str:
+        return f"{type(self).__name__}({', '.join(map(repr, self._values()))})"
+
+    def _values(self) -> tuple[object, ...]:
+        return self.size
+
+
+class Box(_Shape):
     """A box given by the lengths of its edges."""
 
     __slots__ = ("x", "y", "z")
+    kind = "box"
 
-    def __init__(self, x: float, y: float, z: float) -> None:
-        """Hold the lengths of the edges along the axes, in metres."""
+    def __init__(self, x: float, y: float, z: float, *, element: Element | None = None) -> None:
+        """Create a box from the lengths of its edges along the axes, in metres."""
         self.x = x
         self.y = y
         self.z = z
+        self.element = element
+
+    @property
+    def size(self) -> tuple[float, ...]:
+        """Return the lengths of the edges along the axes, in metres."""
+        return (self.x, self.y, self.z)
+
+    def radius_around(self) -> float:
+        """Return the radius of the smallest sphere around the shape's middle that holds it."""
+        return hypot(self.x, self.y, self.z) / 2
 
     def volume(self) -> float:
         """Return the volume in m³."""
@@ -52,15 +109,26 @@ class Box:
         return (twelfth * (yy + zz), 0.0, 0.0, twelfth * (xx + zz), 0.0, twelfth * (xx + yy))
 
 
-class Cylinder:
+class Cylinder(_Shape):
     """A cylinder along z."""
 
     __slots__ = ("length", "radius")
+    kind = "cylinder"
 
-    def __init__(self, radius: float, length: float) -> None:
-        """Hold the radius and the length in metres."""
+    def __init__(self, radius: float, length: float, *, element: Element | None = None) -> None:
+        """Create a cylinder from its radius and length in metres."""
         self.radius = radius
         self.length = length
+        self.element = element
+
+    @property
+    def size(self) -> tuple[float, ...]:
+        """Return the radius and the length in metres."""
+        return (self.radius, self.length)
+
+    def radius_around(self) -> float:
+        """Return the radius of the smallest sphere around the shape's middle that holds it."""
+        return hypot(self.radius, self.length / 2)
 
     def volume(self) -> float:
         """Return the volume in m³: π·r²·l."""
@@ -80,14 +148,25 @@ class Cylinder:
         return (across, 0.0, 0.0, across, 0.0, mass * rr / 2)
 
 
-class Sphere:
+class Sphere(_Shape):
     """A sphere."""
 
     __slots__ = ("radius",)
+    kind = "sphere"
 
-    def __init__(self, radius: float) -> None:
-        """Hold the radius in metres."""
+    def __init__(self, radius: float, *, element: Element | None = None) -> None:
+        """Create a sphere from its radius in metres."""
         self.radius = radius
+        self.element = element
+
+    @property
+    def size(self) -> tuple[float, ...]:
+        """Return the radius in metres."""
+        return (self.radius,)
+
+    def radius_around(self) -> float:
+        """Return the radius of the smallest sphere around the shape's middle that holds it."""
+        return self.radius
 
     def volume(self) -> float:
         """Return the volume in m³: 4/3·π·r³."""
@@ -106,15 +185,26 @@ class Sphere:
         return (moment, 0.0, 0.0, moment, 0.0, moment)
 
 
-class Capsule:
+class Capsule(_Shape):
     """A cylinder along z with half a sphere on each end; its length is that of the cylinder."""
 
     __slots__ = ("length", "radius")
+    kind = "capsule"
 
-    def __init__(self, radius: float, length: float) -> None:
-        """Hold the radius, and the length without the half spheres, in metres."""
+    def __init__(self, radius: float, length: float, *, element: Element | None = None) -> None:
+        """Create a capsule from its radius, and its length without the half spheres, in metres."""
         self.radius = radius
         self.length = length
+        self.element = element
+
+    @property
+    def size(self) -> tuple[float, ...]:
+        """Return the radius, and the length without the half spheres, in metres."""
+        return (self.radius, self.length)
+
+    def radius_around(self) -> float:
+        """Return the radius of the smallest sphere around the shape's middle that holds it."""
+        return self.radius + self.length / 2
 
     def volume(self) -> float:
         """Return the volume in m³: π·r²·(l + 4/3·r)."""
@@ -144,13 +234,13 @@ class Capsule:
         return (across, 0.0, 0.0, across, 0.0, along)
 
 
-class Mesh:
-    """The body enclosed by a closed mesh."""
+class MeshSolid:
+    """The body that a closed mesh encloses."""
 
     __slots__ = ("moments",)
 
     def __init__(self, moments: SolidMoments) -> None:
-        """Hold the volume integrals of the mesh as scaled; the volume must not be 0."""
+        """Take the volume integrals of the mesh as scaled; the volume must not be 0."""
         self.moments = moments
 
     def volume(self) -> float:
@@ -166,7 +256,7 @@ class Mesh:
 
         With C = ∫x·xᵀ dV − V·c·cᵀ about the centre of mass c: I = ρ·(trace(C)·1 − C).
 
-        Source: see `mesh.solid_moments`.
+        Source: see `mesh_integrals.solid_moments`.
         """
         moments = self.moments
         density = mass / moments.volume
@@ -180,4 +270,52 @@ class Mesh:
         return (density * (yy + zz), ixy, ixz, density * (xx + zz), iyz, density * (xx + yy))
 
 
+class Mesh(_Shape):
+    """A mesh file, by its name as written.
+
+    Attributes:
+        filename: a path, `package://…` or another URI, as it is written.
+        scale: factors along the axes.
+    """
+
+    __slots__ = ("filename", "scale")
+    kind = "mesh"
+
+    def __init__(
+        self, filename: str, scale: Vector = UNSCALED, *, element: Element | None = None
+    ) -> None:
+        """Name a mesh; the file is not read."""
+        self.filename = filename
+        self.scale = scale
+        self.element = element
+
+    @property
+    def size(self) -> tuple[float, ...]:
+        """Return the factors along the axes."""
+        return self.scale
+
+    def _values(self) -> tuple[object, ...]:
+        return (self.filename, self.scale)
+
+
+Solid = Box | Cylinder | Sphere | Capsule | MeshSolid
 Shape = Box | Cylinder | Sphere | Capsule | Mesh
+
+SIMPLE_SHAPES: dict[str, type[Box | Cylinder | Sphere | Capsule]] = {
+    shape.kind: shape for shape in (Box, Cylinder, Sphere, Capsule)
+}
+"""The shapes that are made of numbers alone, by their words."""
+
+SIZES = {
+    "box": ("size",),
+    "cylinder": ("radius", "length"),
+    "sphere": ("radius",),
+    "capsule": ("radius", "length"),
+}
+"""The attributes of a simple shape in URDF: one for all its numbers, or one for each."""
+
+COUNTS = {"box": 3, "cylinder": 2, "sphere": 1, "capsule": 2}
+"""How many numbers make a simple shape."""
+
+SHAPE_WORDS = (*SIMPLE_SHAPES, Mesh.kind)
+"""The words of all shapes, which are the names of their elements in URDF."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 from math import isfinite
 
 from ..diagnostics import failure, suggest
-from ..model.shapes import Box, Capsule, Cylinder, Mesh, Sphere
+from ..model.shapes import COUNTS, SIMPLE_SHAPES, SIZES, MeshSolid
 from ..xml.tree import Element, Text
 from ..xml.values import format_value
 from .fields import read_record, read_value, word_of
@@ -14,27 +14,18 @@ from .numbers import read_numbers
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from ..model.mesh_integrals import SolidMoments
-    from ..model.shapes import Shape
+    from ..model.shapes import Solid
     from ..source import Span
     from .fields import Fields
     from .lowering import Lowering
     from .numbers import Numbers
 
-COUNTS = {"box": 3, "cylinder": 2, "sphere": 1, "capsule": 2}
 SCALE_EXAMPLES = {
     "box": "scale: 0.4 0.3 0.2 (x y z)",
     "cylinder": "scale: 0.05 0.3 (radius length)",
     "sphere": "scale: 0.1 (radius)",
     "capsule": "scale: 0.05 0.3 (radius length)",
 }
-SIZES = {
-    "box": ("size",),
-    "cylinder": ("radius", "length"),
-    "sphere": ("radius",),
-    "capsule": ("radius", "length"),
-}
-"""The attributes that a scale becomes: one for all its numbers, or one for each."""
-
 SMALLEST_VOLUME = 1e-9
 """Part of the cube of a mesh's size below which its volume is only rounding."""
 
@@ -255,7 +246,7 @@ def _element(geometry: Geometry) -> Element:
 # --- shapes for inertia -----------------------------------------------------------------------
 
 
-def solid_shape(lowering: Lowering, geometry: Geometry) -> Shape:
+def solid_shape(lowering: Lowering, geometry: Geometry) -> Solid:
     """Return the shape as a body with volume and inertia; a mesh is read from its file.
 
     Raises:
@@ -273,20 +264,10 @@ def solid_shape(lowering: Lowering, geometry: Geometry) -> Shape:
             hint="sizes are greater than 0, in metres",
             trace=geometry.key.trace,
         )
-    match geometry.kind:
-        case "box":
-            return Box(*values)
-        case "cylinder":
-            return Cylinder(*values)
-        case "sphere":
-            return Sphere(*values)
-        case "capsule":
-            return Capsule(*values)
-        case _:
-            raise AssertionError(geometry.kind)
+    return SIMPLE_SHAPES[geometry.kind](*values)
 
 
-def _solid_mesh(lowering: Lowering, geometry: Geometry, scale: tuple[float, ...]) -> Mesh:
+def _solid_mesh(lowering: Lowering, geometry: Geometry, scale: tuple[float, ...]) -> MeshSolid:
     path = lowering.resolve_mesh(geometry.word, geometry.span)
     if path is None:
         raise failure(
@@ -310,7 +291,7 @@ def _solid_mesh(lowering: Lowering, geometry: Geometry, scale: tuple[float, ...]
             hint="no factor may be 0",
             trace=geometry.key.trace,
         )
-    return Mesh(scaled)
+    return MeshSolid(scaled)
 
 
 def _read_moments(lowering: Lowering, geometry: Geometry, path: str) -> SolidMoments:

@@ -14,7 +14,7 @@ from .pose import Pose, compose_poses, origin_element, pose_at, read_pose
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from ..model.shapes import Inertia, Shape
+    from ..model.shapes import Inertia, Solid
     from ..source import Span
     from ..xml.tree import Node
     from .geometry import Geometry, LinkGeometry
@@ -94,9 +94,9 @@ class _Body:
         self.fields = fields
         self.link_geometry = link_geometry
         self.geometry: Geometry | None = None
-        self._shape: Shape | None = None
+        self._shape: Solid | None = None
 
-    def shape(self, reason: str) -> Shape:
+    def shape(self, reason: str) -> Solid:
         if self._shape is None:
             self.geometry = section_geometry(self.lowering, self.fields, self.link_geometry)
             if self.geometry is None:

@@ -4,7 +4,8 @@ from pathlib import Path
 
 import pytest
 
-from tests.scene.robots import JOINTS, robot_of
+from tests.model.robots import JOINTS
+from yamaro import Robot
 from yamaro.arguments import UsageError
 from yamaro.commands.main import main
 from yamaro.tools.picture.motion import moments, swung
@@ -72,9 +73,9 @@ def test_lists_that_make_no_sense_are_refused(lists: dict[str, list[str]], said:
     assert said in str(caught.value)
 
 
-def test_joint_positions_are_read(tmp_path: Path) -> None:
+def test_joint_positions_are_read() -> None:
     asked = request(lists={"joints": ["turn=0.5, spin=-1e1", "slide=.25"]})
-    found = read_positions(asked, robot_of(JOINTS, tmp_path))
+    found = read_positions(asked, Robot.from_xml(JOINTS))
     assert found == {"turn": 0.5, "spin": -10.0, "slide": 0.25}
 
 
@@ -90,15 +91,15 @@ def test_joint_positions_are_read(tmp_path: Path) -> None:
         ("drift=1", "the joint 'drift' is planar: it has no position to set"),
     ],
 )
-def test_joints_that_cannot_be_moved_are_refused(text: str, said: str, tmp_path: Path) -> None:
+def test_joints_that_cannot_be_moved_are_refused(text: str, said: str) -> None:
     asked = request(lists={"joints": [text]})
     with pytest.raises(UsageError) as caught:
-        read_positions(asked, robot_of(JOINTS, tmp_path))
+        read_positions(asked, Robot.from_xml(JOINTS))
     assert said in str(caught.value)
 
 
-def test_a_sweep_begins_and_ends_at_rest_and_touches_both_limits(tmp_path: Path) -> None:
-    turn = robot_of(JOINTS, tmp_path).joints["turn"]
+def test_a_sweep_begins_and_ends_at_rest_and_touches_both_limits() -> None:
+    turn = Robot.from_xml(JOINTS).joints["turn"]
     assert swung(turn, 0, 0.0) == pytest.approx(0)
     assert swung(turn, 0.25, 0.0) == pytest.approx(2)
     assert swung(turn, 0.5, 0.0) == pytest.approx(0)
@@ -106,33 +107,33 @@ def test_a_sweep_begins_and_ends_at_rest_and_touches_both_limits(tmp_path: Path)
     assert swung(turn, 0.75, 0.5) == pytest.approx(-1)
 
 
-def test_a_continuous_joint_is_swept_by_one_turn(tmp_path: Path) -> None:
-    spin = robot_of(JOINTS, tmp_path).joints["spin"]
+def test_a_continuous_joint_is_swept_by_one_turn() -> None:
+    spin = Robot.from_xml(JOINTS).joints["spin"]
     assert swung(spin, 0.5, 1.0) == pytest.approx(1 + 3.141592653589793)
 
 
-def test_each_joint_is_swept_in_its_turn(tmp_path: Path) -> None:
-    robot = robot_of(JOINTS, tmp_path)
+def test_each_joint_is_swept_in_its_turn() -> None:
+    robot = Robot.from_xml(JOINTS)
     found = moments(request("a.gif", sweep="each"), robot, {})
     assert len(found) == 3 * 2 * 20, "three joints, two seconds each, twenty frames a second"
     moved = [[name for name, p in each.positions.items() if abs(p) > 1e-9] for each in found]
     assert [moved[number] for number in (10, 50, 90)] == [["turn"], ["spin"], ["slide"]]
 
 
-def test_all_joints_are_swept_at_once(tmp_path: Path) -> None:
-    robot = robot_of(JOINTS, tmp_path)
+def test_all_joints_are_swept_at_once() -> None:
+    robot = Robot.from_xml(JOINTS)
     quarter = moments(request("a.gif", sweep="all", seconds="4"), robot, {})[20]
     assert quarter.positions == pytest.approx({"turn": 2, "spin": 1.5707963, "slide": 0.4})
 
 
-def test_a_film_has_an_end(tmp_path: Path) -> None:
-    robot = robot_of(JOINTS, tmp_path)
+def test_a_film_has_an_end() -> None:
+    robot = Robot.from_xml(JOINTS)
     with pytest.raises(UsageError, match="3,000 are the most"):
         moments(request("a.gif", turn="", seconds="151"), robot, {})
 
 
-def test_a_robot_that_cannot_move_cannot_be_swept(tmp_path: Path) -> None:
-    robot = robot_of('<robot name="r"><link name="a"/></robot>', tmp_path)
+def test_a_robot_that_cannot_move_cannot_be_swept() -> None:
+    robot = Robot.from_xml('<robot name="r"><link name="a"/></robot>')
     with pytest.raises(UsageError, match="no joint that moves"):
         moments(request("a.gif", sweep="all"), robot, {})
 

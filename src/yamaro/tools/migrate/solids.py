@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
     from random import Random
 
-    from ...model.shapes import Shape
+    from ...model.shapes import Solid
 
 SIZES = {"box": 3, "cylinder": 2, "sphere": 1}
 """The solids whose inertia a formula gives, and how many numbers each takes."""
@@ -137,7 +137,7 @@ def key_of(name: str) -> str:
     return ast.dump(ast.parse(name, mode="eval").body)
 
 
-def solid(kind: str, sizes: Sequence[float]) -> Shape:
+def solid(kind: str, sizes: Sequence[float]) -> Solid:
     """Return a solid of a kind that SIZES has."""
     if kind == "box":
         return Box(*sizes)

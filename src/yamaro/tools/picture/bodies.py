@@ -13,7 +13,8 @@ from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkCleanPolyData, vtkPo
 from vtkmodules.vtkFiltersGeneral import vtkTransformPolyDataFilter
 from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkCylinderSource, vtkSphereSource
 
-from ..scene.robot import BOX, CAPSULE, CYLINDER, LARGEST, SPHERE
+from ...model.shapes import Box, Capsule, Cylinder, Sphere
+from .shapes import LARGEST
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -21,7 +22,8 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from ...meshes.surfaces import Surface
-    from ..scene.robot import Inertial, Shape
+    from ...model.link import Inertial
+    from ...model.shapes import Shape
 
     Floats = NDArray[np.floating[Any]]
 
@@ -34,15 +36,17 @@ SHARP = 32.0
 
 def shape_body(shape: Shape) -> vtkPolyData:
     """Return the polygons of a shape that is no mesh, in its own frame."""
-    size = shape.size
-    if shape.kind == BOX:
-        return box_body(size)
-    if shape.kind == SPHERE:
-        return sphere_body(size[0])
-    if shape.kind == CYLINDER:
-        return cylinder_body(*size)
-    assert shape.kind == CAPSULE
-    return cylinder_body(*size, is_capsule=True)
+    match shape:
+        case Box():
+            return box_body(shape.size)
+        case Sphere():
+            return sphere_body(shape.radius)
+        case Cylinder():
+            return cylinder_body(shape.radius, shape.length)
+        case Capsule():
+            return cylinder_body(shape.radius, shape.length, is_capsule=True)
+        case _:
+            raise AssertionError(shape.kind)
 
 
 def box_body(size: Sequence[float]) -> vtkPolyData:
@@ -119,8 +123,7 @@ def inertia_box(inertial: Inertial) -> tuple[Floats, Floats] | None:
     """
     if not inertial.mass > 0:
         return None
-    ixx, ixy, ixz, iyy, iyz, izz = inertial.moments
-    moments, axes = np.linalg.eigh([[ixx, ixy, ixz], [ixy, iyy, iyz], [ixz, iyz, izz]])
+    moments, axes = np.linalg.eigh(inertial.matrix())
     if np.linalg.det(axes) < 0:
         axes[:, 2] *= -1
     edges = np.sqrt(np.maximum(6 / inertial.mass * (moments.sum() - 2 * moments), 0))

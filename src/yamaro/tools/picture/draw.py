@@ -7,12 +7,12 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from vtkmodules.vtkCommonCore import vtkObject
 
-from ..scene.robot import Robot
 from .cameras import fitted, fitted_around
 from .figure import Figure
 from .meshes import Meshes, read_meshes
 from .motion import moments
 from .request import read_positions
+from .shapes import drawable_robot, shapes_of
 from .stage import Stage
 from .words import COLLISION, FRAMES, GRID, VISUAL
 
@@ -61,17 +61,18 @@ class Drawing:
         """
         vtkObject.GlobalWarningDisplayOff()
         self._request = request
-        self._robot = Robot(build.root, build.finder)
+        self._robot = drawable_robot(build)
+        self._shapes = shapes_of(self._robot, build.finder)
         self.remarks: list[str] = []
         self._moments = moments(request, self._robot, read_positions(request, self._robot))
         self._reader = reader
         shows = self._shows()
-        paths = [shape.path for shape in self._robot.shapes() if shape.is_shown(shows)]
+        paths = [shape.path for shape in self._shapes if shape.is_shown(shows)]
         meshes = read_meshes([path for path in paths if path], build.finder.allows, reader)
         is_large = request.width * request.height > MOST_SHARP_PIXELS
         sharpness = 1 if is_large else SHARPNESS
         self._stage = Stage(request.width, request.height, sharpness=sharpness)
-        self._figure = Figure(self._robot, self._stage, shows, Meshes(meshes))
+        self._figure = Figure(self._robot, self._shapes, self._stage, shows, Meshes(meshes))
 
     @property
     def warnings(self) -> list[Diagnostic]:
@@ -81,7 +82,7 @@ class Drawing:
     def _shows(self) -> set[str]:
         """Return what to show: something else where all that was asked for is not there."""
         shows = set(self._request.shows)
-        shapes = list(self._robot.shapes())
+        shapes = self._shapes
         if shows <= {VISUAL, GRID} and not any(shape.is_visual for shape in shapes):
             other = COLLISION if shapes else FRAMES
             what = "collision shapes" if shapes else "frames"

@@ -7,8 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
-from ..scene.kinematics import link_poses
-from ..scene.robot import MESH
+from ...model.shapes import Mesh
 from .bodies import (
     axes_bodies,
     box_body,
@@ -31,9 +30,11 @@ if TYPE_CHECKING:
 
     from ...diagnostics import Diagnostic
     from ...meshes.surfaces import Surface
+    from ...model.link import Inertial, Link
+    from ...model.robot import Robot
     from ...model.rotations import Vector
-    from ..scene.robot import Inertial, Link, Robot, Shape
     from .meshes import Meshes
+    from .shapes import DrawnShape
     from .stage import Color, Stage
 
     Floats = NDArray[np.floating[Any]]
@@ -84,6 +85,7 @@ class Figure:
     def __init__(
         self,
         robot: Robot,
+        shapes: Sequence[DrawnShape],
         stage: Stage,
         shows: Collection[str],
         meshes: Meshes,
@@ -92,11 +94,13 @@ class Figure:
 
         Args:
             robot: the robot.
+            shapes: those of its links.
             stage: the stage.
             shows: some of SHOWN.
             meshes: those of the robot.
         """
         self.robot = robot
+        self._shapes = shapes
         self.stage = stage
         self._meshes = meshes
         self._bodies: list[Body] = []
@@ -107,21 +111,20 @@ class Figure:
         self._build(shows)
 
     def _build(self, shows: Collection[str]) -> None:
-        missing: list[tuple[Link, Shape]] = []
         is_veiled = INERTIA in shows or FRAMES in shows
         opacity = {True: 0.35 if is_veiled else 1.0, False: 0.45 if VISUAL in shows else 1.0}
+        missing = [
+            shape
+            for shape in self._shapes
+            if shape.is_shown(shows) and not self._add_shape(shape, opacity[shape.is_visual])
+        ]
         for link in self.robot.links.values():
-            for shape in link.shapes:
-                if not shape.is_shown(shows):
-                    continue
-                if not self._add_shape(link, shape, opacity[shape.is_visual]):
-                    missing.append((link, shape))
             if INERTIA in shows and link.inertial is not None:
                 self._add_inertia(link, link.inertial)
         self.set_positions({})
-        size = self._size([(link.name, shape.pose.position) for link, shape in missing])
-        for link, shape in missing:
-            self._add_missing(link, shape, size)
+        size = self._size([(shape.link.name, shape.pose.position) for shape in missing])
+        for shape in missing:
+            self._add_missing(shape, size)
             self._has_bones = True  # to tell what hangs together
         if FRAMES in shows:
             for link in self.robot.links.values():
@@ -146,35 +149,37 @@ class Figure:
         self._bodies.append(added)
         return added
 
-    def _add_shape(self, link: Link, shape: Shape, opacity: float) -> bool:
+    def _add_shape(self, shape: DrawnShape, opacity: float) -> bool:
         """Add a shape, or return that it cannot be drawn."""
-        if shape.kind != MESH:
+        link = shape.link
+        if not isinstance(shape.shape, Mesh):
             color, alpha = _look_of(shape, shape.color)
             T_link_body = np.array(shape.pose.matrix())
-            self._add(link, shape_body(shape), T_link_body, color, alpha * opacity)
+            self._add(link, shape_body(shape.shape), T_link_body, color, alpha * opacity)
             return True
-        surfaces = self._meshes.surfaces_of(link, shape)
+        surfaces = self._meshes.surfaces_of(shape)
         for surface in surfaces:
-            self._add_surface(link, shape, surface, opacity)
+            self._add_surface(shape, surface, opacity)
         return bool(surfaces)
 
-    def _add_surface(self, link: Link, shape: Shape, surface: Surface, opacity: float) -> None:
+    def _add_surface(self, shape: DrawnShape, surface: Surface, opacity: float) -> None:
         """Add a surface of a mesh; its file's colours go before the robot's, as in RViz."""
         is_own = shape.is_visual and surface.has_look
         color, alpha = _look_of(shape, surface.color if is_own else shape.color)
-        body = surface_body(surface, shape.size)
-        actor = self._add(link, body, np.array(shape.pose.matrix()), color, alpha * opacity).actor
+        body = surface_body(surface, shape.shape.size)
+        T_link_body = np.array(shape.pose.matrix())
+        actor = self._add(shape.link, body, T_link_body, color, alpha * opacity).actor
         if not is_own:
             actor.GetMapper().ScalarVisibilityOff()
         elif surface.texture is not None:
             actor.GetProperty().SetColor(1, 1, 1)
             actor.SetTexture(make_texture(surface.texture[::-1]))
 
-    def _add_missing(self, link: Link, shape: Shape, size: float) -> None:
+    def _add_missing(self, shape: DrawnShape, size: float) -> None:
         """Add a box in place of a mesh that cannot be drawn."""
         edge = MISSING_EDGE * size
         T_link_body = np.array(shape.pose.matrix())
-        body = self._add(link, box_body((edge, edge, edge)), T_link_body, MISSING, 0.55)
+        body = self._add(shape.link, box_body((edge, edge, edge)), T_link_body, MISSING, 0.55)
         look = body.actor.GetProperty()
         look.EdgeVisibilityOn()
         look.SetEdgeColor(*MISSING)
@@ -207,7 +212,8 @@ class Figure:
 
     def set_positions(self, positions: Mapping[str, float]) -> None:
         """Move the joints; those that are not named stand at rest."""
-        poses = link_poses(self.robot, positions)
+        at_rest = {joint.name: joint.rest for joint in self.robot.free_joints()}
+        poses = self.robot.poses({**at_rest, **positions})
         self._poses = {name: np.array(pose.matrix()) for name, pose in poses.items()}
         for body in self._bodies:
             body.actor.SetUserMatrix(make_matrix(self._poses[body.link] @ body.T_link_body))
@@ -258,7 +264,7 @@ class Figure:
             self.stage.lay_floor(shadow, level, size=size, has_grid=self._has_grid)
 
 
-def _look_of(shape: Shape, given: Sequence[float] | None) -> tuple[Color, float]:
+def _look_of(shape: DrawnShape, given: Sequence[float] | None) -> tuple[Color, float]:
     """Return color and opacity of a shape, which may have been given some."""
     if given is None:
         return PLAIN if shape.is_visual else COLLIDING, 1.0

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
     from ...confined import Reader
     from ...meshes.surfaces import Surface
-    from ..scene.robot import Link, Shape
+    from .shapes import DrawnShape
 
 BOX_HINT = "a box stands for it in the picture"
 
@@ -93,11 +93,11 @@ class Meshes:
         self._found = found
         self._told: set[str] = set()
 
-    def surfaces_of(self, link: Link, shape: Shape) -> list[Surface]:
+    def surfaces_of(self, shape: DrawnShape) -> list[Surface]:
         """Return the surfaces of a mesh; none if it cannot be drawn."""
         if shape.path is None:
             if shape.filename and not is_local(shape.filename):
-                self._warn("missing-mesh-file", link, shape, "is not found")
+                self._warn("missing-mesh-file", shape, "is not found")
             return []
         found = self._found[shape.path]
         if isinstance(found, list):
@@ -105,22 +105,22 @@ class Meshes:
         if isinstance(found, MissingLibraryError):
             hint = 'pip install "yamaro[picture]"'
             reason = f"needs the Python package '{found}'"
-            self._warn("missing-extra", link, shape, reason, hint)
+            self._warn("missing-extra", shape, reason, hint)
         else:
-            self._warn("bad-mesh", link, shape, f"cannot be read: {found}")
+            self._warn("bad-mesh", shape, f"cannot be read: {found}")
         return []
 
-    def _warn(self, code: str, link: Link, shape: Shape, reason: str, hint: str = BOX_HINT) -> None:
+    def _warn(self, code: str, shape: DrawnShape, reason: str, hint: str = BOX_HINT) -> None:
         if shape.filename in self._told:
             return
         self._told.add(shape.filename)
         self.warnings.append(
             Diagnostic(
                 code,
-                f"the mesh '{shape.filename}' of {label(link.element)} {reason}",
-                shape.geometry.value_span("filename"),
+                f"the mesh '{shape.filename}' of {label(shape.link.element)} {reason}",
+                shape.filename_span,
                 hint=hint,
                 severity=WARNING,
-                trace=shape.geometry.trace,
+                trace=shape.trace,
             )
         )

@@ -5,13 +5,14 @@ from __future__ import annotations
 from math import pi, sin
 
 from ...arguments import UsageError
-from ..scene.robot import CONTINUOUS
+from ...model.joint import CONTINUOUS
 from .request import EACH_SECONDS, MOST_FRAMES, SWEEP_SECONDS, TURN_SECONDS, find_joint
 from .words import ALL, EACH
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from ..scene.robot import Joint, Robot
+    from ...model.joint import Joint
+    from ...model.robot import Robot
     from .request import Request
 
 
@@ -64,7 +65,7 @@ def swung(joint: Joint, time: float, start: float) -> float:
         time: from 0 to 1.
         start: its position at the times 0 and 1.
     """
-    if joint.kind == CONTINUOUS:
+    if joint.type == CONTINUOUS:
         return start + 2 * pi * time
     lower, upper = joint.range
     wave = sin(2 * pi * time)

@@ -8,14 +8,15 @@ from math import isfinite
 from ...arguments import UsageError
 from ...diagnostics import did_you_mean
 from ...terminal import shortened
-from ..scene.robot import LARGEST
+from .shapes import LARGEST
 from .words import NAMED_VIEWS, SHOWN, VISUAL
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
 
-    from ..scene.robot import Joint, Robot
+    from ...model.joint import Joint
+    from ...model.robot import Robot
 
 STILLS = (".png", ".jpg", ".jpeg")
 FILMS = (".gif", ".mp4")
@@ -128,7 +129,7 @@ def read_positions(request: Request, robot: Robot) -> dict[str, float]:
         except ValueError:
             position = float("nan")
         if not abs(position) <= LARGEST:
-            unit = "metres" if joint.kind == "prismatic" else "radians"
+            unit = "metres" if joint.type == "prismatic" else "radians"
             wrong = shortened(text)
             raise UsageError(f"the joint '{name}' needs a number of {unit}, not '{wrong}'")
         positions[name] = position
@@ -142,10 +143,10 @@ def find_joint(name: str, robot: Robot) -> Joint:
     if joint is None:
         hint = did_you_mean(name, names) or _listed(names)
         raise UsageError(f"there is no joint '{shortened(name)}'; {hint}")
-    if joint.mimic:
-        raise UsageError(f"the joint '{name}' mimics '{joint.mimic}': move that one")
+    if joint.mimic is not None:
+        raise UsageError(f"the joint '{name}' mimics '{joint.mimic.joint}': move that one")
     if not joint.is_free:
-        raise UsageError(f"the joint '{name}' is {joint.kind}: it has no position to set")
+        raise UsageError(f"the joint '{name}' is {joint.type}: it has no position to set")
     return joint
 
 

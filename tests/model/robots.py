@@ -1,9 +1,4 @@
-"""Robots that the tests of scenes share."""
-
-from pathlib import Path
-
-from yamaro import build
-from yamaro.tools.scene.robot import Robot
+"""Robots that the tests of the model share."""
 
 JOINTS = """<?xml version="1.0"?>
 <robot name="joints">
@@ -61,14 +56,3 @@ JOINTS = """<?xml version="1.0"?>
   </joint>
 </robot>
 """
-
-
-def robot_of(text: str, folder: Path, name: str = "robot.urdf") -> Robot:
-    path = folder / name
-    path.write_text(text, encoding="utf-8")
-    return robot_at(path)
-
-
-def robot_at(path: Path) -> Robot:
-    built = build(path, on_message=lambda line: None)
-    return Robot(built.root, built.finder)

@@ -11,7 +11,7 @@ import trimesh
 from yamaro.meshes.formats import MeshFileError, MissingLibraryError, mesh_ending
 from yamaro.meshes.triangles import TriangleMesh, is_closed, read_mesh
 from yamaro.model.mesh_integrals import solid_moments
-from yamaro.model.shapes import Box, Capsule, Cylinder, Mesh, Sphere
+from yamaro.model.shapes import Box, Capsule, Cylinder, MeshSolid, Sphere
 
 CUBE = TriangleMesh(
     [(x, y, z) for x in (0.0, 1.0) for y in (0.0, 1.0) for z in (0.0, 1.0)],
@@ -65,7 +65,7 @@ def test_the_unit_cube_as_a_mesh():
     assert moments.volume == pytest.approx(1)
     assert moments.first == pytest.approx((1 / 2,) * 3)
     assert moments.second == pytest.approx((1 / 3, 1 / 4, 1 / 4, 1 / 3, 1 / 4, 1 / 3))
-    cube = Mesh(moments)
+    cube = MeshSolid(moments)
     assert cube.center() == pytest.approx((1 / 2,) * 3)
     assert cube.inertia(6) == pytest.approx((1, 0, 0, 1, 0, 1))
     assert cube.inertia(6)[1] == 0
@@ -75,7 +75,7 @@ def test_a_tetrahedron_has_products_of_inertia():
     # Corners at 0, x, y, z: ∫xy dV = 1/120, V = 1/6, centre 1/4: about it 1/120 − 1/96 = −1/480.
     corners = [(0.0, 0.0, 0.0), (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)]
     mesh = TriangleMesh(corners, [(0, 2, 1), (0, 1, 3), (0, 3, 2), (1, 2, 3)])
-    shape = Mesh(solid_moments(mesh))
+    shape = MeshSolid(solid_moments(mesh))
     assert shape.volume() == pytest.approx(1 / 6)
     # Density 1: ixy = −∫xy = 1/480; ∫x² about the centre = 1/60 − 1/96 = 1/160, ixx = 2/160.
     assert shape.inertia(1 / 6) == pytest.approx(
@@ -84,7 +84,7 @@ def test_a_tetrahedron_has_products_of_inertia():
 
 
 def test_scaling_stretches_and_mirrors_a_mesh():
-    shape = Mesh(solid_moments(CUBE).scaled((-1.0, 2.0, 3.0)))
+    shape = MeshSolid(solid_moments(CUBE).scaled((-1.0, 2.0, 3.0)))
     assert shape.volume() == pytest.approx(6)
     assert shape.center() == pytest.approx((-0.5, 1.0, 1.5))
     assert shape.inertia(12) == pytest.approx(Box(1, 2, 3).inertia(12))
@@ -92,7 +92,7 @@ def test_scaling_stretches_and_mirrors_a_mesh():
 
 def test_a_mesh_far_from_the_origin_keeps_its_digits():
     far = TriangleMesh([(x + 1e4, y, z) for x, y, z in CUBE.vertices], CUBE.triangles)
-    assert Mesh(solid_moments(far)).inertia(6) == pytest.approx((1, 0, 0, 1, 0, 1), rel=1e-6)
+    assert MeshSolid(solid_moments(far)).inertia(6) == pytest.approx((1, 0, 0, 1, 0, 1), rel=1e-6)
 
 
 def test_a_closed_surface_has_every_edge_both_ways():

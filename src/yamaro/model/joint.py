@@ -1,0 +1,169 @@
+"""Joints: how a link moves on another one, within which limits, and which joint it follows."""
+
+from __future__ import annotations
+
+from math import pi
+
+from .written import Written
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from ..diagnostics import Frame as Step
+    from .pose import Pose
+    from .rotations import Vector
+
+REVOLUTE, CONTINUOUS, PRISMATIC, FIXED = "revolute", "continuous", "prismatic", "fixed"
+PLANAR, FLOATING = "planar", "floating"
+LIMITED = (REVOLUTE, PRISMATIC)
+"""The types of joints that have a lower and an upper limit."""
+SINGLE = (REVOLUTE, CONTINUOUS, PRISMATIC)
+"""The types of joints whose position is one number."""
+DEGREES_OF_FREEDOM = {REVOLUTE: 1, CONTINUOUS: 1, PRISMATIC: 1, PLANAR: 3, FLOATING: 6}
+"""Degrees of freedom by joint type, as pinocchio counts them (nv of its joint models)."""
+
+
+class Limit(Written):
+    """How far, how strongly and how fast a joint moves; None for what is not said.
+
+    Attributes:
+        lower, upper: in radians or metres; 0 where they are left out, as in URDF.
+        effort: in N·m or N.
+        velocity: in rad/s or m/s.
+        acceleration, deceleration: in rad/s² or m/s².
+        jerk: in rad/s³ or m/s³.
+    """
+
+    __slots__ = (
+        "acceleration", "deceleration", "effort", "jerk", "lower", "upper", "velocity",
+    )  # fmt: skip
+
+    lower: float
+    upper: float
+    effort: float | None
+    velocity: float | None
+    acceleration: float | None
+    deceleration: float | None
+    jerk: float | None
+
+
+class Mimic(Written):
+    """How a joint follows another: its position is multiplier·position + offset.
+
+    Attributes:
+        joint: the name of the joint that it follows, or "".
+        multiplier: 1 by default.
+        offset: in radians or metres; 0 by default.
+    """
+
+    __slots__ = ("joint", "multiplier", "offset")
+
+    joint: str
+    multiplier: float
+    offset: float
+
+
+class Dynamics(Written):
+    """Damping (N·m·s/rad or N·s/m) and friction (N·m or N) of a joint; 0 by default."""
+
+    __slots__ = ("damping", "friction")
+
+    damping: float
+    friction: float
+
+
+class SafetyController(Written):
+    """The limits that a controller keeps to; see http://wiki.ros.org/pr2_controller_manager."""
+
+    __slots__ = ("k_position", "k_velocity", "soft_lower_limit", "soft_upper_limit")
+
+    soft_lower_limit: float
+    soft_upper_limit: float
+    k_position: float
+    k_velocity: float
+
+
+class Calibration(Written):
+    """The positions, in radians or metres, where a reference switch rises or falls, or None."""
+
+    __slots__ = ("falling", "rising")
+
+    rising: float | None
+    falling: float | None
+
+
+class Joint(Written):
+    """A joint.
+
+    Attributes:
+        name: its name, or "".
+        type: revolute, continuous, prismatic, fixed, floating or planar; anything else as it is
+            written, and fixed where it is left out.
+        parent, child: names of links, or "".
+        origin: T_parent_joint.
+        axis: a unit vector in the joint's frame; x by default.
+        limit, mimic, dynamics, safety_controller, calibration: None where they are left out.
+        trace: the calls and includes that led to it, innermost first.
+    """
+
+    __slots__ = (
+        "axis", "calibration", "child", "dynamics", "limit", "mimic", "name", "origin", "parent",
+        "safety_controller", "trace", "type",
+    )  # fmt: skip
+
+    name: str
+    type: str
+    parent: str
+    child: str
+    origin: Pose
+    axis: Vector
+    limit: Limit | None
+    mimic: Mimic | None
+    dynamics: Dynamics | None
+    safety_controller: SafetyController | None
+    calibration: Calibration | None
+    trace: Step | None
+
+    @property
+    def is_fixed(self) -> bool:
+        """Tell whether it holds its child still."""
+        return self.type == FIXED
+
+    @property
+    def is_free(self) -> bool:
+        """Tell whether its position is one number, and its own."""
+        return self.mimic is None and self.type in SINGLE
+
+    @property
+    def lower(self) -> float | None:
+        """Return its lower limit in radians or metres, None if its type has none or none is given.
+
+        The soft limits of a safety controller are not looked at.
+        """
+        return self.limit.lower if self.limit is not None and self.type in LIMITED else None
+
+    @property
+    def upper(self) -> float | None:
+        """Return its upper limit in radians or metres; see `lower`."""
+        return self.limit.upper if self.limit is not None and self.type in LIMITED else None
+
+    @property
+    def range(self) -> tuple[float, float]:
+        """Return the lowest and highest position to show: its limits, or one turn, or 1 m."""
+        lower, upper = self.lower, self.upper
+        if lower is None or upper is None or lower >= upper:
+            return (-0.5, 0.5) if self.type == PRISMATIC else (-pi, pi)
+        return (lower, upper)
+
+    @property
+    def rest(self) -> float:
+        """Return where to show it if nothing else is asked for: at 0, or between its limits.
+
+        If the limits exclude 0 it is the middle between them, as in ROS's joint_state_publisher.
+        """
+        lower, upper = self.lower, self.upper
+        if lower is None or upper is None or lower <= 0 <= upper:
+            return 0.0
+        return (lower + upper) / 2
+
+    def __repr__(self) -> str:
+        return f"<Joint '{self.name}' at {self.span.place()}>"

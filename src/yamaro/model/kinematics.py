@@ -1,0 +1,171 @@
+"""Forward kinematics: where links and the centre of mass are for given joint positions."""
+
+from __future__ import annotations
+
+from .joint import CONTINUOUS, FIXED, FLOATING, PLANAR, PRISMATIC, REVOLUTE
+from .pose import IDENTITY, Pose
+from .rotations import UNTURNED, multiply, rotate, rotation_about, rotation_from_z
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Mapping, Sequence
+    from typing import Any
+
+    from .joint import Joint
+    from .robot import Robot
+    from .rotations import Vector
+
+    Position = float | Sequence[float] | Pose
+    """Where a joint is: one number, three for a planar joint, a pose for a floating one."""
+
+
+def joint_positions(
+    robot: Robot, given: Mapping[str, Position] | None = None
+) -> dict[str, Position]:
+    """Return the position of every joint that moves, by name.
+
+    Args:
+        robot: the robot.
+        given: positions of some joints; others are at 0. See `Robot.pose`.
+
+    Raises:
+        ValueError: a position is given for a joint that there is not, that cannot move or that
+            mimics another, or one that is not of the joint's type.
+    """
+    positions: dict[str, Position] = {}
+    for name, position in (given or {}).items():
+        positions[name] = _position_of(robot.need_joint(name), position)
+    for joint in robot.joints.values():
+        if joint.mimic is not None:
+            _follow(joint, robot, positions)
+        elif joint.name not in positions and joint.type != FIXED:
+            positions[joint.name] = _ZERO.get(joint.type, 0.0)
+    return positions
+
+
+_ZERO: dict[str, Position] = {PLANAR: (0.0, 0.0, 0.0), FLOATING: IDENTITY}
+
+
+def _position_of(joint: Joint, given: Any) -> Position:
+    """Return a position that is given for a joint; raise ValueError if it cannot be that."""
+    what = f"joint '{joint.name}'"
+    if joint.mimic is not None:
+        raise ValueError(f"{what} mimics '{joint.mimic.joint}': give the position of that one")
+    if joint.type == FIXED:
+        raise ValueError(f"{what} is fixed, and has no position")
+    if joint.type == FLOATING:
+        if not isinstance(given, Pose):
+            raise ValueError(f"{what} is floating: give its position as a Pose")
+        return given
+    try:
+        if joint.type == PLANAR:
+            x, y, angle = map(float, given)
+            return (x, y, angle)
+        return float(given)
+    except (TypeError, ValueError):
+        wanted = "x, y and an angle" if joint.type == PLANAR else "one number"
+        raise ValueError(f"{what} is {joint.type}: give its position as {wanted}") from None
+
+
+def _follow(joint: Joint, robot: Robot, positions: dict[str, Position]) -> None:
+    """Add the position of a joint that mimics another, and of those on the way to it."""
+    chain: dict[str, Joint] = {}
+    leader: Joint | None = joint
+    while leader is not None and leader.mimic is not None and leader.name not in chain:
+        if leader.name in positions:
+            break
+        chain[leader.name] = leader
+        leader = robot.joints.get(leader.mimic.joint)
+    found = positions.get(leader.name, 0.0) if leader is not None else 0.0
+    position = found if isinstance(found, float) else 0.0
+    for follower in reversed(chain.values()):
+        assert follower.mimic is not None
+        position = follower.mimic.multiplier * position + follower.mimic.offset
+        positions[follower.name] = position
+
+
+def joint_transform(joint: Joint, position: Position) -> Pose:
+    """Return T_parent_child of a joint's links.
+
+    Args:
+        joint: the joint.
+        position: as `joint_positions` gives it. A joint that is fixed or of an unknown type
+            ignores it.
+    """
+    origin = joint.origin
+    if isinstance(position, Pose):
+        return origin @ position if joint.type == FLOATING else origin
+    if not isinstance(position, float):
+        return origin @ _planar(joint.axis, position) if joint.type == PLANAR else origin
+    if joint.type in (REVOLUTE, CONTINUOUS):
+        turn = rotation_about(joint.axis, position)
+        return Pose(multiply(origin.rotation, turn), origin.position)
+    if joint.type == PRISMATIC:
+        x, y, z = joint.axis
+        way = (position * x, position * y, position * z)
+        return Pose(origin.rotation, origin.apply(way))
+    return origin
+
+
+def _planar(axis: Vector, position: Sequence[float]) -> Pose:
+    """Return T_joint_child of a planar joint.
+
+    Its x and y are those of the joint's frame, turned the shortest way so that z is the axis.
+    """
+    x, y, angle = position
+    place = rotate(rotation_from_z(axis), (x, y, 0.0))
+    return Pose(rotation_about(axis, angle) if angle else UNTURNED, place)
+
+
+def pose_of(robot: Robot, name: str, given: Mapping[str, Position] | None) -> Pose:
+    """Return T_root_link of one link; see `Robot.pose`."""
+    robot.need_link(name)
+    positions = joint_positions(robot, given)
+    pose = IDENTITY
+    seen = set()
+    joint = robot.parent_joint(name)
+    while joint is not None and name not in seen:
+        seen.add(name)
+        pose = joint_transform(joint, positions.get(joint.name, 0.0)) @ pose
+        name = joint.parent
+        joint = robot.parent_joint(name)
+    return pose
+
+
+def link_poses(robot: Robot, given: Mapping[str, Position] | None = None) -> dict[str, Pose]:
+    """Return T_root_link of every link by name, in order; see `Robot.poses`."""
+    positions = joint_positions(robot, given)
+    poses: dict[str, Pose] = {}
+    for start in robot.links:
+        way: dict[str, Joint] = {}
+        name = start
+        while name not in poses:
+            joint = robot.parent_joint(name)
+            if joint is None or name in way:
+                poses[name] = IDENTITY
+                way.pop(name, None)
+                break
+            way[name] = joint
+            name = joint.parent
+        for child, joint in reversed(way.items()):
+            step = joint_transform(joint, positions.get(joint.name, 0.0))
+            if child not in poses:
+                poses[child] = poses[joint.parent] @ step
+    return {name: poses[name] for name in robot.links}
+
+
+def center_of_mass(robot: Robot, given: Mapping[str, Position] | None) -> Vector:
+    """Return the centre of mass in the frame of the root, in metres; see `Robot.center_of_mass`."""
+    mass = robot.mass
+    if not mass:
+        raise ValueError(f"the robot '{robot.name}' has no mass")
+    poses = link_poses(robot, given)
+    sums = [0.0, 0.0, 0.0]
+    for name, link in robot.links.items():
+        if link.inertial is None:
+            continue
+        center = poses[name].apply(link.inertial.pose.position)
+        for axis in range(3):
+            sums[axis] += link.mass * center[axis]
+    x, y, z = (component / mass for component in sums)
+    return (x, y, z)

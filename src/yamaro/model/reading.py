@@ -1,0 +1,458 @@
+"""Reads a robot from the elements of a finished `<robot>`, as leniently as it can.
+
+What is missing or cannot be read takes its default, since a robot is looked at while it is being
+written. An element that stands in several places is read once; what it gives is shared.
+"""
+
+from __future__ import annotations
+
+from math import inf, isfinite
+
+from ..diagnostics import INHERITED, WARNING, Diagnostic, failure
+from ..xml.tree import Element
+from .joint import Calibration, Dynamics, Joint, Limit, Mimic, SafetyController
+from .link import Collision, Inertial, Link, Material, Visual
+from .pose import IDENTITY, Pose
+from .robot import Robot
+from .rotations import (
+    UNTURNED,
+    X_AXIS,
+    ZERO,
+    rotation_from_quaternion,
+    rotation_from_rpy,
+    unit_vector,
+)
+from .shapes import COUNTS, SHAPE_WORDS, SIMPLE_SHAPES, SIZES, UNSCALED, Mesh
+from .urdf_schema import JOINT_TYPES, joint_type_hint
+from .values import NumberFault, attribute_text, child_named, read_numbers
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    import os
+    from collections.abc import Callable, Iterable
+    from typing import TypeVar
+
+    from ..diagnostics import Frame as Step
+    from .rotations import Vector
+    from .shapes import Inertia, Shape
+
+    Value = TypeVar("Value")
+    Numbers = tuple[float, ...]
+    Contents = tuple[Inertial | None, tuple[Visual, ...], tuple[Collision, ...]]
+
+MOMENTS = ("ixx", "ixy", "ixz", "iyy", "iyz", "izz")
+COUNT_WORDS = {1: "one number", 3: "three numbers", 4: "four numbers"}
+
+
+def read_file(path: str | os.PathLike[str]) -> Robot:
+    """Return the robot of a URDF file; see `Robot.from_urdf`."""
+    import os
+
+    from ..xml.reader import decode_xml, read_xml
+
+    path = os.fspath(path)
+    with open(path, "rb") as file:
+        data = file.read()
+    source = decode_xml(data, name=path, path=os.path.abspath(path))
+    return read_robot(read_xml(source).root)
+
+
+def read_text(text: str, *, name: str) -> Robot:
+    """Return the robot of a URDF in a text; see `Robot.from_xml`."""
+    from ..source import Source
+    from ..xml.reader import read_xml
+
+    return read_robot(read_xml(Source(text, name=name)).root)
+
+
+def read_robot(root: Element, *, largest: float = inf) -> Robot:
+    """Return the robot of a finished tree, which must not be changed afterwards.
+
+    Args:
+        root: a `<robot>` without parts; elements may stand in several places of it.
+        largest: numbers beyond it are treated like those that cannot be read.
+
+    Raises:
+        YamaroError: `not-urdf`: the root is another element.
+    """
+    if root.name != "robot":
+        raise failure(
+            "not-urdf",
+            f"this is not a robot: its root is '{root.name}'",
+            root.span,
+            hint="the root of a URDF is 'robot'",
+        )
+    return _Reader(root, largest).robot()
+
+
+class _Reader:
+    """Reads one robot.
+
+    What is read of an element is kept by the identity of the element, and what a link holds by
+    that of its list of children: the tree keeps both alive.
+    """
+
+    def __init__(self, root: Element, largest: float) -> None:
+        self._root = root
+        self._largest = largest
+        self._trace: Step | None = None  # of the link, joint or material being read
+        self._findings: list[Diagnostic] = []
+        self._numbers_in: dict[str, Numbers | NumberFault] = {}
+        self._contents: dict[int, Contents] = {}
+        self._origins: dict[int, Pose] = {}
+        self._axes: dict[int, Vector] = {}
+        self._limits: dict[int, Limit] = {}
+        self._mimics: dict[int, Mimic] = {}
+        self._dynamics: dict[int, Dynamics] = {}
+        self._safeties: dict[int, SafetyController] = {}
+        self._calibrations: dict[int, Calibration] = {}
+        self._visuals: dict[int, Visual] = {}
+        self._collisions: dict[int, Collision] = {}
+
+    def robot(self) -> Robot:
+        """Return the robot."""
+        links: list[Link] = []
+        joints: list[Joint] = []
+        materials: list[Material] = []
+        above = None if self._root.trace is INHERITED else self._root.trace
+        for element in self._root.children:
+            if not isinstance(element, Element):
+                continue
+            trace = element.trace
+            self._trace = above if trace is INHERITED else trace
+            name = element.name
+            if name == "link":
+                links.append(self._link(element))
+            elif name == "joint":
+                joints.append(self._joint(element))
+            elif name == "material":
+                materials.append(self._material(element))
+        return Robot(
+            self._root,
+            links=links,
+            joints=joints,
+            materials=_definitions(materials, links),
+            findings=self._findings,
+        )
+
+    # --- links ---
+
+    def _link(self, element: Element) -> Link:
+        children = element.children
+        contents = self._contents.get(id(children))
+        if contents is None:
+            contents = self._contents[id(children)] = self._read_contents(element)
+        inertial, visuals, collisions = contents
+        return Link(
+            element,
+            self._name(element),
+            self._trace,
+            inertial=inertial,
+            visuals=visuals,
+            collisions=collisions,
+        )
+
+    def _read_contents(self, link: Element) -> Contents:
+        inertial: Inertial | None = None
+        visuals: list[Visual] = []
+        collisions: list[Collision] = []
+        for child in link.children:
+            if not isinstance(child, Element):
+                continue
+            if child.name == "visual":
+                visual = self._visuals.get(id(child))
+                if visual is None:
+                    visual = self._visuals[id(child)] = self._visual(child)
+                visuals.append(visual)
+            elif child.name == "collision":
+                collision = self._collisions.get(id(child))
+                if collision is None:
+                    collision = self._collisions[id(child)] = self._collision(child)
+                collisions.append(collision)
+            elif child.name == "inertial" and inertial is None:
+                inertial = self._inertial(child)
+        return inertial, tuple(visuals), tuple(collisions)
+
+    def _visual(self, element: Element) -> Visual:
+        material = child_named(element, "material")
+        return Visual(
+            element,
+            name=attribute_text(element, "name") or "",
+            pose=self._origin_in(element),
+            shape=self._shape_in(element),
+            material=self._material(material) if material is not None else None,
+        )
+
+    def _collision(self, element: Element) -> Collision:
+        return Collision(
+            element,
+            name=attribute_text(element, "name") or "",
+            pose=self._origin_in(element),
+            shape=self._shape_in(element),
+        )
+
+    def _inertial(self, element: Element) -> Inertial:
+        mass = self._number(child_named(element, "mass"), "value")
+        inertia = child_named(element, "inertia")
+        xx, xy, xz, yy, yz, zz = (self._number(inertia, name) or 0.0 for name in MOMENTS)
+        moments: Inertia = (xx, xy, xz, yy, yz, zz)
+        return Inertial(element, mass=mass or 0.0, pose=self._origin_in(element), inertia=moments)
+
+    def _material(self, element: Element) -> Material:
+        color = child_named(element, "color")
+        rgba = self._numbers(color, "rgba", 4) if color is not None else None
+        texture = child_named(element, "texture")
+        return Material(
+            element,
+            name=attribute_text(element, "name") or "",
+            color=(rgba[0], rgba[1], rgba[2], rgba[3]) if rgba is not None else None,
+            texture=attribute_text(texture, "filename"),
+        )
+
+    # --- shapes and poses ---
+
+    def _shape_in(self, section: Element) -> Shape | None:
+        """Return the shape of a visual or collision: the first one in its geometry."""
+        geometry = child_named(section, "geometry")
+        if geometry is None:
+            self._find("missing-element", f"a {section.name} has no geometry", section)
+            return None
+        for child in geometry.children:
+            if isinstance(child, Element) and child.name in SHAPE_WORDS:
+                return self._shape(child)
+        self._find("missing-element", f"the geometry of a {section.name} has no shape", geometry)
+        return None
+
+    def _shape(self, element: Element) -> Shape:
+        kind = element.name
+        if kind == Mesh.kind:
+            filename = attribute_text(element, "filename") or ""
+            return Mesh(filename, self._vector(element, "scale", UNSCALED), element=element)
+        attributes = SIZES[kind]
+        sizes: list[float] = []
+        if len(attributes) == 1 and COUNTS[kind] > 1:
+            sizes += self._numbers(element, attributes[0], COUNTS[kind]) or (0.0,) * COUNTS[kind]
+        else:
+            sizes += [self._number(element, attribute) or 0.0 for attribute in attributes]
+        return SIMPLE_SHAPES[kind](*sizes, element=element)
+
+    def _origin_in(self, element: Element) -> Pose:
+        origin = child_named(element, "origin")
+        return self._origin(origin) if origin is not None else IDENTITY
+
+    def _origin(self, element: Element) -> Pose:
+        pose = self._origins.get(id(element))
+        if pose is None:
+            quaternion = None
+            if "quat_xyzw" in element.attributes:
+                quaternion = self._numbers(element, "quat_xyzw", 4)
+            if quaternion is not None:
+                rotation = rotation_from_quaternion(*quaternion)
+            else:
+                rpy = self._vector(element, "rpy", ZERO)
+                rotation = rotation_from_rpy(*rpy) if any(rpy) else UNTURNED
+            pose = Pose(rotation, self._vector(element, "xyz", ZERO), element)
+            self._origins[id(element)] = pose
+        return pose
+
+    # --- joints ---
+
+    def _joint(self, element: Element) -> Joint:
+        first: dict[str, Element] = {}
+        for child in element.children:
+            if isinstance(child, Element) and child.name not in first:
+                first[child.name] = child
+        joint = Joint()
+        joint.element = element
+        joint.trace = self._trace
+        joint.name = self._name(element)
+        joint.type = self._joint_type(element)
+        get = first.get
+        joint.parent = attribute_text(get("parent"), "link") or ""
+        joint.child = attribute_text(get("child"), "link") or ""
+        origin = get("origin")
+        joint.origin = self._origin(origin) if origin is not None else IDENTITY
+        joint.axis = _once(self._axes, get("axis"), self._axis) or X_AXIS
+        joint.limit = _once(self._limits, get("limit"), self._limit)
+        joint.mimic = _once(self._mimics, get("mimic"), self._mimic)
+        joint.dynamics = _once(self._dynamics, get("dynamics"), self._dynamics_of)
+        joint.safety_controller = _once(
+            self._safeties, get("safety_controller"), self._safety_controller
+        )
+        joint.calibration = _once(self._calibrations, get("calibration"), self._calibration)
+        return joint
+
+    def _joint_type(self, joint: Element) -> str:
+        kind = attribute_text(joint, "type")
+        if kind in JOINT_TYPES:
+            return kind
+        if kind is None:
+            self._find("missing-attribute", "a joint has no 'type'", joint)
+            return "fixed"
+        message = f"the type '{kind}' of a joint is not known"
+        self._find("unknown-joint-type", message, joint, "type", hint=joint_type_hint(kind))
+        return kind
+
+    def _axis(self, element: Element) -> Vector:
+        return unit_vector(self._vector(element, "xyz", X_AXIS))
+
+    def _limit(self, element: Element) -> Limit:
+        limit = Limit()
+        limit.element = element
+        limit.lower = self._number(element, "lower") or 0.0
+        limit.upper = self._number(element, "upper") or 0.0
+        limit.effort = self._number(element, "effort")
+        limit.velocity = self._number(element, "velocity")
+        limit.acceleration = self._number(element, "acceleration")
+        limit.deceleration = self._number(element, "deceleration")
+        limit.jerk = self._number(element, "jerk")
+        return limit
+
+    def _mimic(self, element: Element) -> Mimic:
+        mimic = Mimic()
+        mimic.element = element
+        mimic.joint = attribute_text(element, "joint") or ""
+        multiplier = self._number(element, "multiplier")
+        mimic.multiplier = 1.0 if multiplier is None else multiplier
+        mimic.offset = self._number(element, "offset") or 0.0
+        return mimic
+
+    def _dynamics_of(self, element: Element) -> Dynamics:
+        dynamics = Dynamics()
+        dynamics.element = element
+        dynamics.damping = self._number(element, "damping") or 0.0
+        dynamics.friction = self._number(element, "friction") or 0.0
+        return dynamics
+
+    def _safety_controller(self, element: Element) -> SafetyController:
+        safety = SafetyController()
+        safety.element = element
+        safety.soft_lower_limit = self._number(element, "soft_lower_limit") or 0.0
+        safety.soft_upper_limit = self._number(element, "soft_upper_limit") or 0.0
+        safety.k_position = self._number(element, "k_position") or 0.0
+        safety.k_velocity = self._number(element, "k_velocity") or 0.0
+        return safety
+
+    def _calibration(self, element: Element) -> Calibration:
+        calibration = Calibration()
+        calibration.element = element
+        calibration.rising = self._number(element, "rising")
+        calibration.falling = self._number(element, "falling")
+        return calibration
+
+    # --- values ---
+
+    def _name(self, element: Element) -> str:
+        name = element.attributes.get("name")
+        if type(name) is str and name:
+            return name
+        text = attribute_text(element, "name")
+        if not text:
+            self._find("missing-attribute", f"a {element.name} has no name", element)
+        return text or ""
+
+    def _vector(self, element: Element, attribute: str, default: Vector) -> Vector:
+        """Return the three numbers of an attribute, or the default."""
+        numbers = self._numbers(element, attribute, 3)
+        return (numbers[0], numbers[1], numbers[2]) if numbers is not None else default
+
+    def _number(self, element: Element | None, attribute: str) -> float | None:
+        """Return the number in an attribute, or None; of several numbers the first."""
+        numbers = self._numbers(element, attribute, 1)
+        return numbers[0] if numbers else None
+
+    def _numbers(self, element: Element | None, attribute: str, count: int) -> Numbers | None:
+        """Return the numbers in an attribute, or None if it is left out or cannot be read."""
+        if element is None:
+            return None
+        text = attribute_text(element, attribute)
+        if text is None:
+            return None
+        found = self._numbers_in.get(text)
+        if found is None:
+            found = self._numbers_in[text] = self._read(text)
+        if type(found) is tuple and len(found) == count:
+            return found
+        return self._faulty(found, text, element, attribute, count)
+
+    def _read(self, text: str) -> Numbers | NumberFault:
+        found = read_numbers(text)
+        if type(found) is tuple and any(abs(number) > self._largest for number in found):
+            return NumberFault(text, "too large")
+        return found
+
+    def _faulty(
+        self,
+        found: Numbers | NumberFault,
+        text: str,
+        element: Element,
+        attribute: str,
+        count: int,
+    ) -> Numbers | None:
+        """Note a fault in an attribute, and return what can be made of it."""
+        wanted = COUNT_WORDS[count]
+        message = f"'{attribute}' of '{element.name}' takes {wanted}, not '{text}'"
+        if isinstance(found, NumberFault):
+            self._find("not-a-number", message, element, attribute)
+            found = _despite_spelling(text, self._largest)
+        else:
+            self._find("wrong-count", message, element, attribute)
+        if len(found) == count or (count == 1 and found):
+            return found[:count]
+        return None
+
+    def _find(
+        self,
+        code: str,
+        message: str,
+        element: Element,
+        attribute: str | None = None,
+        *,
+        hint: str | None = None,
+    ) -> None:
+        """Note what cannot be read."""
+        span = element.span if attribute is None else element.value_span(attribute)
+        trace = self._trace if element.trace is INHERITED else element.trace
+        self._findings.append(
+            Diagnostic(code, message, span, severity=WARNING, trace=trace, hint=hint)
+        )
+
+
+def _once(
+    known: dict[int, Value], element: Element | None, read: Callable[[Element], Value]
+) -> Value | None:
+    """Return what is read of an element, which is read once; None for no element."""
+    if element is None:
+        return None
+    found = known.get(id(element))
+    if found is None:
+        found = known[id(element)] = read(element)
+    return found
+
+
+def _despite_spelling(text: str, largest: float) -> Numbers:
+    """Return the numbers of a text that some parsers would not read; none if none would."""
+    try:
+        numbers = tuple(map(float, text.split()))
+    except ValueError:
+        return ()
+    return numbers if all(isfinite(n) and abs(n) <= largest for n in numbers) else ()
+
+
+def _definitions(materials: list[Material], links: Iterable[Link]) -> dict[str, Material]:
+    """Return the definition of each material's name: the robot's own, then those in visuals."""
+    found: dict[str, Material] = {}
+    for material in materials:
+        if material.name and material.is_defined:
+            found.setdefault(material.name, material)
+    seen: set[int] = set()
+    for link in links:
+        visuals = link.visuals
+        if not visuals or id(visuals) in seen:
+            continue
+        seen.add(id(visuals))
+        for visual in visuals:
+            inner = visual.material
+            if inner is not None and inner.name and inner.is_defined:
+                found.setdefault(inner.name, inner)
+    return found

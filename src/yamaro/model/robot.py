@@ -1,0 +1,274 @@
+"""A robot: its links, joints, shapes and materials, with the place where each is written.
+
+`reading.read_robot` makes it from a finished `<robot>`, whether YAML, xacro or URDF gave that, and
+whatever is wrong with it: what is missing or cannot be read takes its default, and is listed in
+`Robot.findings`. `yamaro.Robot.from_urdf` and `build(...).robot` are the ways to one.
+
+**How a check reads it.** `robot.all_links` and `robot.all_joints` are all that are written, those
+of a repeated or missing name too; `robot.links` and `robot.joints` hold the first of each name. A
+default is not told from a value that says the same: where that matters, ask for what is written.
+Everything that is read is `Written`: `written("upper")` is the text of an attribute or None,
+`inner("mass")` the element of that name inside, `span_of("upper")` the place of a value. Values
+inside of a link or joint, such as `Limit` and `Visual`, are one object wherever the same element
+is used again, so a check can keep by `id` what it found sound. Such an object does not know its
+calls and includes; those are the `trace` of its link or joint, which `trace_in(owner)` gives.
+
+The objects are not to be changed, since they are shared.
+"""
+
+from __future__ import annotations
+
+from ..diagnostics import suggest
+from .joint import FIXED
+from .values import attribute_text
+from .written import Written
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    import os
+    from collections.abc import Iterator, Mapping
+    from typing import TypeVar
+
+    from ..diagnostics import Diagnostic
+    from ..source import Span
+    from ..xml.tree import Element
+    from .joint import Joint
+    from .kinematics import Position
+    from .link import Link, Material, Visual
+    from .pose import Pose
+    from .rotations import Vector
+
+    Named = TypeVar("Named", Link, Joint)
+
+
+class Frame:
+    """A named pose in a link. In URDF it is an empty link on a fixed joint.
+
+    Attributes:
+        name: its name, that of the empty link.
+        link: the name of the link that it is in.
+        pose: T_link_frame.
+        joint: the fixed joint.
+    """
+
+    __slots__ = ("joint", "link", "name", "pose")
+
+    def __init__(self, joint: Joint) -> None:
+        """Take the joint for a frame's."""
+        self.joint = joint
+        self.name = joint.child
+        self.link = joint.parent
+        self.pose = joint.origin
+
+    @property
+    def span(self) -> Span:
+        """Return where it is written."""
+        return self.joint.span
+
+
+class Robot(Written):
+    """A robot.
+
+    Attributes:
+        name: its name, or "".
+        version: its version of URDF as written, or None.
+        links: by name, in the order written; the first of each name.
+        joints: by name, in the order written; the first of each name.
+        materials: the definition that counts of each name, as in urdfdom: the first that belongs
+            to the robot, or else the first in a visual.
+        all_links, all_joints: all that are written, those of a repeated or missing name too.
+        findings: what could not be read, as warnings.
+    """
+
+    __slots__ = (
+        "_joints_below", "_parent_joints", "all_joints", "all_links", "findings", "joints",
+        "links", "materials", "name", "version",
+    )  # fmt: skip
+
+    def __init__(
+        self,
+        element: Element,
+        *,
+        links: list[Link],
+        joints: list[Joint],
+        materials: Mapping[str, Material],
+        findings: list[Diagnostic],
+    ) -> None:
+        """Put together what was read; see `reading.read_robot`."""
+        self.element = element
+        self.name = attribute_text(element, "name") or ""
+        self.version = attribute_text(element, "version")
+        self.all_links = tuple(links)
+        self.all_joints = tuple(joints)
+        self.links: Mapping[str, Link] = _by_name(links)
+        self.joints: Mapping[str, Joint] = _by_name(joints)
+        self.materials = materials
+        self.findings = tuple(findings)
+        self._parent_joints: dict[str, Joint] | None = None
+        self._joints_below: dict[str, list[Joint]] | None = None
+
+    @classmethod
+    def from_urdf(cls, path: str | os.PathLike[str]) -> Robot:
+        """Return the robot of a URDF file, read as it is: xacro is not run, files are not included.
+
+        Raises:
+            FileNotFoundError: there is no such file; other OSErrors if it cannot be read.
+            YamaroError: it is not XML, or not a `<robot>`.
+        """
+        from .reading import read_file
+
+        return read_file(path)
+
+    @classmethod
+    def from_xml(cls, text: str, *, name: str = "<text>") -> Robot:
+        """Return the robot of a URDF that is given as text.
+
+        Args:
+            text: the XML.
+            name: what the text is called in messages and places.
+
+        Raises:
+            YamaroError: it is not XML, or not a `<robot>`.
+        """
+        from .reading import read_text
+
+        return read_text(text, name=name)
+
+    # --- structure ---
+
+    @property
+    def roots(self) -> list[Link]:
+        """Return the links that are no joint's child, in order; a robot without faults has one."""
+        parent_joints = self._parents()
+        return [link for name, link in self.links.items() if name not in parent_joints]
+
+    @property
+    def frames(self) -> dict[str, Frame]:
+        """Return the frames by name, in order: the empty links that hang on fixed joints."""
+        return {
+            name: Frame(joint)
+            for name, joint in self._parents().items()
+            if joint.type == FIXED and self.links[name].is_empty
+        }
+
+    def parent_joint(self, link: str) -> Joint | None:
+        """Return the joint that a link hangs on, the first one written; None for a root."""
+        return self._parents().get(link)
+
+    def joints_below(self, link: str) -> list[Joint]:
+        """Return the joints that hang on a link, in order."""
+        if self._joints_below is None:
+            below: dict[str, list[Joint]] = {}
+            for joint in self._parents().values():
+                below.setdefault(joint.parent, []).append(joint)
+            self._joints_below = below
+        return self._joints_below.get(link, [])
+
+    def _parents(self) -> dict[str, Joint]:
+        """Return the joint above each link that has one; both of its links must be there."""
+        found = self._parent_joints
+        if found is None:
+            found, links = {}, self.links
+            for joint in self.joints.values():
+                if joint.child in links and joint.parent in links:
+                    found.setdefault(joint.child, joint)
+            self._parent_joints = found
+        return found
+
+    def visuals(self) -> Iterator[tuple[Link, Visual]]:
+        """Yield the visuals of all links, each with its link."""
+        for link in self.links.values():
+            for visual in link.visuals:
+                yield link, visual
+
+    def free_joints(self) -> list[Joint]:
+        """Return the joints whose position is one number, and their own."""
+        return [joint for joint in self.joints.values() if joint.is_free]
+
+    def material_of(self, visual: Visual) -> Material | None:
+        """Return the material that a visual is shown with, as urdfdom finds it, or None."""
+        material = visual.material
+        if material is None:
+            return None
+        return self.materials.get(material.name, material)
+
+    # --- kinematics and mass ---
+
+    def pose(self, name: str, positions: Mapping[str, Position] | None = None) -> Pose:
+        """Return T_root_link of a link or frame, for given positions of joints.
+
+        Args:
+            name: the link's or frame's.
+            positions: by the joints' names: a number in radians or metres for a revolute,
+                continuous or prismatic joint; three numbers for a planar one, x and y in metres
+                and an angle in radians, in the plane across its axis; a `Pose` for a floating
+                one. Joints that are left out are at 0. Joints that mimic others follow them.
+
+        Raises:
+            ValueError: there is no such link, or no such joint that can be given a position, or a
+                position is not of its joint's type.
+        """
+        from .kinematics import pose_of
+
+        return pose_of(self, name, positions)
+
+    def poses(self, positions: Mapping[str, Position] | None = None) -> dict[str, Pose]:
+        """Return T_root_link of every link by name, in order; see `pose`.
+
+        A robot with faults may have several roots, or links in a circle. Each pose is then
+        relative to the root that the link hangs on, or to one link of the circle.
+        """
+        from .kinematics import link_poses
+
+        return link_poses(self, positions)
+
+    @property
+    def mass(self) -> float:
+        """Return the sum of all links' masses in kg."""
+        return sum(link.mass for link in self.links.values())
+
+    def center_of_mass(self, positions: Mapping[str, Position] | None = None) -> Vector:
+        """Return the centre of mass in the frame of the root, in metres.
+
+        Args:
+            positions: see `pose`.
+
+        Raises:
+            ValueError: the robot has no mass, or see `pose`.
+        """
+        from .kinematics import center_of_mass
+
+        return center_of_mass(self, positions)
+
+    def need_link(self, name: str) -> Link:
+        """Return a link; raise ValueError, with a suggestion, if there is none of that name."""
+        link = self.links.get(name)
+        if link is None:
+            raise ValueError(_unknown("link or frame", name, self.links))
+        return link
+
+    def need_joint(self, name: str) -> Joint:
+        """Return a joint; raise ValueError, with a suggestion, if there is none of that name."""
+        joint = self.joints.get(name)
+        if joint is None:
+            raise ValueError(_unknown("joint", name, self.joints))
+        return joint
+
+    def __repr__(self) -> str:
+        return f"<Robot '{self.name}': {len(self.links)} links, {len(self.joints)} joints>"
+
+
+def _by_name(things: list[Named]) -> dict[str, Named]:
+    """Return links or joints by name, the first of each name."""
+    found = {thing.name: thing for thing in things}
+    if len(found) < len(things):
+        found = {}
+        for thing in things:
+            found.setdefault(thing.name, thing)
+    return found
+
+
+def _unknown(kind: str, name: str, known: Mapping[str, object]) -> str:
+    near = suggest(name, list(known))
+    hint = f"; did you mean '{near}'?" if near is not None else ""
+    return f"the robot has no {kind} '{name}'{hint}"

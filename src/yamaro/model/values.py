@@ -1,0 +1,69 @@
+"""What elements say: their attributes as text and as numbers, and their children by name."""
+
+from __future__ import annotations
+
+from math import isfinite, nan
+
+from ..xml.tree import Element
+from ..xml.values import format_value
+
+WORD, NOT_FINITE, SPACING = "word", "not finite", "spacing"
+
+
+class NumberFault:
+    """Why a text is not a row of numbers: the item at fault, and what is wrong with it."""
+
+    __slots__ = ("item", "kind")
+
+    def __init__(self, item: str, kind: str) -> None:
+        """Name the item as spelled; `kind` is WORD, NOT_FINITE or SPACING."""
+        self.item = item
+        self.kind = kind
+
+
+def read_numbers(text: str) -> tuple[float, ...] | NumberFault:
+    """Return the numbers of a text, spelled as C++ and Python both read them, or the fault.
+
+    Spacing is judged as urdfdom does: it splits at spaces alone, and a lone number must be the end
+    of its text.
+    """
+    try:
+        numbers = tuple(map(float, text.split()))
+    except ValueError:
+        numbers = (nan,)
+    if not text.isascii() or "_" in text or not all(map(isfinite, numbers)):
+        for item in text.split():
+            kind = _fault_of(item)
+            if kind is not None:
+                return NumberFault(item, kind)
+    if (numbers and not text.isprintable()) or (len(numbers) == 1 and text[-1] == " "):
+        return NumberFault(text, SPACING)
+    return numbers
+
+
+def _fault_of(item: str) -> str | None:
+    """Return what is wrong with a number, if anything is."""
+    if "_" in item or not item.isascii():
+        return WORD
+    try:
+        return None if isfinite(float(item)) else NOT_FINITE
+    except ValueError:
+        return WORD
+
+
+def attribute_text(element: Element | None, attribute: str) -> str | None:
+    """Return an attribute as it will be written, or None if it will not be."""
+    if element is None:
+        return None
+    value = element.attributes.get(attribute)
+    if value is None or type(value) is str:
+        return value
+    return format_value(value)
+
+
+def child_named(element: Element, name: str) -> Element | None:
+    """Return the first child element of that name; parsers of URDF read no other."""
+    for child in element.children:
+        if isinstance(child, Element) and child.name == name:
+            return child
+    return None

@@ -1,0 +1,47 @@
+"""What all that is read of a robot has: the element, its place, and what is written in it."""
+
+from __future__ import annotations
+
+from ..diagnostics import INHERITED
+from .values import attribute_text, child_named
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from ..diagnostics import Frame as Step
+    from ..source import Span
+    from ..xml.tree import Element
+    from .joint import Joint
+    from .link import Link
+
+
+class Written:
+    """Something of a robot that is written in a file.
+
+    Attributes:
+        element: the element it was read from.
+    """
+
+    __slots__ = ("element",)
+
+    element: Element
+
+    @property
+    def span(self) -> Span:
+        """Return where it is written: the key or tag that made it."""
+        return self.element.span
+
+    def span_of(self, attribute: str) -> Span:
+        """Return where the value of an attribute is written, or else the whole."""
+        return self.element.value_span(attribute)
+
+    def written(self, attribute: str) -> str | None:
+        """Return an attribute as it is written in URDF, or None if it is not."""
+        return attribute_text(self.element, attribute)
+
+    def inner(self, name: str) -> Element | None:
+        """Return the first element of a name inside; parsers of URDF read no other."""
+        return child_named(self.element, name)
+
+    def trace_in(self, owner: Link | Joint) -> Step | None:
+        """Return the calls and includes that led to it, as part of a link or joint."""
+        return owner.trace if self.element.trace is INHERITED else self.element.trace
