@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from ..syntax.forms import Form
     from ..xml.tree import Node, Shared
     from .joint import CommonJoint
+    from .mirror import Mirror
     from .patterns import Pattern
 
     Product = TypeVar("Product", Element, list[Node])
@@ -40,6 +41,7 @@ class Lowering:
             part.
         told: how often something was reported so far.
         trace: the calls and includes that led to the part that is being lowered.
+        pending: the mirrors whose image is made once names are resolved, inner ones first.
         part_links: the link of each part, by the part's name.
         part_joints: the joint of each part, by the part's name.
     """
@@ -58,6 +60,7 @@ class Lowering:
         "part_joints",
         "part_links",
         "patterns",
+        "pending",
         "reporter",
         "resolve_mesh",
         "shared",
@@ -90,6 +93,7 @@ class Lowering:
         self.mimics: list[Element] = []
         self.part_links: dict[str, str] = {}
         self.part_joints: dict[str, str] = {}
+        self.pending: list[Mirror] = []
         self._reported: set[object] = set()
         self.told = 0
         self.trace: Frame | None = None

@@ -89,6 +89,12 @@ def lower(
     if lowering.errors:
         raise YamaroError(lowering.errors)
     _resolve_names(lowering, robot)
+    if lowering.pending:
+        from .words import finish_words
+
+        finish_words(lowering, robot)
+        if lowering.errors:
+            raise YamaroError(lowering.errors)
     return robot
 
 
@@ -161,6 +167,15 @@ def _rebuilt(
         else:
             children.append(child)
     return element.with_children(children)
+
+
+def lower_nodes(lowering: Lowering, nodes: list[Node]) -> list[Node]:
+    """Return nodes that stand where parts may, with the parts lowered."""
+    holder = Element("robot", nodes[0].span, children=nodes) if nodes else None
+    if holder is None:
+        return []
+    made = _rebuilt(lowering, holder, _places_of_parts(holder), is_root=True).children
+    return [lowering.outermost(node) if isinstance(node, Element) else node for node in made]
 
 
 def _warn_of_place(lowering: Lowering, owner: Element, part: Element) -> None:

@@ -6,12 +6,17 @@ from ..diagnostics import failure
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from ..xml.tree import Node, RobotWord
+    from ..xml.tree import Element, Node, RobotWord
     from .lowering import Lowering
 
 
 def lower_word(lowering: Lowering, word: RobotWord, out: list[Node]) -> None:
     """Append what a word makes; record what is wrong, and go on."""
+    if word.name == "mirror":
+        from .mirror import lower_mirror
+
+        lower_mirror(lowering, word, out)
+        return
     lowering.absorb(
         failure(
             "misplaced-statement",
@@ -21,3 +26,11 @@ def lower_word(lowering: Lowering, word: RobotWord, out: list[Node]) -> None:
             trace=word.trace,
         )
     )
+
+
+def finish_words(lowering: Lowering, robot: Element) -> None:
+    """Work out what needs the whole robot, with the names in it resolved."""
+    if lowering.pending:
+        from .mirror import make_images
+
+        make_images(lowering, robot)

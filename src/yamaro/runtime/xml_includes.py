@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from ..diagnostics import INHERITED, did_you_mean, failure
 from ..xml.reader import CData, read_xml
+from ..xml.robot_names import rename
 from ..xml.tree import Element, IncludedRobot, Text
 from ..xml.values import format_value
-from .xml_names import rename
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

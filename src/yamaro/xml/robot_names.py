@@ -1,15 +1,15 @@
-"""Puts a prefix before the names in a URDF, so that a robot can be included several times."""
+"""Changes the names in a URDF wherever they stand, so that a robot can be there several times."""
 
 from __future__ import annotations
 
 import re
 
-from ..xml.tree import Element, Text
-from ..xml.values import format_value
+from .tree import Element, Text
+from .values import format_value
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Callable, Iterator, Sequence
 
 _BODIES = ("link", "joint")
 _REFERS = re.compile("link|joint|frame|body|reference|parent|child|mimic", re.IGNORECASE)
@@ -24,36 +24,41 @@ def rename(root: Element, prefix: str) -> None:
 
     Also where they are referred to; materials are another matter.
     """
-    bodies = {_name(element) for element in root.elements() if element.name in _BODIES}
-    devices = {_name(element) for element in _below(root) if element.name in _DEVICES}
-    names = _Names(prefix, bodies, devices)
-    for element in _below(root):
-        names.rename(element)
+    RobotNames(root.elements()).rename(root.elements(), lambda name: prefix + name)
 
 
-class _Names:
-    """Knows what is named in a robot."""
+class RobotNames:
+    """The names that some elements of a robot give, and where they are referred to."""
 
-    __slots__ = ("_bodies", "_devices", "_prefix")
+    __slots__ = ("_bodies", "_devices")
 
-    def __init__(self, prefix: str, bodies: set[str], devices: set[str]) -> None:
-        self._prefix = prefix
-        self._bodies = bodies
-        self._devices = devices
+    def __init__(self, elements: Sequence[Element]) -> None:
+        """Gather the names of links and joints, and of what devices these elements hold."""
+        self._bodies = {_name(element) for element in elements if element.name in _BODIES}
+        self._devices = {_name(each) for each in _below(elements) if each.name in _DEVICES}
 
-    def rename(self, element: Element) -> None:
-        """Rename an element, and what it refers to."""
+    def rename(self, elements: Sequence[Element], change: Callable[[str], str]) -> None:
+        """Change the names in some elements and in what is below them, wherever they stand.
+
+        Args:
+            elements: what is changed.
+            change: gives the new name for one of the names that were gathered.
+        """
+        for element in _below(elements):
+            self._rename(element, change)
+
+    def _rename(self, element: Element, change: Callable[[str], str]) -> None:
         for name, value in element.attributes.items():
             known = self._named_by(element) if name == "name" else self._referred_to_by(name)
             if known:
-                element.attributes[name] = self._renamed(format_value(value), known)
+                element.attributes[name] = _renamed(format_value(value), known, change)
         known = self._referred_to_by(element.name)
         if element.name == "param":  # of ros2_control: what it is called is an attribute
             known = self._referred_to_by(_name(element))
         if known:
             for child in element.children:
                 if isinstance(child, Text):
-                    child.value = self._renamed(format_value(child.value), known)
+                    child.value = _renamed(format_value(child.value), known, change)
 
     def _named_by(self, element: Element) -> set[str]:
         if element.name in _BODIES:
@@ -66,15 +71,17 @@ class _Names:
             return self._bodies
         return self._devices if _REFERS_TO_DEVICE.search(word) else set()
 
-    def _renamed(self, text: str, known: set[str]) -> str:
-        words = text.split()
-        if not any(word in known for word in words):
-            return text
-        return " ".join([self._prefix + word if word in known else word for word in words])
+
+def _renamed(text: str, known: set[str], change: Callable[[str], str]) -> str:
+    words = text.split()
+    if not any(word in known for word in words):
+        return text
+    return " ".join([change(word) if word in known else word for word in words])
 
 
-def _below(root: Element) -> Iterator[Element]:
-    pending = root.elements()
+def _below(elements: Sequence[Element]) -> Iterator[Element]:
+    """Give elements and all that is below them."""
+    pending = list(elements)
     while pending:
         element = pending.pop()
         yield element

@@ -1,0 +1,498 @@
+"""Lowers `mirror`: its body, and its image once the names in the robot are resolved."""
+
+from __future__ import annotations
+
+from ..diagnostics import YamaroError, did_you_mean, failure
+from ..model.rotations import ZERO, multiply, rotate, rotation_from_rpy, rpy_from_rotation
+from ..xml.robot_names import RobotNames
+from ..xml.tree import Element, Text
+from ..xml.values import format_value
+from .mirror_image import (
+    PLANES,
+    copy_of,
+    holds_pose,
+    meshes_of,
+    mirror_link,
+    mirror_origin,
+    mirrored_axis,
+    reverse,
+    reverse_mimic,
+    set_axis,
+    turn_mesh,
+)
+from .numbers import format_component
+from .word_renaming import WordRenaming
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from ..model.rotations import Rotation, Vector
+    from ..source import Span
+    from ..xml.tree import Node, RobotWord
+    from .lowering import Lowering
+
+KEYS = ("plane", "of", "rename", "axes", "meshes", "body")
+IDENTITY: Rotation = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
+TILTED = 1e-9
+"""How far an axis may be from its image and still count as the same."""
+
+
+class Mirror(Element):
+    """What a `mirror` leaves in the tree until its image is made.
+
+    Attributes:
+        normal: the number of the axis that the plane is normal to.
+        of: the key that names the link whose plane it is, or None.
+        renaming: how names change.
+        keeps_axes: whether an axis whose image is its opposite is kept.
+        meshes: "scale", "same", or the file that replaces each.
+        made: what the body made.
+    """
+
+    __slots__ = ("keeps_axes", "made", "meshes", "normal", "of", "renaming")
+
+    def __init__(self, word: RobotWord) -> None:
+        """Read nothing yet; these are the defaults."""
+        super().__init__("mirror", word.span, trace=word.trace)
+        self.normal = PLANES["xz"]
+        self.of: Element | None = None
+        self.renaming = WordRenaming({})
+        self.keeps_axes = True
+        self.meshes: str | dict[str, str] = "scale"
+        self.made: list[Node] = []
+
+
+def lower_mirror(lowering: Lowering, word: RobotWord, out: list[Node]) -> None:
+    """Append what the body of a `mirror` makes, and what holds the place of its image."""
+    mirror = Mirror(word)
+    try:
+        _read_keys(mirror, word)
+    except YamaroError as error:
+        lowering.absorb(error)
+        return
+    mirror.trace = lowering.trace
+    links, joints = set(lowering.part_links), set(lowering.part_joints)
+    mirror.made = _lower_body(lowering, word)
+    rename = mirror.renaming.apply
+    for name in [name for name in lowering.part_links if name not in links]:
+        lowering.part_links.setdefault(rename(name), rename(lowering.part_links[name]))
+    for name in [name for name in lowering.part_joints if name not in joints]:
+        lowering.part_joints.setdefault(rename(name), rename(lowering.part_joints[name]))
+    lowering.pending.append(mirror)
+    out += mirror.made
+    out.append(mirror)
+
+
+def _lower_body(lowering: Lowering, word: RobotWord) -> list[Node]:
+    from .part import lower_nodes
+
+    nodes = next((key.children for key in word.elements() if key.name == "body"), [])
+    return lower_nodes(lowering, nodes)
+
+
+# --- its keys ---------------------------------------------------------------------------------
+
+
+def _read_keys(mirror: Mirror, word: RobotWord) -> None:
+    has_names = False
+    for key in word.elements():
+        if key.name == "plane":
+            mirror.normal = PLANES[_choice(key, tuple(PLANES))]
+        elif key.name == "of":
+            mirror.of = key
+        elif key.name == "axes":
+            mirror.keeps_axes = _choice(key, ("keep", "mirror")) == "keep"
+        elif key.name == "meshes":
+            words = _words(key)
+            mirror.meshes = words or _choice(key, ("scale", "same"))
+        elif key.name == "rename":
+            has_names = True
+            mirror.renaming = WordRenaming(_words(key))
+        elif key.name != "body":
+            raise failure(
+                "unknown-key",
+                f"`mirror` has no entry '{key.name}'",
+                key.span,
+                hint=did_you_mean(key.name, KEYS) or f"its entries are {', '.join(KEYS)}",
+                trace=word.trace,
+            )
+    if not has_names:
+        raise failure(
+            "missing-key",
+            "`mirror` needs an entry `rename`",
+            word.span,
+            hint="write rename: {left: right}, which names the mirrored links and joints",
+            trace=word.trace,
+        )
+
+
+def _choice(key: Element, choices: tuple[str, ...]) -> str:
+    text = key.text().strip()
+    if text not in choices or key.elements():
+        raise failure(
+            "bad-choice",
+            f"'{key.name}' is one of {', '.join(choices)}, and '{text}' is none of them",
+            _place(key),
+            hint=did_you_mean(text, choices) or f"write {key.name}: {choices[0]}",
+            trace=key.trace,
+        )
+    return text
+
+
+def _words(key: Element) -> dict[str, str]:
+    """Return the pairs of a mapping under a key; none if it is a text."""
+    words: dict[str, str] = {}
+    for child in key.elements():
+        words[child.name] = child.text().strip()
+        if not words[child.name]:
+            raise failure(
+                "missing-value",
+                f"nothing replaces '{child.name}'",
+                child.span,
+                hint=f"write {key.name}: {{{child.name}: …}}",
+                trace=key.trace,
+            )
+    return words
+
+
+def _place(key: Element) -> Span:
+    texts = [child for child in key.children if isinstance(child, Text)]
+    return texts[0].span if texts else key.span
+
+
+# --- the image --------------------------------------------------------------------------------
+
+
+def make_images(lowering: Lowering, robot: Element) -> None:
+    """Put the image of each mirror where it belongs, inner ones first."""
+    images: dict[int, list[Node]] = {}
+    links = _all_links(lowering, robot)
+    for mirror in lowering.pending:
+        entered = lowering.enter(mirror)
+        made = _with_images(mirror.made, images)
+        images[id(mirror)] = _Image(lowering, mirror, made, robot, links).nodes()
+        lowering.leave(entered)
+    robot.children = _with_images(robot.children, images)
+
+
+def _with_images(nodes: list[Node], images: dict[int, list[Node]]) -> list[Node]:
+    found: list[Node] = []
+    for node in nodes:
+        if isinstance(node, Mirror):
+            found += images[id(node)]
+        else:
+            found.append(node)
+    return found
+
+
+def _all_links(lowering: Lowering, robot: Element) -> set[str]:
+    """Return the names of all links, those of images among them."""
+    names = {_name(each) for each in robot.elements() if each.name == "link"}
+    for mirror in lowering.pending:
+        own = _own_links(lowering, mirror)
+        names |= {mirror.renaming.apply(name) for name in own}
+    return names
+
+
+def _own_links(lowering: Lowering, mirror: Mirror) -> set[str]:
+    names: set[str] = set()
+    for node in mirror.made:
+        if isinstance(node, Mirror):
+            names |= {node.renaming.apply(name) for name in _own_links(lowering, node)}
+        elif isinstance(node, Element) and node.name == "link":
+            names.add(_name(node))
+    return names
+
+
+class _Image:
+    """Makes one image."""
+
+    __slots__ = ("joints", "links", "lowering", "made", "mirror", "robot", "signs", "there")
+
+    def __init__(
+        self,
+        lowering: Lowering,
+        mirror: Mirror,
+        made: list[Node],
+        robot: Element,
+        there: set[str],
+    ) -> None:
+        self.lowering = lowering
+        self.mirror = mirror
+        self.robot = robot
+        self.there = there
+        self.made = [node for node in made if isinstance(node, Element)]
+        self.links = {_name(each) for each in self.made if each.name == "link"}
+        self.joints = {_name(each) for each in self.made if each.name == "joint"}
+        self.signs: dict[str, int] = {}
+
+    def nodes(self) -> list[Node]:
+        """Return the mirrored elements, with their new names."""
+        self._check_roots()
+        kept = [element for element in self.made if element.name != "material"]
+        copies = [copy_of(element) for element in kept]
+        for copy in copies:
+            if copy.name == "joint":
+                self._mirror_joint(copy)
+        for copy in copies:
+            if copy.name == "joint":
+                self._mirror_mimic(copy)
+            elif copy.name == "link":
+                self._mirror_link(copy)
+            else:
+                self._warn_of_poses(copy)
+        RobotNames(kept).rename(copies, self.mirror.renaming.apply)
+        for original, copy in zip(kept, copies, strict=True):
+            self._check_name(original, copy)
+        return list(copies)
+
+    # --- links ---
+
+    def _mirror_link(self, link: Element) -> None:
+        normal = self.mirror.normal
+        mirror_link(link, normal)
+        for section in link.elements():
+            name = section.attributes.get("name")
+            if name is not None:
+                section.attributes["name"] = self.mirror.renaming.apply(format_value(name))
+            if section.name not in ("inertial", "visual", "collision"):
+                self._warn_of_poses(section)
+        for mesh in meshes_of(link):
+            if self.mirror.meshes == "scale":
+                turn_mesh(mesh, normal)
+            elif isinstance(self.mirror.meshes, dict):
+                self._replace_mesh(mesh, self.mirror.meshes)
+
+    def _replace_mesh(self, mesh: Element, files: dict[str, str]) -> None:
+        """Replace a mesh file by the one that is given for it, by its path or its last name."""
+        path = format_value(mesh.attributes.get("filename"))
+        folder, slash, name = path.rpartition("/")
+        other = files.get(path)
+        if other is None and name in files:
+            other = files[name] if "/" in files[name] else folder + slash + files[name]
+        if other is not None:
+            mesh.attributes["filename"] = other
+            return
+        self.lowering.absorb(
+            failure(
+                "mirror-mesh",
+                f"'meshes' does not say what replaces '{name}'",
+                mesh.value_span("filename"),
+                hint=f"add {name}: to 'meshes', with the file of its mirror image or its own name",
+                trace=mesh.trace,
+            )
+        )
+
+    def _warn_of_poses(self, element: Element) -> None:
+        if holds_pose(element):
+            self.lowering.warn(
+                "mirror-raw",
+                f"<{element.name}> holds a pose, which is copied as it is",
+                element.span,
+                hint="`mirror` changes poses of links, joints and shapes; write the mirrored "
+                "element beside it",
+                trace=element.trace,
+            )
+
+    # --- joints ---
+
+    def _mirror_joint(self, joint: Element) -> None:
+        name = _name(joint)
+        self.signs[name] = 1
+        parent = next((each for each in joint.elements() if each.name == "parent"), None)
+        if parent is not None and _link_of(parent) not in self.links:
+            self._mirror_root(joint, parent)
+        else:
+            mirror_origin(joint, self.mirror.normal)
+        axes = mirrored_axis(joint, self.mirror.normal)
+        if axes is None or _same(*axes):
+            return
+        axis, image = axes
+        if not self.mirror.keeps_axes:
+            set_axis(joint, image)
+        elif _same(axis, image, sign=-1):
+            self.signs[name] = -1
+            reverse(joint)
+        else:
+            set_axis(joint, image)
+            self.lowering.warn(
+                "mirror-axis",
+                f"the axis of '{name}' is tilted to the plane, so that of its image is {image}",
+                joint.span,
+                hint="write axes: mirror to mirror all axes, which says that this is meant",
+                trace=joint.trace,
+            )
+
+    def _mirror_root(self, joint: Element, parent: Element) -> None:
+        """Mirror a joint whose parent is outside of the body, in the plane of that or of `of`."""
+        old = _link_of(parent)
+        new = self.mirror.renaming.apply(old)
+        if new in self.there:
+            parent.attributes["link"] = new
+        if self.mirror.of is None:
+            mirror_origin(joint, self.mirror.normal)
+            return
+        try:
+            pose = self._pose_of_plane(self.mirror.of, old)
+        except YamaroError as error:
+            self.lowering.absorb(error)
+            return
+        _mirror_in(joint, pose, self.mirror.normal)
+
+    def _pose_of_plane(self, key: Element, parent: str) -> tuple[Rotation, Vector]:
+        """Return the pose of a joint's parent in the frame of the link that `of` names."""
+        name = key.text().strip()
+        link = name if name in self.there else self.lowering.part_links.get(name)
+        if link is None:
+            known = (*self.there, *self.lowering.part_links)
+            raise failure(
+                "unknown-link",
+                f"'of' names '{name}', and there is no such link or part",
+                _place(key),
+                hint=did_you_mean(name, known) or "name the link whose plane it is",
+                trace=key.trace,
+            )
+        top_of, pose_of = _rigid_root(self.robot, link)
+        top_parent, pose_parent = _rigid_root(self.robot, parent)
+        if top_of != top_parent:
+            raise failure(
+                "mirror-parent",
+                f"'of' names '{name}', which moves against '{parent}', the parent of the body",
+                _place(key),
+                hint=f"name a link that is rigidly joined to '{parent}', or leave 'of' out",
+                trace=key.trace,
+            )
+        return _composed(_inverted(pose_of), pose_parent)
+
+    def _mirror_mimic(self, joint: Element) -> None:
+        for mimic in joint.elements():
+            if mimic.name == "mimic":
+                leader = format_value(mimic.attributes.get("joint"))
+                sign = self.signs.get(leader, 1)
+                reverse_mimic(joint, follower=self.signs[_name(joint)], leader=sign)
+
+    # --- what cannot be mirrored ---
+
+    def _check_name(self, original: Element, copy: Element) -> None:
+        if original.name not in ("link", "joint") or _name(original) != _name(copy):
+            return
+        self.lowering.absorb(
+            failure(
+                "mirror-name",
+                f"the {original.name} '{_name(original)}' has no word that 'rename' replaces, "
+                "so its image would have the same name",
+                original.value_span("name"),
+                hint="name it with one of the words, such as left_…, or add a word to 'rename'",
+                trace=original.trace,
+            )
+        )
+
+    def _check_roots(self) -> None:
+        children = {
+            _link_of(child)
+            for joint in self.made
+            if joint.name == "joint"
+            for child in joint.elements()
+            if child.name == "child"
+        }
+        for link in self.made:
+            if link.name == "link" and _name(link) not in children:
+                self.lowering.absorb(
+                    failure(
+                        "mirror-parent",
+                        f"the link '{_name(link)}' has no parent, so there is no plane to mirror "
+                        "it in",
+                        link.value_span("name"),
+                        hint="join it to a link outside of `mirror`, or move it out of the body",
+                        trace=link.trace,
+                    )
+                )
+
+
+def _same(one: str, other: str, *, sign: int = 1) -> bool:
+    try:
+        pairs = zip(map(float, one.split()), map(float, other.split()), strict=True)
+        return all(abs(a - sign * b) <= TILTED for a, b in pairs)
+    except ValueError:
+        return False
+
+
+def _name(element: Element) -> str:
+    return format_value(element.attributes.get("name"))
+
+
+def _link_of(reference: Element) -> str:
+    return format_value(reference.attributes.get("link"))
+
+
+# --- poses ------------------------------------------------------------------------------------
+
+_Pose = tuple["Rotation", "Vector"]
+
+
+def _mirror_in(joint: Element, plane: _Pose, normal: int) -> None:
+    """Mirror a joint's origin in a plane of another link, which is rigidly joined to its parent.
+
+    With T_plane_parent, the image is T_plane_parent⁻¹ · S · T_plane_parent · T_parent_joint · S.
+    """
+    origin = next((each for each in joint.elements() if each.name == "origin"), None)
+    if origin is None:
+        origin = Element("origin", joint.span, {"xyz": "0 0 0", "rpy": "0 0 0"}, trace=joint.trace)
+        joint.children.append(origin)
+    rotation, position = _composed(plane, _pose_of(origin))
+    mirrored = (
+        tuple(
+            tuple(-x if (row == normal) != (column == normal) else x for column, x in enumerate(r))
+            for row, r in enumerate(rotation)
+        ),
+        tuple(-x if row == normal else x for row, x in enumerate(position)),
+    )
+    rotation, position = _composed(_inverted(plane), mirrored)  # type: ignore[arg-type]
+    origin.attributes["xyz"] = " ".join(map(format_component, position))
+    origin.attributes["rpy"] = " ".join(map(format_component, rpy_from_rotation(rotation)))
+
+
+def _pose_of(origin: Element | None) -> _Pose:
+    if origin is None:
+        return IDENTITY, ZERO
+    roll, pitch, yaw = _row(origin, "rpy")
+    return rotation_from_rpy(roll, pitch, yaw), _row(origin, "xyz")
+
+
+def _row(origin: Element, name: str) -> Vector:
+    words = format_value(origin.attributes.get(name) or "0 0 0").split()
+    try:
+        x, y, z = map(float, words)
+    except ValueError:
+        return ZERO
+    return x, y, z
+
+
+def _composed(outer: _Pose, inner: _Pose) -> _Pose:
+    x, y, z = rotate(outer[0], inner[1])
+    a, b, c = outer[1]
+    return multiply(outer[0], inner[0]), (a + x, b + y, c + z)
+
+
+def _inverted(pose: _Pose) -> _Pose:
+    (a, b, c), (d, e, f), (g, h, i) = pose[0]
+    rotation = ((a, d, g), (b, e, h), (c, f, i))
+    x, y, z = rotate(rotation, pose[1])
+    return rotation, (-x, -y, -z)
+
+
+def _rigid_root(robot: Element, link: str) -> tuple[str, _Pose]:
+    """Return the first link that a link is rigidly joined to, going up, and the pose in it."""
+    above: dict[str, tuple[str, Element]] = {}
+    for joint in robot.elements():
+        if joint.name == "joint" and format_value(joint.attributes.get("type")) == "fixed":
+            ends = {each.name: _link_of(each) for each in joint.elements()}
+            if "parent" in ends and "child" in ends:
+                above[ends["child"]] = (ends["parent"], joint)
+    pose: _Pose = (IDENTITY, ZERO)
+    seen: set[str] = set()
+    while link in above and link not in seen:
+        seen.add(link)
+        link, joint = above[link]
+        origin = next((each for each in joint.elements() if each.name == "origin"), None)
+        pose = _composed(_pose_of(origin), pose)
+    return link, pose
