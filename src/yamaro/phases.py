@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from .diagnostics import Reporter
 from .runtime.unread import warn_of_unread, warn_of_unread_includes
+from .runtime.yaml_main import run_yaml_main
 from .xml.tree import Element
 
 TYPE_CHECKING = False
@@ -30,8 +31,8 @@ def evaluate(request: Request, interpreter: Interpreter) -> Element:
         if not is_xacro:
             warn_of_unread(places, interpreter.files, reporter)
         return root
-    root = interpreter.run_main(
-        request.source, stem=request.stem, variables=variables, places=places
+    root = run_yaml_main(
+        interpreter, request.source, stem=request.stem, variables=variables, places=places
     )
     warn_of_unread(places, interpreter.files, reporter)
     warn_of_unread_includes(interpreter.passed.values(), interpreter.files, reporter)

@@ -6,6 +6,7 @@ from .diagnostics import Reporter, YamaroError
 from .phases import check, evaluate, lower
 from .result import Build, Finished
 from .runtime.interpreter import Interpreter
+from .runtime.statements import HANDLERS
 from .xml.tree import unshared
 from .xml.writer import write_pieces
 
@@ -35,6 +36,7 @@ def compile_request(
     """
     reporter, finder = request.reporter, request.paths.finder
     interpreter = Interpreter(
+        HANDLERS,
         library=library,
         reporter=reporter,
         on_message=say,

@@ -6,13 +6,22 @@ from ..diagnostics import Frame, YamaroError, did_you_mean, failure
 from ..safe.namespace import MISSING, Namespace
 from ..source import Span
 from ..syntax.names import STATEMENTS
-from ..syntax.nodes import Argument, Body, Constant, FunctionNode, Value
+from ..syntax.nodes import (
+    Argument,
+    Body,
+    CallNode,
+    Constant,
+    FunctionNode,
+    InsertNode,
+    Value,
+)
 from ..syntax.python import PythonCode
 from ..syntax.statements import parse_body
 from ..syntax.template import Template
 from ..yaml.nodes import MappingNode, SequenceNode
 from .declared import Declaration, notes_on
 from .late import Late
+from .python_errors import add_trace
 from .scope import BlockScope, Scope, function_key, function_names
 from .values import Values
 from .words import count
@@ -21,6 +30,9 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
     from typing import Any
+
+    from ..xml.tree import Node
+    from .interpreter import Interpreter
 
 
 class Function:
@@ -241,3 +253,72 @@ def _bad_call(
 ) -> YamaroError:
     note = f"it is defined as {node.signature()} at {node.span.place()}"
     return failure(code, message, span, hint=hint, notes=[*notes, note])
+
+
+def run_call(
+    interpreter: Interpreter, node: CallNode, scope: Scope, out: list[Node], body: Body | None
+) -> None:
+    """Call a function or block."""
+    call(interpreter, node.name, node.arguments, node.span, scope, out)
+
+
+def run_insert(
+    interpreter: Interpreter, node: InsertNode, scope: Scope, out: list[Node], body: Body | None
+) -> None:
+    """Put out what a block that was given holds, or the default."""
+    block = scope.find(function_key(node.name))
+    if isinstance(block, Block):
+        interpreter.run_body(block.body, BlockScope(scope, block.written), out)
+    elif node.default is not None:
+        interpreter.run_body(node.default, scope, out)
+
+
+def call(
+    interpreter: Interpreter,
+    name: str,
+    arguments: list[Argument],
+    span: Span,
+    scope: Scope,
+    out: list[Node],
+) -> None:
+    """Run the body of a function or block in a context of its own.
+
+    Raises:
+        YamaroError: it is not defined, its arguments do not match, or its body has errors.
+    """
+    function = find_function(name, span, scope, interpreter.files.where_declared)
+    if isinstance(function, Block):
+        interpreter.run_body(function.body, BlockScope(scope, function.written), out)
+        return
+    if function is None:  # an optional block that was not given
+        return
+    match = interpreter.matches.get(id(arguments))
+    if match is None or match.node is not function.node:
+        match = match_arguments(function.node, arguments, span, interpreter.files.late)
+        interpreter.matches[id(arguments)] = match
+    closure = function.closure
+    callee = Scope(closure.home, interpreter.shared, closure=closure, caller=scope.context)
+    given = evaluate_arguments(match, scope, interpreter.values)
+    home, frame = closure.home.frame, match.frame
+    if (
+        frame is None
+        or frame.parent is not interpreter.frame
+        or frame.home is not home
+        or frame.name != name
+    ):
+        frame = match.frame = interpreter.step("called", name, span, home)
+        frame.places = match.places
+    interpreter.enter(frame, span)
+    try:
+        bind(match, given, callee, interpreter.values)
+        interpreter.run_body(function.node.body, callee, out)
+        if callee.kinds:
+            for key, value in callee.exported():
+                interpreter.receive(scope, key, value, span, callee.place_of(key))
+    except YamaroError as error:
+        add_trace(error, frame)
+        raise
+    except RecursionError:
+        raise interpreter.too_deep(span) from None
+    finally:
+        interpreter.leave(frame)

@@ -2,16 +2,32 @@
 
 from __future__ import annotations
 
-from ..diagnostics import failure
-from ..syntax.names import is_identifier, name_hint
-from ..syntax.nodes import IncludeNode
+from ..diagnostics import INHERITED, Frame, YamaroError, failure
+from ..safe.namespace import MISSING, Namespace
+from ..source import Span
+from ..syntax.document import Document
+from ..syntax.names import (
+    is_identifier,
+    name_hint,
+)
+from ..syntax.nodes import (
+    Body,
+    IncludeNode,
+)
+from ..xml.tree import Element, PartElement, with_trace
 from ..xml.values import format_value
+from .markup import run_element
+from .python_errors import add_trace
 from .scope import Scope
+from .unread import Passed
 from .values import Values
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
+
+    from ..xml.tree import Node
+    from .interpreter import Interpreter
 
 
 def path_of(node: IncludeNode, scope: Scope, values: Values) -> str:
@@ -60,3 +76,108 @@ def passed_by(node: IncludeNode, scope: Scope, values: Values) -> dict[str, Any]
         assert argument.value is not None
         passed[argument.name] = values.value(argument.value, scope)
     return passed
+
+
+def run_include(
+    interpreter: Interpreter, node: IncludeNode, scope: Scope, out: list[Node], body: Body | None
+) -> None:
+    """Run a file in a context of its own, and take the names that it hands back."""
+    path = path_of(node, scope, interpreter.values)
+    namespace = namespace_of(node, scope, interpreter.values)
+    passed = passed_by(node, scope, interpreter.values)
+    try:
+        source = interpreter.files.load(path, node.path_span, scope.home)
+    except YamaroError as error:
+        _trace_into(interpreter, error, node)
+        raise
+    if source.is_xml:
+        from .xml_includes import include_xml
+
+        include_xml(interpreter, node, source, passed, namespace, out)
+        return
+    context = scope.context
+    frame = interpreter.step("included", source.name, node.span, None)
+    interpreter.enter(frame, node.path_span)
+    try:
+        document = interpreter.files.parse(source)
+        if node.arguments:
+            frame.places = {each.name: each.span for each in node.arguments if each.name}
+            passed_to = Passed(node, document, frame.parent)
+            interpreter.passed.setdefault((id(node), id(document)), passed_to)
+        before = len(interpreter.shared.declared)
+        inner = interpreter.begin_file(document, caller=context)
+        for argument in node.arguments:
+            name = argument.name or ""
+            inner.declare(name, passed[name], place=argument.span)
+        inner.passed = frozenset(passed)
+        words = interpreter.run_sections(document, inner, node)
+        _run_included_model(interpreter, document, inner, out)
+        out += words
+    except YamaroError as error:
+        add_trace(error, frame)
+        raise
+    except RecursionError:
+        raise interpreter.too_deep(node.path_span) from None
+    finally:
+        interpreter.leave(frame)
+    _hand_back(interpreter, inner, scope, namespace, before, node.span)
+
+
+def _trace_into(interpreter: Interpreter, error: YamaroError, node: IncludeNode) -> None:
+    """Note the include that led to an error in a file that cannot even be read as text."""
+    name = error.diagnostics[0].span.source.name
+    if name != node.span.source.name:
+        add_trace(error, Frame("included", name, node.span, parent=interpreter.frame))
+
+
+def _run_included_model(
+    interpreter: Interpreter, document: Document, inner: Scope, out: list[Node]
+) -> None:
+    for model in document.model:
+        interpreter.run_body(model, inner, out)
+    if document.root is not None and not document.is_lone_section:
+        made: list[Node] = []
+        interpreter.element_depth -= 1
+        run_element(interpreter, document.root, inner, made, None)
+        interpreter.element_depth += 1
+        for element in made:
+            if isinstance(element, Element):
+                out += [_traced(interpreter, node) for node in element.children]
+
+
+def _traced(interpreter: Interpreter, node: Node) -> Node:
+    """Return what stands in a root element that is left out, with the trace of its own."""
+    if not isinstance(node, Element) or node.trace is not INHERITED:
+        return node
+    if isinstance(node, PartElement):  # each is made for its place
+        node.trace = interpreter.frame
+        return node
+    for child in node.children:
+        if isinstance(child, Element):
+            interpreter.builder.emit(child)
+    return with_trace(node, interpreter.frame)
+
+
+def _hand_back(
+    interpreter: Interpreter,
+    inner: Scope,
+    scope: Scope,
+    namespace: str | None,
+    before: int,
+    span: Span,
+) -> None:
+    """Bring the names of an included file to the one that included it."""
+    if namespace is None:
+        for key, value in inner.exported():
+            interpreter.receive(scope, key, value, span, inner.place_of(key))
+        return
+    context = scope.context
+    space = context.find(namespace) if namespace in context else None
+    if not isinstance(space, Namespace):
+        space = Namespace(namespace, interpreter.shared.find)
+    scope.declare(namespace, space)
+    for key, value in inner.exported():
+        interpreter.warn_of_replacement(space._get(key), value, key, span)
+        space._add(key, value)
+    for key in dict.fromkeys(interpreter.shared.declared[before:]):
+        space._add(key, MISSING)

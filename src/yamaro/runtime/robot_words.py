@@ -9,6 +9,8 @@ from __future__ import annotations
 from ..diagnostics import YamaroError
 from ..syntax.nodes import Body, TextContent
 from ..xml.tree import Element, RobotWord, Text
+from .includes import run_include
+from .markup import run_element
 from .scope import Scope
 
 TYPE_CHECKING = False
@@ -27,7 +29,7 @@ def run_robot_word(
         YamaroError: it is faulty.
     """
     if not node.is_section and not _may_hold_parts(interpreter):
-        interpreter.run_element(interpreter.files.late.element(node), scope, out, body)
+        run_element(interpreter, interpreter.files.late.element(node), scope, out, body)
         return
     if node.faults:
         raise YamaroError(fault.copy() for fault in node.faults)
@@ -57,7 +59,7 @@ def _run_item(
         content = Element("body", node.span, trace=word.trace)
         word.children.append(content)
         if item.include is not None:
-            interpreter.run_include(item.include, scope, content.children, None)
+            run_include(interpreter, item.include, scope, content.children, None)
         elif item.body is not None:
             _run_body(interpreter, node, item.body, scope, content.children)
     interpreter.is_inside, interpreter.holder = before

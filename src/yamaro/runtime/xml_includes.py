@@ -2,19 +2,27 @@
 
 from __future__ import annotations
 
-from ..diagnostics import INHERITED, did_you_mean, failure
+from ..diagnostics import INHERITED, Frame, YamaroError, did_you_mean, failure
+from ..source import Source, Span
+from ..syntax.nodes import (
+    IncludeNode,
+)
 from ..xml.reader import CData, read_xml
 from ..xml.robot_names import rename
 from ..xml.tree import Element, IncludedRobot, Text
 from ..xml.values import format_value
+from .python_errors import add_trace
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from typing import Any
+
     from ..diagnostics import Frame, YamaroError
     from ..policy import Limits
     from ..source import Source, Span
     from ..syntax.nodes import IncludeNode
     from ..xml.tree import Node
+    from .interpreter import Interpreter
 
 
 def read_included(source: Source, limits: Limits) -> tuple[Element, bool]:
@@ -167,3 +175,87 @@ def _tidy(root: Element, trace: Frame = INHERITED) -> None:
 
 def _is_space(node: Node) -> bool:
     return isinstance(node, Text) and not format_value(node.value).strip()
+
+
+def include_xml(
+    interpreter: Interpreter,
+    node: IncludeNode,
+    source: Source,
+    passed: dict[str, Any],
+    namespace: str | None,
+    out: list[Node],
+) -> None:
+    """Put out what an XML file holds: URDF as it is, or what a xacro file expands to.
+
+    Args:
+        interpreter: the conversion.
+        node: the include.
+        source: the file.
+        passed: the variables passed to it.
+        namespace: the namespace that was asked for.
+        out: takes what it holds.
+
+    Raises:
+        YamaroError: the file has errors, or may not be passed this.
+    """
+    frame = interpreter.step("included", source.name, node.span, None)
+    try:
+        root, is_xacro = read_included(source, interpreter.limits)
+    except YamaroError as error:
+        add_trace(error, frame)
+        raise
+    check_xml_include(node, is_xacro=is_xacro)
+    if is_xacro and interpreter.safety is not None and not interpreter.policy.is_confined:
+        raise xacro_in_safe_mode(node.path_span)
+    interpreter.enter(frame, node.path_span)
+    try:
+        if is_xacro:
+            root = _expanded(interpreter, root, passed, node, namespace, frame)
+            mark_included(root, "")
+            content = root.children
+        else:
+            content = xml_content(
+                root, passed.get("prefix"), frame, is_inside=interpreter.is_inside
+            )
+        declare_prefixes(root, content)
+        out += content
+    except YamaroError as error:
+        add_trace(error, frame)
+        raise
+    finally:
+        interpreter.leave(frame)
+
+
+def _expanded(
+    interpreter: Interpreter,
+    root: Element,
+    passed: dict[str, Any],
+    node: IncludeNode,
+    namespace: str | None,
+    frame: Frame,
+) -> Element:
+    """Return the root of what a xacro file expands to, given its own."""
+    from ..xacro.expansion import expand
+    from .xacro_host import XacroHost
+
+    source = root.span.source
+    host = XacroHost(
+        interpreter.files,
+        interpreter.messages,
+        interpreter.limits,
+        main=source,
+        has_environment=interpreter.safety is None,
+    )
+    arguments = {
+        argument.name: interpreter.evaluator.text(
+            format_value, passed[argument.name], argument.span
+        )
+        for argument in node.arguments
+        if argument.name is not None
+    }
+    if node.namespace is not None:
+        arguments["namespace"] = str(namespace)
+    places = {each.name: each.span for each in node.arguments if each.name is not None}
+    return expand(
+        source, host, arguments, interpreter.reporter, root=root, frame=frame, places=places
+    )
