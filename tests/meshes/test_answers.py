@@ -30,7 +30,7 @@ def square() -> Surface:
 def sent(surface: Surface) -> list[Surface]:
     from yamaro.sandbox.jail.packing import pack
 
-    return unpacked(pack([b"s", _packed(surface)]))
+    return unpacked(pack([b"s", b"", _packed(surface)]))
 
 
 def test_a_surface_comes_through_whole() -> None:

@@ -23,7 +23,7 @@ from tests.hostile.hostile_meshes import (
 from yamaro.files.readable import Reach
 from yamaro.meshes.answers import read_packed, unpacked
 from yamaro.meshes.formats import MeshFileError
-from yamaro.meshes.surfaces import Surface
+from yamaro.meshes.surfaces import MeshSurfaces
 from yamaro.meshes.triangles import read_mesh
 
 posix = pytest.mark.skipif(sys.platform == "win32", reason="needs FIFOs and links")
@@ -40,7 +40,7 @@ def folder(tmp_path: Path) -> Path:
     return inner
 
 
-def surfaces(path: Path) -> list[Surface]:
+def surfaces(path: Path) -> MeshSurfaces:
     return unpacked(read_packed(str(path), Reach([str(path.parent)]).allows))
 
 
@@ -82,10 +82,12 @@ def test_a_hostile_texture_is_left_out(name: str, kind: str, folder: Path) -> No
     (folder / "m.mtl").write_bytes(TEXTURED_MTL)
     (folder / "wood.png").write_bytes(TEXTURES[name])
     try:
-        (surface,) = surfaces(path)
+        found = surfaces(path)
     except MeshFileError:  # it is broken within
         return
+    (surface,) = found
     assert surface.texture is None
+    assert found.refused[0].startswith("the texture 'wood.png' " if kind == "obj" else "a texture ")
 
 
 @pytest.mark.parametrize("name", ["EPS", "EPS with a preview"])

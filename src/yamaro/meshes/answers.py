@@ -13,7 +13,8 @@ import numpy as np
 from ..sandbox.jail.limits import JailAnswerBroken
 from ..sandbox.jail.packing import pack, unpack
 from .formats import MeshFileError, MissingLibraryError
-from .surfaces import Surface, check_surface, read_surfaces
+from .library import MOST_REFUSED
+from .surfaces import MeshSurfaces, Surface, check_surface, read_surfaces
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -31,7 +32,8 @@ def read_packed(path: str, allows: Callable[[str], bool] | None) -> bytes:
     """Return what a mesh file holds, or why it cannot be read, as bytes."""
     try:
         surfaces = read_surfaces(path, allows)
-        return pack([_SURFACES, *map(_packed, surfaces)])
+        refused = "\n".join(surfaces.refused).encode("utf-8", "replace")
+        return pack([_SURFACES, refused, *map(_packed, surfaces)])
     except MissingLibraryError as error:
         return _reason(_MISSING, str(error))
     except MeshFileError as error:
@@ -42,7 +44,7 @@ def read_packed(path: str, allows: Callable[[str], bool] | None) -> bytes:
         return _reason(_FAULT, f"it is broken: {error}")
 
 
-def unpacked(data: bytes) -> list[Surface]:
+def unpacked(data: bytes) -> MeshSurfaces:
     """Return the surfaces that some bytes hold.
 
     Raises:
@@ -56,9 +58,10 @@ def unpacked(data: bytes) -> list[Surface]:
             raise MeshFileError(parts[0].decode("utf-8", "replace"))
         if kind == _MISSING:
             raise MissingLibraryError(parts[0].decode("utf-8", "replace"))
-        if kind != _SURFACES or not parts:
+        if kind != _SURFACES or len(parts) < 2:
             raise ValueError(kind)
-        return [_unpacked(part) for part in parts]
+        refused = parts[0][:_LONGEST_REASON].decode("utf-8", "replace").splitlines()
+        return MeshSurfaces(map(_unpacked, parts[1:]), refused[:MOST_REFUSED])
     except (ValueError, IndexError) as error:
         raise JailAnswerBroken(f"the answer is none: {error}") from None
 

@@ -37,6 +37,8 @@ if TYPE_CHECKING:
 MOST_PIXELS = 64 << 20
 """Pixels of an image that is decoded."""
 MOST_TRIANGLES = 20_000_000
+MOST_REFUSED = 8
+"""Textures that are named when they are left out."""
 OWN_IMAGE = "of the file"
 """Marks an image that was read: trimesh makes up one where a material is missing."""
 _LOGGERS = ("trimesh", "collada", "PIL")
@@ -73,6 +75,7 @@ def read_bodies(
     allows: Callable[[str], bool] | None,
     *,
     has_colors: bool = False,
+    refused: list[str] | None = None,
 ) -> list[Body]:
     """Return the bodies in the bytes of a mesh file.
 
@@ -82,17 +85,22 @@ def read_bodies(
         path: the file, beside which the others lie that it names.
         allows: tells whether another file may be read; None allows all.
         has_colors: whether materials and textures are read too.
+        refused: takes a clause for each texture that is left out.
 
     Raises:
         MeshFileError: it cannot be read, or is out of bounds.
         MissingLibraryError: a library is not installed.
     """
-    with quiet_libraries():
+    companions = Companions(path, allows)
+    with quiet_libraries(companions):
         try:
             import trimesh  # noqa: F401 - that it is missing comes first
 
             check_bounds(data, kind)
-            return _read(data, kind, Companions(path, allows), has_colors)
+            bodies = _read(data, kind, companions, has_colors)
+            if refused is not None:
+                refused += companions.refused
+            return bodies
         except ImportError as error:
             raise MissingLibraryError(error.name or str(error)) from error
         except (MeshFileError, OSError, MemoryError):
@@ -146,12 +154,18 @@ def _metres(scene: Any) -> float:
 
 
 class Companions:
-    """The other files that a mesh names: beside it, or wherever it may read."""
+    """The other files that a mesh names: beside it, or wherever it may read.
+
+    Attributes:
+        refused: a clause for each texture that is left out.
+    """
 
     def __init__(self, path: str, allows: Callable[[str], bool] | None) -> None:
         """Look beside the file at `path`; of files that `allows` refuses none is opened."""
         self._folder = os.path.dirname(path)
         self._allows = allows
+        self._last = ("", b"")
+        self.refused: list[str] = []
 
     def read(self, name: str) -> bytes:
         """Return the bytes of another file; raise MeshFileError if there are none to be had."""
@@ -161,11 +175,19 @@ class Companions:
                 if self._allows is not None and not self._allows(target):
                     break
                 try:
-                    return read_start(target, LARGEST_FILE)
+                    self._last = (spelling, read_start(target, LARGEST_FILE))
+                    return self._last[1]
                 except OSError:
                     break
         name = name if len(name) <= 80 else f"{name[:80]}…"
         raise MeshFileError(f"the file '{name}' that it names is not there, or may not be read")
+
+    def note_refused(self, image: bytes, reason: str) -> None:
+        """Note why an image is left out, with its name if it was the last file read."""
+        name, data = self._last
+        texture = f"the texture '{name[:80]}'" if name and data == image else "a texture"
+        if len(self.refused) < MOST_REFUSED:
+            self.refused.append(f"{texture} {reason}")
 
     def resolver(self) -> Any:
         """Return this as what trimesh asks for other files."""
@@ -198,7 +220,7 @@ class Companions:
 
 
 @contextmanager
-def quiet_libraries() -> Iterator[None]:
+def quiet_libraries(companions: Companions) -> Iterator[None]:
     """Let libraries log and warn of nothing, and open no images but of known formats."""
     import logging
     import warnings
@@ -208,7 +230,7 @@ def quiet_libraries() -> Iterator[None]:
     for logger in loggers:
         logger.setLevel(_SILENT)
     try:
-        with warnings.catch_warnings(), np.errstate(all="ignore"), _known_images():
+        with warnings.catch_warnings(), np.errstate(all="ignore"), _known_images(companions):
             warnings.simplefilter("ignore")
             yield
     finally:
@@ -217,7 +239,7 @@ def quiet_libraries() -> Iterator[None]:
 
 
 @contextmanager
-def _known_images() -> Iterator[None]:
+def _known_images(companions: Companions) -> Iterator[None]:
     try:
         import PIL.Image
     except ImportError:
@@ -227,7 +249,15 @@ def _known_images() -> Iterator[None]:
     usual = module.open
 
     def open_known(file: Any, *_: object, **__: object) -> Any:
-        return open_image(file.read(), usual)
+        data = file.read()
+        try:
+            return open_image(data, usual)
+        except MeshFileError as error:
+            companions.note_refused(data, str(error))
+            raise
+        except Exception:
+            companions.note_refused(data, "is broken")
+            raise
 
     module.open = open_known
     try:
@@ -246,10 +276,10 @@ def open_image(data: bytes, usual: Callable[..., Any]) -> Any:
 
     kind = image_format(data[:64])
     if kind not in IMAGE_FORMATS:
-        raise MeshFileError("a texture has no format that is read")
+        raise MeshFileError("has no format that is read")
     image = usual(BytesIO(data), formats=[kind.upper()])
     width, height = image.size
     if not 0 < width * height <= MOST_PIXELS:
-        raise MeshFileError("a texture has too many pixels")
+        raise MeshFileError("has too many pixels")
     image.info[OWN_IMAGE] = True
     return image

@@ -15,7 +15,7 @@ from .library import OWN_IMAGE, Body, check_corners, read_bodies
 from .triangles import read_by, read_stl
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
+    from collections.abc import Callable, Iterable, Sequence
 
     from numpy.typing import NDArray
 
@@ -64,7 +64,21 @@ class Surface:
         return any(each is not None for each in (self.color, self.point_colors, self.texture))
 
 
-def read_surfaces(path: str, allows: Callable[[str], bool] | None) -> list[Surface]:
+class MeshSurfaces(list[Surface]):
+    """The surfaces of a mesh.
+
+    Attributes:
+        refused: a clause for each texture that is left out.
+    """
+
+    __slots__ = ("refused",)
+
+    def __init__(self, surfaces: Iterable[Surface], refused: Sequence[str] = ()) -> None:
+        super().__init__(surfaces)
+        self.refused = list(refused)
+
+
+def read_surfaces(path: str, allows: Callable[[str], bool] | None) -> MeshSurfaces:
     """Return the surfaces in a mesh file.
 
     Args:
@@ -75,18 +89,19 @@ def read_surfaces(path: str, allows: Callable[[str], bool] | None) -> list[Surfa
         MeshFileError: the file cannot be read.
         MissingLibraryError: the format needs a library that is not installed.
     """
+    refused: list[str] = []
 
     def read(data: bytes, kind: str, path: str) -> list[Surface]:
         if kind == STL:
             return _of_stl(data)
-        return _surfaces(read_bodies(data, kind, path, allows, has_colors=True))
+        return _surfaces(read_bodies(data, kind, path, allows, has_colors=True, refused=refused))
 
     found = [surface for surface in read_by(read, path) if len(surface.triangles)]
     if not found:
         raise MeshFileError("it has no triangles")
     for surface in found:
         check_surface(surface)
-    return found
+    return MeshSurfaces(found, refused)
 
 
 def check_surface(surface: Surface) -> None:

@@ -337,6 +337,18 @@ def test_a_texture_is_drawn_the_right_way_up(tmp_path: Path) -> None:
     assert like(image, 20, 20, 230)[60, 60]
 
 
+def test_a_texture_that_is_not_an_image_is_a_warning(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    textured(tmp_path, "stripes.png")
+    (tmp_path / "stripes.png").write_bytes(b"%!PS-Adobe-3.0 EPSF-3.0\n")
+    picture(tmp_path, mesh_visual("square.obj", material=""), "--view", "front")
+    error = capsys.readouterr().err
+    without = "is drawn without a texture: the texture 'stripes.png' has no format that is read"
+    assert error.count("warning[bad-mesh]: the mesh 'square.obj' of ") == 1
+    assert without in error and " --> " in error
+
+
 def test_a_texture_outside_of_the_robots_folders_is_not_read(tmp_path: Path) -> None:
     import PIL.Image
 
@@ -525,7 +537,7 @@ def test_other_documents_are_not_drawn(tmp_path: Path, capsys: pytest.CaptureFix
     source = tmp_path / "world.xml"
     source.write_text("<sdf/>")
     assert main(["picture", str(source), "-o", str(tmp_path / "out.png")]) == 2
-    assert "draws robots, and this is a <sdf>" in capsys.readouterr().err
+    assert "needs a robot, but the root element is <sdf>" in capsys.readouterr().err
 
 
 def test_without_opengl_it_is_said_what_to_install(

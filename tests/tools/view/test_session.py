@@ -328,6 +328,26 @@ def test_what_is_no_robot_is_told(tmp_path: Path) -> None:
     assert fault["fault"] == "the page shows robots, and this is a <sdf>"
 
 
+def test_a_texture_that_is_not_an_image_is_a_warning(tmp_path: Path) -> None:
+    for name in ("wood.png", "inner.png"):
+        (tmp_path / name).write_bytes(b"not an image")
+    (tmp_path / "a.mtl").write_text("newmtl m\nmap_Kd inner.png\n")
+    (tmp_path / "a.obj").write_text("mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+    path = tmp_path / "robot.urdf"
+    path.write_text(
+        '<robot name="one"><link name="a"><visual><geometry><mesh filename="a.obj"/></geometry>\n'
+        '<material name="own"><texture filename="wood.png"/></material></visual></link></robot>'
+    )
+    robot = state_of(session_of(path))["robot"]
+    found = [each for each in robot["diagnostics"] if each["code"] == "bad-mesh"]
+    mesh, texture = (each["message"] for each in found)
+    named = "the texture 'inner.png', which has no format that is read"
+    assert mesh == f"the mesh 'a.obj' is shown without {named}"
+    assert texture.startswith("the texture 'wood.png' cannot be shown: ")
+    places = [robot["places"][each["place"]] for each in found]
+    assert [place.rpartition("robot.urdf")[2].split(":")[1] for place in places] == ["1", "2"]
+
+
 def test_textures_of_materials_are_given(tmp_path: Path) -> None:
     (tmp_path / "wood.png").write_bytes(PNG)
     path = tmp_path / "robot.urdf"

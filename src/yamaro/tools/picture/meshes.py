@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Collection, Sequence
 
     from ...confined import Reader
-    from ...meshes.surfaces import Surface
+    from ...meshes.surfaces import MeshSurfaces, Surface
     from .shapes import DrawnShape
 
 BOX_HINT = "a box stands for it in the picture"
@@ -24,7 +24,7 @@ BOX_HINT = "a box stands for it in the picture"
 
 def read_meshes(
     paths: Collection[str], allows: Callable[[str], bool], reader: Reader
-) -> dict[str, list[Surface] | Exception]:
+) -> dict[str, MeshSurfaces | Exception]:
     """Return the surfaces in mesh files by path, or why they cannot be drawn.
 
     All are read in one jail. If that is ended, each is read in one of its own, so that the others
@@ -41,7 +41,7 @@ def read_meshes(
     except JailError as error:
         if len(order) == 1:
             return {order[0]: _reason(error)}
-    found: dict[str, list[Surface] | Exception] = {}
+    found: dict[str, MeshSurfaces | Exception] = {}
     for path in order:
         try:
             found.update(_read_together([path], allows, reader))
@@ -52,7 +52,7 @@ def read_meshes(
 
 def _read_together(
     paths: Sequence[str], allows: Callable[[str], bool], reader: Reader
-) -> dict[str, list[Surface] | Exception]:
+) -> dict[str, MeshSurfaces | Exception]:
     def read() -> bytes:
         pieces = []
         for path in paths:
@@ -66,11 +66,17 @@ def _read_together(
     return {path: _surfaces(piece) for path, piece in zip(paths, pieces, strict=True)}
 
 
-def _surfaces(data: bytes) -> list[Surface] | Exception:
+def _surfaces(data: bytes) -> MeshSurfaces | Exception:
     try:
         return unpacked(data)
     except (MeshFileError, MissingLibraryError) as error:
         return error
+
+
+def _listed(refused: Sequence[str]) -> str:
+    """Return the textures that are left out: the first with the reason, the others as a number."""
+    others = f", and without {len(refused) - 1} more" if len(refused) > 1 else ""
+    return f"a texture: {refused[0]}{others}"
 
 
 def _reason(error: JailError) -> MeshFileError:
@@ -84,10 +90,11 @@ class Meshes:
     """The meshes of a robot.
 
     Attributes:
-        warnings: one for each mesh that cannot be drawn, but for those that the check tells of.
+        warnings: one for each mesh that cannot be drawn, or not with its textures, except for
+            what the check reports.
     """
 
-    def __init__(self, found: dict[str, list[Surface] | Exception]) -> None:
+    def __init__(self, found: dict[str, MeshSurfaces | Exception]) -> None:
         """Hold what was read, by path."""
         self.warnings: list[Diagnostic] = []
         self._found = found
@@ -100,7 +107,10 @@ class Meshes:
                 self._warn("missing-mesh-file", shape, "is not found")
             return []
         found = self._found[shape.path]
-        if isinstance(found, list):
+        if not isinstance(found, Exception):
+            if found.refused:
+                reason = f"is drawn without {_listed(found.refused)}"
+                self._warn("bad-mesh", shape, reason, None)
             return found
         if isinstance(found, MissingLibraryError):
             hint = 'pip install "yamaro[picture]"'
@@ -110,7 +120,7 @@ class Meshes:
             self._warn("bad-mesh", shape, f"cannot be read: {found}")
         return []
 
-    def _warn(self, code: str, shape: DrawnShape, reason: str, hint: str = BOX_HINT) -> None:
+    def _warn(self, code: str, shape: DrawnShape, reason: str, hint: str | None = BOX_HINT) -> None:
         if shape.filename in self._told:
             return
         self._told.add(shape.filename)

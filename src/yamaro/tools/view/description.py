@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ...diagnostics import ERROR, YamaroError, render
+from ...diagnostics import ERROR, WARNING, Diagnostic, YamaroError, render
 from ...xml.tree import Element
 from ...xml.values import format_value
 from .origins import Owners, Places
@@ -11,7 +11,6 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
 
-    from ...diagnostics import Diagnostic
     from ...result import Build
     from .mesh_files import MeshFiles
     from .origins import Json
@@ -35,6 +34,7 @@ class Description:
         self.awaited: list[str] = []
         self._finder = build.finder
         self._files = files
+        self._refused: dict[str, Diagnostic] = {}  # by message
         root = build.root
         owners = Owners(root)
         self.data: Json = {
@@ -43,9 +43,10 @@ class Description:
             "links": self._owners(root, "link"),
             "joints": self._owners(root, "joint"),
             "textures": self._textures(root),
-            "diagnostics": [self._diagnostic(each, owners) for each in build.warnings],
-            "places": self.places.texts,
         }
+        warnings = (*build.warnings, *self._refused.values())
+        self.data["diagnostics"] = [self._diagnostic(each, owners) for each in warnings]
+        self.data["places"] = self.places.texts
 
     def _owners(self, root: Element, kind: str) -> Json:
         """Return each link or joint by its name; of two with one name, the first."""
@@ -91,11 +92,27 @@ class Description:
         except YamaroError:  # it lies where it may not be read
             return None
         if path is not None:
-            return self._files.add(path)
+            file = self._files.add(path)
+            if file is not None:
+                self._warn_of_textures(element, filename, path, file)
+            return file
         meant = self._finder.path_meant(filename, span)
         if meant is not None:
             self.awaited.append(meant)
         return None
+
+    def _warn_of_textures(self, element: Element, filename: str, path: str, file: Json) -> None:
+        """Warn of a texture that is not an image, or of those that a mesh names."""
+        if element.name == "texture" and "fault" in file:
+            self._warn(element, f"the texture '{filename}' cannot be shown: {file['fault']}")
+        for name in self._files.refused_by(path):
+            texture = f"the texture '{name}', which has no format that is read"
+            self._warn(element, f"the mesh '{filename}' is shown without {texture}")
+
+    def _warn(self, element: Element, message: str) -> None:
+        span = element.value_span("filename")
+        warning = Diagnostic("bad-mesh", message, span, severity=WARNING, trace=element.trace)
+        self._refused.setdefault(message, warning)
 
     def _diagnostic(self, diagnostic: Diagnostic, owners: Owners) -> Json:
         told = diagnostic_data(diagnostic)

@@ -67,6 +67,8 @@ CONTENT_TYPES = {
 """What the page can show, by formats."""
 _MESHES = (STL, OBJ, DAE, GLTF, GLB)
 _SIGN_BYTES = 64
+MOST_REFUSED = 8
+"""Textures of a mesh that are named when they are not images."""
 
 
 class Contents:
@@ -76,17 +78,16 @@ class Contents:
         kind: its format; "" if it has none that the page can show.
         fault: why it is not shown, or "".
         companions: path and format of each file that it refers to, by the names it has for them.
+        refused: names of files that it refers to as textures, and that are not images.
     """
 
-    __slots__ = ("companions", "fault", "kind")
+    __slots__ = ("companions", "fault", "kind", "refused")
 
-    def __init__(
-        self, kind: str, fault: str = "", companions: dict[str, tuple[str, str]] | None = None
-    ) -> None:
-        """Hold it."""
+    def __init__(self, kind: str, fault: str = "") -> None:
         self.kind = kind
         self.fault = fault
-        self.companions = companions or {}
+        self.companions: dict[str, tuple[str, str]] = {}
+        self.refused: list[str] = []
 
 
 class Library:
@@ -177,6 +178,11 @@ class MeshFiles:
         told["companions"] = {name: key for name, key in keys.items() if key}
         return told
 
+    def refused_by(self, path: str) -> list[str]:
+        """Return the names of textures in a mesh that are not images."""
+        found = self._library.contents(path)
+        return found[1].refused if found is not None else []
+
     def _key(self, path: str, kind: str) -> str:
         """Note a file, and return its key; nothing is noted of what may not be fetched."""
         mark = _mark(path)
@@ -216,8 +222,9 @@ def _look_at(path: str, reach: Reach | None) -> Contents:
             raise unreadable(path)
         if kind not in _MESHES:
             return Contents("")
-        names = check_bounds(data, kind)
-        return Contents(kind, companions=_companions(path, kind, names, reach))
+        contents = Contents(kind)
+        _add_companions(contents, path, check_bounds(data, kind), reach)
+        return contents
     except MeshFileError as error:
         return Contents("", str(error))
     except OSError as error:
@@ -226,12 +233,12 @@ def _look_at(path: str, reach: Reach | None) -> Contents:
         return Contents("", "it takes too much memory")
 
 
-def _companions(
-    path: str, kind: str, names: Sequence[str], reach: Reach | None
-) -> dict[str, tuple[str, str]]:
-    """Return path and format of each file that a mesh names, directly or through a material."""
-    found: dict[str, tuple[str, str]] = {}
-    pending = [(os.path.dirname(path), name, kind) for name in names]
+def _add_companions(
+    contents: Contents, path: str, names: Sequence[str], reach: Reach | None
+) -> None:
+    """Add path and format of each file that a mesh names, directly or through a material."""
+    found = contents.companions
+    pending = [(os.path.dirname(path), name, contents.kind) for name in names]
     while pending and len(found) < MOST_NAMES:
         folder, name, owner = pending.pop(0)
         companion = path_of(folder, name)
@@ -247,7 +254,8 @@ def _companions(
             continue
         if found_kind:
             found[name] = (companion, found_kind)
-    return found
+        elif owner != OBJ and len(contents.refused) < MOST_REFUSED:
+            contents.refused.append(name)
 
 
 def _kind_of_companion(path: str, owner: str) -> str:
@@ -265,20 +273,23 @@ def _kind_of_companion(path: str, owner: str) -> str:
 
 
 def _to_bytes(contents: Contents) -> bytes:
-    return json.dumps([contents.kind, contents.fault, contents.companions]).encode()
+    parts = [contents.kind, contents.fault, contents.companions, contents.refused]
+    return json.dumps(parts).encode()
 
 
 def _from_bytes(data: bytes) -> Contents:
     """Return what some bytes say of a file; raise ValueError if they make no sense."""
     try:
-        kind, fault, companions = json.loads(data)
+        kind, fault, companions, refused = json.loads(data)
         if kind not in ("", *CONTENT_TYPES) or not isinstance(fault, str):
             raise ValueError("there is no such format")
-        found = {
+        contents = Contents(kind, fault[:1000])
+        contents.companions = {
             str(name): (str(path), str(own))
             for name, (path, own) in companions.items()
             if own in CONTENT_TYPES
         }
+        contents.refused = [str(name)[:1000] for name in refused[:MOST_REFUSED]]
     except (TypeError, AttributeError, RecursionError) as error:
         raise ValueError(f"the answer is none: {error}") from None
-    return Contents(kind, fault[:1000], found)
+    return contents
