@@ -1135,8 +1135,11 @@ def test_a_conversion_imports_little(words: list[str], text: str) -> None:
         (ARM, "yamaro.model.mesh_integrals"),
         (PLAIN, "yamaro.robot.part"),
         ("launch: {node/name=n: }\n", "yamaro.robot"),
+        (ARM, "yamaro.syntax.argument_section"),
+        (ARM, "yamaro.runtime.argument_values"),
+        (ARM, "yamaro.units"),
     ],
-    ids=["robot without meshes", "robot without parts", "no robot"],
+    ids=["no meshes", "no parts", "no robot", "no section", "no arguments", "no units"],
 )
 def test_what_a_document_does_not_need_is_not_imported(text: str, unused: str) -> None:
     write(text)
@@ -1227,7 +1230,10 @@ def on_path() -> dict[str, str]:
         (
             "yamaro ",
             ["yamaro", ""],
-            "a.urdf bin check completion help migrate picture robot.yaml tree two.yml view watch",
+            (
+                "a.urdf args bin check completion help migrate picture robot.yaml tree two.yml "
+                "view watch"
+            ),
         ),
         ("yamaro ro", ["yamaro", "ro"], "robot.yaml"),
         ("yamaro check ro", ["yamaro", "check", "ro"], "robot.yaml"),

@@ -12,6 +12,11 @@ from xml.dom import minidom
 import pytest
 
 from tests.xacro.xacro_host import FileHost, expand_file
+from yamaro.files.loader import FileLoader
+from yamaro.files.packages import PackageFinder
+from yamaro.policy import Limits
+from yamaro.source import Source
+from yamaro.tools.declared_arguments import listing_of
 from yamaro.xml.tree import Comment, Element, Node
 
 CORPUS = Path(__file__).parents[3] / "shared" / "corpus"
@@ -66,3 +71,40 @@ def test_a_robot_is_expanded_as_xacro_does(
     made = expand_file(str(path), FileHost(find, environment), arguments)
     expected = minidom.parseString(real((CORPUS / row["expected"]).read_text("utf-8")))
     assert shape_made(made) == shape_expected(expected.documentElement)
+
+
+@pytest.mark.parametrize("row", rows(), ids=lambda row: f"{row['path']} {row['args']}".strip())
+def test_the_arguments_of_a_robot_are_those_that_xacro_knows(
+    row: dict[str, str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    import xacro
+    from xacro import substitution_args
+
+    packages = dict(item.split("=", 1) for item in row["packages"].split(";") if item)
+
+    def find(name: str) -> str:
+        return f"{CORPUS}/src/{packages[name]}" if packages.get(name) else f"{UNKNOWN}/{name}"
+
+    monkeypatch.setenv("ROS_VERSION", "2")
+    monkeypatch.setenv("ROS_DISTRO", "humble")
+    monkeypatch.setattr(substitution_args, "_eval_find", find)
+    monkeypatch.setitem(substitution_args._eval_dict, "find", find)
+    path = CORPUS / "src" / row["path"]
+    monkeypatch.chdir(path.parent)
+    passed = dict(re.findall(r"(\S+?):=(.*?)(?=\s\S+?:=|$)", real(row["args"])))
+    xacro.process_file(str(path), mappings=dict(passed))
+    known = {
+        name: str(value)
+        for name, value in xacro.substitution_args_context["arg"].items()
+        if name not in passed
+    }
+    source = Source(path.read_text("utf-8-sig"), name=row["path"], path=str(path))
+    given = {name: f"{CORPUS}/src/{folder}" for name, folder in packages.items() if folder}
+    limits = Limits()
+    listing = listing_of(
+        source, loader=FileLoader(limits), packages=PackageFinder(given=given), limits=limits
+    )
+    found = {declared.name: declared for declared in listing.declared}
+    assert set(known) <= set(found)
+    for name, value in known.items():
+        assert not found[name].has_value or found[name].default_text == value

@@ -19,6 +19,10 @@ if TYPE_CHECKING:
 
 def run(arguments: Arguments, streams: Streams) -> int:
     """Write the XML, or with `--deps` the files it is made of; return the exit status."""
+    if arguments.has("help-args"):
+        from . import args
+
+        return args.run(arguments, streams)
     if arguments.has("deps"):
         return convert_file(arguments, streams, _dependencies, form=NAMES)
 

@@ -100,6 +100,8 @@ def _command(name: str) -> Run:
         from .picture import run
     elif name == "migrate":
         from .migrate import run
+    elif name == "args":
+        from .args import run
     elif name == "completion":
         from .completion import run
     else:

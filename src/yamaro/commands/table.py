@@ -203,6 +203,16 @@ COMMANDS = {
             endings=("urdf", "xacro", "xml"),
         ),
         Command(
+            "args",
+            ("FILE",),
+            "list the arguments of a file without running it",
+            "List what can be passed to a file as name:=value, with defaults, types and ranges, "
+            "without running the file: its arguments, or else its variables, or those of xacro.",
+            words=(FILE_WORDS[0],),
+            looks=True,
+            endings=ENDINGS,
+        ),
+        Command(
             "completion",
             ("bash|zsh|fish",),
             "print a completion script for a shell",
@@ -222,7 +232,9 @@ ALL = tuple(COMMANDS)
 BUILDING = ("build", "check", "tree", "view", "watch", "picture")
 """The commands that build a file of the user's."""
 WORKING = (*BUILDING, "migrate")
-"""The commands that say something about a file."""
+"""The commands that run a file."""
+READING = (*WORKING, "args")
+"""The commands that read a file."""
 PICTURE = ("picture",)
 VIEW = ("view",)
 
@@ -261,6 +273,17 @@ OPTIONS = {
             excludes=("all",),
         ),
         Option("all", "migrate the files of all packages", ("migrate",), excludes=("with",)),
+        Option(
+            "json",
+            "write a JSON Schema (2020-12) of the arguments",
+            ("args",),
+        ),
+        Option(
+            "help-args",
+            "list the arguments of the file and exit, as 'yamaro args' does",
+            ("build",),
+            excludes=("deps",),
+        ),
         Option(
             "deps",
             "list the files read and the meshes used, one per line, instead of writing the XML",
@@ -361,7 +384,7 @@ OPTIONS = {
         Option(
             "quiet",
             "show errors only: no warnings and no output of 'print'",
-            WORKING,
+            READING,
             short="q",
         ),
         Option("strict", "treat warnings as errors", BUILDING),
@@ -386,8 +409,9 @@ OPTIONS = {
         Option(
             "trust",
             "allow the file to do anything that Python can",
-            WORKING,
+            READING,
             excludes=("jail", "safe"),
+            help_in={"args": "read includes of xacro files from anywhere"},
         ),
         Option(
             "jail",
@@ -412,7 +436,7 @@ OPTIONS = {
         Option(
             "allow-path",
             "allow reading a file or folder with --jail and --safe",
-            WORKING,
+            READING,
             value="PATH",
             wants="a file or folder",
             is_repeatable=True,
@@ -421,7 +445,7 @@ OPTIONS = {
         Option(
             "limit",
             "change a limit, such as turns=5000000",
-            WORKING,
+            READING,
             value="NAME=N",
             wants="NAME=NUMBER",
             is_repeatable=True,
@@ -430,7 +454,7 @@ OPTIONS = {
         Option(
             "package",
             "set the folder of a ROS package",
-            WORKING,
+            READING,
             value="NAME:=FOLDER",
             wants="NAME:=FOLDER",
             is_repeatable=True,
@@ -438,7 +462,7 @@ OPTIONS = {
         Option(
             "color",
             "colour messages: auto (the default), always or never",
-            WORKING,
+            READING,
             value="WHEN",
             wants="auto, always or never",
             choices=("auto", "always", "never"),

@@ -1,6 +1,6 @@
-"""Lists the variables that a file lets one set, for the completion of shells.
+"""Lists the arguments or variables that a file lets one set, for the completion of shells.
 
-Only the YAML is read for that: no expression is evaluated and nothing is imported.
+The file is only read for that: no expression is evaluated and nothing is imported.
 """
 
 from __future__ import annotations
@@ -9,58 +9,63 @@ import os
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterator
-
-    from ..yaml.nodes import YamlNode
+    from ..source import Source
+    from ..tools.declared_arguments import Declared
 
 MAX_BYTES = 8 << 20
 MAX_DEFAULT = 40
 
 
 def variable_lines(path: str) -> str:
-    """Return a line `name:=<tab>default` for each variable in the root of a file.
+    """Return a line `name:=<tab>default` for each argument or variable of a file.
 
     A file that cannot be read has none: someone who is still typing wants no errors.
     """
-    from ..diagnostics import Reporter, YamaroError
+    from ..diagnostics import YamaroError
+    from ..files.loader import FileLoader
+    from ..files.packages import PackageFinder
     from ..files.regular import read_start
-    from ..source import Source
-    from ..terminal import printable
-    from ..yaml.reader import read
+    from ..policy import Limits
+    from ..syntax.includes import holds_xml
+    from ..tools.declared_arguments import listing_of
 
     if path.startswith("~"):
         path = os.path.expanduser(path)
+    limits = Limits()
     try:
         data = read_start(path, MAX_BYTES + 1)
         if len(data) > MAX_BYTES:
             return ""
-        root = read(Source(data.decode("utf-8-sig"), name=path), reporter=Reporter())
+        source = _source(data, path, is_xml=holds_xml(path, data))
+        loader = FileLoader(limits)
+        listing = listing_of(source, loader=loader, packages=PackageFinder(), limits=limits)
     except (OSError, ValueError, YamaroError):
         return ""
-    lines: dict[str, str] = {}
-    for section, body in _pairs(root):
-        if section == "variables":
-            for key, value in _pairs(body):
-                name = key.partition("/")[0].strip()
-                if name.isidentifier():
-                    lines.setdefault(name, printable(_shortened(value)).replace("\t", " "))
-    return "".join(f"{name}:=\t{default}\n" for name, default in lines.items())
+    return "".join(map(_line, listing.declared))
 
 
-def _pairs(node: YamlNode) -> Iterator[tuple[str, YamlNode]]:
-    """Yield key text and value of a mapping, or of each mapping in a list of them."""
-    from ..yaml.nodes import MappingNode, SequenceNode
+def _source(data: bytes, path: str, *, is_xml: bool) -> Source:
+    from ..source import Source
+    from ..xml.reader import decode_xml
 
-    if isinstance(node, SequenceNode):
-        for item in node.items:
-            if isinstance(item, MappingNode):
-                yield from _pairs(item)
-    elif isinstance(node, MappingNode):
-        for key, value in node:
-            yield key.text, value
+    if is_xml:
+        source = decode_xml(data, name=path, path=os.path.abspath(path))
+        source.is_xml = True
+        return source
+    return Source(data.decode("utf-8-sig"), name=path, path=os.path.abspath(path))
 
 
-def _shortened(value: YamlNode) -> str:
+def _line(declared: Declared) -> str:
+    """Return the name with its default, and what else is known, on one line."""
+    from ..terminal import printable
+    from ..tools.declared_arguments import about
+
+    default = "" if declared.default_text is None else _shortened(declared.default_text)
+    told = ", ".join(text for text in (default, about(declared)) if text)
+    return f"{declared.name}:=\t{printable(told).replace(chr(9), ' ')}\n"
+
+
+def _shortened(text: str) -> str:
     """Return the spelling of a value on one short line."""
-    text = " ".join(value.source.text[value.start : value.end].split())
+    text = " ".join(text.split())
     return text if len(text) <= MAX_DEFAULT else text[: MAX_DEFAULT - 1] + "…"

@@ -1,0 +1,57 @@
+"""`yamaro args FILE` and `yamaro FILE --help-args`: what may be passed to a file."""
+
+from __future__ import annotations
+
+from .delivery import deliver
+from .inputs import read_pipe
+from .reports import show
+from .settings import make_policy, read_packages
+from .usage import INPUT_ERROR, WrongUsage
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from ..streams import Streams
+    from ..tools.declared_arguments import Listing
+    from .arguments import Arguments
+
+
+def run(arguments: Arguments, streams: Streams) -> int:
+    """Write the listing of the file to standard output; return the exit status."""
+    from ..arguments import UsageError
+    from ..diagnostics import YamaroError
+
+    if arguments.assignments:
+        raise WrongUsage("a list of arguments does not depend on 'name:=value'")
+    try:
+        listing = _listing(arguments)
+    except YamaroError as error:
+        show(error.diagnostics, arguments, streams)
+        return INPUT_ERROR
+    except UsageError as error:
+        raise WrongUsage(str(error)) from None
+    return deliver([_written(listing, arguments)], arguments, streams)
+
+
+def _listing(arguments: Arguments) -> Listing:
+    from ..files.loader import FileLoader
+    from ..main_file import finder_for, reach_of, read_main
+    from ..runtime.library import Library
+    from ..tools.declared_arguments import listing_of
+
+    path, policy = arguments.words[0], make_policy(arguments)
+    packages = read_packages(arguments)
+    reach = reach_of(path, policy, packages)
+    loader = FileLoader(policy.limits, reach)
+    source = read_main(path, read_pipe(path, policy.limits), Library(loader))
+    finder = finder_for(path, reach, packages)
+    return listing_of(source, loader=loader, packages=finder, limits=policy.limits)
+
+
+def _written(listing: Listing, arguments: Arguments) -> str:
+    if arguments.has("json"):
+        from ..tools.argument_schema import schema_text
+
+        return schema_text(listing)
+    from ..tools.declared_arguments import listing_text
+
+    return listing_text(listing)

@@ -1,0 +1,94 @@
+"""What may be passed to a file, as a JSON Schema (2020-12)."""
+
+from __future__ import annotations
+
+import json
+
+from ..syntax.argument_types import (
+    BOOLEAN,
+    INTEGER,
+    LIST,
+    MAPPING,
+    NUMBER,
+    NUMERIC,
+    PATH,
+    TEXT,
+    ArgumentEntry,
+)
+from .declared_arguments import ARGUMENTS, Declared, Listing
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    Json = dict[str, object]
+
+DIALECT = "https://json-schema.org/draft/2020-12/schema"
+_TYPES = {
+    NUMBER: "number",
+    INTEGER: "integer",
+    TEXT: "string",
+    BOOLEAN: "boolean",
+    LIST: "array",
+    MAPPING: "object",
+    PATH: "string",
+}
+
+
+def schema_text(listing: Listing) -> str:
+    """Return the schema of the values that a file takes, as JSON.
+
+    Numbers are in the units of their arguments, which `x-unit` tells; `x-step` and `x-log` are for
+    sliders.
+    """
+    return json.dumps(schema_of(listing), indent=2, ensure_ascii=False, default=str) + "\n"
+
+
+def schema_of(listing: Listing) -> Json:
+    """Return the schema of the values that a file takes."""
+    schema: Json = {
+        "$schema": DIALECT,
+        "type": "object",
+        "properties": {each.name: _property(each) for each in listing.declared},
+    }
+    required = [each.name for each in listing.declared if each.is_required]
+    if required:
+        schema["required"] = required
+    schema["additionalProperties"] = listing.kind != ARGUMENTS
+    return schema
+
+
+def _property(declared: Declared) -> Json:
+    told = _of_entry(declared.entry) if declared.entry is not None else {}
+    if declared.has_value:
+        told["default"] = declared.default
+    elif declared.default_text is not None:
+        told["x-default"] = declared.default_text
+    return told
+
+
+def _of_entry(entry: ArgumentEntry) -> Json:
+    told: Json = {}
+    if entry.help:
+        told["description"] = entry.help
+    if entry.kind in _TYPES:
+        kind = _TYPES[entry.kind]
+        told["type"] = [kind, "null"] if entry.is_null_allowed else kind
+    if entry.kind == PATH:
+        told["format"] = "path"
+    if entry.choices is not None:
+        choices = [_in_unit(entry, choice) for choice in entry.choices]
+        told["enum"] = [*choices, None] if entry.is_null_allowed else choices
+    numbers = {"minimum": entry.low, "maximum": entry.high, "x-step": entry.step}
+    for word, number in numbers.items():
+        if number is not None:
+            told[word] = entry.in_unit(number)
+    if entry.is_log:
+        told["x-log"] = True
+    if entry.unit_text:
+        told["x-unit"] = entry.unit_text
+    return told
+
+
+def _in_unit(entry: ArgumentEntry, value: object) -> object:
+    if entry.kind in NUMERIC and isinstance(value, (int, float)):
+        return entry.in_unit(value)
+    return value

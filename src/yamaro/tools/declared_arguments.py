@@ -1,0 +1,213 @@
+"""What may be passed to a file, without running it: arguments, variables, xacro's arguments."""
+
+from __future__ import annotations
+
+import math
+
+from ..diagnostics import Reporter
+from ..source import Source
+from ..syntax.argument_section import arguments_of, is_literal, literal_value, place_of, spelling_of
+from ..syntax.argument_types import ANY, NUMERIC, ArgumentEntry, checked
+from ..syntax.includes import holds_xml
+from ..syntax.names import python_name
+from ..syntax.nodes import Value
+from ..yaml.nodes import PLAIN, MappingNode, ScalarNode, SequenceNode
+from ..yaml.reader import read
+from ..yaml.scalars import type_plain
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from ..files.loader import Loader
+    from ..files.packages import PackageFinder
+    from ..policy import Limits
+    from ..source import Span
+    from ..yaml.nodes import YamlNode
+
+ARGUMENTS, VARIABLES, XACRO = "arguments", "variables", "xacro"
+"""What a file is found to declare."""
+
+
+class Declared:
+    """Something that may be passed to a file.
+
+    Attributes:
+        name: as it is written.
+        key: as a build knows it.
+        span: where it is declared.
+        default_text: the default as it is written; None if there is none.
+        default: the default's value, in the argument's unit.
+        has_value: whether that is known without running the file.
+        default_span: where the default is written.
+        entry: what an `arguments` section says, or None.
+    """
+
+    __slots__ = (
+        "default", "default_span", "default_text", "entry", "has_value", "key", "name", "span",
+    )  # fmt: skip
+
+    def __init__(self, name: str, span: Span) -> None:
+        """Declare something without a default."""
+        self.name = name
+        self.key = python_name(name)
+        self.span = span
+        self.default_text: str | None = None
+        self.default: object = None
+        self.has_value = False
+        self.default_span = span
+        self.entry: ArgumentEntry | None = None
+
+    @property
+    def is_required(self) -> bool:
+        """Tell whether the file cannot be run without it."""
+        return self.default_text is None
+
+
+class Listing:
+    """What may be passed to a file.
+
+    Attributes:
+        kind: `ARGUMENTS`, `VARIABLES` or `XACRO`.
+        declared: in the order in which they are written.
+        unread: the includes of a xacro file whose names depend on how it runs.
+    """
+
+    __slots__ = ("declared", "kind", "unread")
+
+    def __init__(self, kind: str, declared: list[Declared], unread: list[str]) -> None:
+        self.kind = kind
+        self.declared = declared
+        self.unread = unread
+
+
+def listing_of(
+    source: Source, *, loader: Loader, packages: PackageFinder, limits: Limits
+) -> Listing:
+    """Return what may be passed to a main file.
+
+    Args:
+        source: the file.
+        loader: gives the files that a xacro file includes.
+        packages: finds the packages that they are in.
+        limits: how large they may be.
+
+    Raises:
+        YamaroError: the file, or its section `arguments`, cannot be read.
+    """
+    if source.is_xml or holds_xml(source.path or source.name, source.text):
+        from .xacro_arguments import xacro_arguments
+
+        declared, unread = xacro_arguments(source, loader, packages, limits)
+        return Listing(XACRO, declared, unread)
+    entries = arguments_of(source)
+    if entries is not None:
+        return Listing(ARGUMENTS, [_of_entry(entry) for entry in entries], [])
+    return Listing(VARIABLES, _variables(source), [])
+
+
+def _of_entry(entry: ArgumentEntry) -> Declared:
+    declared = Declared(entry.name, entry.span)
+    declared.entry = entry
+    value = entry.default
+    if value is None:
+        return declared
+    if is_literal(value):
+        _set_literal(declared, entry, value)
+    else:
+        declared.default_text = " ".join(place_of(value).written().split())
+    declared.default_span = place_of(value)
+    return declared
+
+
+def _set_literal(declared: Declared, entry: ArgumentEntry, value: Value) -> None:
+    default = checked(entry, literal_value(value), spelling=spelling_of(value))
+    declared.has_value = True
+    declared.default_text = entry.value_text(default)
+    if entry.kind in NUMERIC and isinstance(default, (int, float)):
+        declared.default = entry.in_unit(default)
+    else:
+        declared.default = default
+
+
+# --- variables of files without the section -------------------------------------------------------
+
+
+def _variables(source: Source) -> list[Declared]:
+    """Return the variables in the root of a file, each as it is declared first."""
+    found: dict[str, Declared] = {}
+    for section, body in pairs_in(read(source, reporter=Reporter())):
+        if section.text != "variables":
+            continue
+        for key, value in pairs_in(body):
+            name = key.text.partition("/")[0].strip()
+            if not name.isidentifier() or python_name(name) in found:
+                continue
+            declared = found[python_name(name)] = Declared(name, key.span(0, len(name)))
+            declared.default_text = " ".join(source.text[value.start : value.end].split())
+            declared.default_span = value if isinstance(value, ScalarNode) else value.span()
+            plain = plain_value(value) if isinstance(value, ScalarNode) else None
+            declared.default, declared.has_value = plain, plain is not None
+    return list(found.values())
+
+
+def pairs_in(node: YamlNode) -> Iterator[tuple[ScalarNode, YamlNode]]:
+    """Yield key and value of a mapping, or of each mapping in a list of them."""
+    if isinstance(node, SequenceNode):
+        for item in node.items:
+            if isinstance(item, MappingNode):
+                yield from pairs_in(item)
+    elif isinstance(node, MappingNode):
+        yield from node.pairs
+
+
+def plain_value(node: ScalarNode) -> bool | int | float | str | None:
+    """Return the value of a scalar, or None if it is empty, computed, or not a finite number."""
+    if "$" in node.text:
+        return None
+    if node.style != PLAIN:
+        return node.text
+    try:
+        value = type_plain(node.text)
+    except OverflowError:
+        return None
+    if isinstance(value, float) and not math.isfinite(value):
+        return None
+    return value if isinstance(value, (bool, int, float, str)) else None
+
+
+# --- for people -----------------------------------------------------------------------------------
+
+
+def listing_text(listing: Listing) -> str:
+    """Return the listing as text: a line for each argument, and one for what it is about."""
+    lines = []
+    for declared in listing.declared:
+        lines.append(f"{declared.name}:={declared.default_text or ''}")
+        told = about(declared)
+        if told:
+            lines.append(f"    {told}")
+    lines += [f"# not read, as its name is computed: {name}" for name in listing.unread]
+    return "".join(f"{line}\n" for line in lines)
+
+
+def about(declared: Declared) -> str:
+    """Return the type, range and help of an argument on one line; nothing for a variable."""
+    entry = declared.entry
+    if entry is None:
+        return ""
+    words = []
+    if declared.is_required:
+        words.append("required")
+    if entry.choices is not None:
+        words.append(" | ".join(entry.choice_texts()))
+    elif entry.kind != ANY:
+        words.append(entry.kind)
+    bounds = entry.range_text()
+    if bounds:
+        words[-1:] = [f"{words[-1]} {bounds}"]
+    elif entry.unit_text:
+        words[-1:] = [f"{words[-1]} in {entry.unit_text}"]
+    kind = ", ".join(words)
+    text = " ".join(entry.help.split())
+    return f"{kind}: {text}" if kind and text else kind or text
