@@ -29,14 +29,12 @@ from .values import NumberFault, attribute_text, child_named, read_numbers
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     import os
-    from collections.abc import Callable, Iterable
-    from typing import TypeVar
+    from collections.abc import Iterable
 
     from ..diagnostics import Frame as Step
     from .rotations import Vector
     from .shapes import Inertia, Shape
 
-    Value = TypeVar("Value")
     Numbers = tuple[float, ...]
     Contents = tuple[Inertial | None, tuple[Visual, ...], tuple[Collision, ...]]
 
@@ -104,8 +102,6 @@ class _Reader:
         self._limits: dict[int, Limit] = {}
         self._mimics: dict[int, Mimic] = {}
         self._dynamics: dict[int, Dynamics] = {}
-        self._safeties: dict[int, SafetyController] = {}
-        self._calibrations: dict[int, Calibration] = {}
         self._visuals: dict[int, Visual] = {}
         self._collisions: dict[int, Collision] = {}
 
@@ -272,14 +268,21 @@ class _Reader:
         joint.child = attribute_text(get("child"), "link") or ""
         origin = get("origin")
         joint.origin = self._origin(origin) if origin is not None else IDENTITY
-        joint.axis = _once(self._axes, get("axis"), self._axis) or X_AXIS
-        joint.limit = _once(self._limits, get("limit"), self._limit)
-        joint.mimic = _once(self._mimics, get("mimic"), self._mimic)
-        joint.dynamics = _once(self._dynamics, get("dynamics"), self._dynamics_of)
-        joint.safety_controller = _once(
-            self._safeties, get("safety_controller"), self._safety_controller
-        )
-        joint.calibration = _once(self._calibrations, get("calibration"), self._calibration)
+        joint.limit = joint.mimic = joint.dynamics = None
+        joint.safety_controller = joint.calibration = None
+        axis, limit, mimic, dynamics = get("axis"), get("limit"), get("mimic"), get("dynamics")
+        joint.axis = X_AXIS if axis is None else self._axes.get(id(axis)) or self._axis(axis)
+        if limit is not None:
+            joint.limit = self._limits.get(id(limit)) or self._limit(limit)
+        if mimic is not None:
+            joint.mimic = self._mimics.get(id(mimic)) or self._mimic(mimic)
+        if dynamics is not None:
+            joint.dynamics = self._dynamics.get(id(dynamics)) or self._dynamics_of(dynamics)
+        safety, calibration = get("safety_controller"), get("calibration")
+        if safety is not None:
+            joint.safety_controller = self._safety_controller(safety)
+        if calibration is not None:
+            joint.calibration = self._calibration(calibration)
         return joint
 
     def _joint_type(self, joint: Element) -> str:
@@ -294,10 +297,11 @@ class _Reader:
         return kind
 
     def _axis(self, element: Element) -> Vector:
-        return unit_vector(self._vector(element, "xyz", X_AXIS))
+        axis = self._axes[id(element)] = unit_vector(self._vector(element, "xyz", X_AXIS))
+        return axis
 
     def _limit(self, element: Element) -> Limit:
-        limit = Limit()
+        limit = self._limits[id(element)] = Limit()
         limit.element = element
         limit.lower = self._number(element, "lower") or 0.0
         limit.upper = self._number(element, "upper") or 0.0
@@ -309,7 +313,7 @@ class _Reader:
         return limit
 
     def _mimic(self, element: Element) -> Mimic:
-        mimic = Mimic()
+        mimic = self._mimics[id(element)] = Mimic()
         mimic.element = element
         mimic.joint = attribute_text(element, "joint") or ""
         multiplier = self._number(element, "multiplier")
@@ -318,7 +322,7 @@ class _Reader:
         return mimic
 
     def _dynamics_of(self, element: Element) -> Dynamics:
-        dynamics = Dynamics()
+        dynamics = self._dynamics[id(element)] = Dynamics()
         dynamics.element = element
         dynamics.damping = self._number(element, "damping") or 0.0
         dynamics.friction = self._number(element, "friction") or 0.0
@@ -416,18 +420,6 @@ class _Reader:
         self._findings.append(
             Diagnostic(code, message, span, severity=WARNING, trace=trace, hint=hint)
         )
-
-
-def _once(
-    known: dict[int, Value], element: Element | None, read: Callable[[Element], Value]
-) -> Value | None:
-    """Return what is read of an element, which is read once; None for no element."""
-    if element is None:
-        return None
-    found = known.get(id(element))
-    if found is None:
-        found = known[id(element)] = read(element)
-    return found
 
 
 def _despite_spelling(text: str, largest: float) -> Numbers:

@@ -1,0 +1,56 @@
+"""Measures what `build(...).robot` costs next to the build.
+
+The robots are that of bench/legs/ with many legs, the hexapod of the examples, and ten of the
+corpus if it is there.
+"""
+
+from __future__ import annotations
+
+import csv
+from collections.abc import Iterator
+from pathlib import Path
+
+from legs import FOLDER
+from measuring import Figure, Setting, main, shown, timed
+
+import yamaro
+
+REPOSITORY = Path(__file__).parents[1]
+CORPUS = REPOSITORY.parent / "shared" / "corpus"
+
+
+def medians(path: Path, setting: Setting, **variables: object) -> dict[str, float]:
+    """Return the median seconds of building a robot and of reading its model."""
+    seconds: dict[str, list[float]] = {"build": [], "robot": []}
+    for _ in range(setting.runs + 1):
+        found: list[yamaro.Build] = []
+        seconds["build"].append(timed(lambda found=found: found.append(build(path, variables))))  # type: ignore[misc]
+        seconds["robot"].append(timed(lambda found=found: found[0].robot))  # type: ignore[misc]
+    return {name: sorted(each[1:])[setting.runs // 2] for name, each in seconds.items()}
+
+
+def build(path: Path, variables: dict[str, object]) -> yamaro.Build:
+    return yamaro.build(path, variables=variables, on_message=lambda line: None)
+
+
+def figure(work: str, found: dict[str, float], most: float | None) -> Figure:
+    return Figure(
+        f"{work}: model / build", found["robot"] / found["build"], " ×", shown(found), most
+    )
+
+
+def measure(setting: Setting) -> Iterator[Figure]:
+    legs = setting.sized(1_000)
+    yield figure(f"legs {legs:,}", medians(FOLDER / "legs.yaml", setting, n=legs), 0.3)
+    hexapod = REPOSITORY / "examples" / "hexapod" / "hexapod.yaml"
+    yield figure("hexapod", medians(hexapod, setting), 0.3)
+    if not CORPUS.exists():
+        return
+    with (CORPUS / "urdf.tsv").open(encoding="utf-8", newline="") as file:
+        paths = [row["path"] for row in csv.DictReader(file, delimiter="\t")]
+    for path in paths[:: len(paths) // 10][:10]:
+        yield figure(path.rpartition("/")[2], medians(CORPUS / "src" / path, setting), None)
+
+
+if __name__ == "__main__":
+    main(measure, __doc__)
