@@ -107,6 +107,11 @@ class Build:
         return self._root
 
     @property
+    def root_name(self) -> str:
+        """Return the name of the root element, such as `robot`."""
+        return self._tree().name
+
+    @property
     def robot(self) -> Robot:
         """Return the robot: its links and joints, with the place where each is written.
 
@@ -116,9 +121,12 @@ class Build:
         if self._robot is None:
             from .model.reading import read_robot
 
-            assert self._finished is not None, "only those who need the tree ask for it"
-            self._robot = read_robot(self._finished)
+            self._robot = read_robot(self._tree())
         return self._robot
+
+    def _tree(self) -> Element:
+        assert self._finished is not None, "only those who need the tree ask for it"
+        return self._finished
 
     def xml(self) -> str:
         """Return the document as text."""

@@ -2,26 +2,16 @@
 
 from __future__ import annotations
 
-from xml.etree import ElementTree
-
 import pytest
 
 from tests.counting import calls_of
-from yamaro.source import Source, Span
+from yamaro import Robot
+from yamaro.model.reading import read_robot
 from yamaro.tools.tree import render_tree
-from yamaro.xml.tree import Element
-
-SPAN = Span(Source("", name="robot.yaml"), 0, 0)
 
 
-def robot(body: str, name: str = "arm") -> Element:
-    """Read a robot from URDF, as a build would make it."""
-
-    def convert(node: ElementTree.Element) -> Element:
-        children = [convert(child) for child in node]
-        return Element(node.tag, SPAN, attributes=dict(node.attrib), children=list(children))
-
-    return convert(ElementTree.fromstring(f"<robot name='{name}'>{body}</robot>"))
+def robot(body: str) -> Robot:
+    return Robot.from_xml(f"<robot name='arm'>{body}</robot>")
 
 
 def link(name: str, mass: object = None) -> str:
@@ -215,7 +205,7 @@ def test_what_is_no_link_and_no_joint_is_not_drawn() -> None:
 
 
 def test_long_chain_is_drawn_without_recursion_in_linear_size_and_work() -> None:
-    def chain(length: int) -> Element:
+    def chain(length: int) -> Robot:
         links = "".join(link(f"l{n}", 1) for n in range(length))
         return robot(links + "".join(joint(f"l{n}", f"l{n + 1}") for n in range(length - 1)))
 
@@ -238,6 +228,6 @@ def test_wide_names_are_aligned_by_terminal_cells() -> None:
 
 
 def test_names_cannot_steer_the_terminal() -> None:
-    root = robot(link("a"))
+    root = robot(link("a")).element
     root.attributes["name"] = "x\033[2J\ny"
-    assert "x\\x1b[2J\\x0ay: 1 link" in render_tree(root)
+    assert "x\\x1b[2J\\x0ay: 1 link" in render_tree(read_robot(root))

@@ -52,9 +52,9 @@ def _request(arguments: Arguments) -> Request:
 def _picture(build: Build, arguments: Arguments, streams: Streams, began: float) -> bytes:
     from ..diagnostics import YamaroError
 
-    if build.root.name != "robot":
+    if build.root_name != "robot":
         raise WrongUsage(
-            f"'yamaro picture' needs a robot, but the root element is <{build.root.name}>"
+            f"'yamaro picture' needs a robot, but the root element is <{build.root_name}>"
         )
     result = _draw(build, arguments, streams, began)
     build.warnings.extend(result.warnings)

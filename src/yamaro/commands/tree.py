@@ -23,12 +23,12 @@ def run(arguments: Arguments, streams: Streams) -> int:
 def _tree(build: Build, arguments: Arguments, streams: Streams) -> str:
     from ..tools.tree import render_tree
 
-    if build.root.name != "robot":
-        raise WrongUsage(f"'yamaro tree' shows robots, and this is a <{build.root.name}>")
+    if build.root_name != "robot":
+        raise WrongUsage(f"'yamaro tree' shows robots, and this is a <{build.root_name}>")
     try:
         "└─├│…".encode(streams.result_encoding())
         has_lines = True
     except UnicodeEncodeError:
         has_lines = False
     color = has_color(arguments, is_terminal=streams.is_terminal(result=True))
-    return render_tree(build.root, ascii=not has_lines, color=color)
+    return render_tree(build.robot, ascii=not has_lines, color=color)

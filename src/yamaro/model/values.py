@@ -61,6 +61,13 @@ def attribute_text(element: Element | None, attribute: str) -> str | None:
     return format_value(value)
 
 
+def number_in(element: Element | None, attribute: str) -> float | None:
+    """Return the number in an attribute, or None if it is left out or is not one number."""
+    text = attribute_text(element, attribute)
+    found = read_numbers(text) if text is not None else ()
+    return found[0] if isinstance(found, tuple) and len(found) == 1 else None
+
+
 def child_named(element: Element, name: str) -> Element | None:
     """Return the first child element of that name; parsers of URDF read no other."""
     for child in element.children:

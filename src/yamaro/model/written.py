@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ..diagnostics import INHERITED
-from .values import attribute_text, child_named
+from .values import attribute_text, child_named, number_in
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -37,6 +37,10 @@ class Written:
     def written(self, attribute: str) -> str | None:
         """Return an attribute as it is written in URDF, or None if it is not."""
         return attribute_text(self.element, attribute)
+
+    def number(self, attribute: str) -> float | None:
+        """Return the number in an attribute, or None if it is left out or is not one number."""
+        return number_in(self.element, attribute)
 
     def inner(self, name: str) -> Element | None:
         """Return the first element of a name inside; parsers of URDF read no other."""

@@ -2,47 +2,46 @@
 
 from __future__ import annotations
 
+from ..model.joint import CONTINUOUS, DEGREES_OF_FREEDOM, FLOATING, PRISMATIC, REVOLUTE
+from ..model.values import attribute_text, number_in, read_numbers
 from ..terminal import BOLD, CYAN, DIM, RED, painted, printable, width
-from ..xml.values import format_value
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
-    from ..xml.tree import Element
+    from ..model.joint import Joint, Limit
+    from ..model.link import Link
+    from ..model.robot import Robot
 
-# Degrees of freedom by joint type, as pinocchio counts them (nv of its joint models).
-DEGREES_OF_FREEDOM = {"revolute": 1, "continuous": 1, "prismatic": 1, "planar": 3, "floating": 6}
 MAX_INDENTED_DEPTH = 24
 MAX_ALIGNED_WIDTH = 64
 
 
-class Joint:
-    """What the tree shows of a joint."""
+class Row:
+    """What the tree shows of a joint.
 
-    __slots__ = ("child", "facts", "kind", "mimic", "name", "parent")
+    Attributes:
+        name, kind: the joint's name and type as written.
+        parent, child: the names of its links.
+        facts: its axis, and its limits with the joint that it mimics.
+    """
 
-    def __init__(self, element: Element, *, dots: str) -> None:
-        """Read a `<joint>`; `dots` stands between two limits."""
-        self.name = _attribute(element, "name")
-        self.kind = _attribute(element, "type")
-        self.parent = self.child = self.mimic = ""
-        axis, limit = "1 0 0", ""
-        for part in element.elements():
-            if part.name == "parent":
-                self.parent = _attribute(part, "link")
-            elif part.name == "child":
-                self.child = _attribute(part, "link")
-            elif part.name == "axis":
-                axis = _attribute(part, "xyz") or axis
-            elif part.name == "mimic":
-                self.mimic = _attribute(part, "joint")
-            elif part.name == "limit":
-                limit = _limits(part, kind=self.kind, dots=dots)
-        moves = self.kind in DEGREES_OF_FREEDOM and self.kind != "floating"
-        self.facts = [_axis_name(axis) if moves else "", limit]
-        if self.mimic:
-            self.facts[1] = f"{limit}  mimics {self.mimic}".lstrip()
+    __slots__ = ("child", "facts", "is_follower", "kind", "name", "parent")
+
+    def __init__(self, joint: Joint, *, dots: str) -> None:
+        """Take what is shown of a joint; `dots` is written between two limits."""
+        self.name = _one_line(joint.name)
+        self.kind = _one_line(joint.written("type") or "")
+        self.parent = _one_line(joint.parent)
+        self.child = _one_line(joint.child)
+        limit = _limits(joint.limit, kind=self.kind, dots=dots)
+        mimicked = _one_line(joint.mimic.joint) if joint.mimic is not None else ""
+        self.is_follower = bool(mimicked)
+        if mimicked:
+            limit = f"{limit}  mimics {mimicked}".lstrip()
+        moves = self.kind in DEGREES_OF_FREEDOM and self.kind != FLOATING
+        self.facts = [_axis_name(joint) if moves else "", limit]
 
 
 class Line:
@@ -50,7 +49,7 @@ class Line:
 
     __slots__ = ("branch", "joint", "link", "mass", "remark")
 
-    def __init__(self, branch: str, link: str, *, joint: Joint | None) -> None:
+    def __init__(self, branch: str, link: str, *, joint: Row | None) -> None:
         """Start a line; `branch` is the lines drawn in front of the link."""
         self.branch = branch
         self.link = link
@@ -59,7 +58,7 @@ class Line:
         self.remark = ""
 
 
-def render_tree(root: Element, *, ascii: bool = False, color: bool = False) -> str:
+def render_tree(robot: Robot, *, ascii: bool = False, color: bool = False) -> str:
     """Return the kinematic tree of a robot as text that ends in a line break.
 
     A line shows a link, its mass, and the joint that holds it: name, type, axis and limits. The
@@ -67,36 +66,39 @@ def render_tree(root: Element, *, ascii: bool = False, color: bool = False) -> s
     as a loop or a second root, is shown with a remark; nothing recurses, however long the chain.
 
     Args:
-        root: a finished `<robot>`.
+        robot: the robot.
         ascii: draw with `|` and `-` only, for terminals that have no box-drawing characters.
         color: use ANSI colours.
     """
-    robot = _Robot(root, dots=".." if ascii else "…")
-    lines = list(_walk(robot, ascii=ascii))
+    shape = _Structure(robot, dots=".." if ascii else "…")
+    lines = list(_walk(shape, ascii=ascii))
     rows = _aligned([_cells(line) for line in lines])
     shown = [_painted(line, row) if color else row for line, row in zip(lines, rows, strict=True)]
-    summary = robot.summary()
-    problems = robot.problems()
+    summary = shape.summary()
+    problems = shape.problems()
     blank = [""] if shown else []
     return "\n".join([*shown, *blank, *problems, summary]) + "\n"
 
 
-class _Robot:
-    """The links and joints of a robot, by name."""
+class _Structure:
+    """The links and joints of a robot as they are written, whether or not they make a tree.
+
+    Attributes:
+        name: the robot's name.
+        links: the mass of each link by name, None where it has none.
+        joints: all joints.
+        children: the links that are some joint's child.
+        joints_from: the joints that hang on each link.
+    """
 
     __slots__ = ("children", "joints", "joints_from", "links", "name")
 
-    def __init__(self, root: Element, *, dots: str) -> None:
-        self.name = _attribute(root, "name")
-        self.links: dict[str, float | None] = {}
-        self.joints: list[Joint] = []
-        for element in root.elements():
-            if element.name == "link":
-                self.links.setdefault(_attribute(element, "name"), _mass(element))
-            elif element.name == "joint":
-                self.joints.append(Joint(element, dots=dots))
+    def __init__(self, robot: Robot, *, dots: str) -> None:
+        self.name = _one_line(robot.name)
+        self.links = {_one_line(name): _mass(link) for name, link in robot.links.items()}
+        self.joints = [Row(joint, dots=dots) for joint in robot.all_joints]
         self.children = {joint.child for joint in self.joints}
-        self.joints_from: dict[str, list[Joint]] = {}
+        self.joints_from: dict[str, list[Row]] = {}
         for joint in self.joints:
             if joint.parent and joint.child:
                 self.joints_from.setdefault(joint.parent, []).append(joint)
@@ -118,8 +120,8 @@ class _Robot:
     def summary(self) -> str:
         """Return the counts and sums."""
         moving = [joint for joint in self.joints if joint.kind in DEGREES_OF_FREEDOM]
-        free = sum(DEGREES_OF_FREEDOM[joint.kind] for joint in moving if not joint.mimic)
-        mimics = sum(bool(joint.mimic) for joint in moving)
+        free = sum(DEGREES_OF_FREEDOM[joint.kind] for joint in moving if not joint.is_follower)
+        mimics = sum(joint.is_follower for joint in moving)
         joints = f"{counted(len(self.joints), 'joint')} ({len(moving)} movable"
         joints += f", {counted(mimics, 'mimic')})" if mimics else ")"
         masses = [mass for mass in self.links.values() if mass is not None]
@@ -132,33 +134,33 @@ class _Robot:
         return f"{self.name or 'robot'}: {', '.join(parts)}"
 
 
-def _walk(robot: _Robot, *, ascii: bool) -> Iterator[Line]:
+def _walk(structure: _Structure, *, ascii: bool) -> Iterator[Line]:
     """Yield the lines of the tree in the order of the joints, each link once."""
     seen: set[str] = set()
     roots = 0
-    for start in robot.starts():
+    for start in structure.starts():
         if start in seen:
             continue
         roots += 1
-        line = _line(robot, start, seen, branch="", joint=None)
+        line = _line(structure, start, seen, branch="", joint=None)
         if roots > 1 and not line.remark:
             line.remark = "another root"
         yield line
-        stack = _below(robot, start, depth=1, indent="")
+        stack = _below(structure, start, depth=1, indent="")
         while stack:
             joint, depth, indent, is_last = stack.pop()
             is_new = joint.child not in seen
             branch, deeper = _branches(indent, depth=depth, is_last=is_last, ascii=ascii)
-            yield _line(robot, joint.child, seen, branch=branch, joint=joint)
+            yield _line(structure, joint.child, seen, branch=branch, joint=joint)
             if is_new:
-                stack.extend(_below(robot, joint.child, depth=depth + 1, indent=deeper))
+                stack.extend(_below(structure, joint.child, depth=depth + 1, indent=deeper))
 
 
 def _below(
-    robot: _Robot, link: str, *, depth: int, indent: str
-) -> list[tuple[Joint, int, str, bool]]:
+    structure: _Structure, link: str, *, depth: int, indent: str
+) -> list[tuple[Row, int, str, bool]]:
     """Return the steps to what hangs on a link, the first one last, as a stack wants them."""
-    joints = robot.joints_from.get(link, [])
+    joints = structure.joints_from.get(link, [])
     last = len(joints) - 1
     steps = [(joint, depth, indent, number == last) for number, joint in enumerate(joints)]
     return steps[::-1]
@@ -173,18 +175,20 @@ def _branches(indent: str, *, depth: int, is_last: bool, ascii: bool) -> tuple[s
     return indent + ("└─ " if is_last else "├─ "), indent + ("   " if is_last else "│  ")
 
 
-def _line(robot: _Robot, link: str, seen: set[str], *, branch: str, joint: Joint | None) -> Line:
+def _line(
+    structure: _Structure, link: str, seen: set[str], *, branch: str, joint: Row | None
+) -> Line:
     """Return the line of a link, with a remark if something is wrong with it."""
     line = Line(branch, link, joint=joint)
     if link in seen:
         line.remark = "shown above: not a tree"
         return line
     seen.add(link)
-    if link not in robot.links:
+    if link not in structure.links:
         line.remark = "no such link"
-    elif joint is None and link in robot.children:
+    elif joint is None and link in structure.children:
         line.remark = "part of a loop"
-    mass = robot.links.get(link)
+    mass = structure.links.get(link)
     line.mass = "" if mass is None else mass_text(mass)
     return line
 
@@ -236,29 +240,13 @@ def _painted(line: Line, row: str) -> str:
 # --- values -----------------------------------------------------------------------------------
 
 
-def _attribute(element: Element, name: str) -> str:
-    return _one_line(format_value(element.attributes.get(name)))
-
-
 def _one_line(text: str) -> str:
     return printable(text).replace("\t", " ")
 
 
-def _number(text: str) -> float | None:
-    try:
-        return float(text)
-    except ValueError:
-        return None
-
-
-def _mass(link: Element) -> float | None:
+def _mass(link: Link) -> float | None:
     """Return the mass of a link in kg, or None if it has none."""
-    for inertial in link.elements():
-        if inertial.name == "inertial":
-            for mass in inertial.elements():
-                if mass.name == "mass":
-                    return _number(_attribute(mass, "value"))
-    return None
+    return number_in(link.inertial.inner("mass"), "value") if link.inertial is not None else None
 
 
 def mass_text(mass: float) -> str:
@@ -266,26 +254,27 @@ def mass_text(mass: float) -> str:
     return f"{mass:.0f} kg" if abs(mass) >= 1000 else f"{mass:.4g} kg"
 
 
-def _limits(element: Element, *, kind: str, dots: str) -> str:
+def _limits(limit: Limit | None, *, kind: str, dots: str) -> str:
     """Return the range of a joint, in the unit of its type."""
-    if kind == "continuous":
+    if limit is None or kind == CONTINUOUS:
         return ""
-    numbers = [_number(_attribute(element, end) or "0") for end in ("lower", "upper")]
-    if None in numbers or ("lower" not in element.attributes and "upper" not in element.attributes):
+    given = [end for end in ("lower", "upper") if limit.written(end)]
+    if not given or any(limit.number(end) is None for end in given):
         return ""
-    unit = {"revolute": " rad", "prismatic": " m"}.get(kind, "")
-    lower, upper = (f"{number:.3g}" for number in numbers)
-    return f"{lower} {dots} {upper}{unit}"
+    unit = {REVOLUTE: " rad", PRISMATIC: " m"}.get(kind, "")
+    return f"{limit.lower:.3g} {dots} {limit.upper:.3g}{unit}"
 
 
-def _axis_name(text: str) -> str:
-    """Return `x`, `-z` and the like for an axis along one direction, else the vector itself."""
-    numbers = [_number(part) for part in text.split()]
-    along = [(name, number) for name, number in zip("xyz", numbers, strict=False) if number]
-    if len(numbers) == 3 and None not in numbers and len(along) == 1:
-        name, number = along[0]
-        return f"-{name}" if number < 0 else name
-    return f"({' '.join(text.split())})"
+def _axis_name(joint: Joint) -> str:
+    """Return `x`, `-z` and the like for an axis along one direction, else the vector as written."""
+    text = attribute_text(joint.inner("axis"), "xyz") or "1 0 0"
+    numbers = read_numbers(text)
+    if isinstance(numbers, tuple) and len(numbers) == 3:
+        along = [(name, number) for name, number in zip("xyz", numbers, strict=True) if number]
+        if len(along) == 1:
+            name, number = along[0]
+            return f"-{name}" if number < 0 else name
+    return f"({' '.join(_one_line(text).split())})"
 
 
 def counted(count: int, noun: str) -> str:

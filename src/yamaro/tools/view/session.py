@@ -86,8 +86,8 @@ class Session:
     def _describe(self, turn: Turn) -> Description | None:
         if turn.build is None:
             return None
-        if turn.build.root.name != "robot":
-            turn.fault = f"the page shows robots, and this is a <{turn.build.root.name}>"
+        if turn.build.root_name != "robot":
+            turn.fault = f"the page shows robots, and this is a <{turn.build.root_name}>"
             turn.build = None
             return None
         self._library.look_up(filter(os.path.isabs, turn.build.meshes))
