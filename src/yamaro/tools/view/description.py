@@ -3,15 +3,21 @@
 from __future__ import annotations
 
 from ...diagnostics import ERROR, WARNING, Diagnostic, YamaroError, render
-from ...xml.tree import Element
-from ...xml.values import format_value
+from ...model.link import Visual
+from ...model.reading import read_robot
+from ...model.shapes import Mesh
+from ...model.values import attribute_text
 from .origins import Owners, Places
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
 
+    from ...diagnostics import Frame
+    from ...model.link import Collision, Link
+    from ...model.robot import Robot
     from ...result import Build
+    from ...xml.tree import Element
     from .mesh_files import MeshFiles
     from .origins import Json
 
@@ -35,57 +41,53 @@ class Description:
         self._finder = build.finder
         self._files = files
         self._refused: dict[str, Diagnostic] = {}  # by message
-        root = build.root
-        owners = Owners(root)
+        robot = read_robot(build.root)
+        owners = Owners(robot)
         self.data: Json = {
             "urdf": build.xml(),
-            "root": root.name,
-            "links": self._owners(root, "link"),
-            "joints": self._owners(root, "joint"),
-            "textures": self._textures(root),
+            "root": build.root_name,
+            "links": {name: self._link(link) for name, link in robot.links.items()},
+            "joints": {
+                name: self.places.origin(joint.span, joint.trace)
+                for name, joint in robot.joints.items()
+            },
+            "textures": self._textures(robot),
         }
         warnings = (*build.warnings, *self._refused.values())
         self.data["diagnostics"] = [self._diagnostic(each, owners) for each in warnings]
         self.data["places"] = self.places.texts
 
-    def _owners(self, root: Element, kind: str) -> Json:
-        """Return each link or joint by its name; of two with one name, the first."""
-        found: Json = {}
-        for element in root.elements():
-            name = _attribute(element, "name")
-            if element.name == kind and name not in found:
-                found[name] = {**self.places.origin(element), **self._shapes(element)}
-        return found
-
-    def _shapes(self, link: Element) -> Json:
+    def _link(self, link: Link) -> Json:
         return {
-            kind: [self._shape(element) for element in link.elements() if element.name == kind]
-            for kind in (("visual", "collision") if link.name == "link" else ())
+            **self.places.origin(link.span, link.trace),
+            "visual": [self._shape(visual, link) for visual in link.visuals],
+            "collision": [self._shape(collision, link) for collision in link.collisions],
         }
 
-    def _shape(self, element: Element) -> Json:
-        shape = self.places.origin(element)
-        mesh = _below(element, "geometry", "mesh")
-        if mesh is not None:
-            shape["mesh"] = self._file(mesh)
-        texture = _below(element, "material", "texture")
+    def _shape(self, section: Visual | Collision, link: Link) -> Json:
+        trace = section.trace_in(link)
+        found = self.places.origin(section.span, trace)
+        if isinstance(section.shape, Mesh) and section.shape.element is not None:
+            found["mesh"] = self._file(section.shape.element, trace)
+        material = section.material if isinstance(section, Visual) else None
+        texture = material.inner("texture") if material is not None else None
         if texture is not None:
-            shape["texture"] = self._file(texture)
-        return shape
-
-    def _textures(self, root: Element) -> Json:
-        """Return the textures of the materials that stand under the root, by their names."""
-        found: Json = {}
-        for material in root.elements():
-            if material.name == "material":
-                for texture in material.elements():
-                    if texture.name == "texture" and (file := self._file(texture)):
-                        found[_attribute(material, "name")] = file
+            found["texture"] = self._file(texture, trace)
         return found
 
-    def _file(self, element: Element) -> Json | None:
+    def _textures(self, robot: Robot) -> Json:
+        """Return the textures of the materials that are written outside of visuals, by name."""
+        found: Json = {}
+        inside = {id(visual.material) for _, visual in robot.visuals()}
+        for name, material in robot.materials.items():
+            texture = material.inner("texture") if id(material) not in inside else None
+            if texture is not None and (file := self._file(texture, texture.trace)):
+                found[name] = file
+        return found
+
+    def _file(self, element: Element, trace: Frame | None) -> Json | None:
         """Return where the page gets a mesh or texture, or None if it is not to be had."""
-        filename = _attribute(element, "filename")
+        filename = attribute_text(element, "filename") or ""
         span = element.value_span("filename")
         try:
             path = self._finder.resolve(filename, span)
@@ -94,24 +96,27 @@ class Description:
         if path is not None:
             file = self._files.add(path)
             if file is not None:
-                self._warn_of_textures(element, filename, path, file)
+                self._warn_of_textures(element, path, file, trace)
             return file
         meant = self._finder.path_meant(filename, span)
         if meant is not None:
             self.awaited.append(meant)
         return None
 
-    def _warn_of_textures(self, element: Element, filename: str, path: str, file: Json) -> None:
+    def _warn_of_textures(
+        self, element: Element, path: str, file: Json, trace: Frame | None
+    ) -> None:
         """Warn of a texture that is not an image, or of those that a mesh names."""
+        filename = attribute_text(element, "filename")
         if element.name == "texture" and "fault" in file:
-            self._warn(element, f"the texture '{filename}' cannot be shown: {file['fault']}")
+            self._warn(element, trace, f"the texture '{filename}' cannot be shown: {file['fault']}")
         for name in self._files.refused_by(path):
             texture = f"the texture '{name}', which has no format that is read"
-            self._warn(element, f"the mesh '{filename}' is shown without {texture}")
+            self._warn(element, trace, f"the mesh '{filename}' is shown without {texture}")
 
-    def _warn(self, element: Element, message: str) -> None:
+    def _warn(self, element: Element, trace: Frame | None, message: str) -> None:
         span = element.value_span("filename")
-        warning = Diagnostic("bad-mesh", message, span, severity=WARNING, trace=element.trace)
+        warning = Diagnostic("bad-mesh", message, span, severity=WARNING, trace=trace)
         self._refused.setdefault(message, warning)
 
     def _diagnostic(self, diagnostic: Diagnostic, owners: Owners) -> Json:
@@ -140,17 +145,3 @@ def fault_data(diagnostics: Sequence[Diagnostic], fault: str, places: Places) ->
         {**diagnostic_data(each), "place": places.number(each.span)} for each in errors
     )
     return {"fault": fault, "diagnostics": list(told), "places": places.texts}
-
-
-def _attribute(element: Element, name: str) -> str:
-    return format_value(element.attributes.get(name))
-
-
-def _below(element: Element, *names: str) -> Element | None:
-    """Return the first element reached by child elements of these names."""
-    for name in names:
-        found = next((each for each in element.elements() if each.name == name), None)
-        if found is None:
-            return None
-        element = found
-    return element

@@ -5,13 +5,15 @@ from __future__ import annotations
 import re
 
 from ...diagnostics import INHERITED, trace_lines
-from ...xml.tree import Element
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
     from ...diagnostics import Diagnostic, Frame
+    from ...model.joint import Joint
+    from ...model.link import Link
+    from ...model.robot import Robot
     from ...source import Span
 
     Json = dict[str, object]
@@ -43,14 +45,14 @@ class Places:
             self.where.append((span.source.path, *span.location()))
         return number
 
-    def origin(self, element: Element) -> Json:
-        """Return where an element was written, and the calls and includes that led there."""
-        return {"place": self.number(element.span), "calls": self.calls(element.trace)}
+    def origin(self, span: Span, trace: Frame | None) -> Json:
+        """Return where something is written, and the calls and includes that led there."""
+        return {"place": self.number(span), "calls": self.calls(trace)}
 
     def calls(self, trace: Frame | None) -> list[Json]:
         """Return the steps that led to a place, innermost first."""
         steps: list[Json] = []
-        frame = None if trace is INHERITED else trace
+        frame = trace
         while frame is not None and len(steps) < MOST_CALLS:
             steps.append({"kind": frame.kind, "name": frame.name, "place": self.number(frame.span)})
             frame = frame.parent
@@ -62,18 +64,17 @@ class Owners:
 
     __slots__ = ("_by_place", "_names")
 
-    def __init__(self, root: Element) -> None:
+    def __init__(self, robot: Robot) -> None:
         """Note every place in the links and joints of a robot."""
         self._by_place: dict[object, list[tuple[list[str], str, str]]] = {}
         self._names: set[tuple[str, str]] = set()
-        for owner in root.elements():
-            if owner.name in ("link", "joint"):
-                name = str(owner.attributes.get("name", ""))
-                self._names.add((owner.name, name))
-                for span, trace in _places_in(owner):
-                    calls = trace_lines(None if trace is INHERITED else trace)
-                    found = self._by_place.setdefault(span.key(), [])
-                    found.append((calls, owner.name, name))
+        owners: list[Link | Joint] = [*robot.all_links, *robot.all_joints]
+        for owner in owners:
+            kind = owner.element.name
+            self._names.add((kind, owner.name))
+            for span, trace in _places_in(owner):
+                found = self._by_place.setdefault(span.key(), [])
+                found.append((trace_lines(trace), kind, owner.name))
 
     def of(self, diagnostic: Diagnostic) -> tuple[str, str] | None:
         """Return "link" or "joint" and its name; None if it is about neither, or about many.
@@ -92,14 +93,15 @@ class Owners:
         return owners.pop() if len(owners) == 1 else None
 
 
-def _places_in(owner: Element) -> Iterator[tuple[Span, Frame | None]]:
+def _places_in(owner: Link | Joint) -> Iterator[tuple[Span, Frame | None]]:
     """Yield the place of each element and attribute in a link or joint, with what led there."""
-    pending = [owner]
+    pending = [owner.element]
     while pending:
         element = pending.pop()
-        yield element.span, element.trace
+        trace = owner.trace if element.trace is INHERITED else element.trace
+        yield element.span, trace
         for attribute in element.attributes:
             span = element.value_span(attribute)
             if span is not element.span:
-                yield span, element.trace
+                yield span, trace
         pending += element.elements()
