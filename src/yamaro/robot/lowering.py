@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from .mirror import Mirror
     from .patterns import Pattern
 
+    Outside = tuple[list[Element], list[Element], list[Mirror], dict[str, str], dict[str, str]]
     Product = TypeVar("Product", Element, list[Node])
     Entered = tuple[Frame | None, int, int]
     """The trace in which a part was entered, and how many errors and warnings there were."""
@@ -129,6 +130,27 @@ class Lowering:
         if id(element) in self.shared:
             self.shared.setdefault(id(element.children), {})
         return with_trace(element, self.trace)
+
+    def begin_robot(self) -> Outside:
+        """Begin with a robot in which the names of parts mean its own.
+
+        Returns:
+            What to give `end_robot`.
+        """
+        outside = self.parents, self.mimics, self.pending, self.part_links, self.part_joints
+        self.parents, self.mimics, self.pending = [], [], []
+        self.part_links, self.part_joints = {}, {}
+        return outside
+
+    def end_robot(self, outside: Outside) -> tuple[dict[str, str], dict[str, str]]:
+        """End what `begin_robot` has begun.
+
+        Returns:
+            The link and the joint of each part in that robot.
+        """
+        own = self.part_links, self.part_joints
+        self.parents, self.mimics, self.pending, self.part_links, self.part_joints = outside
+        return own
 
     def absorb(self, error: YamaroError) -> None:
         """Record the errors of an exception and go on; the same at the same place counts once."""

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from ..diagnostics import YamaroError, did_you_mean, failure
-from ..model.rotations import ZERO, multiply, rotate, rotation_from_rpy, rpy_from_rotation
 from ..xml.robot_names import RobotNames
 from ..xml.tree import Element, Text
 from ..xml.values import format_value
@@ -15,23 +14,23 @@ from .mirror_image import (
     mirror_link,
     mirror_origin,
     mirrored_axis,
+    mirrored_pose,
     reverse,
     reverse_mimic,
     set_axis,
     turn_mesh,
 )
-from .numbers import format_component
+from .rigid import RigidLinks, link_of, name_of, pose_of, set_pose
 from .word_renaming import WordRenaming
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from ..model.rotations import Rotation, Vector
+    from ..model.pose import Pose
     from ..source import Span
     from ..xml.tree import Node, RobotWord
     from .lowering import Lowering
 
 KEYS = ("plane", "of", "rename", "axes", "meshes", "body")
-IDENTITY: Rotation = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
 TILTED = 1e-9
 """How far an axis may be from its image and still count as the same."""
 
@@ -186,7 +185,7 @@ def _with_images(nodes: list[Node], images: dict[int, list[Node]]) -> list[Node]
 
 def _all_links(lowering: Lowering, robot: Element) -> set[str]:
     """Return the names of all links, those of images among them."""
-    names = {_name(each) for each in robot.elements() if each.name == "link"}
+    names = {name_of(each) for each in robot.elements() if each.name == "link"}
     for mirror in lowering.pending:
         own = _own_links(lowering, mirror)
         names |= {mirror.renaming.apply(name) for name in own}
@@ -199,7 +198,7 @@ def _own_links(lowering: Lowering, mirror: Mirror) -> set[str]:
         if isinstance(node, Mirror):
             names |= {node.renaming.apply(name) for name in _own_links(lowering, node)}
         elif isinstance(node, Element) and node.name == "link":
-            names.add(_name(node))
+            names.add(name_of(node))
     return names
 
 
@@ -221,8 +220,8 @@ class _Image:
         self.robot = robot
         self.there = there
         self.made = [node for node in made if isinstance(node, Element)]
-        self.links = {_name(each) for each in self.made if each.name == "link"}
-        self.joints = {_name(each) for each in self.made if each.name == "joint"}
+        self.links = {name_of(each) for each in self.made if each.name == "link"}
+        self.joints = {name_of(each) for each in self.made if each.name == "joint"}
         self.signs: dict[str, int] = {}
 
     def nodes(self) -> list[Node]:
@@ -296,10 +295,10 @@ class _Image:
     # --- joints ---
 
     def _mirror_joint(self, joint: Element) -> None:
-        name = _name(joint)
+        name = name_of(joint)
         self.signs[name] = 1
         parent = next((each for each in joint.elements() if each.name == "parent"), None)
-        if parent is not None and _link_of(parent) not in self.links:
+        if parent is not None and link_of(parent) not in self.links:
             self._mirror_root(joint, parent)
         else:
             mirror_origin(joint, self.mirror.normal)
@@ -324,7 +323,7 @@ class _Image:
 
     def _mirror_root(self, joint: Element, parent: Element) -> None:
         """Mirror a joint whose parent is outside of the body, in the plane of that or of `of`."""
-        old = _link_of(parent)
+        old = link_of(parent)
         new = self.mirror.renaming.apply(old)
         if new in self.there:
             parent.attributes["link"] = new
@@ -338,7 +337,7 @@ class _Image:
             return
         _mirror_in(joint, pose, self.mirror.normal)
 
-    def _pose_of_plane(self, key: Element, parent: str) -> tuple[Rotation, Vector]:
+    def _pose_of_plane(self, key: Element, parent: str) -> Pose:
         """Return the pose of a joint's parent in the frame of the link that `of` names."""
         name = key.text().strip()
         link = name if name in self.there else self.lowering.part_links.get(name)
@@ -351,9 +350,10 @@ class _Image:
                 hint=did_you_mean(name, known) or "name the link whose plane it is",
                 trace=key.trace,
             )
-        top_of, pose_of = _rigid_root(self.robot, link)
-        top_parent, pose_parent = _rigid_root(self.robot, parent)
-        if top_of != top_parent:
+        rigid = RigidLinks(self.robot.elements())
+        top, pose = rigid.top_of(link)
+        top_of_parent, pose_of_parent = rigid.top_of(parent)
+        if top != top_of_parent:
             raise failure(
                 "mirror-parent",
                 f"'of' names '{name}', which moves against '{parent}', the parent of the body",
@@ -361,24 +361,24 @@ class _Image:
                 hint=f"name a link that is rigidly joined to '{parent}', or leave 'of' out",
                 trace=key.trace,
             )
-        return _composed(_inverted(pose_of), pose_parent)
+        return pose.inverse() @ pose_of_parent
 
     def _mirror_mimic(self, joint: Element) -> None:
         for mimic in joint.elements():
             if mimic.name == "mimic":
                 leader = format_value(mimic.attributes.get("joint"))
                 sign = self.signs.get(leader, 1)
-                reverse_mimic(joint, follower=self.signs[_name(joint)], leader=sign)
+                reverse_mimic(joint, follower=self.signs[name_of(joint)], leader=sign)
 
     # --- what cannot be mirrored ---
 
     def _check_name(self, original: Element, copy: Element) -> None:
-        if original.name not in ("link", "joint") or _name(original) != _name(copy):
+        if original.name not in ("link", "joint") or name_of(original) != name_of(copy):
             return
         self.lowering.absorb(
             failure(
                 "mirror-name",
-                f"the {original.name} '{_name(original)}' has no word that 'rename' replaces, "
+                f"the {original.name} '{name_of(original)}' has no word that 'rename' replaces, "
                 "so its image would have the same name",
                 original.value_span("name"),
                 hint="name it with one of the words, such as left_…, or add a word to 'rename'",
@@ -388,18 +388,18 @@ class _Image:
 
     def _check_roots(self) -> None:
         children = {
-            _link_of(child)
+            link_of(child)
             for joint in self.made
             if joint.name == "joint"
             for child in joint.elements()
             if child.name == "child"
         }
         for link in self.made:
-            if link.name == "link" and _name(link) not in children:
+            if link.name == "link" and name_of(link) not in children:
                 self.lowering.absorb(
                     failure(
                         "mirror-parent",
-                        f"the link '{_name(link)}' has no parent, so there is no plane to mirror "
+                        f"the link '{name_of(link)}' has no parent, so there is no plane to mirror "
                         "it in",
                         link.value_span("name"),
                         hint="join it to a link outside of `mirror`, or move it out of the body",
@@ -416,83 +416,9 @@ def _same(one: str, other: str, *, sign: int = 1) -> bool:
         return False
 
 
-def _name(element: Element) -> str:
-    return format_value(element.attributes.get("name"))
-
-
-def _link_of(reference: Element) -> str:
-    return format_value(reference.attributes.get("link"))
-
-
-# --- poses ------------------------------------------------------------------------------------
-
-_Pose = tuple["Rotation", "Vector"]
-
-
-def _mirror_in(joint: Element, plane: _Pose, normal: int) -> None:
+def _mirror_in(joint: Element, plane: Pose, normal: int) -> None:
     """Mirror a joint's origin in a plane of another link, which is rigidly joined to its parent.
 
     With T_plane_parent, the image is T_plane_parent⁻¹ · S · T_plane_parent · T_parent_joint · S.
     """
-    origin = next((each for each in joint.elements() if each.name == "origin"), None)
-    if origin is None:
-        origin = Element("origin", joint.span, {"xyz": "0 0 0", "rpy": "0 0 0"}, trace=joint.trace)
-        joint.children.append(origin)
-    rotation, position = _composed(plane, _pose_of(origin))
-    mirrored = (
-        tuple(
-            tuple(-x if (row == normal) != (column == normal) else x for column, x in enumerate(r))
-            for row, r in enumerate(rotation)
-        ),
-        tuple(-x if row == normal else x for row, x in enumerate(position)),
-    )
-    rotation, position = _composed(_inverted(plane), mirrored)  # type: ignore[arg-type]
-    origin.attributes["xyz"] = " ".join(map(format_component, position))
-    origin.attributes["rpy"] = " ".join(map(format_component, rpy_from_rotation(rotation)))
-
-
-def _pose_of(origin: Element | None) -> _Pose:
-    if origin is None:
-        return IDENTITY, ZERO
-    roll, pitch, yaw = _row(origin, "rpy")
-    return rotation_from_rpy(roll, pitch, yaw), _row(origin, "xyz")
-
-
-def _row(origin: Element, name: str) -> Vector:
-    words = format_value(origin.attributes.get(name) or "0 0 0").split()
-    try:
-        x, y, z = map(float, words)
-    except ValueError:
-        return ZERO
-    return x, y, z
-
-
-def _composed(outer: _Pose, inner: _Pose) -> _Pose:
-    x, y, z = rotate(outer[0], inner[1])
-    a, b, c = outer[1]
-    return multiply(outer[0], inner[0]), (a + x, b + y, c + z)
-
-
-def _inverted(pose: _Pose) -> _Pose:
-    (a, b, c), (d, e, f), (g, h, i) = pose[0]
-    rotation = ((a, d, g), (b, e, h), (c, f, i))
-    x, y, z = rotate(rotation, pose[1])
-    return rotation, (-x, -y, -z)
-
-
-def _rigid_root(robot: Element, link: str) -> tuple[str, _Pose]:
-    """Return the first link that a link is rigidly joined to, going up, and the pose in it."""
-    above: dict[str, tuple[str, Element]] = {}
-    for joint in robot.elements():
-        if joint.name == "joint" and format_value(joint.attributes.get("type")) == "fixed":
-            ends = {each.name: _link_of(each) for each in joint.elements()}
-            if "parent" in ends and "child" in ends:
-                above[ends["child"]] = (ends["parent"], joint)
-    pose: _Pose = (IDENTITY, ZERO)
-    seen: set[str] = set()
-    while link in above and link not in seen:
-        seen.add(link)
-        link, joint = above[link]
-        origin = next((each for each in joint.elements() if each.name == "origin"), None)
-        pose = _composed(_pose_of(origin), pose)
-    return link, pose
+    set_pose(joint, plane.inverse() @ mirrored_pose(plane @ pose_of(joint), normal))

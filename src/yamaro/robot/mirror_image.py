@@ -10,6 +10,7 @@ Algorithms, section 2.8, for the transformation of inertia.
 
 from __future__ import annotations
 
+from ..model.pose import Pose
 from ..xml.tree import Comment, Element, Text
 from ..xml.values import format_value
 
@@ -44,6 +45,16 @@ def mirrored_row(text: str, normal: int, *, turns: bool = False) -> str:
     return " ".join(
         negated(word) if (index == normal) != turns else word for index, word in enumerate(words)
     )
+
+
+def mirrored_pose(pose: Pose, normal: int) -> Pose:
+    """Return the pose (S·R·S, S·x)."""
+    (a, b, c), (d, e, f), (g, h, i) = [
+        tuple(-x if (row == normal) != (column == normal) else x for column, x in enumerate(values))
+        for row, values in enumerate(pose.rotation)
+    ]
+    x, y, z = [-each if row == normal else each for row, each in enumerate(pose.position)]
+    return Pose(((a, b, c), (d, e, f), (g, h, i)), (x, y, z))
 
 
 def copy_of(element: Element) -> Element:

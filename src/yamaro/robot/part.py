@@ -88,7 +88,7 @@ def lower(
     settle(lowering.errors, None)
     if lowering.errors:
         raise YamaroError(lowering.errors)
-    _resolve_names(lowering, robot)
+    resolve_names(lowering, robot)
     if lowering.pending:
         from .words import finish_words
 
@@ -340,7 +340,7 @@ def _derived_names(words: list[str]) -> PartNames:
 # --- names resolved at the end ----------------------------------------------------------------
 
 
-def _resolve_names(lowering: Lowering, robot: Element) -> None:
+def resolve_names(lowering: Lowering, robot: Element) -> None:
     """Replace names of parts by those of their links and joints, and add `root_link`."""
     links = _names(robot, "link")
     part_links = lowering.part_links

@@ -17,6 +17,11 @@ def lower_word(lowering: Lowering, word: RobotWord, out: list[Node]) -> None:
 
         lower_mirror(lowering, word, out)
         return
+    if word.name == "attach":
+        from .attach import lower_attach
+
+        lower_attach(lowering, word, out)
+        return
     lowering.absorb(
         failure(
             "misplaced-statement",

@@ -93,7 +93,9 @@ def parse_include_of(key: ScalarNode, pairs: Pairs, context: ParseContext) -> In
             "missing-key",
             f"`{word}` needs an entry `path`",
             key.span(),
-            hint=f"did you mean `path` by '{near}'?" if near else "write path: other.yaml",
+            hint=f"did you mean `path` by '{near}'?"
+            if near
+            else f"write path: other.yaml{', or a body' if word == 'attach' else ''}",
         )
     path = _parse_path(path_pair[1], path_pair[0], context)
     if namespace_pair and isinstance(path_pair[1], ScalarNode) and is_xml_file(path_pair[1].text):

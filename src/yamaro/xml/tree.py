@@ -154,17 +154,27 @@ Node = Element | Text | Comment
 
 
 class IncludedRobot:
-    """The `body` of what stands under the root of an XML file that is included.
+    """The `body` of what stands under the root of a robot that is included as XML or attached.
 
     Attributes:
-        prefix: what the include puts before the names of its links and joints.
+        prefix: what is put before the names of its links and joints.
     """
 
-    __slots__ = ("prefix",)
+    __slots__ = ("_inner", "prefix")
 
     def __init__(self, prefix: str) -> None:
         """Begin with nothing in it."""
         self.prefix = prefix
+        self._inner: dict[str, IncludedRobot] = {}
+
+    def within(self, prefix: str) -> IncludedRobot:
+        """Return the same robot as part of one that has a prefix of its own; one for each."""
+        if not prefix:
+            return self
+        inner = self._inner.get(prefix)
+        if inner is None:
+            inner = self._inner[prefix] = IncludedRobot(prefix + self.prefix)
+        return inner
 
 
 Shared = dict[int, dict[str, "Any"]]

@@ -1,0 +1,220 @@
+"""Lowers `attach`: another robot, joined to a link of this one, with a prefix before its names."""
+
+from __future__ import annotations
+
+from ..diagnostics import YamaroError, did_you_mean, failure
+from ..xml.robot_names import RobotNames
+from ..xml.tree import Element, IncludedRobot, Text
+from .joint import lower_joint
+from .mirror_image import copy_of
+from .rigid import RigidLinks, link_of, name_of, pose_of, set_pose
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from ..source import Span
+    from ..xml.tree import Node, RobotWord
+    from .lowering import Lowering
+
+KEYS = ("path", "body", "to", "at", "xyz", "rpy", "pivot", "prefix", "joint", "arguments")
+_POSE_KEYS = ("xyz", "rpy", "pivot")
+_OWN_JOINT_KEYS = ("parent", "child", "xyz", "rpy", "pivot", "origin", "name")
+
+
+def lower_attach(lowering: Lowering, word: RobotWord, out: list[Node]) -> None:
+    """Append the joint that an attached robot is mounted with, and the robot itself."""
+    keys = {key.name: key for key in word.elements()}
+    try:
+        _check_keys(word, keys)
+    except YamaroError as error:
+        lowering.absorb(error)
+        return
+    errors = len(lowering.errors)
+    robot, (links, joints) = _lower_robot(lowering, keys["body"])
+    if len(lowering.errors) > errors:
+        return
+    prefix = _text(keys.get("prefix"))
+    try:
+        root = _only_root(word, robot)
+        mount = _mount(lowering, word, keys, prefix, root)
+        _place_at(mount, keys.get("at"), robot, links, root)
+    except YamaroError as error:
+        lowering.absorb(error)
+        return
+    for name, link in links.items():
+        lowering.part_links.setdefault(prefix + name, prefix + link)
+    for name, joint in joints.items():
+        lowering.part_joints.setdefault(prefix + name, prefix + joint)
+    out.append(mount)
+    out += _with_prefix(lowering, robot, prefix)
+
+
+def _check_keys(word: RobotWord, keys: dict[str, Element]) -> None:
+    for name, key in keys.items():
+        if name not in KEYS:
+            raise failure(
+                "unknown-key",
+                f"`attach` has no entry '{name}'",
+                key.span,
+                hint=did_you_mean(name, KEYS) or "what is passed to a file needs a `path`",
+                trace=word.trace,
+            )
+    if "to" not in keys:
+        raise failure(
+            "missing-key",
+            "`attach` needs an entry `to`",
+            word.span,
+            hint="write to: tool0, the link, part or frame that carries the robot",
+            trace=word.trace,
+        )
+
+
+# --- the attached robot -----------------------------------------------------------------------
+
+
+def _lower_robot(
+    lowering: Lowering, body: Element
+) -> tuple[Element, tuple[dict[str, str], dict[str, str]]]:
+    """Return the attached robot with the names in it resolved, and its parts' links and joints.
+
+    Parts of the two robots may have the same names: each means its own.
+    """
+    from .part import lower_nodes, resolve_names
+    from .words import finish_words
+
+    outside = lowering.begin_robot()
+    robot = Element("robot", body.span, children=lower_nodes(lowering, body.children))
+    resolve_names(lowering, robot)
+    finish_words(lowering, robot)
+    return robot, lowering.end_robot(outside)
+
+
+def _only_root(word: RobotWord, robot: Element) -> str:
+    """Return the link of a robot that has no parent.
+
+    Raises:
+        YamaroError: there is none, or there are several.
+    """
+    elements = robot.elements()
+    children = {
+        link_of(child)
+        for joint in elements
+        if joint.name == "joint"
+        for child in joint.elements()
+        if child.name == "child"
+    }
+    roots = [name_of(link) for link in elements if link.name == "link"]
+    roots = [name for name in roots if name not in children]
+    if len(roots) == 1:
+        return roots[0]
+    listed = ", ".join(f"'{name}'" for name in roots[:4])
+    raise failure(
+        "attach-roots",
+        f"the attached robot has {len(roots)} roots: {listed}"
+        if roots
+        else "the attached robot has no root link",
+        word.span,
+        hint="an attached robot has one link without a parent; join the others to it"
+        if roots
+        else "give it at least one link that is no joint's child",
+        trace=word.trace,
+    )
+
+
+def _with_prefix(lowering: Lowering, robot: Element, prefix: str) -> list[Node]:
+    """Return the attached robot with a prefix before the names that it defines."""
+    own = IncludedRobot(prefix)
+    names = RobotNames(robot.elements())
+    nodes: list[Node] = []
+    for node in robot.children:
+        if not isinstance(node, Element):
+            nodes.append(node)
+            continue
+        copy = copy_of(lowering.outermost(node))
+        has_own = isinstance(copy.body, IncludedRobot) and copy.body.prefix
+        copy.body = copy.body.within(prefix) if has_own else own  # type: ignore[attr-defined]
+        nodes.append(copy)
+    if prefix:
+        copies = [node for node in nodes if isinstance(node, Element)]
+        names.rename(copies, lambda name: prefix + name)
+    return nodes
+
+
+# --- the mount --------------------------------------------------------------------------------
+
+
+def _mount(
+    lowering: Lowering, word: RobotWord, keys: dict[str, Element], prefix: str, root: str
+) -> Element:
+    """Return the joint between the two robots."""
+    given = keys.get("joint")
+    key = Element("joint", word.span if given is None else given.span, trace=word.trace)
+    key.children = [] if given is None else list(given.children)
+    for child in key.elements():
+        if child.name in _OWN_JOINT_KEYS:
+            raise failure(
+                "misplaced-key",
+                f"'{child.name}' of the mount does not belong in 'joint'",
+                child.span,
+                hint="write xyz, rpy and pivot directly in `attach`; `to` is the parent, and the "
+                "joint is named after the attached root",
+                trace=word.trace,
+            )
+    if not any(child.name == "type" for child in key.elements()):
+        key.children.insert(0, _text_element("type", "fixed", word.span))
+    parent = Element("parent", keys["to"].span, children=keys["to"].children, trace=word.trace)
+    key.children.append(parent)
+    key.children += [keys[name] for name in _POSE_KEYS if name in keys]
+    name = f"{prefix}{root}_mount"
+    return lower_joint(lowering, key, name, child=prefix + root)
+
+
+def _text_element(name: str, text: str, span: Span) -> Element:
+    return Element(name, span, children=[Text(text, span)])
+
+
+def _place_at(
+    mount: Element, at: Element | None, robot: Element, parts: dict[str, str], root: str
+) -> None:
+    """Put the link that `at` names, in place of the root, where the mount leads.
+
+    T_to_root = T_to_at · T_root_at⁻¹.
+    """
+    if at is None:
+        return
+    name = _text(at)
+    links = {name_of(link) for link in robot.elements() if link.name == "link"}
+    link = name if name in links else parts.get(name)
+    if link is None:
+        raise failure(
+            "unknown-link",
+            f"'at' names '{name}', and the attached robot has no such link, part or frame",
+            _place(at),
+            hint=did_you_mean(name, (*links, *parts)) or f"its root is '{root}', the default",
+            trace=at.trace,
+        )
+    if link == root:
+        return
+    top, T_root_at = RigidLinks(robot.elements()).top_of(link)
+    moves = mount.attributes.get("type") != "fixed"
+    if top != root or moves:
+        raise failure(
+            "attach-moving",
+            f"'at' names '{name}', which moves against the root '{root}'"
+            if top != root
+            else f"the mount moves, and 'at' names '{name}' in place of the root '{root}'",
+            _place(at),
+            hint="name a link or frame that is rigidly joined to the root"
+            if top != root
+            else "leave 'at' out, or make the mount a fixed joint",
+            trace=at.trace,
+        )
+    set_pose(mount, pose_of(mount) @ T_root_at.inverse())
+
+
+def _text(key: Element | None) -> str:
+    return "" if key is None else key.text().strip()
+
+
+def _place(key: Element) -> Span:
+    texts = [child for child in key.children if isinstance(child, Text)]
+    return texts[0].span if texts else key.span
