@@ -183,12 +183,23 @@ def test_places_on_one_line_are_named_once_and_files_by_their_names() -> None:
     assert render_all(odd)[-1] == (r"… 7 more warnings like this [odd]: r.yaml:1; \x1b[2J.yaml:1")
 
 
+def test_twenty_errors_of_different_kinds_are_shown_and_the_rest_is_counted() -> None:
+    errors = [Diagnostic(f"odd-{n}", "m", Span(LINES, 0, 4)) for n in range(22)]
+    warnings = [at_line(1, "odd")]
+    assert render_all([*warnings, *errors]) == [
+        *(render(one) for one in [*warnings, *errors[:20]]),
+        "… and 2 more errors",
+    ]
+    assert render_all(errors[:21])[-1] == "… and 1 more error"
+    assert render_all(errors[:20])[-1] == render(errors[19])
+
+
 @pytest.mark.parametrize("count", [200, 20_000])
 def test_however_many_there_are_what_is_shown_is_bounded(count: int) -> None:
     of_kinds = [at_line(1 + n, f"odd-{n}", f"hint {n}") for n in range(count)]
     texts = render_all(of_kinds)
     assert len(texts) == 101
-    assert texts[-1] == f"… {count - 100:,} more, not shown"
+    assert texts[-1] == f"… and {count - 100:,} more warnings"
     notes = ["note"] * count
     span = Span(LINES, 0, 4)
     assert len(render(Diagnostic("odd", "m", span, notes=notes)).splitlines()) < 40

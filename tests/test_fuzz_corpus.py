@@ -26,7 +26,7 @@ from yamaro.xml import writer as xml_writer
 from yamaro.yaml import brackets
 from yamaro.yaml import characters as yaml_characters
 from yamaro.yaml import nodes as yaml_nodes
-from yamaro.yaml.reader import _Builder
+from yamaro.yaml.builder import NodeBuilder
 
 SEED = 1
 MORE = 1_000
@@ -185,7 +185,7 @@ find_close, position, key_of = brackets.find_close, python.PythonCode.position, 
 
 PLANTED: list[tuple[str, str, Plant]] = [
     ("reader", "escapes", in_place_of(spelled_length, knowing_no_escapes_of_four)),
-    ("reader", "anchors", of_class(_Builder, "_after_properties", lambda self, start: start)),
+    ("reader", "anchors", of_class(NodeBuilder, "_after_properties", lambda self, start: start)),
     ("reader", "surrogates", in_place_of(yaml_characters.refuse_characters, lambda source: None)),
     ("keys", "colons", in_place_of(parse_plain_key, keeping_the_colon)),
     ("keys", "white space", in_place_of(keys._trim, trimming_blanks_only)),

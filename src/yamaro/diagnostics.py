@@ -26,8 +26,8 @@ MAX_NOTES = 20
 """Notes of a diagnostic to show."""
 MAX_ALIKE = {ERROR: 10, WARNING: 4}
 """Diagnostics of one kind to show; of more of them, so many less one."""
-MAX_SHOWN = 100
-"""Diagnostics to show of all kinds together."""
+MAX_SHOWN = {ERROR: 20, WARNING: 100}
+"""Diagnostics to show of all kinds together, by severity."""
 MAX_PLACES = 8
 """Places to name of those that are not shown."""
 MAX_SUGGESTED_LETTERS = 255
@@ -347,12 +347,18 @@ def render_all(diagnostics: Sequence[Diagnostic], *, color: bool = False) -> lis
             hidden.update(map(id, rest))
     shown = [diagnostic for diagnostic in diagnostics if id(diagnostic) not in hidden]
     texts = []
-    for diagnostic in shown[:MAX_SHOWN]:
+    numbers = {WARNING: 0, ERROR: 0}
+    for diagnostic in shown:
+        numbers[diagnostic.severity] += 1
+        if numbers[diagnostic.severity] > MAX_SHOWN[diagnostic.severity]:
+            continue
         texts.append(render(diagnostic, color=color))
         if id(diagnostic) in followers:
             texts.append(_places_of(followers[id(diagnostic)]))
-    if len(shown) > MAX_SHOWN:
-        texts.append(f"… {len(shown) - MAX_SHOWN:,} more, not shown")
+    for severity, number in numbers.items():
+        more = number - MAX_SHOWN[severity]
+        if more > 0:
+            texts.append(f"… and {more:,} more {severity}{'s' if more > 1 else ''}")
     return texts
 
 

@@ -21,8 +21,12 @@ from .checks import require_readable, require_sound
 
 MODULES = (
     "yaml/reader.py",
+    "yaml/builder.py",
+    "yaml/recovery.py",
+    "yaml/comments.py",
     "yaml/nodes.py",
     "yaml/faults.py",
+    "yaml/explanations.py",
 )
 LOADER: Any = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
 WHITE = " \t\r\n\x85\u2028\u2029"

@@ -18,6 +18,7 @@ from yamaro.commands.main import main
 from yamaro.syntax import parser
 from yamaro.syntax.names import is_function_name
 from yamaro.yaml.nodes import MappingNode, ScalarNode, SequenceNode, YamlNode
+from yamaro.yaml.reader import Reading
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 
@@ -91,13 +92,15 @@ def compile_with(
 ) -> int:
     with monkeypatch.context() as patch:
         if rebuild is not None:
-            read = parser.read  # type: ignore[attr-defined]
+            read_on = parser.read_on  # type: ignore[attr-defined]
             rewriter = Rewriter(rebuild)
 
-            def read_rewritten(*args: Any, **kwargs: Any) -> YamlNode:
-                return rewriter.body(read(*args, **kwargs))
+            def read_rewritten(*args: Any, **kwargs: Any) -> Reading:
+                reading: Reading = read_on(*args, **kwargs)
+                reading.root = reading.root and rewriter.body(reading.root)
+                return reading
 
-            patch.setattr(parser, "read", read_rewritten)
+            patch.setattr(parser, "read_on", read_rewritten)
         return main(arguments)
 
 

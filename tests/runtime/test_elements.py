@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from yamaro.diagnostics import INHERITED, Frame, Reporter
+from yamaro.diagnostics import INHERITED, Frame
 from yamaro.runtime.elements import MAX_KNOWN, Builder
 from yamaro.source import Source, Span
 from yamaro.syntax.forms import Form, key_of
@@ -16,7 +16,7 @@ from yamaro.xml.tree import Element, Text
 def root_of(text: str) -> Body:
     """Return the body of the root element of a file, with these lines in it."""
     lines = "".join(f"  {line}\n" for line in text.splitlines())
-    document = parse(Source(f"robot:\n{lines}", name="t.yaml"), reporter=Reporter())
+    document = parse(Source(f"robot:\n{lines}", name="t.yaml")).require()
     assert document.root is not None and isinstance(document.root.content, Body)
     return document.root.content
 

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from ..diagnostics import Diagnostic, Reporter
+from ..diagnostics import YamaroError
 from ..files.loader import decode
 from ..source import Source
-from ..syntax.document import Document
 from ..syntax.includes import holds_xml
 from ..syntax.parser import parse
 from ..syntax.rules import Rules
@@ -14,8 +13,11 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from types import CodeType
 
+    from ..diagnostics import Reporter
     from ..files.loader import Loader
     from ..policy import Policy
+    from ..syntax.document import Document
+    from ..syntax.parsed import Parsed
 
 
 class Library:
@@ -39,7 +41,7 @@ class Library:
         self.rules = rules or Rules()
         self.modules: dict[str, CodeType] = {}
         self._texts: dict[str, str] = {}
-        self._parsed: dict[tuple[str, str], tuple[Document, list[Diagnostic]]] = {}
+        self._parsed: dict[tuple[str, str], Parsed] = {}
 
     def source(self, path: str, name: str, *, is_xml: bool = False) -> Source:
         """Return a file, which is marked if it holds XML, and so says itself how it is encoded.
@@ -77,20 +79,16 @@ class Library:
         """
         key = (source.path, source.name)
         if key not in self._parsed:
-            found = Reporter()
-            try:
-                self._parsed[key] = (
-                    parse(source, reporter=found, rules=self.rules),
-                    found.diagnostics,
-                )
-            except BaseException:
-                for warning in found.diagnostics:
+            parsed = parse(source, rules=self.rules)
+            if parsed.errors:
+                for warning in parsed.warnings:
                     reporter.add(warning)
-                raise
-        document, warnings = self._parsed[key]
-        for warning in warnings:
+                raise YamaroError(parsed.errors)
+            self._parsed[key] = parsed
+        parsed = self._parsed[key]
+        for warning in parsed.warnings:
             reporter.add(warning.copy())  # the caller's own: a strict build makes it an error
-        return document
+        return parsed.document
 
 
 def rules_of(policy: Policy) -> Rules:

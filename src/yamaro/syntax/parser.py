@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from ..diagnostics import Reporter, YamaroError, did_you_mean, failure, suggest
+from ..diagnostics import Reporter, did_you_mean, failure, suggest
 from ..source import Source, Span
 from ..yaml.nodes import MappingNode, ScalarNode, SequenceNode
-from ..yaml.reader import read
+from ..yaml.reader import read_on
 from .context import ParseContext
 from .document import Document, ImportNode
 from .mappings import Pairs, pairs_of
@@ -19,6 +19,7 @@ from .names import (
     is_identifier,
 )
 from .nodes import ElementNode, TextContent, VariablesNode
+from .parsed import Parsed
 from .python import PythonCode
 from .rules import Rules
 from .statements import parse_body, parse_element, parse_pairs, parse_statement
@@ -29,36 +30,47 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from types import CodeType
 
+    from ..diagnostics import Diagnostic
     from ..yaml.nodes import YamlNode
 
 
-def parse(source: Source, *, reporter: Reporter, rules: Rules | None = None) -> Document:
-    """Return the syntax tree of a file.
+def parse(source: Source, *, rules: Rules | None = None) -> Parsed:
+    """Return the syntax tree of a file, and all errors that can be found without running it.
+
+    Nothing in the file makes it raise; whether errors raise is up to the caller.
 
     Args:
         source: the file.
-        reporter: takes the warnings.
         rules: what holds for it; by default that of a trusted file.
-
-    Raises:
-        YamaroError: with every error that can be found without running the file; a file that is
-            no YAML gives one.
     """
-    warned = len(reporter.diagnostics)
     rules = rules or Rules()
-    root = read(source, reporter=reporter, limits=rules.limits)
+    reporter = Reporter()
+    reading = read_on(source, reporter=reporter, limits=rules.limits)
     context = ParseContext(reporter, rules)
     document = Document(source)
-    context.attempt(_parse_root, root, document, context)
-    found = reporter.diagnostics[warned:]
-    reporter.diagnostics[warned:] = sorted(found, key=lambda warning: warning.span.start)
-    if context.errors:
-        raise YamaroError(sorted(context.errors, key=lambda error: error.span.start))
+    if reading.root is not None:
+        context.attempt(_parse_whole, reading.root, document, context)
     document.declarations = context.declarations
     document.extents = context.extents
     for python in context.codes:
         register(python, codes=document.codes, names_read=document.names_read)
-    return document
+    errors, warnings = context.errors, reporter.diagnostics
+    if reading.hidden:
+        from .follow_on import without_follow_ons
+
+        errors = without_follow_ons(errors, source, reading.hidden)
+        warnings = without_follow_ons(warnings, source, reading.hidden)
+    return Parsed(
+        document,
+        errors=[*reading.errors, *sorted(errors, key=_start)],
+        warnings=sorted(warnings, key=_start),
+        hidden=reading.hidden,
+        text=reading.text,
+    )
+
+
+def _start(diagnostic: Diagnostic) -> int:
+    return diagnostic.span.start
 
 
 def register(python: PythonCode, *, codes: dict[str, PythonCode], names_read: set[str]) -> None:
@@ -74,6 +86,18 @@ def register(python: PythonCode, *, codes: dict[str, PythonCode], names_read: se
             if isinstance(constant, type(code)):
                 codes[code.co_filename] = python
                 pending.append(constant)
+
+
+def _parse_whole(root: YamlNode, document: Document, context: ParseContext) -> None:
+    try:
+        _parse_root(root, document, context)
+    except RecursionError:  # only where the caller's stack is a shallow one
+        raise failure(
+            "too-deep",
+            "lists and mappings are nested too deep for the stack of this thread",
+            root.span(),
+            hint="split the file with functions or `include`",
+        ) from None
 
 
 def _parse_root(root: YamlNode, document: Document, context: ParseContext) -> None:

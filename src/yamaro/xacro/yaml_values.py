@@ -5,7 +5,7 @@ Lists and dicts in a list or dict are given out as copies, with the same abiliti
 
 from __future__ import annotations
 
-from ..yaml.reader import UNITS
+from ..yaml.builder import UNITS
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

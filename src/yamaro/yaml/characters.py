@@ -61,9 +61,14 @@ def _refuse_character(source: Source, at: int) -> NoReturn:
         f"the character U+{ord(source.text[at]):04X} cannot stand in a YAML file",
         Span(source, at, at + 1),
         hint="delete this invisible character"
-        if source.text.count("\x00") < _NULS_OF_A_TEXT
+        if not is_binary(source.text)
         else "with so many of them this is no text; is it the right file?",
     )
+
+
+def is_binary(text: str) -> bool:
+    """Tell whether so many NULs stand in what should be a text that it is none."""
+    return text.count("\x00") >= _NULS_OF_A_TEXT
 
 
 def first_control_character(text: str) -> int:

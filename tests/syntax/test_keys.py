@@ -161,7 +161,7 @@ model:
 - link/name=$(name):
     mass: null
 """
-    document = parse(Source(text, name="t.yaml"), reporter=Reporter())
+    document = parse(Source(text, name="t.yaml")).require()
     base, dynamic = document.model[0].statements
     assert isinstance(base, ElementNode), "a comment in it may fail"
     inertial = statements_in(base)[1]
