@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 
+from ..source import STANDARD_INPUT
 from .delivery import (
     deliver,
     deliver_files,
@@ -69,20 +70,41 @@ def _job(arguments: Arguments) -> Job:
 
 
 def _wants_file(arguments: Arguments) -> bool:
-    """Tell whether the output that is named is a file, and no folder of files."""
+    """Tell whether the output that is named is a file, and not a folder of files."""
     path = arguments.output_path
-    if os.path.isdir(path):
+    if _is_folder(path):
         return False
-    return os.path.exists(path) or path.endswith((".yaml", ".yml"))
+    ending = os.path.splitext(path)[1]
+    return os.path.exists(path) or ending[1:].isalpha()
+
+
+def _is_folder(path: str) -> bool:
+    """Tell whether a path is that of a folder, which need not be there if a slash ends it."""
+    return path.endswith(os.sep) or os.path.isdir(path)
+
+
+def _file_in_folder(arguments: Arguments) -> str:
+    """Return the path of the source in the output folder."""
+    from ..tools.migrate.xacro.includes import source_name
+
+    path = arguments.words[0]
+    name = source_name(os.path.basename(path)) if path != STANDARD_INPUT else "robot.yaml"
+    return os.path.join(arguments.output_path, name)
 
 
 def _deliver(result: Result, arguments: Arguments, streams: Streams) -> int:
     """Write a source to where it is wanted, or several into their folder, and report."""
     name, say = display_name(arguments), sayer(streams)
     end = ""
-    if "" in result.files:  # a URDF
+    is_printed = goes_to_standard_output(arguments)
+    if "" in result.files and not is_printed and _is_folder(arguments.output_path):
+        path = _file_in_folder(arguments)
+        refuse_replacing(arguments, [path])
+        status = deliver_files({path: result.files[""].encode()}, streams)
+        end = f"; {os.path.relpath(path)}"
+    elif "" in result.files:  # a URDF
         status = deliver([result.files[""].encode()], arguments, streams)
-    elif goes_to_standard_output(arguments) or _wants_file(arguments):
+    elif is_printed or _wants_file(arguments):
         if len(result.files) > 1:
             raise WrongUsage(_several_files(len(result.files), arguments))
         show(result.diagnostics, arguments, streams)

@@ -244,6 +244,10 @@ def test_a_robot_in_one_xacro_file_becomes_one_file(
     assert outcome(capsys, "-q", name, "-o", "burger.yaml", "--force", "side:=right")[0] == 0
     assert outcome(capsys, "-q", name, "-o", "burger")[0] == 0
     assert os.listdir("burger") == ["one.yaml"]
+    assert outcome(capsys, "-q", name, "-o", "burger.txt", "side:=right")[0] == 0
+    assert Path("burger.txt").read_text() == text
+    assert outcome(capsys, "-q", name, "-o", "burger_v1.2")[0] == 0
+    assert os.listdir("burger_v1.2") == ["one.yaml"]
     os.mkdir("folder.yaml")
     assert outcome(capsys, "-q", name, "-o", "folder.yaml")[0] == 0
     assert os.listdir("folder.yaml") == ["one.yaml"]
@@ -256,6 +260,7 @@ def test_a_robot_in_one_xacro_file_becomes_one_file(
         (["-o", "-"], "robot/"),
         (["-o", "burger.yaml"], "burger/"),
         (["-o", "new/burger.yml"], "new/burger/"),
+        (["-o", "burger.txt"], "burger/"),
     ],
 )
 def test_a_robot_in_several_xacro_files_asks_for_a_folder(
@@ -272,3 +277,16 @@ def test_a_robot_in_several_xacro_files_asks_for_a_folder(
     told = f"this robot becomes 2 files: '-o' needs a folder, as in '-o {folder_meant}'"
     assert err.startswith(f"yamaro: error: {told}\n")
     assert sorted(os.listdir()) == ["leg.xacro", "robot.urdf.xacro"]
+
+
+def test_a_urdf_goes_into_the_folder_that_is_named(capsys: pytest.CaptureFixture[str]) -> None:
+    Path("arm.urdf").write_text('<robot name="r"><link name="base"/></robot>')
+    os.mkdir("there")
+    for folder in ("there", "new/"):
+        status, out, err = outcome(capsys, "arm.urdf", "-o", folder)
+        path = os.path.join(folder, "arm.yaml")
+        assert (status, out) == (0, "")
+        assert err == f"arm.urdf: identical: 1 link, 0 joints; {path}\n"
+        assert "link/name=base" in Path(path).read_text()
+    status, _, err = outcome(capsys, "arm.urdf", "-o", "there/")
+    assert (status, "'there/arm.yaml' already exists; --force replaces it" in err) == (2, True)

@@ -649,3 +649,41 @@ def test_opposite_conditions_are_joined_if_nothing_changes_what_they_read(
         """,
     )
     assert ("else:" in made["r.yaml"]) is joined
+
+
+def test_a_variable_is_local_if_other_files_only_have_parameters_of_its_name(
+    tmp_path: Path,
+) -> None:
+    made = migrated(
+        tmp_path,
+        """\
+        <xacro:arg name="size" default="2"/>
+        <xacro:arg name="given" default="3"/>
+        <xacro:include filename="part.xacro"/>
+        <xacro:piece size="$(arg size)"/>
+        """,
+        part="""\
+        <xacro:macro name="piece" params="size">
+          <a size="${size}" given="$(arg given)"/>
+        </xacro:macro>
+        """,
+    )
+    assert "variables:\n  size: 2\n  given/global: 3\n" in made["r.yaml"]
+
+
+def test_a_variable_that_others_may_change_stays_global(tmp_path: Path) -> None:
+    made = migrated(
+        tmp_path,
+        """\
+        <xacro:property name="size" value="2"/>
+        <xacro:include filename="part.xacro"/>
+        <xacro:change/>
+        <a size="${size}"/>
+        """,
+        part="""\
+        <xacro:macro name="change" params="">
+          <xacro:property name="size" value="3" scope="global"/>
+        </xacro:macro>
+        """,
+    )
+    assert "size/global: 2" in made["r.yaml"]

@@ -102,6 +102,8 @@ def write_include(writer: FileWriter, node: Element, body: Body) -> None:
     paths = writer.program.files_of(node)
     filename = format_value(node.attributes.get("filename"))
     computed = computed_name(filename)
+    if computed is not None and len(paths) == 1 and writer.program.is_constant(node):
+        computed = None
     if not paths and "optional" in node.attributes:
         raise CannotMigrate(f"the file '{filename}' is optional, and is not there")
     if not paths and computed is None:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import os
 import re
+from collections import Counter
 
 from ....syntax.names import STATEMENTS, is_identifier
 from ..document import Body, Entry, Row
@@ -34,6 +35,7 @@ def tidy(files: dict[str, Body], main: str, program: Program) -> None:
     _drop_aliases(list(files.values()), {f"arg_{name}" for name in program.arguments})
     _drop_parameters(list(files.values()), program)
     _drop_empty_files(files, main)
+    _make_local(files, program)
     for sections in files.values():
         for body in _bodies_in(sections):
             _shorten_conditions(body)
@@ -122,6 +124,33 @@ def _functions_in(files: list[Body]) -> dict[str, Body]:
                     if isinstance(function.value, Body):
                         found.setdefault(_stem(function), []).append(function.value)
     return {name: bodies[0] for name, bodies in found.items() if len(bodies) == 1}
+
+
+# --- scopes ---------------------------------------------------------------------------------------
+
+
+def _make_local(files: dict[str, Body], program: Program) -> None:
+    """Take the scope from variables that are declared once, and read in that file only."""
+    words = {path: set(_words_read(sections)) for path, sections in files.items()}
+    others = {word for text in program.data.values() for word in _WORD.findall(text)}
+    if len(program.roots) > len(files):
+        for root in program.roots.values():
+            others |= _words_in_macro(root)
+    times = Counter(
+        _stem(own)
+        for sections in files.values()
+        for entry in _entries_in(sections)
+        if entry.key == "variables" and isinstance(entry.value, Body)
+        for own in entry.value
+    )
+    for path, sections in files.items():
+        read = others.union(*(own for other, own in words.items() if other != path))
+        for variables in [entry.value for entry in sections if entry.key == "variables"]:
+            assert isinstance(variables, Body)
+            for entry in variables:
+                name, _, scope = entry.key.partition("/")
+                if scope == "global" and name not in read and times[name] == 1:
+                    entry.key = name
 
 
 # --- files ----------------------------------------------------------------------------------------
@@ -232,6 +261,18 @@ def _words_of_values(body: Body) -> Iterator[str]:
         if "$(" in entry.key:
             yield from _WORD.findall(entry.key)
         if isinstance(entry.value, str):
+            yield from _WORD.findall(entry.value)
+
+
+def _words_read(body: Body) -> Iterator[str]:
+    """Return the same without the names of parameters."""
+    for entry in _entries_in(body):
+        if "$(" in entry.key:
+            yield from _WORD.findall(entry.key)
+        if entry.key == "input" and isinstance(entry.value, Row):
+            for piece in entry.value.pieces:
+                yield from _WORD.findall(piece.partition("=")[2])
+        elif isinstance(entry.value, str):
             yield from _WORD.findall(entry.value)
 
 
