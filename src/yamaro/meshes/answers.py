@@ -1,7 +1,7 @@
 """Surfaces as bytes, and back: that is how they leave a jail.
 
-Who wrote the bytes may be an enemy, so everything in them is checked: types, counts, that numbers
-are finite and that corners are there.
+The bytes come from an untrusted process, so everything in them is checked: types, counts, that
+numbers are finite and that corners are there.
 """
 
 from __future__ import annotations
@@ -50,7 +50,7 @@ def unpacked(data: bytes) -> MeshSurfaces:
     Raises:
         MeshFileError: they say why there are none.
         MissingLibraryError: they say what is missing.
-        JailAnswerBroken: they make no sense.
+        JailAnswerBroken: they are malformed.
     """
     try:
         kind, *parts = unpack(data)

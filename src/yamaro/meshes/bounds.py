@@ -52,7 +52,7 @@ def _checks() -> dict[str, Callable[[bytes], list[str]]]:
 
 
 def path_of(folder: str, name: str) -> str:
-    """Return the path that a name in a mesh stands for."""
+    """Return the path of a file that a mesh names."""
     name = name.removeprefix("file://").removeprefix("./")
     name = unquote(name).replace("\\", "/") if "%" in name or "\\" in name else name
     return os.path.normpath(os.path.join(folder, name)) if "\0" not in name else ""
@@ -69,7 +69,6 @@ class Body:
     __slots__ = ("inside", "own")
 
     def __init__(self) -> None:
-        """Begin empty."""
         self.own: list[tuple[int, int]] = []
         self.inside: list[Body | str] = []
 
@@ -79,7 +78,7 @@ def check_placed(roots: Iterable[Body], known: dict[str, list[Body]]) -> None:
 
     Args:
         roots: what the scene shows.
-        known: the bodies that keys stand for.
+        known: bodies by their keys.
     """
     sums: dict[int, tuple[int, int]] = {}
     placed = size = 0

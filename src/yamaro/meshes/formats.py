@@ -59,7 +59,7 @@ class MissingLibraryError(Exception):
 
 
 def mesh_format(data: bytes) -> str | None:
-    """Return the format of a mesh, or None if it is none that can be read."""
+    """Return the format of a mesh, or None if it cannot be read."""
     for magic, kind in _MAGIC:
         if data.startswith(magic):
             return kind
@@ -104,7 +104,7 @@ def _text_format(start: bytes) -> str | None:
 
 
 def image_format(start: bytes) -> str | None:
-    """Return the format of an image by its first bytes, or None if it is none that is read."""
+    """Return the format of an image by its first bytes, or None if it cannot be read."""
     for magic, kind in _IMAGE_MAGIC:
         if start.startswith(magic):
             return kind

@@ -59,7 +59,7 @@ def _index(value: object, entries: list[Any]) -> Any:
 
 
 def _check_tree(nodes: list[Any]) -> None:
-    """Refuse nodes that hang on two others, or on themselves: readers would walk for ever."""
+    """Refuse nodes with two parents, or in a circle: readers would not end."""
     above: dict[int, int] = {}
     for number, node in enumerate(nodes):
         for child in node.get("children", ()):

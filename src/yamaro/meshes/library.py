@@ -40,7 +40,7 @@ MOST_TRIANGLES = 20_000_000
 MOST_REFUSED = 8
 """Textures that are named when they are left out."""
 OWN_IMAGE = "of the file"
-"""Marks an image that was read: trimesh makes up one where a material is missing."""
+"""Marks an image that was read: trimesh invents one where a material is missing."""
 _LOGGERS = ("trimesh", "collada", "PIL")
 _SILENT = 1000
 
@@ -51,7 +51,7 @@ class Body:
     Attributes:
         points: corners, N×3, in metres.
         triangles: indices of corners, M×3, counterclockwise seen from outside.
-        mesh: what trimesh made of it, before it was placed.
+        mesh: the mesh as trimesh read it, before it is placed.
         T_file_body: where it is in the file, 4×4.
     """
 
@@ -83,7 +83,7 @@ def read_bodies(
         data: the bytes.
         kind: their format.
         path: the file, beside which the others lie that it names.
-        allows: tells whether another file may be read; None allows all.
+        allows: whether another file may be read; None allows all.
         has_colors: whether materials and textures are read too.
         refused: takes a clause for each texture that is left out.
 
@@ -138,7 +138,7 @@ def _read(data: bytes, kind: str, companions: Companions, has_colors: bool) -> l
 
 
 def check_corners(triangles: Whole, count: int) -> None:
-    """Raise MeshFileError if a triangle has a corner beyond so many points."""
+    """Raise MeshFileError if a triangle has a corner beyond the number of points."""
     if triangles.size and not (triangles.min() >= 0 and triangles.max() < count):
         raise MeshFileError("a triangle has a corner that is not there")
 
@@ -168,7 +168,7 @@ class Companions:
         self.refused: list[str] = []
 
     def read(self, name: str) -> bytes:
-        """Return the bytes of another file; raise MeshFileError if there are none to be had."""
+        """Return the bytes of another file; raise MeshFileError if it cannot be read."""
         for spelling in dict.fromkeys((name.strip(), name.split()[-1] if name.split() else "")):
             target = path_of(self._folder, spelling)
             if spelling and os.path.isfile(target):

@@ -49,7 +49,6 @@ class Surface:
     )  # fmt: skip
 
     def __init__(self, points: Floats, triangles: Whole) -> None:
-        """Hold a surface without colours."""
         self.points = points
         self.triangles = triangles
         self.color: tuple[float, ...] | None = None
@@ -83,7 +82,7 @@ def read_surfaces(path: str, allows: Callable[[str], bool] | None) -> MeshSurfac
 
     Args:
         path: the file.
-        allows: tells whether another file may be read that this one names, such as a texture.
+        allows: whether another file that this one names may be read, such as a texture.
 
     Raises:
         MeshFileError: the file cannot be read.
@@ -105,7 +104,7 @@ def read_surfaces(path: str, allows: Callable[[str], bool] | None) -> MeshSurfac
 
 
 def check_surface(surface: Surface) -> None:
-    """Raise MeshFileError if a surface cannot be drawn: whoever made it may be an enemy."""
+    """Raise MeshFileError if a surface cannot be drawn: it may come from an untrusted file."""
     count = len(surface.points)
     triangles = surface.triangles
     if surface.points.shape != (count, 3) or triangles.shape != (len(triangles), 3):

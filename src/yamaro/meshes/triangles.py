@@ -72,7 +72,7 @@ def read_mesh(path: str, allows: Callable[[str], bool] | None = None) -> Triangl
 
     Args:
         path: the file.
-        allows: tells whether another file may be read that this one names, such as the buffer of
+        allows: whether another file that this one names may be read, such as the buffer of
             a glTF; None allows all.
 
     Raises:
@@ -92,7 +92,7 @@ def read_mesh(path: str, allows: Callable[[str], bool] | None = None) -> Triangl
 
 
 def read_by(read: Callable[[bytes, str, str], T], path: str) -> T:
-    """Return what `read` makes of a mesh file, given its bytes, format and path.
+    """Read a mesh file with `read`, which takes its bytes, format and path.
 
     Raises:
         MeshFileError: its bytes have no format that is read, or it cannot be opened, or is too

@@ -38,7 +38,7 @@ class _Reader:
         self.parser.EndElementHandler = self._end
 
     def read(self, data: bytes) -> None:
-        """Read a document; raise MeshFileError if it is none, or not of this kind."""
+        """Read a document; raise MeshFileError if it is not XML, or not of this kind."""
         from pyexpat import ExpatError
 
         try:

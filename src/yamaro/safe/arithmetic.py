@@ -67,7 +67,7 @@ class _Warnings:
     """Takes numpy's warnings, and issues them where they would come from without --safe."""
 
     def write(self, text: str) -> None:
-        """Issue a warning at the innermost place that is not ours: the file's, or numpy's own."""
+        """Issue a warning at the innermost place outside Yamaro: the file's, or numpy's own."""
         frame, level = sys._getframe(1), 2
         while frame.f_back is not None and frame.f_code.co_filename.startswith(_OWN_FOLDER):
             frame, level = frame.f_back, level + 1
@@ -86,7 +86,6 @@ class Arithmetic:
     """
 
     def __init__(self, guards: Guards) -> None:
-        """Let these types be values of safe code."""
         self.guards = guards
         self._modes: dict[str, Any] = {
             kind: "log" for kind, mode in np.geterr().items() if mode == "warn"
@@ -161,7 +160,7 @@ class Arithmetic:
     # --- out ---
 
     def admit(self, value: Any) -> Any:
-        """Return what stands for an object of numpy's from outside, of which an array is copied."""
+        """Return the wrapper of an object of numpy's from outside; an array is copied."""
         return self.wrap(value.copy() if type(value) is np.ndarray else value)
 
     def wrap(self, value: Any) -> Any:
@@ -229,13 +228,13 @@ class Arithmetic:
     # --- work ---
 
     def run(self, call: Callable[..., Any], /, *args: Any, **named: Any) -> Any:
-        """Return what a function of numpy's makes of operands, with warnings as without --safe."""
+        """Call a function of numpy's, with the warnings it gives without --safe."""
         with np.errstate(call=_warnings, **self._modes):  # type: ignore[arg-type, unused-ignore]
             result = call(*args, **named)
         return self.wrap(result)
 
     def operate(self, name: str, operation: Callable[..., Any], a: Any, b: Any) -> Any:
-        """Return the result of an operator, one of whose operands at least is ours."""
+        """Return the result of an operator, at least one of whose operands is a wrapper."""
         mine, other = (a, b) if type(a) in _WRAPPERS else (b, a)
         kind = type(other)
         if name == "mul" and kind in (str, list, tuple) and type(mine) is not Array:
@@ -266,7 +265,7 @@ class Arithmetic:
     # --- items ---
 
     def index(self, key: Any, shape: tuple[int, ...]) -> tuple[Any, int]:
-        """Return what numpy is given for an index, and how many numbers it selects at most."""
+        """Return the index for numpy, and how many numbers it selects at most."""
         parts = key if type(key) is tuple else (key,)
         if len(parts) > 2 * DIMENSIONS:
             raise _too_many_dimensions()

@@ -38,12 +38,11 @@ class Value(Foreign):
     data: Any
 
     def __init__(self, data: Any, arithmetic: Arithmetic) -> None:
-        """Wrap an object of numpy's."""
         self.data = data
         self.arithmetic = arithmetic
 
     def of_its_kind(self, value: Any) -> Any:
-        """Return what stands for a value of numpy's."""
+        """Return the wrapper of a value of numpy's."""
         return self.arithmetic.wrap(value)
 
     def __neg__(self) -> Any:
@@ -88,7 +87,7 @@ class Value(Foreign):
         self.arithmetic.guards.charge(numbers * _WRITTEN)
 
     def tolist(self) -> Any:
-        """Return the Python number, or the lists of them, that this stands for."""
+        """Return the Python number, or the lists of numbers, with the same value."""
         self.arithmetic.charge_lists(self.data.shape)
         return self.data.tolist()
 

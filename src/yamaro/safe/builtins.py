@@ -81,7 +81,7 @@ def permitted(guards: Guards, say: Callable[[str], None]) -> dict[str, Any]:
 
 
 def refusal(name: str) -> Function:
-    """Return what stands for a function that is not allowed: calling it is an error."""
+    """Return a stand-in for a function that is not allowed: calling it is an error."""
     return function(_refuse, f"<built-in function {name}>", name)
 
 

@@ -40,7 +40,7 @@ def compile_safe(text: str, filename: str, mode: str, limits: SafeLimits | None 
 
     Raises:
         SafetyError: it holds what is not allowed; the position is that in `text`.
-        SyntaxError: it is no Python.
+        SyntaxError: it is not Python.
     """
     limits = limits or SafeLimits()
     _check_text(text, limits, brackets_added=1 if mode == "eval" else 0)

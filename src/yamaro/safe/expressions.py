@@ -75,7 +75,7 @@ def has_slice(node: ast.Subscript) -> bool:
 def slices(self: Rewriter, node: ast.expr) -> ast.expr:
     """Return the index of an array, which may have a slice for each dimension.
 
-    Nothing but arrays may be given such an index, lest a dict keep a slice as a key.
+    Only arrays may be given such an index; a dict could keep a slice as a key.
     """
     if type(node) is ast.Tuple:
         parts = [slices(self, part) for part in node.elts]
@@ -124,7 +124,7 @@ def _binary(self: Rewriter, node: ast.BinOp) -> ast.AST:
 def _is_harmless(operator: str, left: ast.expr, right: ast.expr) -> bool:
     """Tell whether an operation can neither grow nor take long, as a constant in it shows.
 
-    A sum or product with a decimal is no text, no list and no whole number.
+    A sum or product with a decimal is neither a text nor a list nor a whole number.
     """
     if operator in ("Add", "Sub", "Mult", "Pow"):
         return _is_decimal(left) or _is_decimal(right)

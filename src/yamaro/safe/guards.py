@@ -52,7 +52,7 @@ class Guards(OperatorGuards):
         own: the identities of the functions written in C that may be called.
         lazy_functions: the permitted `any`, `all` and `next`.
         types: the permitted functions that are types in Python, with these types.
-        numpy: what stands for numpy, once it is asked for.
+        numpy: the stand-in for numpy, once it is imported.
     """
 
     calls = 0
@@ -263,7 +263,7 @@ class Guards(OperatorGuards):
         return self.list_of(self.each(source, 1))
 
     def iterator_of(self, items: Iterator[Any]) -> Iterator[Any]:
-        """Return what a generator expression gives, for those who go through it all."""
+        """Return what a generator expression gives, for callers that go through all of it."""
         return iter(self.list_of(items))
 
     # --- texts ---
@@ -315,7 +315,7 @@ class Guards(OperatorGuards):
     # --- coming in ---
 
     def admit_foreign(self, value: Any) -> Any:
-        """Return what stands for an object of numpy's, which the caller may go on changing.
+        """Return the wrapper of an object of numpy's, which the caller may go on changing.
 
         Raises:
             SafetyError: it is not plain data.
@@ -403,7 +403,7 @@ class Guards(OperatorGuards):
         for pair in self.items(pairs):
             checked.append(tuple(self.items(pair)) if type(pair) in ITERABLES else pair)
             if type(checked[-1]) is not tuple or len(checked[-1]) != 2:
-                break  # dict tells what is wrong with it
+                break  # dict says what is wrong with it
         else:
             self.check_table(len(checked))
             self.keys([key for key, _ in checked])

@@ -15,7 +15,7 @@ class SafetyError(InputFault):
         code: "unsafe-code", or "limit-" and the name of a field of `SafeLimits`.
         construct: what is refused, in words: "the function `open`". Empty for a limit.
         position: where in the compiled text; None if it is all of the text, and for an error at
-            run time, whose place the traceback tells.
+            run time, whose place the traceback shows.
     """
 
     def __init__(
@@ -27,7 +27,6 @@ class SafetyError(InputFault):
         construct: str = "",
         position: tuple[int, int, int, int] | None = None,
     ) -> None:
-        """Hold what a diagnostic needs, and the place if it is known."""
         super().__init__(code, message, hint, position=position)
         self.construct = construct
 
@@ -50,7 +49,6 @@ class SafeLimits(Limits):
     __slots__ = ()
 
     def __init__(self, **others: int) -> None:
-        """Take the usual limits of safe mode, and others by name."""
         super().__init__(SAFE, **others)
 
     @classmethod

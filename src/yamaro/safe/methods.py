@@ -1,6 +1,6 @@
 """The attributes of values that safe code may read, by the exact type of the value.
 
-What stands in no table is refused: `str.format` reaches any attribute of its arguments, others
+What is in no table is refused: `str.format` reaches any attribute of its arguments, others
 make texts of any length.
 """
 

@@ -34,7 +34,7 @@ STATISTICS = (
 
 
 def mathematics(guards: Guards) -> Module:
-    """Return what stands for `math`; functions that are newer than the running Python are not."""
+    """Return the stand-in for `math`, without functions that the running Python lacks."""
     members = {name: getattr(math, name) for name in MATHEMATICS if hasattr(math, name)}
     for name, call in _CALLS.items():
         if hasattr(math, name):
@@ -43,7 +43,7 @@ def mathematics(guards: Guards) -> Module:
 
 
 def statistics(guards: Guards) -> Module:
-    """Return what stands for `statistics`."""
+    """Return the stand-in for `statistics`."""
     import statistics as module
 
     members = {}
@@ -54,7 +54,7 @@ def statistics(guards: Guards) -> Module:
 
 
 def arrays(guards: Guards) -> Module:
-    """Return what stands for `numpy`.
+    """Return the stand-in for `numpy`.
 
     Raises:
         SafetyError: it is not installed.
@@ -80,7 +80,7 @@ MODULES: dict[str, Callable[[Guards], Module]] = {
 
 
 def module(guards: Guards, name: str) -> Module:
-    """Return what stands for a module.
+    """Return the stand-in for a module.
 
     Raises:
         SafetyError: it is not allowed.

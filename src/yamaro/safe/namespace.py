@@ -1,4 +1,4 @@
-"""What an include with `namespace:` gives: the names of a file, behind one name.
+"""What an include with `namespace:` gives: the names of a file, as attributes of one name.
 
 Code in safe mode may hold one, so it is among the values that safe mode knows by their exact types.
 """
@@ -24,7 +24,7 @@ class Namespace:
         self.__dict__["_names"] = {}
 
     def _add(self, name: str, value: Any) -> None:
-        """Add a name with its value; MISSING stands for a global or bridge name, read live."""
+        """Add a name with its value; MISSING for a global or bridge name, looked up later."""
         self._names[name] = value
 
     def _get(self, name: str) -> Any:

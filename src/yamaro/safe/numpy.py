@@ -58,14 +58,13 @@ _ROWS = frozenset(("arrays", "tup"))
 
 
 class Numpy(Arithmetic):
-    """What stands for numpy in one conversion.
+    """The stand-in for numpy in one conversion.
 
     Attributes:
         module: the names that a file sees.
     """
 
     def __init__(self, guards: Guards) -> None:
-        """Make the functions."""
         super().__init__(guards)
         self._types: list[tuple[Any, str]] = [
             (named, kind.__name__)
@@ -81,7 +80,7 @@ class Numpy(Arithmetic):
         self.module = Module("numpy", members)
 
     def _functions(self, module: Any, table: Table) -> dict[str, Any]:
-        """Return the functions of a table, but for those that the installed numpy has not."""
+        """Return the functions of a table, except those that the installed numpy lacks."""
         return {
             name: self._function(module, name, parameters, check, f"<function {name}>")
             for name, (parameters, check) in table.items()
@@ -105,7 +104,7 @@ class Numpy(Arithmetic):
         *args: Any,
         **named: Any,
     ) -> Any:
-        """Call a function of numpy's, if it is one of those arguments that it may be given.
+        """Call a function of numpy's with arguments that it may be given.
 
         Args:
             call: the function.
@@ -161,7 +160,7 @@ class Numpy(Arithmetic):
         """Return the type of numbers that a file asks for.
 
         Raises:
-            SafetyError: it is none of the few.
+            SafetyError: it is not one of the few allowed.
         """
         if value is None:
             return None
@@ -174,7 +173,7 @@ class Numpy(Arithmetic):
 
 
 def numpy_of(guards: Guards) -> Numpy:
-    """Return what stands for numpy in one conversion."""
+    """Return the stand-in for numpy in one conversion."""
     if guards.numpy is None:
         guards.numpy = Numpy(guards)
     return guards.numpy
@@ -187,7 +186,7 @@ def _split(parameters: str) -> tuple[list[str], frozenset[str]]:
 
 
 def _setting(value: Any, depth: int = 0) -> Any:
-    """Return an argument that is no array: an axis, a shape, a truth value."""
+    """Return an argument that is not an array: an axis, a shape, a truth value."""
     kind = type(value)
     if value is None or kind is bool or kind is float:
         return value

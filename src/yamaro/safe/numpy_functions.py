@@ -30,7 +30,7 @@ def _shape_asked(value: Any) -> tuple[int, ...]:
     """Return the shape that an argument asks for, if there is one.
 
     Raises:
-        TypeError: it is no whole numbers, some functions of numpy's would take decimals.
+        TypeError: it is not whole numbers; some functions of numpy's would take decimals.
     """
     sizes = value if type(value) in (list, tuple) else () if value is None else (value,)
     if not all(type(size) in (int, bool) for size in sizes):

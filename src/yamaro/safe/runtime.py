@@ -84,7 +84,7 @@ class SafeRuntime(Guards):
         return names
 
     def helper(self, call: Callable[..., Any], name: str) -> Any:
-        """Return a function of ours as one that code may call, with plain arguments."""
+        """Return one of Yamaro's functions as one that code may call, with plain arguments."""
         return function(self._help, f"<function {name}>", call)
 
     def _help(self, call: Callable[..., Any], /, *args: Any, **named: Any) -> Any:
@@ -95,7 +95,7 @@ class SafeRuntime(Guards):
         return self.admit(call(*args, **named))
 
     def module(self, name: str) -> Module:
-        """Return what stands for a module in safe mode.
+        """Return the stand-in for a module in safe mode.
 
         Raises:
             SafetyError: it is not allowed.
@@ -109,7 +109,7 @@ class SafeRuntime(Guards):
         return self._modules[name]
 
     def check_written(self, value: Any) -> None:
-        """Refuse a value that is to be put out, but is or holds what has no text of its own."""
+        """Refuse a value that is to be written, but is or holds something that has no text."""
         for item in _leaves(value) if type(value) in CONTAINERS else (value,):
             kind = type(item)
             if kind is LIST_ITERATOR:

@@ -59,12 +59,11 @@ def function(call: Callable[..., Any], shown: str, *bound: Any) -> Function:
 
 
 class Module:
-    """Stands for a Python module: a few of its functions and numbers, by name."""
+    """The stand-in for a Python module: a few of its functions and numbers, by name."""
 
     __slots__ = ("members", "name")
 
     def __init__(self, name: str, members: dict[str, Any]) -> None:
-        """Show `members` and nothing else."""
         self.name = name
         self.members = members
 
@@ -83,7 +82,7 @@ class Foreign:
     data: Any
 
     def of_its_kind(self, value: Any) -> Any:
-        """Return what stands for a value of the same library."""
+        """Return the wrapper of a value of the same library."""
         raise NotImplementedError
 
 
@@ -121,7 +120,7 @@ def _has_fixed_hash(item: Any) -> bool:
 
 
 def _is_number(item: Any) -> bool:
-    """Tell whether a value is a number, but for nan, the hash of which is chance."""
+    """Tell whether a value is a number other than nan, whose hash differs from run to run."""
     return (type(item) in NUMBERS or isinstance(item, Foreign)) and bool(item == item)
 
 
@@ -163,13 +162,12 @@ class Meter:
     Attributes:
         steps: taken so far.
         limits: how many may be taken, and how large values may be.
-        foreign: further exact types that are let in, such as those that stand for numpy's, each
-            with a function that tells the size of a value.
+        foreign: further exact types that are let in, such as the wrappers of numpy's, each
+            with a function that returns the size of a value.
         many_bits: of a whole number that is worth counting.
     """
 
     def __init__(self, limits: SafeLimits) -> None:
-        """Count from 0."""
         self.limits = limits
         self.steps = 0
         self.foreign: dict[type, Callable[[Any], int]] = {}
@@ -373,7 +371,7 @@ class Meter:
         return value
 
     def admit_foreign(self, value: Any) -> Any:
-        """Return what stands for an object of numpy's.
+        """Return the wrapper of an object of numpy's.
 
         Raises:
             SafetyError: it is not plain data.
@@ -443,7 +441,7 @@ def _parts(value: Any) -> Iterator[Any]:
 
 
 def _leaves(value: Any) -> Iterator[Any]:
-    """Give all that is in a collection and is none itself; its size has been checked."""
+    """Yield all items of nested collections that are not collections; the size has been checked."""
     stack = [_parts(value)]
     while stack:
         for item in stack[-1]:

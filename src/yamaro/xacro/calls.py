@@ -21,12 +21,12 @@ if TYPE_CHECKING:
 
 
 def call_macro(expansion: Expansion, node: Element, site: Site) -> None:
-    """Put out what a macro gives whose name is the tag's."""
+    """Add the expansion of the macro that the tag names."""
     _call(expansion, node, node.name[len(PREFIX) :], site)
 
 
 def call_by_name(expansion: Expansion, node: Element, site: Site) -> None:
-    """Put out what the macro gives that `<xacro:call macro="…">` names."""
+    """Add the expansion of the macro that `<xacro:call macro="…">` names."""
     (given,) = expansion.statements.require(node, "macro")
     place = expansion.place(node, "macro")
     name = expansion.evaluator.text(given, site.scope, place)
@@ -164,7 +164,7 @@ def _take_blocks(
     scope: Scope,
     site: Site,
 ) -> None:
-    """Give the parameters that are blocks what stands in the call, in order."""
+    """Give the parameters that are blocks the elements in the call, in order."""
     content: list[Node] = []
     holder = Element(node.name, node.span)
     if node.children:

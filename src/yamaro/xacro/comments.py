@@ -1,4 +1,4 @@
-"""Which comments xacro takes away: those right above what is expanded.
+"""Which comments xacro removes: those right above what is expanded.
 
 A comment belongs to the tag below it when at most one line break stands between them. It goes when
 that tag does. What is expanded leaves a mark behind, at which taking away ends; the expansion of
@@ -25,7 +25,6 @@ class Mark(Text):
     __slots__ = ("is_alive",)
 
     def __init__(self, span: Span) -> None:
-        """Stand at the tag."""
         super().__init__("\n\n", span)
         self.is_alive = True
 
@@ -36,14 +35,13 @@ class Comments:
     __slots__ = ("_mark",)
 
     def __init__(self) -> None:
-        """Begin without a mark."""
         self._mark: Mark | None = None
 
     def take_away(self, before: list[Node], span: Span, is_last: bool) -> Mark | None:
         """Take away the comments that belong to a tag, and return the mark it leaves, if any.
 
         Args:
-            before: what stands before the tag.
+            before: the nodes before the tag.
             span: the place of the tag.
             is_last: whether nothing follows in the element around.
         """

@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from .python import Python
 
 MOST_NOTES = 6
-"""How many uses of properties by other properties are told."""
+"""How many uses of properties by other properties an error shows."""
 
 
 class Arguments(dict[str, str]):
@@ -38,12 +38,11 @@ class Arguments(dict[str, str]):
     __slots__ = ("used",)
 
     def __init__(self, given: Mapping[str, str]) -> None:
-        """Begin with what is given."""
         super().__init__(given)
         self.used: set[str] = set()
 
     def __getitem__(self, name: str) -> str:
-        """Return an argument; raise KeyError if there is none."""
+        """Return an argument; raise KeyError if it has no value."""
         self.used.add(name)
         return super().__getitem__(name)
 
@@ -61,7 +60,6 @@ class XacroEvaluator:
     def __init__(
         self, host: Host, reporter: Reporter, python: Python, arguments: Mapping[str, str]
     ) -> None:
-        """Begin outside of all files."""
         self.host = host
         self.reporter = reporter
         self.arguments = Arguments(arguments)
@@ -174,7 +172,7 @@ class XacroEvaluator:
     def _explain(
         self, error: Exception, text: str, part: Expression | Substitution, scope: Scope
     ) -> NoReturn:
-        """Raise a Fault for an exception that came of a part."""
+        """Raise a Fault for an exception in a part."""
         start, end = part.start, part.end
         offset = start + 2 if part.inner is None else None  # of the text, if it is as written
         if isinstance(error, (Fault, InputFault)):

@@ -1,4 +1,4 @@
-"""Expands a xacro file: walks its elements, and puts out what they stand for.
+"""Expands a xacro file: walks its elements, and adds what they expand to.
 
 Elements are never changed. A macro's body, a block or a file is walked as often as it is used, and
 each walk makes new elements. What a block held when it was given to a macro is itself walked again
@@ -167,7 +167,7 @@ class Expansion:
         return made
 
     def children(self, nodes: list[Node], site: Site) -> None:
-        """Put out what nodes stand for that stand in one element."""
+        """Add what the child nodes of one element expand to."""
         out, scope = site.out, site.scope
         last = len(nodes) - 1
         in_comments = False
@@ -258,11 +258,11 @@ def _nothing() -> None:
     """Leave no mark."""
 
 
-# --- tags that concern what stands around them --------------------------------------------------
+# --- tags that concern the element around them --------------------------------------------------
 
 
 def _condition(expansion: Expansion, node: Element, site: Site) -> None:
-    """Put out the content of `<xacro:if>` or `<xacro:unless>`, or nothing."""
+    """Add the content of `<xacro:if>` or `<xacro:unless>`, or nothing."""
     leave_mark = expansion.leave_mark(node, site)
     text = expansion.statements.attributes(node, ("value",))["value"]
     place = expansion.place(node, "value")
@@ -292,7 +292,7 @@ def _condition(expansion: Expansion, node: Element, site: Site) -> None:
 
 
 def _element(expansion: Expansion, node: Element, site: Site) -> None:
-    """Put out `<xacro:element>` under the name it is given, which may be that of a tag of xacro."""
+    """Add `<xacro:element>` under the name it is given, which may be that of a tag of xacro."""
     (given,) = expansion.statements.require(node, "xacro:name")
     place = expansion.place(node, "xacro:name")
     name = _checked_name(expansion.evaluator.value(given, site.scope, place), node.name, place)
@@ -305,7 +305,7 @@ def _element(expansion: Expansion, node: Element, site: Site) -> None:
 
 
 def _attribute(expansion: Expansion, node: Element, site: Site) -> None:
-    """Give the element around an attribute."""
+    """Add an attribute to the element around."""
     name, value = expansion.statements.require(node, "name", "value")
     place = expansion.place(node, "name")
     key = _checked_name(expansion.evaluator.value(name, site.scope, place), node.name, place)

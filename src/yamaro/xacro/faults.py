@@ -8,7 +8,7 @@ if TYPE_CHECKING:
 
 
 class Fault(Exception):
-    """What a diagnostic needs, but for the place.
+    """What a diagnostic needs, except for the place.
 
     Attributes:
         start, end: where in the text the fault lies; `end` is None where it is all of the text.
@@ -23,7 +23,6 @@ class Fault(Exception):
         start: int = 0,
         end: int | None = None,
     ) -> None:
-        """Hold it."""
         super().__init__(message)
         self.code = code
         self.message = message
@@ -33,7 +32,7 @@ class Fault(Exception):
 
 
 def add_trace(error: YamaroError, trace: Frame | None) -> None:
-    """Say how the place of an error was reached, if that is not said yet."""
+    """Add the trace of an error, if it has none yet."""
     for diagnostic in error.diagnostics:
         if diagnostic.trace is None:
             diagnostic.trace = trace

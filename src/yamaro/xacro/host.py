@@ -30,13 +30,13 @@ if TYPE_CHECKING:
             """Return the paths that a pattern of the shell matches, in any order."""
 
         def find_package(self, name: str, span: Span) -> str:
-            """Return the folder that `$(find name)` stands for, or raise YamaroError."""
+            """Return the folder of a package, for `$(find name)`, or raise YamaroError."""
 
         def environment(self, name: str) -> str | None:
             """Return the value of a variable of the environment, or None if it is not set."""
 
         def folder(self) -> str:
-            """Return the current folder, which `$(cwd)` stands for."""
+            """Return the current folder, for `$(cwd)`."""
 
         def say(self, text: str, span: Span) -> None:
-            """Show a person what `xacro.message` was given."""
+            """Show the message of `xacro.message`."""

@@ -28,7 +28,7 @@ MISSING_FILE = "missing-file"
 
 
 def include(expansion: Expansion, node: Element, site: Site) -> None:
-    """Put out the content of the files that an include names."""
+    """Add the content of the files that an include names."""
     given = expansion.statements.include(node)
     macros, scope = _namespace(expansion, given, site)
     is_optional = _is_optional(expansion, given)

@@ -1,4 +1,4 @@
-"""What a text stands for by itself: a number, a truth value, or a text in quotes."""
+"""What a text means: a number, a truth value, or a text in quotes."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ def truth(value: Any) -> bool:
     """Return whether a condition holds.
 
     Raises:
-        ValueError: it is a text that is no truth value and no whole number.
+        ValueError: it is a text that is neither a truth value nor a whole number.
     """
     if not isinstance(value, str):
         return bool(value)

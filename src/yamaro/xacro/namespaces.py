@@ -30,7 +30,7 @@ def lift_prefixes(expansion: Expansion, inner: Element, outer: Element) -> None:
 def declare_lost(root: Element, lost: dict[str, object]) -> None:
     """Declare prefixes at the root that are used in it, and declared nowhere around their use.
 
-    That comes of a file that is included in a condition: xacro forgets what it declares.
+    A file that is included in a condition leads to that: xacro forgets what it declares.
     """
     pending = [(root, frozenset(root.attributes))]
     while pending:

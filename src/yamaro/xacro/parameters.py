@@ -23,7 +23,7 @@ class Parameter:
         name: with the stars of a block.
         default: the template of its default value, or None.
         is_forwarded: whether the caller's property of the same name comes before the default.
-        start, end: where in the list it stands.
+        start, end: where in the list it is.
     """
 
     __slots__ = ("default", "end", "is_forwarded", "name", "start")
@@ -31,7 +31,6 @@ class Parameter:
     def __init__(
         self, name: str, default: str | None, is_forwarded: bool, start: int, end: int
     ) -> None:
-        """Hold what is said of it."""
         self.name = name
         self.default = default
         self.is_forwarded = is_forwarded
@@ -67,7 +66,7 @@ def _with_default(text: str, position: int) -> Parameter | None:
         return None
     start, after = head.start("name"), head.end()
     outer = _OUTER.match(text, after)
-    # '^|' may also be '^' and a default that begins with '|', or a default as it stands.
+    # '^|' may also be '^' and a default that begins with '|', or a default as it is.
     for taken in (outer.end(), outer.start() + 1, after) if outer else (after,):
         end = _default_end(text, taken)
         if end is None and _is_border(text, taken) and taken > after:
@@ -84,7 +83,7 @@ def _is_border(text: str, position: int) -> bool:
 
 
 def _default_end(text: str, start: int) -> int | None:
-    """Return where a default ends that begins at `start`, or None if there is none."""
+    """Return where a default that begins at `start` ends, or None if there is no default."""
     for opener, closer in (("${", "}"), ("$(", ")")):
         if text.startswith(opener, start):
             end = text.find(closer, start)
@@ -98,7 +97,7 @@ def _default_end(text: str, start: int) -> int | None:
 
 
 def _word_end(text: str, start: int, hopeless: set[int]) -> int | None:
-    """Return where a word ends in which space may stand between quotes, or None.
+    """Return where a word ends that may have quoted spaces, or None.
 
     A quote ends as early as the rest allows: what comes after it has to make up the word.
     """

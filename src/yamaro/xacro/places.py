@@ -1,4 +1,4 @@
-"""Where in a file a stretch of a value or text stands."""
+"""Where in a file a part of a value or text is written."""
 
 from __future__ import annotations
 
@@ -31,7 +31,6 @@ class XacroPlace:
         trace: Frame | None,
         shift: int = 0,
     ) -> None:
-        """Say what it is."""
         self.node = node
         self.attribute = attribute
         self.trace = trace

@@ -26,7 +26,6 @@ class Python:
     __slots__ = ("_codes", "_limits")
 
     def __init__(self, limits: Limits) -> None:
-        """Keep to the limits."""
         self._limits = limits
         self._codes: dict[str, str | CodeType] = {}
 

@@ -1,4 +1,4 @@
-"""Scopes: what a name in an expression stands for, and macros by name.
+"""Scopes: what a name in an expression means, and macros by name.
 
 A scope is the dict that Python looks names up in. It finds a scope's own names without our help;
 `__missing__` evaluates those that are evaluated when they are first needed, and looks into the
@@ -26,7 +26,6 @@ class Lazy:
     __slots__ = ("place", "text")
 
     def __init__(self, text: str, place: XacroPlace) -> None:
-        """Hold the text, and where it is written."""
         self.text = text
         self.place = place
 
@@ -42,7 +41,6 @@ class XacroBlock:
     __slots__ = ("element", "is_content")
 
     def __init__(self, element: Element, is_content: bool) -> None:
-        """Hold the element."""
         self.element = element
         self.is_content = is_content
 
@@ -61,7 +59,6 @@ class Scope(dict[str, "Any"]):
     __slots__ = ("_resolve", "blocks", "lazy", "parent", "resolving")
 
     def __init__(self, parent: dict[str, Any], resolve: Callable[[Scope, str, Lazy], Any]) -> None:
-        """Begin with no names; `resolve` evaluates what is lazy."""
         dict.__setitem__(self, "__builtins__", {})
         self.parent = parent
         self.lazy: dict[str, Lazy] = {}
@@ -84,7 +81,7 @@ class Scope(dict[str, "Any"]):
         self.put(name, value)  # `:=` in an expression
 
     def has(self, name: str) -> bool:
-        """Tell whether the name stands for something here."""
+        """Tell whether the name has a meaning here."""
         scope: Any = self
         while isinstance(scope, Scope):
             if dict.__contains__(scope, name) or name in scope.lazy:
@@ -163,7 +160,7 @@ class Names(dict[str, "Any"]):
 
 
 def attribute(names: dict[str, Any], name: str) -> Any:
-    """Return what `names.name` stands for."""
+    """Return the value of `names.name`."""
     if name.startswith("__"):
         raise AttributeError(name)
     try:
@@ -173,7 +170,7 @@ def attribute(names: dict[str, Any], name: str) -> Any:
 
 
 class Macro:
-    """A macro. When its name is defined anew in the same scope, it becomes the new one.
+    """A macro. When its name is defined again in the same scope, it becomes the new one.
 
     Attributes:
         element: its definition.
@@ -184,7 +181,6 @@ class Macro:
     __slots__ = ("element", "home", "parameters")
 
     def __init__(self, element: Element, parameters: list[Parameter], home: Frame | None) -> None:
-        """Hold the definition."""
         self.element = element
         self.parameters = parameters
         self.home = home
@@ -196,11 +192,10 @@ class Macros(dict[str, "Macro | Macros"]):
     __slots__ = ("parent",)
 
     def __init__(self, parent: Macros | None = None) -> None:
-        """Begin with no macros."""
         self.parent = parent
 
     def find(self, name: str) -> Macro | Macros | None:
-        """Return what a name stands for here or around."""
+        """Return what a name means here or in the scopes around."""
         macros: Macros | None = self
         while macros is not None:
             found = macros.get(name)

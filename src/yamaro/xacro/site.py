@@ -9,10 +9,10 @@ if TYPE_CHECKING:
 
 
 class Site:
-    """The inside of an element that is being put out, and what names mean there.
+    """The inside of an element that is being built, and what names mean there.
 
     Attributes:
-        out: what stands there so far.
+        out: its content so far.
         holder: takes the attributes and declarations of prefixes meant for the element.
         macros, scope: what names mean.
         is_last: whether nothing follows in the element.
@@ -21,7 +21,6 @@ class Site:
     __slots__ = ("holder", "is_last", "macros", "out", "scope")
 
     def __init__(self, out: list[Node], holder: Element, macros: Macros, scope: Scope) -> None:
-        """Begin with more to follow."""
         self.out = out
         self.holder = holder
         self.macros = macros

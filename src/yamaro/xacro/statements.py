@@ -30,7 +30,6 @@ class Property:
     __slots__ = ("default", "element", "lazy_eval", "name", "remove", "scope", "value")
 
     def __init__(self, element: Element, given: dict[str, str]) -> None:
-        """Hold what the attributes say."""
         self.element = element
         self.name = given["name"]
         self.value = given.get("value")
@@ -44,7 +43,7 @@ class MacroDefinition:
     """`<xacro:macro>`.
 
     Attributes:
-        element: the tag, in which the body stands.
+        element: the tag, whose content is the body.
         name: as it is called, without `xacro:`.
         parameters: in the order in which they are listed.
     """
@@ -52,7 +51,6 @@ class MacroDefinition:
     __slots__ = ("element", "name", "parameters")
 
     def __init__(self, element: Element, name: str, parameters: list[Parameter]) -> None:
-        """Hold what the attributes say."""
         self.element = element
         self.name = name
         self.parameters = parameters
@@ -65,13 +63,12 @@ class Include:
         element: the tag.
         filename: a template.
         namespace: a template, or None.
-        optional: "true", say, as it stands, or None.
+        optional: the text of the attribute, such as "true", or None.
     """
 
     __slots__ = ("element", "filename", "namespace", "optional")
 
     def __init__(self, element: Element, given: dict[str, str]) -> None:
-        """Hold what the attributes say."""
         self.element = element
         self.filename = given["filename"]
         self.namespace = given.get("ns")
@@ -88,7 +85,6 @@ class Statements:
     __slots__ = ("_reporter", "trace")
 
     def __init__(self, reporter: Reporter) -> None:
-        """Give warnings to the reporter."""
         self._reporter = reporter
         self.trace: Frame | None = None
 

@@ -44,7 +44,7 @@ def substitute(
     arguments: Mapping[str, str],
     evaluate: Callable[[str, EvalNames], Any],
 ) -> str:
-    """Return what `$(content)` stands for.
+    """Return the value of `$(content)`.
 
     Args:
         content: without templates in it.
@@ -104,7 +104,7 @@ def _wrong_count(command: str, needed: str, words: list[str]) -> Fault:
 
 
 def _contents(text: str) -> list[str]:
-    """Return what stands in each `$(…)` of a text."""
+    """Return the content of each `$(…)` of a text."""
     found = []
     position = text.find("$")
     while position >= 0:
@@ -130,7 +130,6 @@ class EvalNames:
     __slots__ = ("_arguments", "_functions")
 
     def __init__(self, arguments: Mapping[str, str], answers: Answers) -> None:
-        """Hold what the names stand for."""
         self._arguments = arguments
         self._functions: dict[str, Any] = {
             "true": True,

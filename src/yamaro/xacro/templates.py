@@ -1,8 +1,8 @@
-"""Text with `${…}` and `$(…)` in it: where each of them stands, and what is in it.
+"""Text with `${…}` and `$(…)` in it: where each of them is, and what is in it.
 
 A template is a row of parts: plain text, `Expression` and `Substitution`. Neither knows brackets or
-quotes: the first `}` ends an expression, the first `)` a substitution. In both, templates can stand
-again, which are replaced before the rest is read. `$${` and `$$(` stand for `${` and `$(`.
+quotes: the first `}` ends an expression, the first `)` a substitution. Both can contain
+templates again, which are replaced before the rest is read. `$${` and `$$(` mean `${` and `$(`.
 """
 
 from __future__ import annotations
@@ -27,15 +27,14 @@ class Expression:
     """`${…}`: Python.
 
     Attributes:
-        text: what stands between the braces.
+        text: the text between the braces.
         inner: the same as a template, if there is a `$` in it.
-        start, end: where in the template's text it stands, with its braces.
+        start, end: where in the template's text it is, with its braces.
     """
 
     __slots__ = ("end", "inner", "start", "text")
 
     def __init__(self, text: str, start: int, end: int) -> None:
-        """Hold what stands between the braces."""
         self.text = text
         self.start = start
         self.end = end
@@ -48,7 +47,6 @@ class Substitution:
     __slots__ = ("end", "inner", "start", "text")
 
     def __init__(self, text: str, start: int, end: int) -> None:
-        """Hold what stands between the parentheses."""
         self.text = text
         self.start = start
         self.end = end
@@ -69,12 +67,11 @@ class Template:
     __slots__ = ("parts", "text")
 
     def __init__(self, text: str, parts: Sequence[Part]) -> None:
-        """Hold the parts."""
         self.text = text
         self.parts = tuple(parts)
 
     def plain(self) -> str | None:
-        """Return what the template stands for whatever the names in it mean, if that is so."""
+        """Return the value of a template that depends on no names, or None."""
         if not self.parts:
             return ""
         first = self.parts[0]
@@ -85,7 +82,7 @@ def parse_template(text: str, offset: int = 0) -> Template:
     """Return a text in parts, whose positions are counted from `offset`.
 
     Raises:
-        Fault: a `${` or `$(` does not end, or a `$` stands before nothing it could begin.
+        Fault: a `${` or `$(` does not end, or a `$` begins neither.
     """
     parts: list[Part] = []
     position, length = 0, len(text)

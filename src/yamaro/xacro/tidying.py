@@ -46,7 +46,7 @@ def _is_space(text: Text) -> bool:
 
 
 def _keep_text(text: Text, kept: list[Node], is_after_cdata: bool) -> None:
-    """Put a text behind what is kept."""
+    """Add a text after what is kept."""
     value = str(text.value)
     if kept and isinstance(kept[-1], Text):
         space = "" if isinstance(text, CData) and is_after_cdata else "\n"

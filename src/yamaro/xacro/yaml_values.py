@@ -53,11 +53,11 @@ def parse_yaml(text: str, evaluate: Callable[[str], Any]) -> Any:
     """Return what a YAML file holds.
 
     Args:
-        text: what stands in it.
+        text: its content.
         evaluate: returns the value of an expression, for numbers with a unit.
 
     Raises:
-        yaml.YAMLError: the text is no YAML.
+        yaml.YAMLError: the text is not YAML.
         Exception: whatever `evaluate` raises.
     """
     import yaml

@@ -182,7 +182,7 @@ def _cells(indices: NDArray[np.integer[Any]]) -> vtkCellArray:
 
 
 def _upright(source: Any) -> vtkPolyData:
-    """Return what stands along y, VTK's way, along z."""
+    """Turn a body from VTK's axis, y, to z."""
     turn = vtkTransform()
     turn.RotateX(90)
     return _moved(_output(source), turn)

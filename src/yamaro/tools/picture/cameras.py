@@ -1,4 +1,4 @@
-"""Cameras: where they stand so that all of a robot is in the picture, as large as that goes."""
+"""Cameras: where they are so that all of a robot is in the picture, as large as possible."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ class Camera:
             view: from where.
             target: a point in metres.
             distance: how far from it what is seen is as wide as the view angle says, in metres.
-            radius: how far what is seen lies around the target; a flat view stands behind that.
+            radius: of what is seen, around the target; the camera of a flat view is outside of it.
         """
         _, up, back = axes_of(view)
         self.is_flat = view.is_flat
@@ -60,7 +60,7 @@ class Camera:
 
 
 def fitted(view: View, points: Floats, aspect: float) -> Camera:
-    """Return the camera that has all points in its picture, and as large as that goes.
+    """Return the camera that has all points in its picture, as large as possible.
 
     Args:
         view: from where.

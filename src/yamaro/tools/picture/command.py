@@ -17,12 +17,11 @@ HINT = "pip install 'yamaro[picture]'"
 
 
 class Result:
-    """A picture as the bytes of its file, with what is to be said of it."""
+    """A picture as the bytes of its file, with warnings and remarks."""
 
     __slots__ = ("data", "remarks", "warnings")
 
     def __init__(self, data: bytes, warnings: list[Diagnostic], remarks: list[str]) -> None:
-        """Hold it."""
         self.data = data
         self.warnings = warnings
         self.remarks = remarks
@@ -51,7 +50,7 @@ def check_packages(name: str, request: Request) -> None:
 
 
 def _version_of(package: str) -> tuple[int, ...]:
-    """Return the first two numbers of a package's version; of one that tells none, large ones."""
+    """Return the first two numbers of a package's version; of one without a version, large ones."""
     from importlib.metadata import PackageNotFoundError, version
 
     try:

@@ -42,8 +42,8 @@ class Drawing:
     """The pictures of a robot that were asked for.
 
     Attributes:
-        warnings: what was said of meshes that cannot be drawn.
-        remarks: what else is to be said.
+        warnings: about meshes that cannot be drawn.
+        remarks: further lines for the terminal.
     """
 
     def __init__(self, build: Build, request: Request, reader: Reader) -> None:
@@ -56,7 +56,7 @@ class Drawing:
 
         Raises:
             YamaroError: a mesh lies where it may not be read, or the time is over.
-            UsageError: a joint is named that there is not.
+            UsageError: the robot has no joint of a given name.
             NoOpenGLError: nothing can be drawn on this system.
         """
         vtkObject.GlobalWarningDisplayOff()
@@ -76,7 +76,7 @@ class Drawing:
 
     @property
     def warnings(self) -> list[Diagnostic]:
-        """Return what was said of meshes."""
+        """Return the warnings about meshes."""
         return self._figure.warnings
 
     def _shows(self) -> set[str]:

@@ -45,7 +45,7 @@ COLLIDING: Color = (0.93, 0.60, 0.22)
 WEIGHING: Color = (0.50, 0.34, 0.80)
 MISSING: Color = (0.90, 0.30, 0.25)
 MISSING_EDGE = 0.06
-"""The edge of the box that stands for a mesh, as a part of the robot's size."""
+"""The edge of the box in place of a mesh, as a part of the robot's size."""
 BONES: Color = (0.30, 0.34, 0.40)
 
 DIRECTIONS = np.array(
@@ -71,7 +71,6 @@ class Body:
     __slots__ = ("T_link_body", "actor", "link", "outline", "samples")
 
     def __init__(self, actor: vtkActor, link: str, T_link_body: Floats, outline: Floats) -> None:
-        """Hold a body without a shadow."""
         self.actor = actor
         self.link = link
         self.T_link_body = T_link_body
@@ -136,7 +135,7 @@ class Figure:
 
     @property
     def warnings(self) -> list[Diagnostic]:
-        """Return what was said of meshes that cannot be drawn."""
+        """Return the warnings about meshes that cannot be drawn."""
         return self._meshes.warnings
 
     # --- bodies ---
@@ -211,7 +210,7 @@ class Figure:
     # --- positions ---
 
     def set_positions(self, positions: Mapping[str, float]) -> None:
-        """Move the joints; those that are not named stand at rest."""
+        """Move the joints; those that are not named keep their rest position."""
         at_rest = {joint.name: joint.rest for joint in self.robot.free_joints()}
         poses = self.robot.poses({**at_rest, **positions})
         self._poses = {name: np.array(pose.matrix()) for name, pose in poses.items()}
@@ -221,7 +220,7 @@ class Figure:
             self._place_bones()
 
     def _place_bones(self) -> None:
-        """Draw a line from each link to those that hang on it."""
+        """Draw a line from each link to its children."""
         if self._bones is not None:
             self.stage.remove(self._bones)
             self._bones = None
@@ -257,7 +256,7 @@ class Figure:
         return extent if extent > 1e-6 else 1.0
 
     def lay_floor(self, level: float, size: float) -> None:
-        """Put a floor under the robot as it stands now, at a height in metres."""
+        """Put a floor under the robot in its current pose, at a height in metres."""
         samples = [_moved(b.samples, self._poses[b.link] @ b.T_link_body) for b in self._bodies]
         if any(map(len, samples)):
             shadow = Shadow(np.concatenate(samples), level, size)

@@ -38,7 +38,7 @@ def still(image: Image, ending: str) -> bytes:
 
 
 def gif(frames: Iterable[Image], rate: float) -> bytes:
-    """Return pictures as a GIF that runs for ever; what is half clear becomes one or the other."""
+    """Return pictures as a GIF that repeats; half-transparent pixels become opaque or clear."""
     images = [PIL.Image.fromarray(frame) for frame in frames]
     chosen = images[:: max(len(images) // PALETTE_FRAMES, 1)]
     width, height = images[0].size

@@ -1,4 +1,4 @@
-"""The meshes of a robot as surfaces to draw, and what is to be said of those that cannot be."""
+"""The meshes of a robot as surfaces to draw, and warnings about those that cannot be drawn."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ def read_meshes(
     """Return the surfaces in mesh files by path, or why they cannot be drawn.
 
     All are read in one jail. If that is ended, each is read in one of its own, so that the others
-    are drawn all the same.
+    are still drawn.
 
     Raises:
         YamaroError: the time is over.
@@ -80,7 +80,7 @@ def _listed(refused: Sequence[str]) -> str:
 
 
 def _reason(error: JailError) -> MeshFileError:
-    """Return what is said of a mesh whose reading was ended."""
+    """Return the reason for a mesh whose reading was ended."""
     if error.limit in ("memory", "answer"):
         return MeshFileError("it takes too much memory")
     return MeshFileError(f"reading it was ended: {error}")
@@ -95,7 +95,6 @@ class Meshes:
     """
 
     def __init__(self, found: dict[str, MeshSurfaces | Exception]) -> None:
-        """Hold what was read, by path."""
         self.warnings: list[Diagnostic] = []
         self._found = found
         self._told: set[str] = set()

@@ -22,7 +22,6 @@ class Moment:
     __slots__ = ("positions", "turn")
 
     def __init__(self, positions: dict[str, float], turn: float) -> None:
-        """Hold it."""
         self.positions = positions
         self.turn = turn
 
@@ -33,7 +32,7 @@ def moments(request: Request, robot: Robot, positions: dict[str, float]) -> list
     Args:
         request: what moves, and how long.
         robot: the robot.
-        positions: where the joints stand that do not move.
+        positions: of the joints that do not move.
 
     Raises:
         UsageError: a joint that is to move cannot, or the film is too long.

@@ -44,7 +44,6 @@ class View:
     __slots__ = ("azimuth", "elevation", "is_flat")
 
     def __init__(self, azimuth: float, elevation: float, *, is_flat: bool) -> None:
-        """Hold it."""
         self.azimuth = azimuth
         self.elevation = elevation
         self.is_flat = is_flat
@@ -61,9 +60,9 @@ class Request:
         ending: of the file, in lower case with its dot.
         width, height: of each view, in pixels.
         views: from where the robot is seen; several make a sheet.
-        joints: what stands behind `--joints`, name by name.
+        joints: the values of `--joints`, by name.
         shows: some of SHOWN.
-        is_transparent: whether there is nothing behind the robot.
+        is_transparent: whether the background is transparent.
         turns: whether the camera goes around the robot.
         sweep: which joints move: ALL, EACH, names with commas between them, or "" for none.
         rate: frames per second of a film.
@@ -137,7 +136,7 @@ def read_positions(request: Request, robot: Robot) -> dict[str, float]:
 
 
 def find_joint(name: str, robot: Robot) -> Joint:
-    """Return a joint that can be moved; raise UsageError if there is none of that name."""
+    """Return a joint that can be moved; raise UsageError if the robot has no such joint."""
     joint = robot.joints.get(name)
     names = [each.name for each in robot.free_joints()]
     if joint is None:

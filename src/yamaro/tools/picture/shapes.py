@@ -40,7 +40,6 @@ class DrawnShape:
     def __init__(
         self, link: Link, section: Visual | Collision, shape: Shape, *, is_visual: bool
     ) -> None:
-        """Begin without a colour and a file."""
         self.link = link
         self.section = section
         self.shape = shape

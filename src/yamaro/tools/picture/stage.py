@@ -110,7 +110,7 @@ class Stage:
         return actor
 
     def add_lines(self, ends: Floats, color: Color, width: float, opacity: float = 1.0) -> vtkActor:
-        """Add lines between pairs of points, N×2×3, so many pixels wide."""
+        """Add lines between pairs of points, N×2×3, of a width in pixels."""
         actor = self.add(lines_body(ends), color, opacity)
         actor.GetProperty().LightingOff()
         actor.GetProperty().SetLineWidth(width * self._sharpness)

@@ -55,11 +55,11 @@ def _loads(library: str) -> bool:
 
 
 def _has_egl() -> bool:
-    """Tell whether EGL has a device to draw with: a library alone may have no driver behind it.
+    """Tell whether EGL has a device to draw with: the library may be there without a driver.
 
     Source: the extensions EGL_EXT_device_enumeration and EGL_EXT_platform_device.
     """
-    os.environ.setdefault("EGL_LOG_LEVEL", "fatal")  # else it tells of each driver it lacks
+    os.environ.setdefault("EGL_LOG_LEVEL", "fatal")  # else it reports each driver it lacks
     try:
         egl = ctypes.CDLL(EGL_LIBRARY)
     except OSError:

@@ -94,14 +94,14 @@ def _server(session: Session, options: ViewOptions, editor: Editor | None) -> se
 def _tell(
     turn: Turn, last: Turn | None, say: Callable[[str], None], show: Callable[[Turn], None]
 ) -> None:
-    """Say in a line what came of a build; show what is wrong unless that is known."""
+    """Report the result of a build in a line; show what is wrong unless that was shown before."""
     say(f"{time.strftime('%H:%M:%S')}  {_outcome(turn)}")
     if not turn.is_told_as(last):
         show(turn)
 
 
 def _outcome(turn: Turn) -> str:
-    """Return what came of a build, in a few words."""
+    """Return the result of a build, in a few words."""
     told = count_told(turn.diagnostics)
     if turn.build is None:
         return shortened(turn.fault) if turn.fault else told

@@ -1,4 +1,4 @@
-"""What the page has to know of a built robot, as data that goes into JSON."""
+"""What the page has to know about a built robot, as data for JSON."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ class Description:
 
     Attributes:
         data: the URDF; where its links and joints were written; their meshes.
-        places: what the numbers in it stand for.
+        places: the places that the numbers in it mean.
         awaited: the files it refers to that are not there, by the paths where they would be.
     """
 
@@ -86,7 +86,7 @@ class Description:
         return found
 
     def _file(self, element: Element, trace: Frame | None) -> Json | None:
-        """Return where the page gets a mesh or texture, or None if it is not to be had."""
+        """Return where the page gets a mesh or texture, or None if it cannot be read."""
         filename = attribute_text(element, "filename") or ""
         span = element.value_span("filename")
         try:

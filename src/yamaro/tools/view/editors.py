@@ -11,7 +11,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
 
-# How editors with a window of their own are told the place.
+# How the place is passed to editors with a window of their own.
 _PLACE_FORMS: dict[str, tuple[str, ...]] = {
     "code": ("-g", "{file}:{line}:{column}"),
     "code-insiders": ("-g", "{file}:{line}:{column}"),
@@ -51,7 +51,7 @@ class Editor:
     def __init__(self, words: Sequence[str]) -> None:
         """Take the words of a command.
 
-        They may have `{file}`, `{line}` and `{column}` in them. Otherwise the place is put behind
+        They may have `{file}`, `{line}` and `{column}` in them. Otherwise the place is added after
         them, in the way of an editor that is known, or else the file alone.
         """
         self.name = _program(words[0])
@@ -87,7 +87,7 @@ def find_editor(command: str | None, environ: Mapping[str, str]) -> Editor | Non
     """Return the editor to use, or None if there is none with a window of its own.
 
     Args:
-        command: what the user names; it is believed.
+        command: what the user names; it is used as it is.
         environ: where VISUAL and EDITOR are looked up. One that runs in a terminal, such as vim,
             is passed over: the terminal is taken.
 

@@ -1,9 +1,8 @@
 """The files that the page may fetch: the meshes and textures of a robot, and what these refer to.
 
 The page asks for them by keys made here, never by a path. A mesh names its textures and its
-buffers itself, and whoever wrote it may be an enemy: so such a file counts only if its bytes are of
-a kind that meshes need, and it lies where the robot may read. That is looked up in a jail where
-there is one.
+buffers itself, and may be untrusted: so such a file counts only if its bytes are of a kind that
+meshes need, and it lies where the robot may read. That is looked up in a jail where there is one.
 """
 
 from __future__ import annotations
@@ -159,7 +158,7 @@ class MeshFiles:
         self.types: dict[str, str] = {}
 
     def add(self, path: str) -> dict[str, object] | None:
-        """Return what the page has to know of a mesh or texture; None if it may not be read.
+        """Return what the page has to know about a mesh or texture; None if it may not be read.
 
         That is its key, which changes with the file's content, its format as an ending, the keys
         of the files it refers to, by the names it has for them, and perhaps why it is not shown.
@@ -196,7 +195,7 @@ class MeshFiles:
 
 
 def _mark(path: str) -> str:
-    """Return what changes with a file's content; "" if there is none."""
+    """Return a text that changes with a file's content; "" if there is no file."""
     try:
         status = os.stat(path)
     except (OSError, ValueError):
@@ -259,7 +258,7 @@ def _add_companions(
 
 
 def _kind_of_companion(path: str, owner: str) -> str:
-    """Return the format of a file that a mesh or material names; "" if it is none of theirs.
+    """Return the format of a file that a mesh or material names; "" if they cannot use it.
 
     Buffers and materials have no sign, so their endings count too.
     """
@@ -278,7 +277,7 @@ def _to_bytes(contents: Contents) -> bytes:
 
 
 def _from_bytes(data: bytes) -> Contents:
-    """Return what some bytes say of a file; raise ValueError if they make no sense."""
+    """Return the contents that some bytes describe; raise ValueError if they are malformed."""
     try:
         kind, fault, companions, refused = json.loads(data)
         if kind not in ("", *CONTENT_TYPES) or not isinstance(fault, str):

@@ -1,4 +1,4 @@
-"""Tells where each link, joint and shape of a robot was written, in a form the page can show."""
+"""Where each link, joint and shape of a robot was written, in a form the page can show."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     Json = dict[str, object]
 
 MOST_CALLS = 12
-"""Steps of calls and includes that are told of one place, innermost first."""
+"""Steps of calls and includes that are shown for one place, innermost first."""
 
 _QUOTED_OWNER = re.compile(r"\b(link|joint) '([^']+)'")
 
@@ -30,7 +30,6 @@ class Places:
     __slots__ = ("_numbers", "texts", "where")
 
     def __init__(self) -> None:
-        """Begin without places."""
         self._numbers: dict[object, int] = {}
         self.texts: list[str] = []
         self.where: list[tuple[str, int, int]] = []
@@ -60,12 +59,11 @@ class Places:
 
 
 class Owners:
-    """Tells which link or joint a diagnostic is about."""
+    """Finds the link or joint that a diagnostic is about."""
 
     __slots__ = ("_by_place", "_names")
 
     def __init__(self, robot: Robot) -> None:
-        """Note every place in the links and joints of a robot."""
         self._by_place: dict[object, list[tuple[list[str], str, str]]] = {}
         self._names: set[tuple[str, str]] = set()
         owners: list[Link | Joint] = [*robot.all_links, *robot.all_joints]
@@ -79,7 +77,7 @@ class Owners:
     def of(self, diagnostic: Diagnostic) -> tuple[str, str] | None:
         """Return "link" or "joint" and its name; None if it is about neither, or about many.
 
-        A message that names one is believed. Otherwise the place decides, and where a function
+        A message that names one decides. Otherwise the place does, and where a function
         was called more than once, the calls.
         """
         named = _QUOTED_OWNER.search(diagnostic.message)

@@ -1,4 +1,4 @@
-"""Serves the page to this machine's browser, and to nobody else.
+"""Serves the page to browsers on this machine only.
 
 Other programs and other pages can send requests to a port of this machine. So the server listens
 on the loopback interface, answers only where the Host header names it, refuses what a page of
@@ -171,7 +171,7 @@ class Server(ThreadingHTTPServer):
                 continue
 
     def handle_error(self, request: object, client_address: object) -> None:
-        """Say nothing of clients that go away or talk garbage; show all else to developers."""
+        """Ignore clients that go away or send garbage; show other errors to developers."""
         if isinstance(sys.exc_info()[1], (OSError, ValueError)):
             return
         if os.environ.get("YAMARO_TRACEBACK"):
@@ -222,7 +222,7 @@ class Handler(BaseHTTPRequestHandler):
         return self.command == "GET" and is_page and self.path.endswith("/")
 
     def _path_within(self) -> str:
-        """Return the path behind the token; without the token there is nothing here."""
+        """Return the path after the token; refuse a path without the token."""
         path = self.path.partition("?")[0]
         token, slash, rest = path[1:].partition("/")
         is_known = hmac.compare_digest(token.encode(), self.server.token.encode())
@@ -249,7 +249,7 @@ class Handler(BaseHTTPRequestHandler):
             raise Refused(HTTPStatus.NOT_FOUND)
 
     def _send_events(self) -> None:
-        """Tell of each new version until the client goes away; what it is, the client asks for."""
+        """Send the number of each new version until the client goes away; it asks for the rest."""
         self.close_connection = True
         self.send_response(HTTPStatus.OK)
         self._send_headers({"Content-Type": "text/event-stream", "Connection": "close"})
@@ -353,13 +353,13 @@ class Handler(BaseHTTPRequestHandler):
         self.end_headers()
 
     def send_error(self, code: int, message: str | None = None, explain: str | None = None) -> None:
-        """Answer a request that is no HTTP, in plain words."""
+        """Answer a request that is not HTTP, in plain words."""
         self.close_connection = True
         status = HTTPStatus(code)
         self._send(status.phrase.encode(), "text/plain; charset=utf-8", status)
 
     def log_message(self, format: str, *args: object) -> None:
-        """Say nothing: the terminal shows builds."""
+        """Log nothing: the terminal shows builds."""
 
 
 def read_static() -> dict[str, tuple[bytes, str]]:

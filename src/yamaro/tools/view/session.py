@@ -64,7 +64,7 @@ class Session:
     # --- builds ---------------------------------------------------------------------------------
 
     def build(self) -> Turn:
-        """Build the robot anew, and tell all who wait."""
+        """Build the robot again, and notify all waiting requests."""
         self.wake.clear()
         self._read_fields()
         with self._changed:
@@ -239,12 +239,12 @@ class Session:
         self.wake.set()
 
     def rebuild(self) -> None:
-        """Have the robot built, and all read anew."""
+        """Have the robot built, with all files read again."""
         self._rebuilder.forget()
         self.wake.set()
 
     def close(self) -> None:
-        """Let all who wait go."""
+        """End all waiting requests."""
         with self._changed:
             self._is_closed = True
             self._changed.notify_all()

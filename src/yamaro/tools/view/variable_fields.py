@@ -43,7 +43,6 @@ class VariableField:
     __slots__ = ("default", "name", "span")
 
     def __init__(self, name: str, default: Value, span: Span) -> None:
-        """Describe a variable."""
         self.name = name
         self.default = default
         self.span = span
@@ -75,7 +74,7 @@ class VariableField:
         raise WrongValue(f"'{self.name}' takes a {kind}")
 
     def from_text(self, text: str) -> Value:
-        """Return what stands on the command line as a value; one of another kind as the default."""
+        """Return a value from the command line; the default for a value of another kind."""
         value = text if self.kind == "text" else value_of_text(text)
         try:
             return self.read(value)
@@ -90,7 +89,7 @@ def read_variable_fields(text: str, name: str) -> dict[str, VariableField]:
 
     Args:
         text: the file.
-        name: what it is called, which tells what kind of file it is.
+        name: its name, by which YAML and XML are told apart.
 
     Returns:
         The fields by the names under which a build knows them, in the order of the file.
