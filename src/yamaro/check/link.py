@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from math import fabs, hypot, tau
 
-from ..model.urdf_schema import SHAPES
+from ..model.shapes import SHAPE_WORDS
 from ..model.values import attribute_text
 from ..xml.tree import Element
 from .context import LINKS, CheckContext, label, shown
@@ -160,7 +160,7 @@ def _check_geometry(
         only = geometry.children[0]
         if isinstance(only, Element) and only.name in PLAIN_SHAPES:
             return
-    shapes = [child for child in geometry.elements() if child.name in SHAPES]
+    shapes = [child for child in geometry.elements() if child.name in SHAPE_WORDS]
     where = f"a {section.name} of {label(link)}"
     if not shapes:
         if not geometry.elements():
@@ -168,7 +168,7 @@ def _check_geometry(
                 "missing-element",
                 f"the geometry in {where} has no shape",
                 geometry,
-                hint=f"put one of {', '.join(SHAPES)} in it",
+                hint=f"put one of {', '.join(SHAPE_WORDS)} in it",
             )
         return
     kinds = {shape.name for shape in shapes}

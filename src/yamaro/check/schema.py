@@ -6,6 +6,7 @@ It is the one walk over all elements, and calls the checks of what their values 
 from __future__ import annotations
 
 from ..diagnostics import did_you_mean
+from ..model.shapes import SHAPE_WORDS
 from ..model.urdf_schema import (
     ANY,
     ELEMENTS,
@@ -15,7 +16,6 @@ from ..model.urdf_schema import (
     OTHER_FORMATS,
     OUTERMOST,
     POSITIVE,
-    SHAPES,
     TEXT,
     AttributeRule,
     ElementRule,
@@ -115,7 +115,7 @@ PARENTS = {
     "color": "a material",
     "texture": "a material",
     "material": "a visual",
-    **dict.fromkeys(("box", "cylinder", "sphere", "capsule", "mesh"), "a geometry"),
+    **dict.fromkeys(SHAPE_WORDS, "a geometry"),
     **dict.fromkeys(("parent", "child", "axis", "limit", "mimic", "dynamics"), "a joint"),
     **dict.fromkeys(("calibration", "safety_controller"), "a joint"),
 }
@@ -467,7 +467,7 @@ def _check_unknown_child(
         )
     is_needed = child.name in rule.required and element.attributes.get(child.name) is None
     if element.name == "geometry":
-        is_needed = names.isdisjoint(SHAPES)
+        is_needed = names.isdisjoint(SHAPE_WORDS)
     tell = context.error if is_needed else context.warn
     tell(
         "unknown-element",

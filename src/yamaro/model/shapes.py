@@ -34,13 +34,21 @@ class _Shape:
     """What the shapes have in common.
 
     Attributes:
+        kind: the shape's word, which is also the name of its element in URDF.
+        attributes: of that element: one for all sizes, or one for each.
+        sizes: what its sizes are, in the order of the constructor and of `scale`.
+        example: sizes to show in a hint.
+        since: the first version of URDF that has it.
         element: the element it was read from, or None for a shape that was computed.
     """
 
     __slots__ = ("element",)
 
     kind: str
-    """The shape's word, which is also its element's name in URDF."""
+    attributes: tuple[str, ...]
+    sizes: tuple[str, ...]
+    example: str
+    since = "1.0"
 
     element: Element | None
 
@@ -74,6 +82,9 @@ class Box(_Shape):
 
     __slots__ = ("x", "y", "z")
     kind = "box"
+    attributes = ("size",)
+    sizes = ("x", "y", "z")
+    example = "0.4 0.3 0.2"
 
     def __init__(self, x: float, y: float, z: float, *, element: Element | None = None) -> None:
         """Create a box from the lengths of its edges along the axes, in metres."""
@@ -114,6 +125,8 @@ class Cylinder(_Shape):
 
     __slots__ = ("length", "radius")
     kind = "cylinder"
+    attributes = sizes = ("radius", "length")
+    example = "0.05 0.3"
 
     def __init__(self, radius: float, length: float, *, element: Element | None = None) -> None:
         """Create a cylinder from its radius and length in metres."""
@@ -153,6 +166,8 @@ class Sphere(_Shape):
 
     __slots__ = ("radius",)
     kind = "sphere"
+    attributes = sizes = ("radius",)
+    example = "0.1"
 
     def __init__(self, radius: float, *, element: Element | None = None) -> None:
         """Create a sphere from its radius in metres."""
@@ -190,6 +205,9 @@ class Capsule(_Shape):
 
     __slots__ = ("length", "radius")
     kind = "capsule"
+    attributes = sizes = ("radius", "length")
+    example = "0.05 0.3"
+    since = "1.1"
 
     def __init__(self, radius: float, length: float, *, element: Element | None = None) -> None:
         """Create a capsule from its radius, and its length without the half spheres, in metres."""
@@ -280,6 +298,9 @@ class Mesh(_Shape):
 
     __slots__ = ("filename", "scale")
     kind = "mesh"
+    attributes = ("filename", "scale")
+    sizes = ("x", "y", "z")
+    example = "0.001 0.001 0.001"
 
     def __init__(
         self, filename: str, scale: Vector = UNSCALED, *, element: Element | None = None
@@ -298,23 +319,19 @@ class Mesh(_Shape):
         return (self.filename, self.scale)
 
 
-Solid = Box | Cylinder | Sphere | Capsule | MeshSolid
-Shape = Box | Cylinder | Sphere | Capsule | Mesh
+SimpleShape = Box | Cylinder | Sphere | Capsule
+Solid = SimpleShape | MeshSolid
+Shape = SimpleShape | Mesh
 
-SIMPLE_SHAPES: dict[str, type[Box | Cylinder | Sphere | Capsule]] = {
+SIMPLE_SHAPES: dict[str, type[SimpleShape]] = {
     shape.kind: shape for shape in (Box, Cylinder, Sphere, Capsule)
 }
 """The shapes that are made of numbers alone, by their words."""
 
-SIZES = {
-    "box": ("size",),
-    "cylinder": ("radius", "length"),
-    "sphere": ("radius",),
-    "capsule": ("radius", "length"),
-}
-"""The attributes of a simple shape in URDF: one for all its numbers, or one for each."""
+SIZES = {kind: shape.attributes for kind, shape in SIMPLE_SHAPES.items()}
+"""The attributes of a simple shape in URDF: one for all its sizes, or one for each."""
 
-COUNTS = {"box": 3, "cylinder": 2, "sphere": 1, "capsule": 2}
+COUNTS = {kind: len(shape.sizes) for kind, shape in SIMPLE_SHAPES.items()}
 """How many numbers make a simple shape."""
 
 SHAPE_WORDS = (*SIMPLE_SHAPES, Mesh.kind)

@@ -7,6 +7,11 @@ acceleration, deceleration and jerk limits. The table is data; `check_schema` ap
 from __future__ import annotations
 
 from ..diagnostics import did_you_mean
+from .shapes import SHAPE_WORDS, SIMPLE_SHAPES
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from .shapes import SimpleShape
 
 JOINT_TYPES = ("revolute", "continuous", "prismatic", "fixed", "floating", "planar")
 OTHER_JOINT_TYPES = {
@@ -21,7 +26,6 @@ OTHER_JOINT_TYPES = {
 }
 """What other formats call the types of joints."""
 VERSIONS = ("1.0", "1.1", "1.2")
-SHAPES = ("box", "cylinder", "sphere", "capsule", "mesh")
 
 TEXT = 0
 """The `count` of an attribute that is not made of numbers."""
@@ -88,10 +92,17 @@ _NUMBER = AttributeRule(1)
 _NEEDED_NUMBER = AttributeRule(1, required=True)
 _NOT_NEGATIVE = AttributeRule(1, sign=NOT_NEGATIVE)
 _NEEDED_NOT_NEGATIVE = AttributeRule(1, required=True, sign=NOT_NEGATIVE)
-_NEEDED_SIZE = AttributeRule(1, required=True, sign=POSITIVE)
 _THREE = AttributeRule(3)
 
 _SHAPED = {"origin": ONCE, "geometry": ONCE}
+
+
+def _shape_rule(shape: type[SimpleShape]) -> ElementRule:
+    """Return the rule of a simple shape, whose sizes are in one attribute or in one for each."""
+    count = len(shape.sizes) // len(shape.attributes)
+    rule = AttributeRule(count, required=True, sign=POSITIVE)
+    return ElementRule(dict.fromkeys(shape.attributes, rule))
+
 
 ELEMENTS = {
     "robot": ElementRule(
@@ -124,11 +135,8 @@ ELEMENTS = {
         dict.fromkeys(("ixx", "ixy", "ixz", "iyy", "iyz", "izz"), _NEEDED_NUMBER)
     ),
     "origin": ElementRule({"xyz": _THREE, "rpy": _THREE, "quat_xyzw": AttributeRule(4)}),
-    "geometry": ElementRule({}, dict.fromkeys(SHAPES, ONCE)),
-    "box": ElementRule({"size": AttributeRule(3, required=True, sign=POSITIVE)}),
-    "cylinder": ElementRule({"radius": _NEEDED_SIZE, "length": _NEEDED_SIZE}),
-    "sphere": ElementRule({"radius": _NEEDED_SIZE}),
-    "capsule": ElementRule({"radius": _NEEDED_SIZE, "length": _NEEDED_SIZE}),
+    "geometry": ElementRule({}, dict.fromkeys(SHAPE_WORDS, ONCE)),
+    **{kind: _shape_rule(shape) for kind, shape in SIMPLE_SHAPES.items()},
     "mesh": ElementRule({"filename": _NEEDED_TEXT, "scale": _THREE}),
     "material": ElementRule({"name": _NEEDED_TEXT}, {"color": ONCE, "texture": ONCE}),
     "color": ElementRule({"rgba": AttributeRule(4, required=True)}),

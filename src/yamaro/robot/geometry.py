@@ -20,12 +20,6 @@ if TYPE_CHECKING:
     from .lowering import Lowering
     from .numbers import Numbers
 
-SCALE_EXAMPLES = {
-    "box": "scale: 0.4 0.3 0.2 (x y z)",
-    "cylinder": "scale: 0.05 0.3 (radius length)",
-    "sphere": "scale: 0.1 (radius)",
-    "capsule": "scale: 0.05 0.3 (radius length)",
-}
 SMALLEST_VOLUME = 1e-9
 """Part of the cube of a mesh's size below which its volume is only rounding."""
 
@@ -142,7 +136,7 @@ def read_geometry(
             "missing-scale",
             f"the geometry '{word}' has no scale",
             key.span,
-            hint=f"write it beside 'geometry', as {SCALE_EXAMPLES[kind]}",
+            hint=f"write it beside 'geometry', as {_scale_example(kind)}",
             notes=notes,
             trace=key.trace,
         )
@@ -184,7 +178,14 @@ def _shape_hint(word: str) -> str:
 
         endings = " ".join(f".{ending}" for ending in MESH_ENDINGS)
         return f"mesh files are known by their ending: {endings}"
-    return "the shapes are box, cylinder, sphere, capsule, and mesh files such as meshes/arm.stl"
+    words = ", ".join(SIMPLE_SHAPES)
+    return f"the shapes are {words}, and mesh files such as meshes/arm.stl"
+
+
+def _scale_example(kind: str) -> str:
+    """Return a scale to show for a simple shape, with what its numbers are."""
+    shape = SIMPLE_SHAPES[kind]
+    return f"scale: {shape.example} ({' '.join(shape.sizes)})"
 
 
 def _refuse_urdf_form(lowering: Lowering, key: Element) -> None:

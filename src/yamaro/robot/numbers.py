@@ -5,6 +5,7 @@ from __future__ import annotations
 from math import isfinite
 
 from ..diagnostics import YamaroError, failure
+from ..model.shapes import SIMPLE_SHAPES
 from ..source import Span
 from ..xml.values import (
     LONGEST_ROW_REMEMBERED,
@@ -38,9 +39,11 @@ LAYOUTS = {
     "axis": "x y z",
     "rgba": "red green blue alpha, each from 0 to 1",
     "inertia": "ixx ixy ixz iyy iyz izz, in kg·m²",
-    "scale of a box": "x y z, in metres",
-    "scale of a cylinder": "radius length, in metres",
-    "scale of a capsule": "radius length, in metres",
+    **{
+        f"scale of a {kind}": f"{' '.join(shape.sizes)}, in metres"
+        for kind, shape in SIMPLE_SHAPES.items()
+        if len(shape.sizes) > 1
+    },
     "scale of a sphere": "its radius, in metres",
     "scale of a mesh": "a factor for x, y and z",
 }

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from ...meshes.formats import mesh_ending
 from ...model.mesh_integrals import MESH_ENDINGS
+from ...model.shapes import COUNTS, SIMPLE_SHAPES
 from ...xml.tree import Element, Text
 from ...xml.values import format_value
 from .compare import POSE, ZEROS, same_words, values_of
@@ -18,7 +19,7 @@ if TYPE_CHECKING:
 
 RECORDS = ("limit", "dynamics", "mimic", "safety_controller", "calibration")
 MOMENTS = ("ixx", "ixy", "ixz", "iyy", "iyz", "izz")
-SIZES = {"box": ("size",), "cylinder": ("radius", "length"), "sphere": ("radius",)}
+SIZES = {kind: shape.attributes for kind, shape in SIMPLE_SHAPES.items() if shape.since == "1.0"}
 SECTIONS = ("visual", "collision", "inertial")
 PART_KEYS = frozenset(
     """name joint link type parent child axis limit dynamics mimic safety_controller calibration
@@ -520,9 +521,7 @@ def read_geometry(section: Element, file_name: Callable[[str], str]) -> Geometry
     if names is None or sorted(attributes) != sorted(names):
         return None
     words = " ".join(attributes[name] for name in names)
-    return Geometry(
-        shape.name, shape.name, _numbers(words, 3 if names == ("size",) else len(names))
-    )
+    return Geometry(shape.name, shape.name, _numbers(words, COUNTS[shape.name]))
 
 
 def is_short_material(material: Element) -> bool:

@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 from math import isclose, isfinite
 
-from ...model.shapes import Box, Cylinder, Sphere
+from ...model.shapes import SIMPLE_SHAPES
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
     from ...model.shapes import Solid
 
-SIZES = {"box": 3, "cylinder": 2, "sphere": 1}
+SIZES = {kind: len(shape.sizes) for kind, shape in SIMPLE_SHAPES.items() if shape.since == "1.0"}
 """The solids whose inertia a formula gives, and how many numbers each takes."""
 SAMPLES = 5
 TOLERANCE = 1e-9
@@ -139,9 +139,7 @@ def key_of(name: str) -> str:
 
 def solid(kind: str, sizes: Sequence[float]) -> Solid:
     """Return a solid of a kind that SIZES has."""
-    if kind == "box":
-        return Box(*sizes)
-    return Cylinder(*sizes) if kind == "cylinder" else Sphere(*sizes)
+    return SIMPLE_SHAPES[kind](*sizes)
 
 
 def is_inertia_of(kind: str, sizes: Sequence[str], mass: str, moments: Sequence[str]) -> bool:
