@@ -63,14 +63,7 @@ def convert_file(
             prepare()
         if streams.owns_process:
             _bound_process(arguments, streams, policy)
-        build, chunks = _build(
-            arguments,
-            streams,
-            policy,
-            take,
-            advice=advice,
-            has_root=has_root,
-        )
+        build, chunks = _build(arguments, streams, policy, take, advice=advice, has_root=has_root)
     except YamaroError as error:
         show(error.diagnostics, arguments, streams)
         return INPUT_ERROR
@@ -78,13 +71,19 @@ def convert_file(
     show(build.warnings, arguments, streams)
     if advice and any(warning.code not in adjustment.allowed for warning in build.warnings):
         return INPUT_ERROR
-    refuse_overwriting(arguments, lambda: [*build.files, *build.meshes])
-    status = deliver_assets(lambda: build.assets, arguments, streams)
-    if status == DONE:
-        status = deliver(chunks, arguments, streams, form)
+    status = _deliver_build(build, chunks, arguments, streams, form)
     if conclude is not None and status == DONE:
         conclude(build)
     return status
+
+
+def _deliver_build(
+    build: Build, chunks: Iterable[bytes | str], arguments: Arguments, streams: Streams, form: str
+) -> int:
+    """Write what was taken of a build, and the copies of meshes; return the exit status."""
+    refuse_overwriting(arguments, lambda: [*build.files, *build.meshes])
+    status = deliver_assets(lambda: build.assets, arguments, streams)
+    return deliver(chunks, arguments, streams, form) if status == DONE else status
 
 
 def _bound_process(arguments: Arguments, streams: Streams, policy: Policy) -> None:

@@ -13,6 +13,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable
 
+    from ..policy import Policy
     from ..streams import Streams
     from ..tools.rebuilding import Rebuilder
     from .arguments import Arguments
@@ -36,7 +37,6 @@ def repeat(
     import warnings
 
     from ..arguments import UsageError
-    from ..tools.rebuilding import Rebuilder
 
     arguments.resolve_output()
     if arguments.words[0] == STANDARD_INPUT:
@@ -52,23 +52,28 @@ def repeat(
         with warnings.catch_warnings():
             if not sys.warnoptions:  # user code's warnings, unless asked for with -W
                 warnings.simplefilter("ignore")
-            rebuilder = Rebuilder(
-                arguments.words[0],
-                policy=policy,
-                packages=read_packages(arguments),
-                command_line=arguments.assignments,
-                on_message=sayer(streams),
-                strict=arguments.has("strict"),
-                allow=arguments.lists.get("allow", ()),
-                deny=arguments.lists.get("deny", ()),
-                advice=looks,
-                has_root=looks,
-                output=output_of(arguments),
-                meshes=arguments.options.get("meshes", "relative"),
-            )
-            run(rebuilder)
+            run(_rebuilder(arguments, streams, policy, looks=looks))
     except UsageError as error:
         raise WrongUsage(str(error)) from None
     except KeyboardInterrupt:
         return DONE
     return DONE
+
+
+def _rebuilder(arguments: Arguments, streams: Streams, policy: Policy, *, looks: bool) -> Rebuilder:
+    from ..tools.rebuilding import Rebuilder
+
+    return Rebuilder(
+        arguments.words[0],
+        policy=policy,
+        packages=read_packages(arguments),
+        command_line=arguments.assignments,
+        on_message=sayer(streams),
+        strict=arguments.has("strict"),
+        allow=arguments.lists.get("allow", ()),
+        deny=arguments.lists.get("deny", ()),
+        advice=looks,
+        has_root=looks,
+        output=output_of(arguments),
+        meshes=arguments.options.get("meshes", "relative"),
+    )

@@ -13,6 +13,7 @@ from ..syntax.nodes import (
     Constant,
     FunctionNode,
     InsertNode,
+    Parameter,
     Value,
 )
 from ..syntax.python import PythonCode
@@ -28,7 +29,7 @@ from .words import count
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
+    from collections.abc import Callable, Mapping, Sequence
     from typing import Any
 
     from ..xml.tree import Node
@@ -144,26 +145,8 @@ def match_arguments(node: FunctionNode, arguments: list[Argument], span: Span, l
     parameters = {parameter.name: parameter for parameter in node.parameters}
     positional = [parameter for parameter in node.parameters if not parameter.is_block]
     for index, argument in enumerate(arguments):
-        name = argument.name
-        if name is None:
-            if index >= len(positional):
-                raise _bad_call(
-                    "unknown-argument",
-                    f"'{node.name}' takes {count(len(positional), 'argument')}, "
-                    f"and this is number {index + 1}",
-                    argument.span,
-                    node,
-                )
-            name = positional[index].name
-        parameter = parameters.get(name)
-        if parameter is None:
-            raise _bad_call(
-                "unknown-argument",
-                f"'{node.name}' has no parameter '{name}'",
-                argument.span,
-                node,
-                hint=did_you_mean(name, parameters),
-            )
+        parameter = _parameter_of(argument, index, node, positional, parameters)
+        name = parameter.name
         if name in spans:
             raise _bad_call(
                 "given-twice",
@@ -182,6 +165,50 @@ def match_arguments(node: FunctionNode, arguments: list[Argument], span: Span, l
             else:
                 only = value.only if isinstance(value, Template) else None
                 match.values.append((name, value, only))
+    _refuse_missing(node, positional, spans, span)
+    match.is_complete = len(spans) == len(parameters)
+    match.places = {parameter.name: parameter.span for parameter in node.parameters} | spans
+    return match
+
+
+def _parameter_of(
+    argument: Argument,
+    index: int,
+    node: FunctionNode,
+    positional: Sequence[Parameter],
+    parameters: Mapping[str, Parameter],
+) -> Parameter:
+    """Return the parameter that an argument is for.
+
+    Raises:
+        YamaroError: there is none.
+    """
+    if argument.name is None:
+        if index < len(positional):
+            return positional[index]
+        raise _bad_call(
+            "unknown-argument",
+            f"'{node.name}' takes {count(len(positional), 'argument')}, "
+            f"and this is number {index + 1}",
+            argument.span,
+            node,
+        )
+    parameter = parameters.get(argument.name)
+    if parameter is None:
+        raise _bad_call(
+            "unknown-argument",
+            f"'{node.name}' has no parameter '{argument.name}'",
+            argument.span,
+            node,
+            hint=did_you_mean(argument.name, parameters),
+        )
+    return parameter
+
+
+def _refuse_missing(
+    node: FunctionNode, positional: Sequence[Parameter], spans: Mapping[str, Span], span: Span
+) -> None:
+    """Raise YamaroError if a parameter without a default is given nothing."""
     missing = [
         f"'{parameter.name}'"
         for parameter in positional
@@ -190,9 +217,6 @@ def match_arguments(node: FunctionNode, arguments: list[Argument], span: Span, l
     if missing:
         what = f"argument{'s' if len(missing) > 1 else ''} {' and '.join(missing)}"
         raise _bad_call("missing-argument", f"'{node.name}' needs the {what}", span, node)
-    match.is_complete = len(spans) == len(parameters)
-    match.places = {parameter.name: parameter.span for parameter in node.parameters} | spans
-    return match
 
 
 def _block(argument: Argument, node: FunctionNode, late: Late) -> Body:
@@ -273,6 +297,11 @@ def run_insert(
         interpreter.run_body(node.default, scope, out)
 
 
+def _is_step(frame: Frame, parent: Frame | None, name: str, home: Frame | None) -> bool:
+    """Tell whether a frame is that of a call from `parent` of a function of that name and home."""
+    return frame.parent is parent and frame.home is home and frame.name == name
+
+
 def call(
     interpreter: Interpreter,
     name: str,
@@ -300,12 +329,7 @@ def call(
     callee = Scope(closure.home, interpreter.shared, closure=closure, caller=scope.context)
     given = evaluate_arguments(match, scope, interpreter.values)
     home, frame = closure.home.frame, match.frame
-    if (
-        frame is None
-        or frame.parent is not interpreter.frame
-        or frame.home is not home
-        or frame.name != name
-    ):
+    if frame is None or not _is_step(frame, interpreter.frame, name, home):
         frame = match.frame = interpreter.step("called", name, span, home)
         frame.places = match.places
     interpreter.enter(frame, span)

@@ -95,7 +95,6 @@ def run_include(
 
         include_xml(interpreter, node, source, passed, namespace, out)
         return
-    context = scope.context
     frame = interpreter.step("included", source.name, node.span, None)
     interpreter.enter(frame, node.path_span)
     try:
@@ -105,11 +104,8 @@ def run_include(
             passed_to = Passed(node, document, frame.parent)
             interpreter.passed.setdefault((id(node), id(document)), passed_to)
         before = len(interpreter.shared.declared)
-        inner = interpreter.begin_file(document, caller=context)
-        for argument in node.arguments:
-            name = argument.name or ""
-            inner.declare(name, passed[name], place=argument.span)
-        inner.passed = frozenset(passed)
+        inner = interpreter.begin_file(document, caller=scope.context)
+        _declare_passed(node, passed, inner)
         words = interpreter.run_sections(document, inner, node)
         _run_included_model(interpreter, document, inner, out)
         out += words
@@ -121,6 +117,14 @@ def run_include(
     finally:
         interpreter.leave(frame)
     _hand_back(interpreter, inner, scope, namespace, before, node.span)
+
+
+def _declare_passed(node: IncludeNode, passed: dict[str, Any], inner: Scope) -> None:
+    """Declare what an include passes in the context of the file."""
+    for argument in node.arguments:
+        name = argument.name or ""
+        inner.declare(name, passed[name], place=argument.span)
+    inner.passed = frozenset(passed)
 
 
 def _trace_into(interpreter: Interpreter, error: YamaroError, node: IncludeNode) -> None:

@@ -80,13 +80,7 @@ class Interpreter:
         self.messages = Messages(on_message, policy.limits)
         self.shared = Shared()
         self.safety = _safety_of(policy, self.messages)
-        self.files = Files(
-            library,
-            reporter=reporter,
-            print_function=self.messages.print,
-            safety=self.safety,
-            packages=packages or PackageFinder(),
-        )
+        self.files = self._files(library, packages or PackageFinder())
         self.evaluator = _evaluator_of(policy, self.files, self.safety)
         self.values = Values(self.evaluator)
         self.shares = shares
@@ -106,6 +100,15 @@ class Interpreter:
         self.is_robot = False
         self._frames: dict[tuple[str, int, Frame | None, Frame | None], Frame] = {}
         self.matches: dict[int, Match] = {}  # by the identity of a call's arguments
+
+    def _files(self, library: Library, packages: PackageFinder) -> Files:
+        return Files(
+            library,
+            reporter=self.reporter,
+            print_function=self.messages.print,
+            safety=self.safety,
+            packages=packages,
+        )
 
     def begin_file(self, document: Document, *, caller: Scope | None) -> Scope:
         """Return the context for a run of a file."""

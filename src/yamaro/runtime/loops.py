@@ -59,53 +59,68 @@ def iterate(node: ForNode, scope: Scope, values_of: Values) -> Iterator[Any]:
         yield item
 
 
+class _RangeNumber:
+    """A number of a `range` before it is known to be one: its value, and where it is written."""
+
+    __slots__ = ("code", "span", "value")
+
+    def __init__(self, value: Any, span: Span, code: object) -> None:
+        self.value = value
+        self.span = span
+        self.code = code  # what it was evaluated from; None for an item of a variable's list
+
+
 def _range(node: ForNode, scope: Scope, evaluator: Evaluator) -> range:
-    iterable = node.iterable
-    spans: list[Span]
-    codes: dict[int, object] = {}  # what stands at each of them
     whole: list[Any] | None = None  # a variable's list in place of numbers
-    if isinstance(iterable, PythonCode):
-        result = evaluator.evaluate(iterable, scope)
+    if isinstance(node.iterable, PythonCode):
+        result = evaluator.evaluate(node.iterable, scope)
         whole = result if isinstance(result, list) else None
         values = list(result) if isinstance(result, (tuple, list)) else [result]
-        spans = [iterable.span()] * len(values)
-        codes = {} if whole is not None else dict.fromkeys(map(id, spans), iterable)
+        code = None if whole is not None else node.iterable
+        span = node.iterable.span()
+        given = [_RangeNumber(value, span, code) for value in values]
     else:
-        assert isinstance(iterable, list)
-        values, spans = [], []
-        for item in iterable:
-            is_code = isinstance(item, PythonCode)
-            values.append(
-                evaluator.evaluate(item, scope) if is_code else item.value  # type: ignore[union-attr, arg-type]
-            )
-            spans.append(item.span() if is_code else item.node.span())  # type: ignore[union-attr]
-            codes[id(spans[-1])] = item
-    check_range_count(len(values), spans[0] if spans else node.span)
-    numbers = []
-    for value, span in zip(values, spans, strict=True):
-        number = _whole_number(value)
-        if number is None:
-            raise failure(
-                "bad-range",
-                f"`range` takes whole numbers, and this is {a_kind_of(whole or value)}",
-                span,
-                hint=_range_hint(value, node),
-                notes=_origins(codes.get(id(span)), value, scope)
-                or _origins(iterable, whole, scope),
-            )
-        numbers.append(number)
+        given = _written_numbers(node, scope, evaluator)
+    check_range_count(len(given), given[0].span if given else node.span)
+    numbers = [_range_number(one, whole, node, scope) for one in given]
     if len(numbers) == 3 and numbers[2] == 0:
         raise failure(
             "bad-range",
             "the step of a `range` cannot be 0",
-            spans[2],
+            given[2].span,
             hint="write range: start, stop, step with a step such as 1 or -1",
         )
     turns = range(*numbers)
     most = evaluator.limits.turns
     if turns[:most] != turns:  # len() of a long range is an error
-        raise too_many_turns(spans[1] if len(spans) > 1 else spans[0], evaluator.limits)
+        raise too_many_turns(given[min(1, len(given) - 1)].span, evaluator.limits)
     return turns
+
+
+def _written_numbers(node: ForNode, scope: Scope, evaluator: Evaluator) -> list[_RangeNumber]:
+    """Return the numbers of a `range` that is written as a list."""
+    assert isinstance(node.iterable, list)
+    found = []
+    for item in node.iterable:
+        if isinstance(item, PythonCode):
+            found.append(_RangeNumber(evaluator.evaluate(item, scope), item.span(), item))
+        else:
+            found.append(_RangeNumber(item.value, item.node.span(), item))
+    return found
+
+
+def _range_number(given: _RangeNumber, whole: list[Any] | None, node: ForNode, scope: Scope) -> int:
+    """Return a number of a `range`; raise YamaroError if it is none."""
+    number = _whole_number(given.value)
+    if number is not None:
+        return number
+    raise failure(
+        "bad-range",
+        f"`range` takes whole numbers, and this is {a_kind_of(whole or given.value)}",
+        given.span,
+        hint=_range_hint(given.value, node),
+        notes=_origins(given.code, given.value, scope) or _origins(node.iterable, whole, scope),
+    )
 
 
 def _origins(code: object, value: Any, scope: Scope) -> list[str]:

@@ -1,0 +1,77 @@
+"""Holds how long modules and functions may be: `python -m tests.sizes` lists those that are longer.
+
+The lines of a module are all of its lines. Those of a function go from its `def` to its end,
+without the docstring and the decorators; a function inside another one counts for both.
+"""
+
+from __future__ import annotations
+
+import ast
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+
+SOURCE = Path(__file__).parents[1] / "src" / "yamaro"
+MOST_OF_MODULE = 500
+MOST_OF_FUNCTION = 40
+
+# What is still to be divided. Whoever does so takes it from here; nothing is to be added.
+LONGER = frozenset(
+    """
+    check/schema.py
+    robot/geometry.py:_read_moments
+    robot/joint.py:_assume_limits
+    syntax/keys.py:_parse_attribute
+    syntax/parser.py:_parse_root_element
+    syntax/statements.py
+    syntax/statements.py:_parse_for
+    tools/migrate/parts.py
+    tools/migrate/xacro/loops.py
+    tools/migrate/xacro/program.py
+    tools/migrate/xacro/program.py:__init__
+    tools/migrate/xacro/python.py
+    xml/writer.py:write
+    yaml/builder.py:_build
+    yaml/explanations.py:_misplaced
+    """.split()
+)
+
+
+def too_long(text: str, name: str) -> Iterator[tuple[str, int]]:
+    """Give what is too long in a module, as `module.py` or `module.py:function`, with its lines."""
+    lines = len(text.splitlines())
+    if lines > MOST_OF_MODULE:
+        yield name, lines
+    for node in ast.walk(ast.parse(text)):
+        if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef)):
+            lines = lines_of(node)
+            if lines > MOST_OF_FUNCTION:
+                yield f"{name}:{node.name}", lines
+
+
+def lines_of(function: ast.FunctionDef | ast.AsyncFunctionDef) -> int:
+    """Return the lines of a function without its docstring."""
+    assert function.end_lineno is not None
+    lines = function.end_lineno - function.lineno + 1
+    first = function.body[0]
+    if ast.get_docstring(function, clean=False) is not None:
+        assert first.end_lineno is not None
+        lines -= first.end_lineno - first.lineno + 1
+    return lines
+
+
+def faults() -> list[str]:
+    """Return what is to be mended: what is too long, and what is no longer so."""
+    found: dict[str, int] = {}
+    for path in sorted(SOURCE.rglob("*.py")):
+        found.update(
+            too_long(path.read_text(encoding="utf-8"), path.relative_to(SOURCE).as_posix())
+        )
+    most = f"a module may have {MOST_OF_MODULE}, a function {MOST_OF_FUNCTION}"
+    new = [f"{name} has {lines} lines; {most}" for name, lines in found.items()]
+    old = [f"{name} is short enough: take it out of LONGER" for name in sorted(LONGER - set(found))]
+    return [text for name, text in zip(found, new, strict=True) if name not in LONGER] + old
+
+
+if __name__ == "__main__":
+    sys.exit("\n".join(faults()) or None)
