@@ -5,6 +5,7 @@ The names of `__all__` are public; each is imported from its module when it is f
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from .compare import Difference as Difference
     from .joint import Calibration as Calibration
     from .joint import Dynamics as Dynamics
     from .joint import Joint as Joint
@@ -32,6 +33,7 @@ __all__ = [
     "Capsule",
     "Collision",
     "Cylinder",
+    "Difference",
     "Dynamics",
     "Frame",
     "Inertial",
@@ -50,6 +52,7 @@ __all__ = [
 ]
 
 _NAMES = {
+    "compare": ("Difference",),
     "joint": ("Calibration", "Dynamics", "Joint", "Limit", "Mimic", "SafetyController"),
     "link": ("Collision", "Inertial", "Link", "Material", "Visual"),
     "pose": ("Pose",),

@@ -32,6 +32,7 @@ if TYPE_CHECKING:
     from ..diagnostics import Diagnostic
     from ..source import Span
     from ..xml.tree import Element
+    from .compare import Difference
     from .joint import Joint
     from .kinematics import Position
     from .link import Link, Material, Visual
@@ -239,6 +240,17 @@ class Robot(Written):
         from .kinematics import center_of_mass
 
         return center_of_mass(self, positions)
+
+    def differences(self, other: Robot) -> list[Difference]:
+        """Return how another robot differs from this one; none if they mean the same.
+
+        All that is written counts, that of simulators too, except for comments, white space, the
+        spelling of numbers (they are equal up to 1e-9 of their size), poses of zeros and the order
+        in which URDF does not read.
+        """
+        from .compare import compare
+
+        return compare(self.element, other.element)
 
     def need_link(self, name: str) -> Link:
         """Return a link; raise ValueError, with a suggestion, if there is none of that name."""

@@ -61,6 +61,13 @@ def attribute_text(element: Element | None, attribute: str) -> str | None:
     return format_value(value)
 
 
+def values_of(element: Element) -> dict[str, str]:
+    """Return the attributes as they are written."""
+    return {
+        name: format_value(value) for name, value in element.attributes.items() if value is not None
+    }
+
+
 def number_in(element: Element | None, attribute: str) -> float | None:
     """Return the number in an attribute, or None if it is left out or is not one number."""
     text = attribute_text(element, attribute)

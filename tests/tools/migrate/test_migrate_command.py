@@ -16,8 +16,8 @@ from tests.waiting import PATIENCE
 from yamaro import api
 from yamaro.commands import usage
 from yamaro.commands.main import main
+from yamaro.model.compare import Difference
 from yamaro.tools.migrate.command import report
-from yamaro.tools.migrate.compare import Difference
 from yamaro.tools.migrate.urdf import Migration
 from yamaro.xml.tree import Element
 

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Mapping
 from textwrap import dedent
 
+from ...model.values import values_of
 from ...syntax.names import STATEMENTS
 from ...xml.tree import Comment, Element, Text
 from ...xml.values import format_value
-from .compare import values_of
 from .document import Body, Entry, element_key, joined, spaced, words_of
 from .pairing import has_text
 

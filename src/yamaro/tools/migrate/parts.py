@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from ...meshes.formats import mesh_ending
+from ...model.compare import POSE, ZEROS, same_words
 from ...model.mesh_integrals import MESH_ENDINGS
 from ...model.shapes import COUNTS, SIMPLE_SHAPES
+from ...model.values import values_of
 from ...xml.tree import Element, Text
 from ...xml.values import format_value
-from .compare import POSE, ZEROS, same_words, values_of
 from .document import RECORD_WIDTH, Body, Entry, joined, spaced, without_expressions, words_of
 from .elements import ElementWriter, add_loose, comments_at_ends, note_comments
 from .pairing import has_text, name_of

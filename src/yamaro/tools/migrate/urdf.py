@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from ...diagnostics import YamaroError
+from ...model.compare import compare, count_defaults, is_used, prefixes_in
+from ...model.values import values_of
 from ...xml.tree import Element
-from .compare import compare, count_defaults, is_used, prefixes_in, values_of
 from .document import RECORD_WIDTH, Body, Entry, Quoted, Value, element_key, literal, write_document
 from .elements import (
     ElementWriter,
@@ -22,8 +23,8 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
+    from ...model.compare import Difference
     from ...xml.reader import XmlDocument
-    from .compare import Difference
 
 FEWEST_MESHES = 3
 """Meshes of one folder for which the folder becomes a variable."""

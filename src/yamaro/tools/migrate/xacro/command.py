@@ -9,12 +9,12 @@ from io import StringIO
 from ....diagnostics import WARNING, Diagnostic, YamaroError, did_you_mean, failure
 from ....files.loader import FileLoader, LoadError
 from ....files.packages import PackageFinder
+from ....model.compare import Difference, compare, count_defaults
 from ....program import Program as Yamaro
 from ....sandbox.deep_stack import run_on_deep_stack
 from ....source import Source, Span
 from ....xml.reader import decode_xml, read_xml
 from ..command import ignore
-from ..compare import Difference, compare, count_defaults
 from ..refused import build_allowing
 from .layout import ALL, ASKED
 from .program import Program

@@ -5,9 +5,9 @@ from __future__ import annotations
 import os
 import re
 
+from ....model.compare import is_used, prefixes_in
 from ....syntax.names import STATEMENTS
 from ....xml.values import format_value
-from ..compare import is_used, prefixes_in
 from ..document import Body, Entry, Quoted, joined, literal
 from ..elements import comments_above, tidy_text, walk
 from .definitions import PREDEFINED, is_late

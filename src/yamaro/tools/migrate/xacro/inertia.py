@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from itertools import permutations
 
+from ....model.values import values_of
 from ....xacro.faults import Fault
 from ....xacro.templates import Expression, parse_template
 from ....xml.tree import Comment, Element, Text
 from ....xml.values import format_value
-from ..compare import values_of
 from ..parts import MOMENTS
 from ..solids import SIZES, NotComputed, Sample, are_equal, is_inertia_of, key_of, samples
 

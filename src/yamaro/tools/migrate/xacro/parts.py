@@ -8,9 +8,9 @@ all arguments, the joint or link stays an element.
 from __future__ import annotations
 
 from ....model.urdf_schema import JOINT_TYPES
+from ....model.values import values_of
 from ....xml.tree import Comment, Element, Text
 from ....xml.values import format_value
-from ..compare import values_of
 from ..document import Body, Entry
 from ..elements import ElementWriter, add_loose, comments_at_ends, note_comments, walk
 from ..pairing import has_text, pair

@@ -18,9 +18,9 @@ if TYPE_CHECKING:
     from collections.abc import Collection, Iterator, Sequence
 
     from ....diagnostics import Diagnostic
+    from ....model.compare import Difference
     from ....source import Span
     from ....xml.tree import Element
-    from ..compare import Difference
 
 
 class XacroMigration:

@@ -5,8 +5,9 @@ from __future__ import annotations
 import pytest
 
 from tests.tools.migrate.same_robot import is_same_robot
+from yamaro import Robot
+from yamaro.model.compare import compare, count_defaults
 from yamaro.source import Source
-from yamaro.tools.migrate.compare import compare, count_defaults
 from yamaro.xml.reader import read_xml
 from yamaro.xml.tree import Element
 
@@ -152,6 +153,15 @@ def test_nothing_but_a_pose_of_zeros_may_be_left_out(first: str, second: str) ->
     assert differences(second, first) != []
     assert not is_same_robot(first.encode(), second.encode())
     assert not is_same_robot(second.encode(), first.encode())
+
+
+def test_robots_tell_their_differences() -> None:
+    robot = Robot.from_xml('<robot name="r"><link name="a"/><link name="b"/></robot>')
+    other = Robot.from_xml('<robot name="r"><link name="a"/><link name="c"/></robot>')
+    assert robot.differences(robot) == []
+    assert [str(found) for found in robot.differences(other)] == [
+        "robot 'r', link 'b': 'name' is 'c', not 'b'"
+    ]
 
 
 def test_a_joint_by_itself_is_compared_as_in_its_robot() -> None:

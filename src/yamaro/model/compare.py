@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from ...xml.tree import Element, Text
-from ...xml.values import format_value
+from ..xml.tree import Element, Text
+from ..xml.values import format_value
+from .values import values_of
 
 UNORDERED = frozenset(("robot", "link", "joint", "visual", "collision", "inertial"))
 """Elements in which URDF reads each name for itself: only what has one name keeps its order."""
@@ -193,13 +194,6 @@ def is_used(attribute: str, prefixes: set[str] | None) -> bool:
     if prefixes is None or not attribute.startswith("xmlns:"):
         return True
     return attribute.removeprefix("xmlns:") in prefixes
-
-
-def values_of(element: Element) -> dict[str, str]:
-    """Return the attributes as they are written."""
-    return {
-        name: format_value(value) for name, value in element.attributes.items() if value is not None
-    }
 
 
 def same_words(first: str, second: str) -> bool:
