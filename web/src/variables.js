@@ -1,5 +1,5 @@
-// The variables of the main file as fields. Changing one has the robot built with it; the file
-// stays as it is.
+// The arguments or variables of the main file as fields. Changing one has the robot built with it; the
+// file stays as it is.
 
 import { byId, h, show } from "./dom.js";
 
@@ -31,7 +31,8 @@ export class Variables {
       row.variable = variable;
       row.showValue(variable.value);
       row.element.classList.toggle("changed", variable.value !== variable.default);
-      row.element.querySelector(".name").title = `${this.file}:${variable.line}`;
+      const place = `${this.file}:${variable.line}`;
+      row.element.querySelector(".name").title = variable.help ? `${variable.help}\n${place}` : place;
     }
     byId("variable-count").textContent = String(variables.length);
     show(byId("variables-pane"), variables.length > 0);
@@ -40,7 +41,7 @@ export class Variables {
   }
 
   rowOf(variable) {
-    const { name, kind } = variable;
+    const { name, kind, unit } = variable;
     const row = { variable };
     const send = (value) => {
       row.variable = { ...row.variable, value };
@@ -48,13 +49,14 @@ export class Variables {
       this.showAssignments();
       this.told.onChange({ [name]: value });
     };
-    const make = { number: numberInputs, boolean: switchInput, text: textInput }[kind];
+    const make = { number: numberInputs, boolean: switchInput, text: textInput, choice: choiceInput }[kind];
     const { inputs, showValue, scrub } = make(row, send);
     row.showValue = showValue;
     const label = h(
       "button.name",
       { type: "button", ondblclick: () => this.told.onOpen(name) },
       name,
+      ...(unit ? [h("span.unit", {}, ` ${unit}`)] : []),
     );
     if (scrub) followScrub(label, scrub);
     const undo = h(
@@ -86,7 +88,7 @@ export class Variables {
     return [...this.rows.values()]
       .map(({ variable }) => variable)
       .filter(({ value, default: own }) => value !== own)
-      .map(({ name, kind, value }) => shellWord(name, kind === "text" ? quoted(value) : value))
+      .map(({ name, value }) => shellWord(name, typeof value === "string" ? quoted(value) : value))
       .join(" ");
   }
 
@@ -104,15 +106,19 @@ export class Variables {
 }
 
 function numberInputs(row, send) {
-  const { name, default: own, isWhole } = row.variable;
-  const step = stepOf(own, isWhole);
-  const [least, most] = rangeOf(own, isWhole);
+  const { name, default: own, isWhole, isLog } = row.variable;
+  const step = row.variable.step ?? stepOf(own, isWhole);
+  const [least, most] = rangeOf(row.variable);
+  // A logarithmic slider has the number's logarithm as its position.
+  const toSlider = isLog ? Math.log : (value) => value;
+  const fromSlider = isLog ? Math.exp : (position) => position;
+  const finest = isWhole && (own !== 0 || row.variable.least !== undefined) ? 1 : (most - least) / STEPS;
   const slider = h("input", {
     type: "range",
-    min: String(least),
-    max: String(most),
-    step: String(isWhole && own !== 0 ? 1 : (most - least) / STEPS),
-    oninput: () => change(Number(slider.value)),
+    min: String(toSlider(least)),
+    max: String(toSlider(most)),
+    step: isLog ? "any" : String(row.variable.step ?? finest),
+    oninput: () => change(fromSlider(Number(slider.value))),
   });
   slider.setAttribute("aria-label", name);
   const field = h("input.number", {
@@ -130,15 +136,16 @@ function numberInputs(row, send) {
   field.setAttribute("aria-label", `${name}, value`);
 
   function showValue(value) {
-    slider.min = String(Math.min(least, value));
-    slider.max = String(Math.max(most, value));
-    slider.value = String(value);
-    const share = (value - Number(slider.min)) / (Number(slider.max) - Number(slider.min));
+    const position = toSlider(value);
+    slider.min = String(Math.min(toSlider(least), position));
+    slider.max = String(Math.max(toSlider(most), position));
+    slider.value = String(position);
+    const share = (position - Number(slider.min)) / (Number(slider.max) - Number(slider.min));
     slider.style.setProperty("--share", `${100 * (share || 0)}%`);
     if (document.activeElement !== field) field.value = String(value);
   }
   function change(value) {
-    const tidied = tidy(value);
+    const tidied = within(row.variable, isLog && isWhole ? Math.round(value) : tidy(value));
     showValue(tidied);
     send(tidied);
   }
@@ -151,6 +158,15 @@ function switchInput(row, send) {
   box.setAttribute("aria-label", row.variable.name);
   const showValue = (value) => (box.checked = value);
   return { inputs: [h("label.switch", {}, box, h("span", {}))], showValue };
+}
+
+function choiceInput(row, send) {
+  const { name, choices } = row.variable;
+  const options = choices.map((choice, index) => h("option", { value: String(index) }, String(choice)));
+  const list = h("select", { onchange: () => send(choices[Number(list.value)]) }, ...options);
+  list.setAttribute("aria-label", name);
+  const showValue = (value) => (list.value = String(choices.indexOf(value)));
+  return { inputs: [list], showValue };
 }
 
 function textInput(row, send) {
@@ -185,11 +201,20 @@ function stepOf(value, isWhole) {
   return 10 ** -Math.max(Math.min(digits, 6), 1);
 }
 
-function rangeOf(value, isWhole) {
+/** Return the ends of a slider: those the file gives, and what suits the default for the others. */
+function rangeOf({ default: value, isWhole, least, most }) {
+  const [low, high] = guessedRange(value, isWhole);
+  if (least === undefined) return [Math.min(low, most ?? low), most ?? high];
+  return [least, most ?? Math.max(high, least + Math.abs(least || 1))];
+}
+
+function guessedRange(value, isWhole) {
   if (value === 0) return isWhole ? [0, 1] : [-1, 1];
   const far = isWhole ? Math.max(2 * Math.abs(value), 10) : 2 * Math.abs(value);
   return value > 0 ? [0, far] : [-far, 0];
 }
+
+const within = ({ least, most }, value) => Math.min(Math.max(value, least ?? -Infinity), most ?? Infinity);
 
 const tidy = (value) => Number(value.toPrecision(6));
 

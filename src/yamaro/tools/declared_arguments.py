@@ -102,11 +102,12 @@ def listing_of(
         return Listing(XACRO, declared, unread)
     entries = arguments_of(source)
     if entries is not None:
-        return Listing(ARGUMENTS, [_of_entry(entry) for entry in entries], [])
+        return Listing(ARGUMENTS, [declared_of(entry) for entry in entries], [])
     return Listing(VARIABLES, _variables(source), [])
 
 
-def _of_entry(entry: ArgumentEntry) -> Declared:
+def declared_of(entry: ArgumentEntry) -> Declared:
+    """Return an argument with its default as the command line would have it."""
     declared = Declared(entry.name, entry.span)
     declared.entry = entry
     value = entry.default

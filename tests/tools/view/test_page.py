@@ -221,6 +221,37 @@ def test_a_variable_is_changed_by_hand_and_the_file_is_not(lamp: Page) -> None:
     assert lamp.run(tall) == pytest.approx(before)
 
 
+def test_arguments_have_sliders_in_their_range_and_menus_of_their_choices(
+    page: Page, view: Start, tmp_path: Path
+) -> None:
+    entries = """\
+arguments:
+  height: {default: 40, unit: cm, range: [10, 90], step: 5, help: of an arm}
+  gain: {default: 1, log: true, range: [0.01, 100]}
+  paint: {default: "red", choices: ["red", "blue"]}
+variables: {is_red: "$(paint == 'red')", label: plain}
+"""
+    path = tmp_path / "lamp.yaml"
+    start, end = LAMP.index("variables:"), LAMP.index("functions:")
+    path.write_text(LAMP[:start] + entries + LAMP[end:], encoding="utf-8")
+    page.show(view(path))
+    ends = "(e => [e.min, e.max, e.step])(document.querySelector({}))"
+    slider = "#variables [data-variable={}] input[type=range]"
+    assert page.run(ends.format(json.dumps(slider.format("height")))) == ["10", "90", "5"]
+    least, most, _ = page.run(ends.format(json.dumps(slider.format("gain"))))
+    assert [float(least), float(most)] == pytest.approx([math.log(0.01), math.log(100)])
+    assert "cm" in page.text("#variables [data-variable=height] .name")
+    before = page.run("yamaro.robot.bounds().max.z")
+    x, y = page.middle_of(slider.format("height"))
+    page.after(lambda: page.drag(x, y, right=400))  # far past its end
+    assert page.run("yamaro.robot.bounds().max.z") - before == pytest.approx(0.5, abs=1e-6)
+    choose = "(e => { e.value = '1'; e.dispatchEvent(new Event('change')); })"
+    menu = "document.querySelector('#variables [data-variable=paint] select')"
+    page.after(lambda: page.run(f"{choose}({menu})"))
+    assert blues(page.stage()) > 3000
+    assert page.text("#assignments") == "height:=90 paint:=blue"
+
+
 def test_a_switch_sets_a_truth_value(lamp: Page) -> None:
     lamp.after(lambda: lamp.press("#variables [data-variable=is_red] .switch"))
     pixels = lamp.stage()

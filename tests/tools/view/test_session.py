@@ -155,6 +155,57 @@ def test_a_field_takes_values_of_its_kind_only() -> None:
             fields[name].read(value)
 
 
+ARGUMENTS = """\
+arguments:
+  reach: {default: 850mm, unit: m, range: [0.3, 1.3], step: 5cm, help: to the flange}
+  tilt: {unit: deg, range: [-90, 90], default: 30}
+  gripper: {default: none, choices: [none, vacuum]}
+  wide: {default: 1in, unit: mm, choices: [1in, 50]}
+  legs: {type: integer, range: [3, 12]}
+  gain: {default: 1, log: true, range: [0.01, 100]}
+  count: 3
+  solid: true
+  half: $(reach / 2)
+  sides: [a]
+  mesh: {type: path, default: a.stl}
+variables: {other: 1}
+out:
+"""
+
+
+def test_arguments_are_fields_in_their_units() -> None:
+    fields = read_variable_fields(ARGUMENTS, "robot.yaml")
+    found = {name: (field.kind, field.default, field.is_whole) for name, field in fields.items()}
+    assert found == {
+        "reach": ("number", 0.85, False),
+        "tilt": ("number", 30, False),
+        "gripper": ("choice", "none", False),
+        "wide": ("choice", 25.4, False),
+        "legs": ("number", None, True),
+        "gain": ("number", 1, False),
+        "count": ("number", 3, True),
+        "solid": ("boolean", True, True),
+    }
+    assert fields["reach"].about() == {
+        "least": 0.3, "most": 1.3, "step": 0.05, "unit": "m", "help": "to the flange",
+    }  # fmt: skip
+    assert fields["wide"].about() == {"choices": [25.4, 50], "unit": "mm"}
+    assert fields["gain"].about() == {"least": 0.01, "most": 100, "isLog": True}
+    assert fields["tilt"].about() == {"least": -90, "most": 90, "unit": "deg"}
+    assert fields["reach"].span.location() == (2, 20)
+
+
+def test_a_field_of_an_argument_takes_what_the_argument_takes() -> None:
+    fields = read_variable_fields(ARGUMENTS, "robot.yaml")
+    assert fields["tilt"].read(12.3) == 12.3
+    assert fields["reach"].read("40cm") == 0.4
+    assert fields["wide"].read(50) == 50
+    for name, value in (("reach", 1.4), ("tilt", "1m"), ("gripper", "magnet"), ("legs", 2),
+                        ("legs", 4.5), ("solid", "no"), ("count", "x" * 20_000)):  # fmt: skip
+        with pytest.raises(WrongValue):
+            fields[name].read(value)
+
+
 def test_a_file_with_errors_has_no_fields() -> None:
     for text, name in (("variables: {n: 3", "robot.yaml"), ("<robot><xacro:arg", "robot.xacro")):
         with pytest.raises(YamaroError):

@@ -144,11 +144,13 @@ class Session:
                 "name": field.name,
                 "kind": field.kind,
                 "default": given.get(name, field.default),
-                "isWhole": isinstance(field.default, int),
+                "isWhole": field.is_whole,
                 "value": self._values.get(name, given.get(name, field.default)),
                 "line": field.span.location()[0],
+                **field.about(),
             }
             for name, field in self._fields.items()
+            if name in given or field.default is not None
         ]
 
     def _given(self) -> dict[str, Value]:
@@ -157,23 +159,24 @@ class Session:
             texts = dict(
                 word.split(":=", 1) for word in self._rebuilder.command_line if ":=" in word
             )
-            return {
+            found = {
                 name: self._fields[name].from_text(text)
                 for name, text in texts.items()
                 if name in self._fields
             }
+            return {name: value for name, value in found.items() if value is not None}
         try:
             values = read_command_line(self._rebuilder.command_line)[0]
         except UsageError:
             return {}
-        found = {}
+        fitting = {}
         for name, value in values.items():
             try:
                 if name in self._fields:
-                    found[name] = self._fields[name].read(value)
+                    fitting[name] = self._fields[name].read(value)
             except WrongValue:
                 continue
-        return found
+        return fitting
 
     def wait(self, version: int, seconds: float) -> int:
         """Return the version, once it is another than that, or after some time; -1 at the end."""

@@ -1,30 +1,41 @@
-"""The variables of a main file that the page shows as fields: those with plain values."""
+"""The arguments or variables of a main file that the page shows as fields."""
 
 from __future__ import annotations
 
 import math
 
-from ...diagnostics import Reporter
+from ...diagnostics import InputFault, Reporter
 from ...policy import Limits
 from ...source import Source, Span
+from ...syntax.argument_section import arguments_of
+from ...syntax.argument_types import (
+    ANY,
+    BOOLEAN,
+    INTEGER,
+    NUMBER,
+    NUMERIC,
+    TEXT,
+    ArgumentEntry,
+    checked,
+)
 from ...syntax.includes import holds_xml
 from ...syntax.names import python_name
 from ...xml.reader import read_xml
 from ...xml.values import format_value
-from ...yaml.nodes import PLAIN, MappingNode, ScalarNode, SequenceNode
+from ...yaml.nodes import ScalarNode
 from ...yaml.reader import read
 from ...yaml.scalars import type_plain
+from ..declared_arguments import declared_of, pairs_in, plain_value
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterator
-
-    from ...yaml.nodes import YamlNode
-
     Value = bool | int | float | str
+    Json = dict[str, object]
 
 LONGEST_TEXT = 10_000
 """Characters that a text from the page may have."""
+_SHOWN = (NUMBER, INTEGER, TEXT, BOOLEAN, ANY)
+"""The types of arguments that can be shown as fields."""
 
 
 class WrongValue(Exception):
@@ -36,13 +47,13 @@ class VariableField:
 
     Attributes:
         name: as it is written.
-        default: the value that the file gives it.
+        default: the value that the file gives it; None if that is for the user to give.
         span: where that is written.
     """
 
     __slots__ = ("default", "name", "span")
 
-    def __init__(self, name: str, default: Value, span: Span) -> None:
+    def __init__(self, name: str, default: Value | None, span: Span) -> None:
         self.name = name
         self.default = default
         self.span = span
@@ -73,13 +84,94 @@ class VariableField:
             return int(value) if isinstance(self.default, int) and value == int(value) else value
         raise WrongValue(f"'{self.name}' takes a {kind}")
 
-    def from_text(self, text: str) -> Value:
+    @property
+    def is_whole(self) -> bool:
+        """Tell whether a slider goes by whole numbers."""
+        return isinstance(self.default, int)
+
+    def about(self) -> Json:
+        """Return what the page has to know besides."""
+        return {}
+
+    def from_text(self, text: str) -> Value | None:
         """Return a value from the command line; the default for a value of another kind."""
         value = text if self.kind == "text" else value_of_text(text)
         try:
             return self.read(value)
         except WrongValue:
             return self.default
+
+
+class ArgumentField(VariableField):
+    """An argument with a plain value, which is in the argument's unit.
+
+    Attributes:
+        entry: what the file says of it.
+    """
+
+    __slots__ = ("entry",)
+
+    def __init__(self, entry: ArgumentEntry, default: Value | None, span: Span) -> None:
+        """Describe an argument; one that is required has no default."""
+        super().__init__(entry.name, default, span)
+        self.entry = entry
+
+    @property
+    def kind(self) -> str:
+        """Return what the page lets one enter: a choice too."""
+        if self.entry.choices is not None:
+            return "choice"
+        kinds = {NUMBER: "number", INTEGER: "number", TEXT: "text", BOOLEAN: "boolean"}
+        return kinds.get(self.entry.kind) or super().kind
+
+    @property
+    def is_whole(self) -> bool:
+        """Tell whether a slider goes by whole numbers."""
+        entry = self.entry
+        if entry.kind == INTEGER:
+            return True
+        is_open = entry.low is None and entry.high is None and entry.step is None
+        return super().is_whole and is_open and entry.unit is None
+
+    def read(self, value: object) -> Value:
+        """Return what the page sent, or what the command line has, as a value in the unit.
+
+        Raises:
+            WrongValue: the argument does not take it.
+        """
+        if isinstance(value, str) and len(value) > LONGEST_TEXT:
+            raise WrongValue(f"'{self.name}' takes a shorter text")
+        try:
+            found = checked(self.entry, value)
+        except InputFault as fault:
+            raise WrongValue(fault.message) from None
+        if self.entry.kind in NUMERIC and isinstance(found, (int, float)):
+            return self.entry.in_unit(found)
+        if not isinstance(found, (bool, int, float, str)):
+            raise WrongValue(f"'{self.name}' takes a plain value here")
+        return found
+
+    def about(self) -> Json:
+        """Return what the page has to know besides: range, choices, unit, help."""
+        entry = self.entry
+        bounds = {"least": entry.low, "most": entry.high, "step": entry.step}
+        told: Json = {
+            name: entry.in_unit(number) for name, number in bounds.items() if number is not None
+        }
+        if entry.choices is not None:
+            told["choices"] = [
+                entry.in_unit(choice)
+                if entry.kind in NUMERIC and isinstance(choice, (int, float))
+                else choice
+                for choice in entry.choices
+            ]
+        if entry.is_log:
+            told["isLog"] = True
+        if entry.unit_text:
+            told["unit"] = entry.unit_text
+        if entry.help:
+            told["help"] = entry.help
+        return told
 
 
 def read_variable_fields(text: str, name: str) -> dict[str, VariableField]:
@@ -98,18 +190,32 @@ def read_variable_fields(text: str, name: str) -> dict[str, VariableField]:
         YamaroError: the file cannot be read as YAML or XML.
     """
     source = Source(text, name=name)
-    return _xacro_fields(source) if holds_xml(name, text) else _yaml_fields(source)
+    if holds_xml(name, text):
+        return _xacro_fields(source)
+    entries = arguments_of(source)
+    return _yaml_fields(source) if entries is None else _argument_fields(entries)
+
+
+def _argument_fields(entries: list[ArgumentEntry]) -> dict[str, VariableField]:
+    fields: dict[str, VariableField] = {}
+    for entry in entries:
+        declared = declared_of(entry)
+        is_plain = isinstance(declared.default, (bool, int, float, str))
+        if entry.kind in _SHOWN and (is_plain or declared.is_required):
+            default = declared.default if is_plain else None
+            fields[entry.name] = ArgumentField(entry, default, declared.default_span)  # type: ignore[arg-type]
+    return fields
 
 
 def _yaml_fields(source: Source) -> dict[str, VariableField]:
     fields: dict[str, VariableField] = {}
-    for section, body in _pairs(read(source, reporter=Reporter())):
+    for section, body in pairs_in(read(source, reporter=Reporter())):
         if section.text != "variables":
             continue
-        for key, value in _pairs(body):
+        for key, value in pairs_in(body):
             written = key.text.partition("/")[0].strip()
             if written.isidentifier() and isinstance(value, ScalarNode):
-                default = _plain_value(value)
+                default = plain_value(value)
                 if default is not None:
                     fields[python_name(written)] = VariableField(written, default, value.span())
     return fields
@@ -134,28 +240,3 @@ def value_of_text(text: str) -> Value:
     if isinstance(value, float) and not math.isfinite(value):
         return text
     return value if isinstance(value, (bool, int, float)) else text
-
-
-def _pairs(node: YamlNode) -> Iterator[tuple[ScalarNode, YamlNode]]:
-    """Yield key and value of a mapping, or of each mapping in a list of them."""
-    if isinstance(node, SequenceNode):
-        for item in node.items:
-            if isinstance(item, MappingNode):
-                yield from _pairs(item)
-    elif isinstance(node, MappingNode):
-        yield from node
-
-
-def _plain_value(node: ScalarNode) -> Value | None:
-    """Return the value of a scalar, or None if it is empty, computed, or no finite number."""
-    if "$" in node.text:
-        return None
-    if node.style != PLAIN:
-        return node.text
-    try:
-        value = type_plain(node.text)
-    except OverflowError:
-        return None
-    if isinstance(value, float) and not math.isfinite(value):
-        return None
-    return value if isinstance(value, (bool, int, float, str)) else None
