@@ -9,6 +9,7 @@ from ..source import Span
 from ..syntax.iterations import check_range_count
 from ..syntax.nodes import ForNode, ListValue
 from ..syntax.python import PythonCode
+from ..yaml.nodes import ScalarPiece
 from .expressions import Evaluator, evaluate_bare
 from .scope import Scope
 from .values import Values, span_of
@@ -33,7 +34,7 @@ def iterate(node: ForNode, scope: Scope, values_of: Values) -> Iterator[Any]:
     iterable = node.iterable
     if isinstance(iterable, PythonCode):
         span = iterable.span()
-        hint = f"this is an expression; texts go in a list: in: [{iterable.text}]"
+        hint = _hint_for_texts(iterable)
         values = evaluate_bare(iterable, scope, evaluator, hint=hint)
     else:
         assert not isinstance(iterable, list)
@@ -46,7 +47,7 @@ def iterate(node: ForNode, scope: Scope, values_of: Values) -> Iterator[Any]:
             "not-iterable",
             f"`in` needs a list, and this is {a_kind_of(values)}",
             span,
-            hint="write range: for a number of turns"
+            hint=_hint_for_turns(iterable)
             if isinstance(values, (int, float))
             else "write in: [left, right], or the name of a list",
             notes=_origins(iterable, values, scope),
@@ -130,6 +131,22 @@ def _origins(code: object, value: Any, scope: Scope) -> list[str]:
     if not isinstance(code, PythonCode):
         return []
     return notes_on_names(names_of_value(code, scope, value), scope)
+
+
+def _hint_for_texts(iterable: PythonCode) -> str:
+    """Return what to write where a name in `in` was meant as a text."""
+    text = iterable.text.strip()
+    if not isinstance(iterable.node, ScalarPiece):
+        return f"this is an expression; texts go in a list: in: [{iterable.text}]"
+    words = [word.strip() for word in text.strip("[]").split(",")]
+    quoted = ", ".join(f"'{word}'" for word in words)
+    return f"Python follows `in`, where texts are quoted: [{quoted}]"
+
+
+def _hint_for_turns(iterable: object) -> str:
+    if isinstance(iterable, PythonCode) and isinstance(iterable.node, ScalarPiece):
+        return f"write range({iterable.text.strip()}) for a number of turns"
+    return "write range: for a number of turns"
 
 
 def _whole_number(value: Any) -> int | None:

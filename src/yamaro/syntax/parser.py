@@ -8,6 +8,7 @@ from ..yaml.nodes import MappingNode, ScalarNode, SequenceNode
 from ..yaml.reader import read_on
 from .context import ParseContext
 from .document import Document, ImportNode
+from .heads import head_of
 from .mappings import Pairs, pairs_of
 from .names import (
     ARGUMENTS,
@@ -117,7 +118,9 @@ def _parse_root(root: YamlNode, document: Document, context: ParseContext) -> No
             context.attempt(parse_arguments, node, document, context)
         elif is_function_name(word) and word.lower() in (*SECTIONS, ARGUMENTS):
             context.attempt(_refuse_misspelt, key, word.lower())
-        elif word in STATEMENTS or word in ROBOT_SECTIONS or is_function_name(word):
+        elif (
+            word in STATEMENTS or word in ROBOT_SECTIONS or is_function_name(word) or head_of(word)
+        ):
             statements.append((key, node))
         else:
             context.attempt(_parse_root_element, key, node, document, context)

@@ -8,6 +8,16 @@ from ..xml.values import is_comment_text
 from ..yaml.nodes import MappingNode, ScalarNode, SequenceNode
 from .context import ParseContext
 from .forms import form_of
+from .heads import (
+    body_pairs,
+    head_of,
+    parse_head_condition,
+    parse_head_iteration,
+    refuse_other_heads,
+    scope_behind,
+    signature_of,
+    wrapped_body,
+)
 from .includes import parse_include
 from .iterations import parse_in, parse_iterator, parse_range
 from .keys import PlainKeyPlaces, find_outside, parse_attributes, parse_name, parse_plain_key
@@ -80,7 +90,7 @@ def parse_pairs(pairs: Pairs, context: ParseContext) -> Body:
     for key, node in pairs:
         word = key.text
         plain = plain_keys.get(word)
-        if plain is None and "/" in word and not context.at_root:
+        if plain is None and "/" in word and not context.at_root and head_of(word) is None:
             plain = parse_plain_key(word)
             if plain is not None:
                 plain_keys[word] = plain
@@ -88,12 +98,12 @@ def parse_pairs(pairs: Pairs, context: ParseContext) -> Body:
             _add_plain(key, plain, node, body, context)
             chain = None
             continue
-        if word in ("elif", "else"):
+        if word in ("elif", "else") or head_of(word) == "elif":
             chain = context.attempt(_extend_if, chain, key, node, context)
             continue
         statement = context.attempt(parse_statement, key, node, context)
         chain = statement if isinstance(statement, IfNode) else None
-        if statement is None and word == "if":
+        if statement is None and (word == "if" or head_of(word) == "if"):
             chain = IfNode([], key.span())
         if statement is not None:
             body.add(_as_put_out(statement, body))
@@ -110,6 +120,10 @@ def parse_statement(key: ScalarNode, node: YamlNode, context: ParseContext) -> S
     if context.at_root:
         _refuse_at_root(key)
     parse = _PARSERS.get(word)
+    if parse is None and (" " in word or "(" in word):
+        parse = _PARSERS.get(head_of(word) or "")
+        if parse is None:
+            refuse_other_heads(key)
     if parse is not None:
         return parse(key, node, context)
     is_section = context.at_root and word in ROBOT_SECTIONS
@@ -137,7 +151,7 @@ def parse_statement(key: ScalarNode, node: YamlNode, context: ParseContext) -> S
 def _refuse_at_root(key: ScalarNode) -> None:
     """Raise YamaroError if a statement may not stand at the root of a file."""
     word = key.text
-    if word in ROOT_STATEMENTS or word in ROBOT_SECTIONS:
+    if word in ROOT_STATEMENTS or word in ROBOT_SECTIONS or head_of(word):
         return
     if word in STATEMENTS or is_function_name(word):
         what = f"`{word}`" if word in STATEMENTS else f"the call `{word}`"
@@ -461,6 +475,11 @@ def _parse_branch(
     key: ScalarNode, node: YamlNode, context: ParseContext
 ) -> tuple[PythonCode | Constant | None, Body]:
     word = key.text
+    head = head_of(word)
+    if head is not None:
+        pairs = body_pairs(head, node, context)
+        inside = context.attempt(parse_pairs, pairs, context) or Body()
+        return parse_head_condition(key, head, context), inside
     if isinstance(node, ScalarNode) and not is_empty(node):
         raise failure(
             "not-a-body",
@@ -489,7 +508,7 @@ def _extend_if(
             key.span(),
             hint="an `elif` or `else` follows its `if` directly, at the same indentation",
         )
-    if key.text == "elif":
+    if key.text != "else":
         branch = context.attempt(_parse_branch, key, node, context)
         if branch is not None:
             chain.branches.append(branch)
@@ -512,6 +531,8 @@ def _extend_if(
 
 
 def _parse_for(key: ScalarNode, node: YamlNode, context: ParseContext) -> ForNode:
+    if key.text != "for":
+        return _parse_short_for(key, node, context)
     if isinstance(node, ScalarNode) and not is_empty(node):
         iterator, word, items = node.text.partition(" in ")
         raise failure(
@@ -565,6 +586,13 @@ def _parse_for(key: ScalarNode, node: YamlNode, context: ParseContext) -> ForNod
     return ForNode(names, parse_in(in_node, context), body, is_range=False, span=key.span())
 
 
+def _parse_short_for(key: ScalarNode, node: YamlNode, context: ParseContext) -> ForNode:
+    pairs = body_pairs("for", node, context)
+    body = context.attempt(parse_pairs, pairs, context) or Body()
+    names, items = parse_head_iteration(key, context)
+    return ForNode(names, items, body, is_range=False, span=key.span())
+
+
 # --- declarations -----------------------------------------------------------------------------
 
 
@@ -597,8 +625,12 @@ def refuse_second_function(first: FunctionNode, second: FunctionNode) -> NoRetur
 
 
 def _parse_function(key: ScalarNode, node: YamlNode, context: ParseContext) -> FunctionNode:
-    end, scope = split_scope(key, "function")
-    name = key.text[:end].strip()
+    signature = signature_of(key)
+    if signature is None:
+        end, scope = split_scope(key, "function")
+        name = key.text[:end].strip()
+    else:
+        name, scope = key.text.partition("(")[0].strip(), scope_behind(key)
     if not is_function_name(name) or "." in name:
         raise failure(
             "bad-function-name",
@@ -608,10 +640,14 @@ def _parse_function(key: ScalarNode, node: YamlNode, context: ParseContext) -> F
             if is_identifier(name)
             else "a function's name is one word that begins with a capital letter",
         )
-    fields = Entries(
-        name, pairs_of(node, f"the function {name}", context), ("input", "body"), key.span()
-    )
-    input_node, body_node = fields.get("input"), fields.get("body")
+    input_node: YamlNode | None
+    body_node: YamlNode | None
+    if signature is None:
+        pairs = pairs_of(node, f"the function {name}", context)
+        fields = Entries(name, pairs, ("input", "body"), key.span())
+        input_node, body_node = fields.get("input"), fields.get("body")
+    else:
+        input_node, body_node = signature, wrapped_body(node, context)
     parameters = []
     if input_node is not None:
         parameters = context.attempt(parse_input, input_node, context) or []

@@ -86,6 +86,23 @@ class ScalarNode(Span):
         return f"ScalarNode({self.text!r})"
 
 
+class ScalarPiece(ScalarNode):
+    """A stretch of a scalar's text as a scalar of its own, such as the condition in `if a > 1:`."""
+
+    __slots__ = ("_first", "_whole")
+
+    def __init__(self, whole: ScalarNode, start: int, end: int) -> None:
+        """Take `whole.text[start:end]`."""
+        span = whole.span(start, end) if (start, end) != (0, len(whole.text)) else whole
+        super().__init__(whole.text[start:end], PLAIN, whole.source, span.start, span.end)
+        self._whole = whole
+        self._first = start
+
+    def offset(self, index: int) -> int:
+        """Return the offset in the source of the character `text[index]`."""
+        return self._whole.offset(self._first + index)
+
+
 class SequenceNode:
     """A sequence of nodes."""
 
