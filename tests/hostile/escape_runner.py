@@ -23,7 +23,7 @@ import numpy as np
 from yamaro.diagnostics import Frame, YamaroError
 from yamaro.runtime.expressions import Evaluator
 from yamaro.runtime.python_errors import Explainer
-from yamaro.runtime.scope import Home, Scope, Shared
+from yamaro.runtime.scope import Home, Scope, SharedNames
 from yamaro.safe.code import compile_safe
 from yamaro.safe.limits import SafeLimits, SafetyError
 from yamaro.safe.namespace import Namespace
@@ -89,14 +89,14 @@ def attack(mode: str, text: str, steps: int | None = None) -> dict[str, Any]:
     said: list[str] = []
     limits = SafeLimits(steps=steps) if steps else SafeLimits()
     runtime = SafeRuntime(limits, say=said.append)
-    shared = Shared()
-    legs = Namespace("Legs", shared.find)
+    shared_names = SharedNames()
+    legs = Namespace("Legs", shared_names.find)
     legs._add("count", 4)
     names = runtime.names({"find": lambda package: f"/opt/{package}", "file_dir": lambda: "/robot"})
     names |= {name: runtime.module(name) for name in ("math", "numpy", "statistics")}
     names["np"] = names["numpy"]
     source = Source(text, name="attack")
-    scope = Scope(Home(source, "", names, None), shared, closure=None, caller=None)
+    scope = Scope(Home(source, "", names, None), shared_names, closure=None, caller=None)
     for name, value in {
         "numbers": [1, 2, 3],
         "words": {"a": 1, "b": [2]},

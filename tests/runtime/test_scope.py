@@ -8,24 +8,24 @@ from yamaro.runtime.scope import (
     BlockScope,
     Home,
     Scope,
-    Shared,
+    SharedNames,
     function_key,
 )
 from yamaro.safe.namespace import MISSING, Namespace
 from yamaro.source import Source
 
 
-def file_scope(shared: Shared, caller: Scope | None = None) -> Scope:
+def file_scope(shared_names: SharedNames, caller: Scope | None = None) -> Scope:
     home = Home(Source("", name="t.yaml"), "/", {"print": print, "own": 1}, None)
-    return Scope(home, shared, closure=None, caller=caller)
+    return Scope(home, shared_names, closure=None, caller=caller)
 
 
 def call(closure: Scope, caller: Scope) -> Scope:
-    return Scope(closure.home, closure.shared, closure=closure, caller=caller)
+    return Scope(closure.home, closure.shared_names, closure=closure, caller=caller)
 
 
 def test_python_finds_names_by_the_rules() -> None:
-    main = file_scope(Shared())
+    main = file_scope(SharedNames())
     main.declare("x", 1)
     inner = call(main, main)
     assert eval("x + own", inner) == 2
@@ -36,7 +36,7 @@ def test_python_finds_names_by_the_rules() -> None:
 
 
 def test_del_removes_what_is_seen() -> None:
-    main = file_scope(Shared())
+    main = file_scope(SharedNames())
     main.declare("x", 1, "child")
     main.declare("g", 2, "global")
     inner = call(main, main)
@@ -47,7 +47,7 @@ def test_del_removes_what_is_seen() -> None:
 
 
 def test_a_declaration_in_another_scope_replaces_the_first() -> None:
-    main = file_scope(Shared())
+    main = file_scope(SharedNames())
     for kind in ("parent", "child", "global", "bridge", "local"):
         main.declare("x", kind, kind)
         assert main.find("x") == kind
@@ -56,12 +56,12 @@ def test_a_declaration_in_another_scope_replaces_the_first() -> None:
 
 
 def test_only_what_is_given_from_outside_is_passed_in() -> None:
-    shared = Shared()
-    main = file_scope(shared)
+    shared_names = SharedNames()
+    main = file_scope(shared_names)
     assert not main.is_passed_in("length")
     main.declare("length", 1, "bridge")
     main.declare("width", 2, "child")
-    included = file_scope(shared, main)
+    included = file_scope(shared_names, main)
     assert [included.is_passed_in(name) for name in ("length", "width", "height")] == [
         True,
         True,
@@ -73,15 +73,15 @@ def test_only_what_is_given_from_outside_is_passed_in() -> None:
 
 def test_an_unknown_scope_is_a_fault_of_ours() -> None:
     with pytest.raises(AssertionError):
-        file_scope(Shared()).declare("x", 1, "everywhere")
+        file_scope(SharedNames()).declare("x", 1, "everywhere")
 
 
 def test_all_that_can_be_seen_is_listed_for_suggestions() -> None:
-    shared = Shared()
-    main = file_scope(shared)
+    shared_names = SharedNames()
+    main = file_scope(shared_names)
     main.declare("c", 1, "child")
     main.declare("g", 1, "global")
-    inner = file_scope(shared, caller=main)
+    inner = file_scope(shared_names, caller=main)
     inner.declare("b", 1, "bridge")
     inner.declare("l", 1)
     block = BlockScope(call(inner, inner), main)
@@ -92,7 +92,7 @@ def test_all_that_can_be_seen_is_listed_for_suggestions() -> None:
 
 
 def test_a_block_declares_in_its_call_and_names_functions_of_its_place() -> None:
-    main = file_scope(Shared())
+    main = file_scope(SharedNames())
     host = call(main, main)
     block = BlockScope(host, main)
     block.declare("x", 1)
@@ -106,14 +106,14 @@ def test_a_block_declares_in_its_call_and_names_functions_of_its_place() -> None
 
 
 def test_a_namespace_is_read_by_dots() -> None:
-    shared = Shared()
-    space = Namespace("Legs", shared.find)
+    shared_names = SharedNames()
+    space = Namespace("Legs", shared_names.find)
     space._add("index", 3)
     space._add(function_key("Build"), None)
     space._add("mass", MISSING)
-    shared.globals["mass"] = 2.5
+    shared_names.globals["mass"] = 2.5
     assert (space.index, space.mass) == (3, 2.5)
-    shared.globals["mass"] = 4.0
+    shared_names.globals["mass"] = 4.0
     assert space.mass == 4.0
     assert dir(space) == ["index", "mass"]
     assert repr(space) == "<namespace Legs>"

@@ -86,7 +86,7 @@ def _settle(
         _settle_default(entry, scope, values, include, is_whole=is_whole)
         return
     value = _checked(entry, given)
-    is_bridge = entry.name in scope.shared.bridges and entry.name not in scope
+    is_bridge = entry.name in scope.shared_names.bridges and entry.name not in scope
     if not (is_bridge and value is given.value):  # the bridge itself is seen, also when it changes
         scope.declare(entry.name, value, place=given.place)
 
@@ -168,7 +168,7 @@ def _reaching(name: str, scope: Scope) -> _Given | None:
     """Return the `child` or `bridge` variable of a name that reaches the file, or None."""
     value = scope.find_child(name)
     if value is MISSING:
-        value = scope.shared.bridges.get(name, MISSING)
+        value = scope.shared_names.bridges.get(name, MISSING)
     if value is MISSING:
         return None
     place = scope.place_of(name) or Span(scope.home.source, 0, 0)

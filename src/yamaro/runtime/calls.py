@@ -326,7 +326,7 @@ def call(
         match = match_arguments(function.node, arguments, span, interpreter.files.late)
         interpreter.matches[id(arguments)] = match
     closure = function.closure
-    callee = Scope(closure.home, interpreter.shared, closure=closure, caller=scope.context)
+    callee = Scope(closure.home, interpreter.shared_names, closure=closure, caller=scope.context)
     given = evaluate_arguments(match, scope, interpreter.values)
     home, frame = closure.home.frame, match.frame
     if frame is None or not _is_step(frame, interpreter.frame, name, home):

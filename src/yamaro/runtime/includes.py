@@ -103,7 +103,7 @@ def run_include(
             frame.places = {each.name: each.span for each in node.arguments if each.name}
             passed_to = Passed(node, document, frame.parent)
             interpreter.passed.setdefault((id(node), id(document)), passed_to)
-        before = len(interpreter.shared.declared)
+        before = len(interpreter.shared_names.declared)
         inner = interpreter.begin_file(document, caller=scope.context)
         _declare_passed(node, passed, inner)
         words = interpreter.run_sections(document, inner, node)
@@ -178,10 +178,10 @@ def _hand_back(
     context = scope.context
     space = context.find(namespace) if namespace in context else None
     if not isinstance(space, Namespace):
-        space = Namespace(namespace, interpreter.shared.find)
+        space = Namespace(namespace, interpreter.shared_names.find)
     scope.declare(namespace, space)
     for key, value in inner.exported():
         interpreter.warn_of_replacement(space._get(key), value, key, span)
         space._add(key, value)
-    for key in dict.fromkeys(interpreter.shared.declared[before:]):
+    for key in dict.fromkeys(interpreter.shared_names.declared[before:]):
         space._add(key, MISSING)

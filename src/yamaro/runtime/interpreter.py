@@ -26,7 +26,7 @@ from .expressions import Evaluator, SafeEvaluator
 from .files import Files
 from .messages import Messages
 from .python_errors import Explainer
-from .scope import Scope, Shared
+from .scope import Scope, SharedNames
 from .unread import Passed
 from .values import Values
 
@@ -78,7 +78,7 @@ class Interpreter:
         self.limits = policy.limits
         self.reporter = reporter
         self.messages = Messages(on_message, policy.limits)
-        self.shared = Shared()
+        self.shared_names = SharedNames()
         self.safety = _safety_of(policy, self.messages)
         self.files = self._files(library, packages or PackageFinder())
         self.evaluator = _evaluator_of(policy, self.files, self.safety)
@@ -113,7 +113,7 @@ class Interpreter:
     def begin_file(self, document: Document, *, caller: Scope | None) -> Scope:
         """Return the context for a run of a file."""
         home = self.files.begin(document, self.frame)
-        return Scope(home, self.shared, closure=None, caller=caller)
+        return Scope(home, self.shared_names, closure=None, caller=caller)
 
     def run_sections(
         self, document: Document, scope: Scope, include: IncludeNode | None = None

@@ -73,7 +73,7 @@ def _run_body(
     if node.key.text != "attach":
         interpreter.run_body(body, scope, out)
         return
-    callee = Scope(scope.home, interpreter.shared, closure=scope, caller=scope.context)
+    callee = Scope(scope.home, interpreter.shared_names, closure=scope, caller=scope.context)
     interpreter.run_body(body, callee, out)
     for key, value in callee.exported():
         interpreter.receive(scope, key, value, node.span, callee.place_of(key))

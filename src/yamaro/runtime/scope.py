@@ -31,7 +31,7 @@ def function_key(name: str) -> str:
     return f"{name}()"
 
 
-class Shared:
+class SharedNames:
     """What all contexts of one conversion share: global and bridge names.
 
     Attributes:
@@ -100,22 +100,22 @@ class Scope(dict[str, "Any"]):
         "kinds",
         "passed",
         "places",
-        "shared",
+        "shared_names",
     )
 
     def __init__(
-        self, home: Home, shared: Shared, *, closure: Scope | None, caller: Scope | None
+        self, home: Home, shared_names: SharedNames, *, closure: Scope | None, caller: Scope | None
     ) -> None:
         """Begin a context.
 
         Args:
             home: the file whose imports it sees.
-            shared: the conversion's global and bridge names.
+            shared_names: the conversion's global and bridge names.
             closure: the context its function was defined in.
             caller: the context that called or included it.
         """
         self.home = home
-        self.shared = shared
+        self.shared_names = shared_names
         self.closure = closure
         self.caller = caller
         self.kinds = _NO_KINDS  # scope of each own name that is not local
@@ -144,7 +144,7 @@ class Scope(dict[str, "Any"]):
             return holder.own(name)
         value = self.find_child(name)
         if value is MISSING:
-            value = self.shared.find(name)
+            value = self.shared_names.find(name)
         if value is MISSING:
             value = self.home.names.get(name, MISSING)
         return value
@@ -164,11 +164,11 @@ class Scope(dict[str, "Any"]):
         """Return the value of a name that `holder` found here."""
         if name in self:
             return dict.__getitem__(self, name)
-        return self.shared.bridges[name]
+        return self.shared_names.bridges[name]
 
     def find_child(self, name: str) -> Any:
         """Return the value of the nearest caller's `child` name, or MISSING."""
-        if name not in self.shared.children:
+        if name not in self.shared_names.children:
             return MISSING
         scope = self.dynamic
         while scope is not None:
@@ -185,14 +185,14 @@ class Scope(dict[str, "Any"]):
             while holder is not None and holder.kinds.get(name) != CHILD:
                 holder = holder.dynamic
         if holder is None or name not in holder:
-            return self.shared.places.get(name)
+            return self.shared_names.places.get(name)
         return holder.places[name] if name in holder.places else holder.given_at.get(name)
 
     def is_passed_in(self, name: str) -> bool:
         """Tell whether a file's own `variables:` entry is only a default for this name."""
         if name in self.passed or self.find_child(name) is not MISSING:
             return True
-        return name in self.shared.bridges and name not in self.bridged
+        return name in self.shared_names.bridges and name not in self.bridged
 
     def visible_names(self) -> Iterator[str]:
         """Give every name that can be seen from here; functions under their keys."""
@@ -208,8 +208,8 @@ class Scope(dict[str, "Any"]):
         while scope is not None:
             yield from (name for name, kind in scope.kinds.items() if kind == CHILD)
             scope = scope.dynamic
-        yield from self.shared.bridges
-        yield from self.shared.globals
+        yield from self.shared_names.bridges
+        yield from self.shared_names.globals
         yield from self.home.names
 
     # --- changing ---
@@ -232,13 +232,13 @@ class Scope(dict[str, "Any"]):
             self._note_kind(name, kind)
         elif kind == GLOBAL:
             self._forget(name)
-            self.shared.globals[name] = value
-            self.shared.places[name] = place
-            self.shared.declared.append(name)
+            self.shared_names.globals[name] = value
+            self.shared_names.places[name] = place
+            self.shared_names.declared.append(name)
         elif kind == BRIDGE:
-            self.shared.bridges[name] = value
-            self.shared.places[name] = place
-            self.shared.declared.append(name)
+            self.shared_names.bridges[name] = value
+            self.shared_names.places[name] = place
+            self.shared_names.declared.append(name)
             scope: Scope | None = self
             while scope is not None:
                 scope._forget(name)
@@ -260,7 +260,7 @@ class Scope(dict[str, "Any"]):
         self.kinds[name] = kind
         if kind == CHILD:
             self.has_children = True
-            self.shared.children.add(name)
+            self.shared_names.children.add(name)
 
     def _note_bridged(self, name: str) -> None:
         if self.bridged is _NONE_BRIDGED:
@@ -280,12 +280,12 @@ class Scope(dict[str, "Any"]):
             holder.set_own(name, value)
         elif self.find_child(name) is not MISSING:
             self.context.declare(name, value)
-        elif name in self.shared.bridges:
-            self.shared.bridges[name] = value
-            self.shared.places[name] = None
-        elif name in self.shared.globals:
-            self.shared.globals[name] = value
-            self.shared.places[name] = None
+        elif name in self.shared_names.bridges:
+            self.shared_names.bridges[name] = value
+            self.shared_names.places[name] = None
+        elif name in self.shared_names.globals:
+            self.shared_names.globals[name] = value
+            self.shared_names.places[name] = None
         else:
             self.context.declare(name, value)
 
@@ -295,15 +295,15 @@ class Scope(dict[str, "Any"]):
             dict.__setitem__(self, name, value)
             self._note_place(name, None)
         else:
-            self.shared.bridges[name] = value
-            self.shared.places[name] = None
+            self.shared_names.bridges[name] = value
+            self.shared_names.places[name] = None
 
     def __delitem__(self, name: str) -> None:
         holder = self.holder(name)
         if holder is not None:
             holder._forget(name)
-        elif name in self.shared.globals:
-            del self.shared.globals[name]
+        elif name in self.shared_names.globals:
+            del self.shared_names.globals[name]
         else:
             raise KeyError(name)
 
@@ -336,7 +336,9 @@ class BlockScope(Scope):
         """Run a block written in `written`, which is inserted in `inserting`."""
         self.host = inserting.context
         self.hosts = _calls_seen(inserting)
-        super().__init__(written.home, self.host.shared, closure=written, caller=self.host.caller)
+        super().__init__(
+            written.home, self.host.shared_names, closure=written, caller=self.host.caller
+        )
         self.dynamic = self.host.dynamic
 
     def holder(self, name: str) -> Scope | None:

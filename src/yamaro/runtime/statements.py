@@ -95,7 +95,7 @@ def run_variables(
             name = variable_name(name, entry.span)
         place: Span | None = entry.span
         if node.is_root and scope.is_passed_in(name):
-            if entry.scope == LOCAL and name in interpreter.shared.bridges:
+            if entry.scope == LOCAL and name in interpreter.shared_names.bridges:
                 continue
             value, place = scope.find(name), scope.place_of(name)
         elif len(entry.values) == 1:
@@ -125,7 +125,7 @@ def run_functions(
         defined = Function(function, scope)
         if function.scope in (GLOBAL, BRIDGE):
             interpreter.warn_of_replacement(
-                interpreter.shared.find(key), defined, key, function.span
+                interpreter.shared_names.find(key), defined, key, function.span
             )
         scope.declare(key, defined, function.scope)
 

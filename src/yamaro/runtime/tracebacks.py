@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 _OWN_FOLDER = __file__[: -len("runtime/tracebacks.py")]
 
 
-class Place:
+class TracebackPlace:
     """A place in the YAML found in a traceback.
 
     Attributes:
@@ -49,7 +49,9 @@ class Place:
         self.outside: str | None = None
 
 
-def innermost(error: BaseException, python: PythonCode, codes: Mapping[str, PythonCode]) -> Place:
+def innermost(
+    error: BaseException, python: PythonCode, codes: Mapping[str, PythonCode]
+) -> TracebackPlace:
     """Return the last place in the YAML that an error's traceback goes through.
 
     As a line where the piece of it is a matter of chance or of the version of Python: where
@@ -61,7 +63,7 @@ def innermost(error: BaseException, python: PythonCode, codes: Mapping[str, Pyth
         codes: all code that defines functions, by its file name.
     """
     traceback = error.__traceback__
-    place = Place(python, python.span(), None, [], python.code)
+    place = TracebackPlace(python, python.span(), None, [], python.code)
     own = python.code.co_filename
     while traceback is not None:
         code = traceback.tb_frame.f_code
@@ -74,7 +76,7 @@ def innermost(error: BaseException, python: PythonCode, codes: Mapping[str, Pyth
             steps = place.steps
             if code.co_name[0] != "<":  # no <module>, <lambda>, <listcomp>
                 steps.append((code.co_name, place.span if steps else python.span()))
-            place = Place(found, span, index, steps, code)
+            place = TracebackPlace(found, span, index, steps, code)
         elif not code.co_filename.startswith((_OWN_FOLDER, "<")):
             place.outside = f"{_base_name(code.co_filename)}:{traceback.tb_lineno}"
         traceback = traceback.tb_next
