@@ -25,11 +25,8 @@ LONGER = frozenset(
     syntax/parser.py:_parse_root_element
     syntax/statements.py
     syntax/statements.py:_parse_for
-    tools/migrate/parts.py
-    tools/migrate/xacro/loops.py
     tools/migrate/xacro/program.py
     tools/migrate/xacro/program.py:__init__
-    tools/migrate/xacro/python.py
     xml/writer.py:write
     yaml/builder.py:_build
     yaml/explanations.py:_misplaced

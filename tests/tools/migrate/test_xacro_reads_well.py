@@ -10,7 +10,7 @@ import pytest
 from tests.tools.migrate.test_xacro_migration import HEAD, hold_for, migrated
 from yamaro.commands.main import main
 from yamaro.tools.migrate.document import Body, Row, write_document
-from yamaro.tools.migrate.xacro.python import negated
+from yamaro.tools.migrate.xacro.python_texts import negated
 
 
 def test_comments_above_arguments_and_blocks_go_with_them(tmp_path: Path) -> None:

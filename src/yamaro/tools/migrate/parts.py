@@ -2,25 +2,34 @@
 
 from __future__ import annotations
 
-from ...meshes.formats import mesh_ending
-from ...model.compare import POSE, ZEROS, same_words
-from ...model.mesh_integrals import MESH_ENDINGS
-from ...model.shapes import COUNTS, SIMPLE_SHAPES
+from ...model.compare import ZEROS, same_words
 from ...model.values import values_of
-from ...xml.tree import Element, Text
-from ...xml.values import format_value
-from .document import RECORD_WIDTH, Body, Entry, joined, spaced, without_expressions, words_of
+from ...xml.tree import Element
+from .document import RECORD_WIDTH, Body, Entry, joined, spaced
 from .elements import ElementWriter, add_loose, comments_at_ends, note_comments
 from .pairing import has_text, name_of
+from .part_forms import (
+    MOMENTS,
+    Geometry,
+    LinkPlan,
+    NoPart,
+    checked_word,
+    child_named,
+    has_mass_form,
+    has_section_form,
+    is_whole_limit,
+    is_word,
+    numbers_of,
+    optional_child,
+    pose_of,
+)
 from .solids import is_inertia_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable
+    from collections.abc import Callable
 
 RECORDS = ("limit", "dynamics", "mimic", "safety_controller", "calibration")
-MOMENTS = ("ixx", "ixy", "ixz", "iyy", "iyz", "izz")
-SIZES = {kind: shape.attributes for kind, shape in SIMPLE_SHAPES.items() if shape.since == "1.0"}
 SECTIONS = ("visual", "collision", "inertial")
 PART_KEYS = frozenset(
     """name joint link type parent child axis limit dynamics mimic safety_controller calibration
@@ -28,42 +37,6 @@ PART_KEYS = frozenset(
     color texture lower upper effort velocity damping friction multiplier offset""".split()
 )
 """Names that mean something in a part, or are told of there as misplaced."""
-
-
-class NoPart(Exception):
-    """A joint or link has something that no part gives."""
-
-
-class Geometry:
-    """A shape in its short form.
-
-    Attributes:
-        word: the word of the shape, or the name of a mesh file in the language's spelling.
-        scale: its numbers, as one text; None for a mesh without one.
-    """
-
-    __slots__ = ("kind", "scale", "word")
-
-    def __init__(self, kind: str, word: str, scale: str | None) -> None:
-        """Hold them; `kind` is the name of the URDF element."""
-        self.kind = kind
-        self.word = word
-        self.scale = scale
-
-    def key(self) -> tuple[str, str | None]:
-        """Return a value that is equal for equal geometries."""
-        return self.word, self.scale
-
-    def entries(self) -> list[Entry]:
-        """Return the entries that say it."""
-        entries = [Entry("geometry", self.word)]
-        if self.scale is not None:
-            entries.append(Entry("scale", self.scale))
-        return entries
-
-    def sizes(self) -> list[str]:
-        """Return the numbers of the scale, each as a word."""
-        return words_of(self.scale or "")
 
 
 class Names:
@@ -126,7 +99,7 @@ class PartWriter:
         Raises:
             NoPart: it cannot be written as one.
         """
-        _checked_word(name_of(link))
+        checked_word(name_of(link))
         is_empty = not link.elements()
         if joint is None and is_empty:
             return self._elements.entry(link)
@@ -138,7 +111,7 @@ class PartWriter:
         elif joint is None:
             link_key = self._elements.key("link", {"name": name_of(link)})
         else:
-            body.add("name", f"{_checked_word(name_of(joint))} {name_of(link)}")
+            body.add("name", f"{checked_word(name_of(joint))} {name_of(link)}")
         others = {key: value for key, value in values_of(link).items() if key != "name"}
         if others:
             if link_key != "link":
@@ -187,7 +160,7 @@ class PartWriter:
         if parent is None or child is None or list(values_of(child)) != ["link"] or child.children:
             raise NoPart
         name = values_of(parent).get("link", "")
-        if list(values_of(parent)) == ["link"] and not parent.children and _is_word(name):
+        if list(values_of(parent)) == ["link"] and not parent.children and is_word(name):
             if name in self._names.links or (self._resolves and name != "root_link"):
                 body.add("parent", self._names.of_links.get(name, name))
                 return
@@ -206,13 +179,13 @@ class PartWriter:
     def _joint_entry_of(self, child: Element, attributes: dict[str, str], kind: str) -> Entry:
         """Return what an element of a joint becomes that is the only one of its name."""
         if child.name == "axis" and list(attributes) == ["xyz"]:
-            return Entry("axis", _numbers(attributes["xyz"], 3))
+            return Entry("axis", numbers_of(attributes["xyz"], 3))
         if child.name == "mimic" and "joint" in attributes:
             name = attributes["joint"]
             attributes["joint"] = self._names.of_joints.get(name, name)
             if list(attributes) == ["joint"]:
                 return Entry("mimic", attributes["joint"])
-        if child.name == "limit" and not _is_whole(attributes, kind):
+        if child.name == "limit" and not is_whole_limit(attributes, kind):
             return self._element(child)
         if child.name in RECORDS and not any(name[0].isupper() for name in attributes):
             entries = [Entry(key, value) for key, value in attributes.items()]
@@ -256,8 +229,8 @@ class PartWriter:
     def _has_form(self, section: Element) -> bool:
         """Tell whether a section has what the short form of one says, each once."""
         if section.name == "inertial":
-            return _has_mass_form(section)
-        return _has_section_form(section)
+            return has_mass_form(section)
+        return has_section_form(section)
 
     def _is_solid(self, inertial: Element, geometry: Geometry) -> bool:
         """Tell whether an inertia is the one that a geometry has with its mass."""
@@ -269,7 +242,7 @@ class PartWriter:
     def _inertia(self, inertial: Element) -> list[Entry]:
         """Return the entries that give an inertia."""
         moments = values_of(child_named(inertial, "inertia"))
-        return [Entry("inertia", _numbers(" ".join(moments[name] for name in MOMENTS), 6))]
+        return [Entry("inertia", numbers_of(" ".join(moments[name] for name in MOMENTS), 6))]
 
     def _is_short_inertial(self, inertial: Element, plan: LinkPlan) -> bool:
         return inertial is plan.inertial
@@ -363,7 +336,7 @@ class PartWriter:
         pose = pose_of(origin, exact=self._exact)
         if pose is not None:
             for name, row in pose.items():
-                words = _numbers(row, 3)
+                words = numbers_of(row, 3)
                 if not same_words(words, ZEROS):
                     body.add(name, words)
         elif origin is None:
@@ -402,243 +375,3 @@ def _add_remarks(remarks: dict[str, Entry], body: Body) -> None:
             body.entries[0].comment = joined(body.entries[0].comment, homeless)
         else:
             body.note(homeless)
-
-
-def pose_of(origin: Element | None, *, exact: bool) -> dict[str, str] | None:
-    """Return `xyz` and `rpy` of an origin, zeros where it says nothing; None if that is not all.
-
-    With `exact`, an origin that says nothing of one of them is not the same as zeros.
-    """
-    attributes = {} if origin is None else values_of(origin)
-    if (origin is not None and origin.children) or attributes.keys() - set(POSE):
-        return None
-    if exact and len(attributes) < len(POSE):
-        return None
-    return dict.fromkeys(POSE, ZEROS) | attributes
-
-
-class _CommonPose:
-    """The origin that all sections of a link have, or that none of them has."""
-
-    def __init__(self, origin: Element | None) -> None:
-        self.origin = origin
-
-
-class LinkPlan:
-    """What the sections of a link share, and so stands in the link.
-
-    Attributes:
-        geometry: the geometry of the link, if there is one.
-        pose: what all sections have for an origin.
-        inertial: the inertial that is written in the short form.
-        sections: the visuals and collisions in the short form, by identity, with their geometry;
-            None where that has a form of its own.
-        has_computed_inertia: whether the inertia is that of the geometry.
-    """
-
-    def __init__(
-        self,
-        link: Element,
-        file_name: Callable[[str], str],
-        has_form: Callable[[Element], bool],
-        is_solid: Callable[[Element, Geometry], bool],
-        *,
-        exact: bool,
-    ) -> None:
-        """Look at a link.
-
-        Args:
-            link: to look at.
-            file_name: spells the names of mesh files.
-            has_form: tells which of its sections have a short form.
-            is_solid: tells whether an inertial has the inertia of a geometry.
-            exact: whether an origin that is missing has to stay missing.
-        """
-        self._is_solid = is_solid
-        self._exact = exact
-        self.sections: dict[int, Geometry | None] = {}
-        self.geometry: Geometry | None = None
-        self.pose: _CommonPose | None = None
-        self.inertial: Element | None = None
-        self.has_computed_inertia = False
-        posed: list[Element] = []
-        for child in link.elements():
-            if child.name in ("visual", "collision") and has_form(child):
-                self.sections[id(child)] = read_geometry(child, file_name)
-                posed.append(child)
-            elif child.name == "inertial" and self.inertial is None and has_form(child):
-                self.inertial = child
-                posed.append(child)
-        self._choose_geometry()
-        self._choose_pose(posed)
-
-    def _choose_geometry(self) -> None:
-        counts: dict[tuple[str, str | None], int] = {}
-        known: dict[tuple[str, str | None], Geometry] = {}
-        for geometry in self.sections.values():
-            if geometry is not None:
-                known.setdefault(geometry.key(), geometry)
-                counts[geometry.key()] = counts.get(geometry.key(), 0) + 1
-        for key, geometry in known.items():
-            if self.inertial is not None and self._is_solid(self.inertial, geometry):
-                self.geometry = geometry
-                self.has_computed_inertia = True
-                return
-            if counts[key] > 1 and (
-                self.geometry is None or counts[key] > counts[self.geometry.key()]
-            ):
-                self.geometry = geometry
-
-    def _choose_pose(self, posed: list[Element]) -> None:
-        if len(posed) < 2:
-            return
-        origins = [optional_child(section, "origin") for section in posed]
-        if self._exact and not any(origins):
-            self.pose = _CommonPose(None)
-        first, *others = (pose_of(origin, exact=self._exact) for origin in origins)
-        if first is None or any(pose != first for pose in others):
-            return
-        if not all(same_words(row, ZEROS) for row in first.values()):
-            self.pose = _CommonPose(origins[0])
-
-
-def read_geometry(section: Element, file_name: Callable[[str], str]) -> Geometry | None:
-    """Return the geometry of a visual or collision, or None if it has no short form."""
-    geometry = child_named(section, "geometry")
-    shapes = geometry.elements()
-    if len(shapes) != 1 or has_text(geometry):
-        return None
-    shape = shapes[0]
-    attributes = values_of(shape)
-    if shape.children or geometry.attributes:
-        return None
-    if shape.name == "mesh":
-        file = attributes.get("filename", "")
-        if set(attributes) - {"filename", "scale"} or mesh_ending(file) not in MESH_ENDINGS:
-            return None
-        scale = attributes.get("scale")
-        return Geometry("mesh", file_name(file), None if scale is None else _numbers(scale, 3))
-    names = SIZES.get(shape.name)
-    if names is None or sorted(attributes) != sorted(names):
-        return None
-    words = " ".join(attributes[name] for name in names)
-    return Geometry(shape.name, shape.name, _numbers(words, COUNTS[shape.name]))
-
-
-def is_short_material(material: Element) -> bool:
-    """Tell whether a material is a name, at most with a colour and a texture."""
-    attributes = values_of(material)
-    if list(attributes) != ["name"] or has_text(material):
-        return False
-    if attributes["name"] and not _is_word(attributes["name"]):
-        return False
-    children = [child for child in material.children if not isinstance(child, Text)]
-    names = [child.name if isinstance(child, Element) else "" for child in children]
-    if sorted(names) not in ([], ["color"], ["texture"], ["color", "texture"]):
-        return False
-    wanted = {"color": "rgba", "texture": "filename"}
-    return all(
-        isinstance(child, Element)
-        and not child.children
-        and list(values_of(child)) == [wanted[child.name]]
-        and (child.name != "color" or are_numbers(values_of(child)["rgba"], 4))
-        for child in children
-    )
-
-
-def material_entry(material: Element) -> Entry | None:
-    """Return a material in short: its name, with its colour and texture; None for any other."""
-    if not is_short_material(material):
-        return None
-    name = values_of(material)["name"]
-    looks = [
-        Entry(look.name, " ".join(words_of(format_value(value))))
-        for look in material.elements()
-        for value in values_of(look).values()
-    ]
-    if not looks:
-        return Entry("material", name) if name else None
-    if not name:
-        return Entry("material/name=", Body(looks, in_braces=True))
-    return Entry("material", Body([Entry("name", name), *looks], in_braces=True))
-
-
-def child_named(element: Element, name: str) -> Element:
-    """Return the child of a name, which there is."""
-    return next(child for child in element.elements() if child.name == name)
-
-
-def optional_child(element: Element, name: str) -> Element | None:
-    """Return the child of a name, or None."""
-    return next((child for child in element.elements() if child.name == name), None)
-
-
-def _has_section_form(section: Element) -> bool:
-    return not has_text(section) and _once(section, ("geometry",), ("origin",))
-
-
-def _has_mass_form(inertial: Element) -> bool:
-    if inertial.attributes or has_text(inertial):
-        return False
-    if not _once(inertial, ("mass", "inertia"), ("origin",)):
-        return False
-    mass, inertia = child_named(inertial, "mass"), child_named(inertial, "inertia")
-    return (
-        list(values_of(mass)) == ["value"]
-        and sorted(values_of(inertia)) == sorted(MOMENTS)
-        and not mass.children
-        and not inertia.children
-        and are_numbers(values_of(mass)["value"], 1)
-        and all(are_numbers(values_of(inertia)[name], 1) for name in MOMENTS)
-    )
-
-
-def _once(element: Element, names: Iterable[str], optional: Iterable[str]) -> bool:
-    found = [child.name for child in element.elements()]
-    return all(found.count(name) == 1 for name in names) and all(
-        found.count(name) <= 1 for name in optional
-    )
-
-
-def _is_whole(limit: dict[str, str], kind: str) -> bool:
-    """Tell whether a limit has all that would else be filled in."""
-    has_range = (
-        (kind not in ("revolute", "prismatic") and "$(" not in kind)
-        or "lower" in limit
-        or "upper" in limit
-    )
-    return has_range and "effort" in limit and "velocity" in limit
-
-
-def _numbers(text: str, count: int) -> str:
-    if not are_numbers(text, count):
-        raise NoPart
-    return " ".join(words_of(text))
-
-
-def are_numbers(text: str, count: int) -> bool:
-    """Tell whether a text is so many numbers, as far as that can be told of expressions."""
-    words = words_of(text)
-    if len(words) != count:
-        return len(words) == 1 and words[0].startswith("$(")
-    return all(map(_may_be_number, words))
-
-
-def _may_be_number(word: str) -> bool:
-    if "$(" in word:
-        return True
-    try:
-        number = float(word)
-    except ValueError:
-        return False
-    return number - number == 0
-
-
-def _checked_word(name: str) -> str:
-    if not _is_word(name):
-        raise NoPart
-    return name
-
-
-def _is_word(name: str) -> bool:
-    return "," not in without_expressions(name) and words_of(name) == [name]

@@ -17,7 +17,8 @@ from .elements import (
     walk,
 )
 from .pairing import Item, is_bare, name_of, pair
-from .parts import Names, NoPart, PartWriter, is_short_material, material_entry
+from .part_forms import NoPart, is_short_material, material_entry
+from .parts import Names, PartWriter
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

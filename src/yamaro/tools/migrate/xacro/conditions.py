@@ -8,7 +8,7 @@ from ....xml.values import format_value
 from ....yaml.scalars import type_plain
 from ..document import Body, Entry, Quoted
 from .program import names_in
-from .python import negated
+from .python_texts import negated
 from .surroundings import body_of_last, move_opening, names_of
 
 TYPE_CHECKING = False

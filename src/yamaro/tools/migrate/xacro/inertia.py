@@ -9,7 +9,7 @@ from ....xacro.faults import Fault
 from ....xacro.templates import Expression, parse_template
 from ....xml.tree import Comment, Element, Text
 from ....xml.values import format_value
-from ..parts import MOMENTS
+from ..part_forms import MOMENTS
 from ..solids import SIZES, NotComputed, Sample, are_equal, is_inertia_of, key_of, samples
 
 TYPE_CHECKING = False

@@ -14,10 +14,8 @@ What the call changes besides is assigned at the end of the loop's body.
 from __future__ import annotations
 
 import ast
-import re
 
 from ....syntax.names import is_identifier
-from ....xacro.literals import guess_value
 from ....xml.tree import Comment, Element, Text
 from ....xml.values import format_value
 from ..document import Body, Entry
@@ -25,6 +23,19 @@ from ..elements import tidy_text, walk
 from ..pairing import has_text
 from .program import used_in
 from .python import CannotMigrate
+from .rewriting import Rewriting
+from .steps import (
+    NoLoop,
+    comparison_in,
+    is_new_list,
+    is_whole,
+    moved_bound,
+    parsed_python,
+    range_of,
+    require,
+    source_of,
+    step_of,
+)
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -37,20 +48,9 @@ if TYPE_CHECKING:
 
 _CONDITIONS = ("xacro:if", "xacro:unless")
 _NOT_IN_LOOPS = ("xacro:call", "xacro:macro", "xacro:include")
-_COMPARED: dict[type[ast.cmpop], str] = {
-    ast.Lt: "<",
-    ast.LtE: "<=",
-    ast.Gt: ">",
-    ast.GtE: ">=",
-    ast.Eq: "==",
-    ast.NotEq: "!=",
-}
-_MIRRORED = {"<": ">", "<=": ">=", ">": "<", ">=": "<=", "==": "==", "!=": "!="}
 _INVERTED = {"<": ">=", "<=": ">", ">": "<=", ">=": "<", "==": "!=", "!=": "=="}
 _FUNCTIONS = ("len", "int", "min", "max", "abs")
 """What a bound may call: it has no effect, and gives the same each time."""
-_NEW_LISTS = ("list", "sorted", "split", "copy")
-"""Functions and methods whose list nobody else has."""
 
 
 class Loop:
@@ -94,12 +94,8 @@ def find_loop(macro: Macro, program: Program, translator: Translator) -> Loop | 
         return None
     try:
         return _Reader(macro, program, translator).loop()
-    except (_NoLoop, CannotMigrate):
+    except (NoLoop, CannotMigrate):
         return None
-
-
-class _NoLoop(Exception):
-    """A macro is not a loop, or not for certain."""
 
 
 class _Reader:
@@ -121,14 +117,14 @@ class _Reader:
         inside = [own for own in walk(macro.element) if own is not macro.element]
         elements = macro.element.elements()
         guards = [own for own in elements if any(e.name == tag for e in own.elements())]
-        _require(len(guards) == 1 and guards[0].name in _CONDITIONS)
-        _require(not has_text(macro.element))
-        _require([own.name for own in inside].count(tag) == 1)
-        _require(not any(own.name in _NOT_IN_LOOPS for own in inside))
-        _require(sum(own.name == macro.name for own in program.definitions.values()) == 1)
+        require(len(guards) == 1 and guards[0].name in _CONDITIONS)
+        require(not has_text(macro.element))
+        require([own.name for own in inside].count(tag) == 1)
+        require(not any(own.name in _NOT_IN_LOOPS for own in inside))
+        require(sum(own.name == macro.name for own in program.definitions.values()) == 1)
         self.guard = guards[0]
         self._last = [own for own in elements if own is not self.guard]
-        _require(all(_is_opposite(own, self.guard) for own in self._last) and len(self._last) < 2)
+        require(all(_is_opposite(own, self.guard) for own in self._last) and len(self._last) < 2)
         nodes = self.guard.children
         position = next(at for at, node in enumerate(nodes) if _is_named(node, tag))
         (self.call,) = (
@@ -146,21 +142,21 @@ class _Reader:
     def _check_names(self) -> None:
         """Hold that what is defined in the macro is its own, and that its parameters stay."""
         for own in self._properties:
-            _require(set(own.attributes) <= {"name", "value", "lazy_eval"})
-            _require("value" in own.attributes)
-        _require(all(own.isidentifier() for own in (*self._defined, *self._macro.values())))
-        _require(not (self._defined | self._outside) & set(self._macro.values()))
+            require(set(own.attributes) <= {"name", "value", "lazy_eval"})
+            require("value" in own.attributes)
+        require(all(own.isidentifier() for own in (*self._defined, *self._macro.values())))
+        require(not (self._defined | self._outside) & set(self._macro.values()))
 
     def _changes(self) -> dict[str, str]:
         """Return the arguments of the call that are not the parameters as they are."""
         given = {name: format_value(value) for name, value in self.call.attributes.items()}
-        _require(set(given) <= set(self._macro.values()))
+        require(set(given) <= set(self._macro.values()))
         changed: dict[str, str] = {}
         for own in self._macro.parameters:
             if own.is_block:
                 continue
             if own.name not in given:
-                _require(own.is_forwarded)
+                require(own.is_forwarded)
             elif self._python(given[own.name]) != own.name:
                 changed[own.name] = given[own.name]
         self._check_blocks([own for own in self._macro.parameters if own.is_block])
@@ -169,10 +165,10 @@ class _Reader:
     def _check_blocks(self, blocks: list[Parameter]) -> None:
         """Hold that the call hands the blocks on as they are."""
         given = self.call.elements()
-        _require(len(given) == len(blocks))
+        require(len(given) == len(blocks))
         for own, element in zip(blocks, given, strict=True):
-            _require(own.name[1:] == element.attributes.get("name") and own.name[1] != "*")
-            _require(element.name == "xacro:insert_block")
+            require(own.name[1:] == element.attributes.get("name") and own.name[1] != "*")
+            require(element.name == "xacro:insert_block")
 
     def _python(self, text: str) -> str:
         """Return the expression that is all of a text, as Python; an empty text if none is."""
@@ -184,13 +180,13 @@ class _Reader:
     def _condition(self) -> tuple[str, ast.expr, bool]:
         """Return the condition as Python, and whether it is turned round."""
         python = self._translator.condition(format_value(self.guard.attributes.get("value")))
-        return python, _parsed(python), self.guard.name == "xacro:unless"
+        return python, parsed_python(python), self.guard.name == "xacro:unless"
 
     def loop(self) -> Loop:
         """Return the loop.
 
         Raises:
-            _NoLoop: it is none.
+            NoLoop: it is none.
             CannotMigrate: an expression cannot be carried over.
         """
         is_backwards = any(isinstance(node, Element) for node in self.after)
@@ -203,23 +199,23 @@ class _Reader:
         else:
             loop = self._counting(is_backwards)
         loop.comments = above, here
-        _require(not {loop.iterator, name, *self.changed} & self._program.inherited)
+        require(not {loop.iterator, name, *self.changed} & self._program.inherited)
         loop.last = [node for own in self._last for node in own.children]
-        _require(not any(self._reads(loop.last, own) for own in (loop.iterator, name)))
+        require(not any(self._reads(loop.last, own) for own in (loop.iterator, name)))
         return loop
 
     def _check_backwards(self) -> None:
         """Hold that the work after the call makes use of nothing but the call's own names."""
-        _require(not any(isinstance(node, Element) for node in self.before))
-        _require(not self._last and len(self.changed) <= 1)
-        _require(not self._program.handed_to(self._macro.element))
-        _require(not self._defined & self._program.inherited)
+        require(not any(isinstance(node, Element) for node in self.before))
+        require(not self._last and len(self.changed) <= 1)
+        require(not self._program.handed_to(self._macro.element))
+        require(not self._defined & self._program.inherited)
         direct = [own for own in self.after if _is_named(own, "xacro:property")]
-        _require(len(direct) == len(self._properties) == len(self._defined))
+        require(len(direct) == len(self._properties) == len(self._defined))
         defined: set[str] = set()
         for node in self.after:
             if isinstance(node, Element):
-                _require(not used_in(node) & (self._defined - defined))
+                require(not used_in(node) & (self._defined - defined))
                 if node in direct:
                     defined.add(format_value(node.attributes.get("name")))
 
@@ -244,7 +240,7 @@ class _Reader:
                 for name in pending
                 if not any(name in reads[other] for other in pending if other != name)
             ]
-            _require(bool(free))
+            require(bool(free))
             ordered.append((free[0], pending.pop(free[0])))
         return ordered
 
@@ -253,28 +249,28 @@ class _Reader:
     def _counting(self, is_backwards: bool) -> Loop:
         """Return a loop whose condition compares a parameter that is counted up or down."""
         python, condition, is_inverted = self._condition()
-        steps = {name: _step(self._python(text), name) for name, text in self.changed.items()}
+        steps = {name: step_of(self._python(text), name) for name, text in self.changed.items()}
         while isinstance(condition, ast.UnaryOp) and isinstance(condition.op, ast.Not):
             condition, is_inverted = condition.operand, not is_inverted
-        name, relation, bound = _comparison(condition, steps)
+        name, relation, bound = comparison_in(condition, steps)
         if is_inverted:
             relation = _INVERTED[relation]
         step = steps[name]
         changed = {other: text for other, text in self.changed.items() if other != name}
-        source = "0" if bound is None else _source(python, bound)
+        source = "0" if bound is None else source_of(python, bound)
         bound = bound or ast.Constant(0)
         self._check_bound(bound, changed.keys() | {name})
         self._check_whole(name, bound)
         if relation in ("<=", ">="):
-            _require((relation == "<=") == (step > 0))
-            source = _moved(source, bound, 1 if step > 0 else -1)
+            require((relation == "<=") == (step > 0))
+            source = moved_bound(source, bound, 1 if step > 0 else -1)
         elif relation == "!=":
-            _require(abs(step) == 1)
+            require(abs(step) == 1)
         else:
-            _require(relation == ("<" if step > 0 else ">"))
+            require(relation == ("<" if step > 0 else ">"))
         work = self.after if is_backwards else self.before
         loop = Loop(
-            name, _range(name, source, step, is_backwards), _without_loose_end(work, changed)
+            name, range_of(name, source, step, is_backwards), _without_loose_end(work, changed)
         )
         loop.changes = self._ordered(changed)
         return loop
@@ -283,17 +279,17 @@ class _Reader:
         """Hold that a bound is the same each time."""
         for node in ast.walk(bound):
             if isinstance(node, ast.Name):
-                _require(node.id not in changed | self._defined | self._outside)
+                require(node.id not in changed | self._defined | self._outside)
             elif isinstance(node, ast.Call):
-                _require(isinstance(node.func, ast.Name) and node.func.id in _FUNCTIONS)
+                require(isinstance(node.func, ast.Name) and node.func.id in _FUNCTIONS)
             else:
-                _require(isinstance(node, _PLAIN_NODES))
+                require(isinstance(node, _PLAIN_NODES))
 
     def _check_whole(self, name: str, bound: ast.expr) -> None:
         """Hold that only whole numbers were counted, as far as can be seen."""
         texts = [self.changed[name]]
         for node in ast.walk(bound):
-            _require(not (isinstance(node, ast.Constant) and isinstance(node.value, float)))
+            require(not (isinstance(node, ast.Constant) and isinstance(node.value, float)))
             if isinstance(node, ast.Name):
                 texts += [f"${{{node.id}}}", *self._values_of(node.id)]
         for called in self._calls():
@@ -303,7 +299,7 @@ class _Reader:
                 texts.append(own.default or "")
         floats = self._program.floats
         for text in texts:
-            _require(text.strip()[2:-1].strip() not in floats if "$" in text else _is_whole(text))
+            require(text.strip()[2:-1].strip() not in floats if "$" in text else is_whole(text))
 
     def _values_of(self, name: str) -> list[str]:
         """Return the texts that a name stands for, if it is an argument, parameter or property."""
@@ -346,23 +342,23 @@ class _Reader:
         rest = self._python(self.changed.get(name, ""))
         is_popped = name not in self.changed
         if is_popped:
-            _require(not is_backwards and self._is_always_new(name))
+            require(not is_backwards and self._is_always_new(name))
             firsts = [f"{name}.pop(0)", f"{name}.pop()"]
         else:
             firsts = [f"{name}[0]" if rest == f"{name}[1:]" else f"{name}[-1]"]
         iterator, first, here = self._take_item(firsts, work)
         kind = self._program.numbers.get(first)
         if is_popped:
-            _require(any(_is_surely_read(node, iterator) for node in work))
+            require(any(_is_surely_read(node, iterator) for node in work))
         first = first or firsts[0]
         iterator = iterator or self._new_name(name)
         others = {other: text for other, text in self.changed.items() if other != name}
         if not is_popped:
-            rewrite = _Rewriting(first, iterator, self._program)
+            rewrite = Rewriting(first, iterator, self._program)
             work = [rewrite.node(node) for node in work]
             others = {other: rewrite.text(text) for other, text in others.items()}
         texts = [Text(text, self.call.span) for text in others.values()]
-        _require(not self._reads([*work, *texts], name))
+        require(not self._reads([*work, *texts], name))
         is_reversed = first.endswith(("[-1]", ".pop()")) != is_backwards
         items = f"{name}[::-1]" if is_reversed else name
         items = f"map({kind}, {items})" if kind else items
@@ -383,8 +379,8 @@ class _Reader:
             value = format_value(node.attributes.get("value", "")).strip()[2:-1].strip()
             if node.name == "xacro:property" and value in firsts:
                 names = [format_value(e.attributes.get("name")) for e in self._properties]
-                _require(names.count(own) == 1 and own not in self._outside)
-                _require(not self._reads(work[:position], own))
+                require(names.count(own) == 1 and own not in self._outside)
+                require(not self._reads(work[:position], own))
                 start = position
                 while start and not isinstance(work[start - 1], Element):
                     start -= 1
@@ -401,70 +397,19 @@ class _Reader:
         for candidate in (name.removesuffix("s"), "item", f"{name}_item"):
             if candidate not in taken and is_identifier(candidate):
                 return candidate
-        raise _NoLoop
+        raise NoLoop
 
     def _is_always_new(self, name: str) -> bool:
         """Tell whether all calls give a list that only they have, so that none sees it shrink."""
         calls = self._calls()
         given = [self._python(format_value(own.attributes.get(name, ""))) for own in calls]
-        return bool(given) and all(text and _is_new_list(_parsed(text)) for text in given)
-
-
-class _Rewriting:
-    """Puts a name in the place of a list's first item."""
-
-    def __init__(self, first: str, name: str, program: Program) -> None:
-        """Take the item's expression, as `items[0]`, and its new name."""
-        listed, _, index = first[:-1].partition("[")
-        self._first = re.compile(rf"(?<![\w.]){listed}\s*\[\s*{index}\s*\]")
-        self._name = name
-        self._program = program
-
-    def node(self, node: Node) -> Node:
-        """Return an element with the name in all its expressions."""
-        if isinstance(node, Text):
-            return Text(self.text(format_value(node.value)), node.span)
-        if isinstance(node, Comment):
-            return node
-        children = [self.node(child) for child in node.children]
-        changed = node.with_children(children)
-        changed.attributes = {
-            name: self.text(format_value(value)) for name, value in node.attributes.items()
-        }
-        return changed
-
-    def text(self, text: str) -> str:
-        """Return a text with the name in its expressions."""
-        return re.sub(r"\$\{([^}]*)\}", self._replaced, text)
-
-    def _replaced(self, found: re.Match[str]) -> str:
-        inner = found[1]
-        changed = self._first.sub(self._name, inner)
-        known = self._program.truths, self._program.numbers
-        _require(changed == inner or not any(inner.strip() in kinds for kinds in known))
-        return f"${{{changed}}}"
+        return bool(given) and all(text and is_new_list(parsed_python(text)) for text in given)
 
 
 _PLAIN_NODES = (
     *(ast.Constant, ast.Attribute, ast.Subscript, ast.BinOp, ast.UnaryOp, ast.USub),
     *(ast.Add, ast.Sub, ast.Mult, ast.FloorDiv, ast.Mod, ast.expr_context),
 )
-
-
-def _require(holds: bool) -> None:
-    if not holds:
-        raise _NoLoop
-
-
-def _parsed(python: str) -> ast.expr:
-    try:
-        return ast.parse(python, mode="eval").body
-    except (SyntaxError, ValueError):
-        raise _NoLoop from None
-
-
-def _source(python: str, node: ast.expr) -> str:
-    return ast.get_source_segment(python, node) or ast.unparse(node)
 
 
 def _is_named(node: Node, tag: str) -> bool:
@@ -510,72 +455,6 @@ def _is_blank(node: Node) -> bool:
 def _holding(text: str, element: Element) -> Element:
     """Return an element that holds a text, at the place of another."""
     return Element("", element.span, {"text": text})
-
-
-def _step(python: str, name: str) -> int:
-    """Return what an expression adds to a name; 0 if it does anything else."""
-    match _parsed(python) if python else None:
-        case ast.BinOp(ast.Name(own), ast.Add() | ast.Sub() as op, ast.Constant(int(step))):
-            pass
-        case ast.BinOp(ast.Constant(int(step)), ast.Add() as op, ast.Name(own)):
-            pass
-        case _:
-            return 0
-    return 0 if own != name else step if isinstance(op, ast.Add) else -step
-
-
-def _comparison(condition: ast.expr, steps: dict[str, int]) -> tuple[str, str, ast.expr | None]:
-    """Return which counted name is compared, how, and with what; None is for zero."""
-    match condition:
-        case ast.Name(name):
-            found: tuple[str, str, ast.expr | None] = name, "!=", None
-        case ast.Compare(ast.Name(name), [op], [bound]) if steps.get(name):
-            found = name, _COMPARED.get(type(op), ""), bound
-        case ast.Compare(bound, [op], [ast.Name(name)]):
-            found = name, _MIRRORED.get(_COMPARED.get(type(op), ""), ""), bound
-        case _:
-            raise _NoLoop
-    _require(bool(steps.get(found[0]) and found[1]))
-    return found
-
-
-def _moved(source: str, bound: ast.expr, amount: int) -> str:
-    """Return a bound plus or minus one."""
-    match bound:
-        case ast.Constant(int(value)):
-            return str(value + amount)
-        case ast.BinOp(_, ast.Sub() | ast.Add() as op, ast.Constant(1)):
-            if isinstance(op, ast.Sub) == (amount == 1):
-                return source.rpartition("-" if amount == 1 else "+")[0].strip()
-    return f"{source} {'+' if amount == 1 else '-'} 1"
-
-
-def _range(name: str, stop: str, step: int, is_backwards: bool) -> tuple[str, str]:
-    """Return what counts from a name to `stop`, which is left out; or the other way round."""
-    pieces = [name, stop] if step == 1 else [name, stop, str(step)]
-    if not is_backwards:
-        return "range", ", ".join(pieces)
-    if step == -1:
-        return "range", f"{_moved(stop, _parsed(stop), 1)}, {name} + 1"
-    if step == 1:
-        return "range", f"{_moved(stop, _parsed(stop), -1)}, {name} - 1, -1"
-    return "in", f"reversed(range({', '.join(pieces)}))"
-
-
-def _is_whole(text: str) -> bool:
-    return not isinstance(guess_value(text), float)
-
-
-def _is_new_list(node: ast.expr) -> bool:
-    """Tell whether an expression makes a list of its own."""
-    match node:
-        case ast.List() | ast.ListComp() | ast.Subscript(_, ast.Slice()):
-            return True
-        case ast.Call(ast.Name(name) | ast.Attribute(_, name)):
-            return name in _NEW_LISTS
-        case ast.BinOp(left, ast.Add() | ast.Mult(), right):
-            return _is_new_list(left) or _is_new_list(right)
-    return False
 
 
 def _is_surely_read(node: Node, name: str) -> bool:

@@ -14,20 +14,17 @@ from ....xml.values import format_value
 from ..document import Body, Entry
 from ..elements import ElementWriter, add_loose, comments_at_ends, note_comments, walk
 from ..pairing import has_text, pair
-from ..parts import (
+from ..part_forms import (
     MOMENTS,
-    PART_KEYS,
-    SECTIONS,
     Geometry,
-    Names,
     NoPart,
-    PartWriter,
     are_numbers,
     is_short_material,
     material_entry,
     pose_of,
     read_geometry,
 )
+from ..parts import PART_KEYS, SECTIONS, Names, PartWriter
 from ..solids import are_equal
 from .contents import UnknownContent
 
@@ -38,7 +35,7 @@ if TYPE_CHECKING:
 
     from ....xml.tree import Node
     from ..elements import Endings
-    from ..parts import LinkPlan
+    from ..part_forms import LinkPlan
     from .contents import Contents, Counts
     from .inertia import SolidInertia, Solids
     from .program import Macro

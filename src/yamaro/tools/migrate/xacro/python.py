@@ -10,6 +10,7 @@ from ....xacro.faults import Fault
 from ....xacro.literals import guess_value
 from ....xacro.templates import Expression, Part, Substitution, Template, parse_template
 from ..document import Quoted, literal
+from .python_texts import Edits, ends_in_minus, minus, without_parentheses
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -97,9 +98,9 @@ class Translator:
                     part.text.strip() in self.long_floats and _is_in_word(parts, index)
                 ):
                     python = f"str({python})"
-                elif _ends_in_minus(pieces) and self.is_number(part.text):
+                elif ends_in_minus(pieces) and self.is_number(part.text):
                     pieces[-1] = pieces[-1][:-1]
-                    python = _minus(python)
+                    python = minus(python)
                 pieces.append(f"$({python})")
         return "".join(pieces)
 
@@ -111,7 +112,7 @@ class Translator:
         if len(template.parts) == 1 and isinstance(template.parts[0], Expression):
             own = template.parts[0].text
             kind = self._numbers.get(own.strip())
-            python = _without_parentheses(self.expression(own))
+            python = without_parentheses(self.expression(own))
             return f"$({kind}({python}))" if kind else f"$({python})"
         plain = template.plain()
         if plain is not None:
@@ -159,7 +160,7 @@ class Translator:
         if isinstance(part, Substitution):
             python = self._command(part.text)
             return f"{python}.lower() in ('true', '1')" if python.startswith("env(") else python
-        python = _without_parentheses(self.expression(part.text))
+        python = without_parentheses(self.expression(part.text))
         if part.text.strip() in self._truth_texts:
             return f"str({python}).lower() in ('true', '1')"
         return python
@@ -175,11 +176,11 @@ class Translator:
             tree = ast.parse(python, mode="eval")
         except (SyntaxError, ValueError):
             raise CannotMigrate(f"the expression '{text}' is no Python") from None
-        edits = _Edits(python)
+        edits = Edits(python)
         self._look_at(tree.body, edits)
         return " ".join(edits.text()[1:-2].split("\n")).strip()
 
-    def _look_at(self, node: ast.AST, edits: _Edits, bound: frozenset[str] = frozenset()) -> None:
+    def _look_at(self, node: ast.AST, edits: Edits, bound: frozenset[str] = frozenset()) -> None:
         """Note what has to be written in another way in a piece of syntax."""
         import ast
 
@@ -208,7 +209,7 @@ class Translator:
         for child in ast.iter_child_nodes(node):
             self._look_at(child, edits, bound)
 
-    def _call_of_namespace(self, node: ast.Call, edits: _Edits, bound: frozenset[str]) -> bool:
+    def _call_of_namespace(self, node: ast.Call, edits: Edits, bound: frozenset[str]) -> bool:
         """Write a call of `xacro.load_yaml` and the like; False if it is none."""
         import ast
 
@@ -256,7 +257,7 @@ class Translator:
         ]
         return " ".join(words)
 
-    def _attribute(self, node: ast.Attribute, edits: _Edits, bound: frozenset[str]) -> None:
+    def _attribute(self, node: ast.Attribute, edits: Edits, bound: frozenset[str]) -> None:
         import ast
 
         if isinstance(node.value, ast.Name):
@@ -363,117 +364,6 @@ class Translator:
         """Return what follows `$(eval`, where arguments are names, or called as arg('name')."""
         text = re.sub(r"""\barg\((['"])(\w+)\1\)""", r"\2", text)
         return self.expression(text)
-
-
-def _ends_in_minus(pieces: list[str]) -> bool:
-    """Tell whether the pieces of a text end in a sign for the number that follows."""
-    return "".join(pieces).split(" ")[-1:] == ["-"]
-
-
-def _minus(python: str) -> str:
-    """Return an expression with the other sign."""
-    import ast
-
-    tree = ast.parse(python, mode="eval").body
-    is_whole = isinstance(tree, (ast.Name, ast.Call, ast.Attribute, ast.Subscript, ast.Constant))
-    return f"-{python}" if is_whole else f"-({python})"
-
-
-_OPPOSITES = {"==": "!=", "!=": "==", "in": "not in", "not in": "in"}
-
-
-def negated(condition: str) -> str:
-    """Return the condition that is true where this one is false."""
-    import ast
-
-    try:
-        tree = ast.parse(condition, mode="eval").body
-    except (SyntaxError, ValueError):
-        return f"not ({condition})"
-    if isinstance(tree, ast.UnaryOp) and isinstance(tree.op, ast.Not):
-        operand = _without_parentheses(condition.removeprefix("not").strip())
-        return operand if _is_truth_value(tree.operand) else f"bool({operand})"
-    if isinstance(tree, ast.Compare) and len(tree.ops) == 1:
-        left = ast.get_source_segment(condition, tree.left) or ""
-        right = ast.get_source_segment(condition, tree.comparators[0]) or ""
-        between = condition.removeprefix(left).removesuffix(right)
-        opposite = _OPPOSITES.get(" ".join(between.split()))
-        if left + between + right == condition and opposite is not None:
-            return f"{left} {opposite} {right}"
-    if isinstance(tree, (ast.Name, ast.Call, ast.Attribute, ast.Subscript, ast.Constant)):
-        return f"not {condition}"
-    return f"not ({condition})"
-
-
-def _is_truth_value(node: ast.expr) -> bool:
-    """Tell whether an expression gives True or False, and no text, which is not a condition."""
-    import ast
-
-    if isinstance(node, ast.BoolOp):
-        return all(map(_is_truth_value, node.values))
-    is_not = isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.Not)
-    return is_not or isinstance(node, ast.Compare)
-
-
-def _without_parentheses(python: str) -> str:
-    """Return an expression without parentheses around the whole."""
-    import ast
-
-    while python.startswith("(") and python.endswith(")"):
-        inner = python[1:-1].strip()
-        try:
-            same = ast.dump(ast.parse(inner, mode="eval")) == ast.dump(
-                ast.parse(python, mode="eval")
-            )
-        except (SyntaxError, ValueError):
-            return python
-        if not same:
-            return python
-        python = inner
-    return python
-
-
-class _Edits:
-    """Changes of a text at the places of its syntax."""
-
-    def __init__(self, text: str) -> None:
-        self._data = text.encode()
-        self._starts = [0]
-        for line in text.split("\n"):
-            self._starts.append(self._starts[-1] + len(line.encode()) + 1)
-        self._edits: list[tuple[int, int, str]] = []
-
-    def replace(self, node: ast.expr, new: str) -> None:
-        """Put a text in the place of a node."""
-        self._edits.append((self._start(node), self._end(node), new))
-
-    def replace_after(self, inner: ast.expr, node: ast.expr, new: str) -> None:
-        """Put a text in the place of what stands behind `inner` in a node."""
-        self._edits.append((self._end(inner), self._end(node), new))
-
-    def insert_before(self, node: ast.expr, new: str) -> None:
-        """Put a text in front of a node."""
-        self._edits.append((self._start(node), self._start(node), new))
-
-    def insert_after(self, node: ast.expr, new: str) -> None:
-        """Put a text behind a node."""
-        self._edits.append((self._end(node), self._end(node), new))
-
-    def text(self) -> str:
-        """Return the text with all changes."""
-        data = self._data
-        for start, end, new in sorted(self._edits, reverse=True):
-            if data[start:end] != new.encode():
-                data = data[:start] + new.encode() + data[end:]
-        return data.decode()
-
-    def _start(self, node: ast.expr) -> int:
-        return self._starts[node.lineno - 1] + node.col_offset
-
-    def _end(self, node: ast.expr) -> int:
-        assert node.end_lineno is not None
-        assert node.end_col_offset is not None
-        return self._starts[node.end_lineno - 1] + node.end_col_offset
 
 
 def typed(text: str) -> str:
