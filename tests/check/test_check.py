@@ -16,10 +16,10 @@ from hypothesis import strategies as st
 
 from tests.counting import calls_of
 from tests.effort import examples
-from yamaro.check.advice import stl_extent
 from yamaro.check.link import principal_moments
 from yamaro.check.robot import check
 from yamaro.diagnostics import WARNING, Diagnostic, Reporter, render
+from yamaro.meshes.triangles import stl_extent
 from yamaro.model.urdf_schema import ELEMENTS
 from yamaro.model.values import read_numbers
 from yamaro.source import Source, Span

@@ -8,11 +8,10 @@ from pathlib import Path
 
 import pytest
 
-from yamaro.check.advice import stl_extent
 from yamaro.files.packages import PackageFinder, manifest_name
 from yamaro.files.regular import _Unblocked, open_regular, read_start
 from yamaro.meshes.formats import MeshFileError
-from yamaro.meshes.triangles import read_mesh
+from yamaro.meshes.triangles import read_mesh, stl_extent
 
 posix = pytest.mark.skipif(sys.platform == "win32", reason="needs FIFOs")
 

@@ -1,5 +1,14 @@
 """Robots that the tests of the model share."""
 
+EXAMPLES = [
+    "arm/arm.yaml",
+    "diff_drive/diff_drive.yaml",
+    "hexapod/hexapod.yaml",
+    "leg_robot/robot.yaml",
+    "pan_tilt/pan_tilt.yaml",
+    "quadruped/quadruped.yaml",
+]
+
 JOINTS = """<?xml version="1.0"?>
 <robot name="joints">
   <link name="base"/>

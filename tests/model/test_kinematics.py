@@ -12,20 +12,12 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 from tests.consumers import oracles
-from tests.model.robots import JOINTS
+from tests.model.robots import EXAMPLES, JOINTS
 from yamaro import Robot, build
 from yamaro.model import Pose
 from yamaro.model.kinematics import joint_positions
 
 REPOSITORY = Path(__file__).parents[2]
-EXAMPLES = [
-    "arm/arm.yaml",
-    "diff_drive/diff_drive.yaml",
-    "hexapod/hexapod.yaml",
-    "leg_robot/robot.yaml",
-    "pan_tilt/pan_tilt.yaml",
-    "quadruped/quadruped.yaml",
-]
 CORPUS = REPOSITORY.parent / "shared" / "corpus"
 TOLERANCE = 1e-12
 

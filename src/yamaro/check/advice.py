@@ -34,8 +34,6 @@ WIDEST_GYRATION = 10.0
 """Metres; a radius of gyration beyond it belongs to a body of some 20 m."""
 LARGEST_MESH = 10.0
 """Metres; a larger mesh is most often drawn in millimetres."""
-LARGEST_MESH_READ = 100 << 20
-"""Bytes of a mesh that is read only to give advice."""
 GIMBAL_TOLERANCE = 1e-3
 QUARTER_TOLERANCE = 5e-3
 """How far 1.57, 3.14 and 4.71 are from quarter turns, and some room."""
@@ -286,6 +284,8 @@ def _advise_on_mesh(
     key = (filename, attribute_text(mesh, "scale") or "")
     if key in sizes:
         return
+    from ..meshes.triangles import stl_extent
+
     scale = context.numbers(mesh, "scale", 3) or (1.0, 1.0, 1.0)
     path = resolve_mesh(filename, mesh.value_span("filename"))
     sizes[key] = size = None if path is None else stl_extent(path, scale)
@@ -297,28 +297,3 @@ def _advise_on_mesh(
             attribute="filename",
             hint="if it is drawn in millimetres, write `scale=0.001 0.001 0.001`",
         )
-
-
-def stl_extent(path: str, scale: tuple[float, ...]) -> float | None:
-    """Return the longest side of a binary STL's bounding box in metres, scaled; None for others."""
-    import os
-    from struct import error, iter_unpack, unpack_from
-
-    from ..files.regular import open_regular
-
-    if not path.lower().endswith(".stl"):
-        return None
-    try:
-        with open_regular(path) as file:
-            (count,) = unpack_from("<I", file.read(84), 80)
-            size = os.fstat(file.fileno()).st_size
-            if not count or size != 84 + 50 * count or size > LARGEST_MESH_READ:
-                return None
-            corners = [values[3:12] for values in iter_unpack("<12f2x", file.read(size - 84))]
-    except (OSError, error):
-        return None
-    extents: list[float] = []
-    for axis in range(3):
-        values = [corner[i] for corner in corners for i in (axis, axis + 3, axis + 6)]
-        extents.append((max(values) - min(values)) * fabs(scale[axis]))
-    return max(extents)

@@ -26,6 +26,9 @@ if TYPE_CHECKING:
     Vector = tuple[float, float, float]
     T = TypeVar("T")
 
+LARGEST_MESH_MEASURED = 100 << 20
+"""Bytes of a mesh that is read only to tell its size."""
+
 MERGE_FRACTION = 1e-7
 """Vertices nearer than this part of the mesh's size are the same one: the step of a float32."""
 
@@ -158,13 +161,44 @@ def _snapped(mesh: TriangleMesh) -> TriangleMesh:
 
 
 def _parse_binary_stl(data: bytes) -> TriangleMesh:
+    numbers = _binary_stl_numbers(data)
+    _check_finite(numbers)
+    return _merged(zip(numbers[0::3], numbers[1::3], numbers[2::3], strict=True))
+
+
+def _binary_stl_numbers(data: bytes) -> list[float]:
+    """Return x, y and z of all corners in turn."""
     from itertools import chain
     from struct import iter_unpack
 
     facets = iter_unpack("<12x9f2x", memoryview(data)[STL_HEADER_BYTES:])
-    numbers = list(chain.from_iterable(facets))
-    _check_finite(numbers)
-    return _merged(zip(numbers[0::3], numbers[1::3], numbers[2::3], strict=True))
+    return list(chain.from_iterable(facets))
+
+
+def stl_extent(path: str, scale: tuple[float, ...]) -> float | None:
+    """Return the longest side of a binary STL's bounding box in metres, scaled.
+
+    None for other files, for an STL without triangles, and for one of more than
+    `LARGEST_MESH_MEASURED` bytes.
+    """
+    import os
+
+    from ..files.regular import open_regular
+
+    if not path.lower().endswith(".stl"):
+        return None
+    try:
+        with open_regular(path) as file:
+            if os.fstat(file.fileno()).st_size > LARGEST_MESH_MEASURED:
+                return None
+            data = file.read()
+    except OSError:
+        return None
+    numbers = _binary_stl_numbers(data) if is_binary_stl(data) else []
+    if not numbers:
+        return None
+    axes = [numbers[axis::3] for axis in range(3)]
+    return max((max(axis) - min(axis)) * abs(scale[i]) for i, axis in enumerate(axes))
 
 
 def _parse_ascii_stl(data: bytes) -> TriangleMesh:
