@@ -27,7 +27,6 @@ LONGER = frozenset(
     syntax/statements.py:_parse_for
     tools/migrate/xacro/program.py
     tools/migrate/xacro/program.py:__init__
-    xml/writer.py:write
     yaml/builder.py:_build
     yaml/explanations.py:_misplaced
     """.split()

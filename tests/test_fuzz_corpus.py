@@ -21,7 +21,8 @@ from tests.fuzz.targets import TARGETS
 from yamaro.diagnostics import did_you_mean
 from yamaro.runtime import loops
 from yamaro.sandbox import jail
-from yamaro.syntax import forms, keys, python
+from yamaro.syntax import keys, python
+from yamaro.xml import forms
 from yamaro.xml import writer as xml_writer
 from yamaro.yaml import brackets
 from yamaro.yaml import characters as yaml_characters

@@ -141,7 +141,7 @@ def build_of_outcome(outcome: Outcome, paths: MeshPaths, limits: Limits) -> Buil
     from .result import Build
 
     if outcome.root is not None and outcome.root.name == "robot":  # as it was written
-        outcome.pieces = write_pieces(*paths.applied_to(outcome.root, {}), limits)
+        outcome.pieces = write_pieces(paths.applied_to(outcome.root), limits)
 
     def make_root() -> Element:
         assert outcome.root is not None, "only those who need the tree ask for it"

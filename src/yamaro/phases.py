@@ -17,7 +17,6 @@ if TYPE_CHECKING:
     from .files.mesh_files import MeshFinder
     from .request import Request
     from .runtime.interpreter import Interpreter
-    from .xml.tree import Shared
 
 
 def evaluate(request: Request, interpreter: Interpreter) -> Element:
@@ -40,7 +39,7 @@ def evaluate(request: Request, interpreter: Interpreter) -> Element:
 
 
 def lower(
-    root: Element, interpreter: Interpreter, finder: MeshFinder, reporter: Reporter, shared: Shared
+    root: Element, interpreter: Interpreter, finder: MeshFinder, reporter: Reporter
 ) -> Element:
     """Return the tree without parts, in which the names of materials do not clash."""
     if interpreter.has_parts:
@@ -51,7 +50,6 @@ def lower(
             reporter=reporter,
             resolve_mesh=finder.resolve,
             may_read=finder.allows,
-            shared=shared,
         )
     return _put_together(root) if interpreter.is_yaml else root
 
@@ -72,7 +70,6 @@ def check(
     root: Element,
     finder: MeshFinder,
     reporter: Reporter,
-    shared: Shared,
     wants: Callable[[str], bool] | None,
 ) -> bool:
     """Check a robot, and report advice with the codes wanted; tell whether it refers to files."""
@@ -92,7 +89,6 @@ def check(
         places_searched=finder.places_searched,
         path_meant=finder.path_meant,
         advice=advisor,
-        shared=shared,
     )
     for diagnostic in advisor.diagnostics if advisor else ():
         if wants is not None and wants(diagnostic.code):

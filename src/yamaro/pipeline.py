@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from .policy import Policy
     from .request import Request
     from .runtime.library import Library
-    from .xml.tree import Element, Shared
+    from .xml.tree import Element
 
 
 def compile_request(
@@ -44,7 +44,7 @@ def compile_request(
         packages=request.packages,
     )
     evaluated = evaluate(request, interpreter)
-    document = _lower_check_emit(evaluated, interpreter.builder.shared, request, interpreter)
+    document = _lower_check_emit(evaluated, request, interpreter)
     finished = document.root
     if finished is not None:
         request.adjustment.allow(document.diagnostics)
@@ -58,7 +58,7 @@ def compile_request(
     for diagnostic in document.diagnostics:
         reporter.add(diagnostic)
     return Build(
-        lambda: lower(unshared(evaluated), interpreter, finder, Reporter(), {}),
+        lambda: lower(unshared(evaluated), interpreter, finder, Reporter()),
         lambda: finder.referred_to(finished),
         finished=finished,
         paths=request.paths,
@@ -68,14 +68,12 @@ def compile_request(
     )
 
 
-def _lower_check_emit(
-    root: Element, shared: Shared, request: Request, interpreter: Interpreter
-) -> Finished:
+def _lower_check_emit(root: Element, request: Request, interpreter: Interpreter) -> Finished:
     reporter, paths = Reporter(), request.paths
     try:
-        root = lower(root, interpreter, paths.finder, reporter, shared)
-        has_files = check(root, paths.finder, reporter, shared, request.wanted_advice())
-        written = paths.applied_to(root, shared) if has_files else (root, shared)
-        return Finished(root, write_pieces(*written, interpreter.limits), reporter.diagnostics)
+        root = lower(root, interpreter, paths.finder, reporter)
+        has_files = check(root, paths.finder, reporter, request.wanted_advice())
+        written = paths.applied_to(root) if has_files else root
+        return Finished(root, write_pieces(written, interpreter.limits), reporter.diagnostics)
     except YamaroError as error:
         return Finished(None, [], [*reporter.diagnostics, *error.diagnostics])

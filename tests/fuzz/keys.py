@@ -14,9 +14,10 @@ from yamaro.source import Source
 from yamaro.syntax import statements
 from yamaro.syntax.context import ParseContext
 from yamaro.syntax.keys import PlainKeyPlaces, find_outside, parse_plain_key
-from yamaro.syntax.names import STATEMENTS, bad_name_character
+from yamaro.syntax.names import STATEMENTS
 from yamaro.syntax.nodes import Attribute, ElementNode
 from yamaro.syntax.template import Template, skip_expression
+from yamaro.xml.names import bad_name_character
 from yamaro.xml.tree import Element
 from yamaro.yaml.nodes import DOUBLE, PLAIN, ScalarNode
 

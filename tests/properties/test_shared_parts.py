@@ -11,7 +11,8 @@ from hypothesis import strategies as st
 from tests.robot.part_builder import build, resolve_nothing
 from yamaro.diagnostics import INHERITED, Frame, Reporter, YamaroError
 from yamaro.robot.part import lower
-from yamaro.xml.tree import Element, Node, PartElement, Shared, unshared
+from yamaro.xml.memo import Memo
+from yamaro.xml.tree import Element, Node, PartElement, unshared
 
 NAMES = ["a", "b", "j l", "a b c", "''"]
 LINKS = [
@@ -91,8 +92,8 @@ any_parts = st.tuples(
 robots = st.lists(sound_parts, max_size=8) | st.lists(sound_parts | any_parts, max_size=8)
 
 
-def assemble(parts: list[Any]) -> tuple[Element, Shared]:
-    """Return a robot in which the same lines are the same elements, and those that come twice."""
+def assemble(parts: list[Any]) -> Element:
+    """Return a robot in which the same lines are the same elements, with memos."""
     known = dict(zip(LINES, unshared(WRITTEN, INHERITED).children, strict=True))
     used: Counter[int] = Counter()
 
@@ -101,7 +102,10 @@ def assemble(parts: list[Any]) -> tuple[Element, Shared]:
         found = known[text]
         if is_own and isinstance(found, Element):
             return unshared(found, INHERITED)
-        used[id(found)] += isinstance(found, Element)
+        if isinstance(found, Element):
+            used[id(found)] += 1
+            if used[id(found)] == 2:
+                found.memo = Memo()
         return found
 
     robot = Element("robot", WRITTEN.span, {"name": "r"})
@@ -113,7 +117,7 @@ def assemble(parts: list[Any]) -> tuple[Element, Shared]:
             part.children.append(Element("joint", WRITTEN.span, {}, keys, INHERITED))
         part.children += [node(line) for lines in others for line in lines]
         robot.children.append(part)
-    return robot, {identity: {} for identity, times in used.items() if times > 1}
+    return robot
 
 
 def described(node: Node) -> Any:
@@ -125,12 +129,12 @@ def described(node: Node) -> Any:
     return (node.name, place, attributes, node.verbatim, [described(c) for c in node.children])
 
 
-def outcome(robot: Element, shared: Shared) -> Any:
+def outcome(robot: Element) -> Any:
     """Return what a robot is lowered to, and what is told of it."""
     reporter = Reporter()
     lowered, errors = None, []
     try:
-        lowered = lower(robot, reporter=reporter, resolve_mesh=resolve_nothing, shared=shared)
+        lowered = lower(robot, reporter=reporter, resolve_mesh=resolve_nothing)
     except YamaroError as error:
         errors = error.diagnostics
     told = [(d.message, d.span.key(), d.hint, d.notes) for d in [*reporter.diagnostics, *errors]]
@@ -139,11 +143,11 @@ def outcome(robot: Element, shared: Shared) -> Any:
 
 @given(robots)
 def test_sharing_changes_nothing(parts: list[Any]) -> None:
-    robot, shared = assemble(parts)
+    robot = assemble(parts)
     before = described(robot)
-    expected = outcome(unshared(robot), {})
-    assert outcome(robot, shared) == expected
-    assert outcome(robot, shared) == expected, "what has been noted is to be of use again"
+    expected = outcome(unshared(robot))
+    assert outcome(robot) == expected
+    assert outcome(robot) == expected, "what has been noted is to be of use again"
     assert described(robot) == before
 
 
@@ -152,14 +156,12 @@ def test_what_shared_keys_come_out_as_is_shared() -> None:
     keys = ["parent: b", "xyz: 0.1 0 0", "rpy: 0 0 0", f"limit: {JOINT_KEYS['limit'][0]}"]
     link = [(LINKS[0], False)]
     parts = [([kind, *((key, False) for key in keys)], [("name: a", True)], link) for kind in sound]
-    robot, shared = assemble([*parts, (None, [("name: b", False)])])
-    lowered = lower(robot, reporter=Reporter(), resolve_mesh=resolve_nothing, shared=shared)
+    robot = assemble([*parts, (None, [("name: b", False)])])
+    lowered = lower(robot, reporter=Reporter(), resolve_mesh=resolve_nothing)
     joint, wheel, other_joint, other_wheel, _ = lowered.elements()
     assert wheel.children is other_wheel.children
-    assert [c.name for c in joint.elements() if c in other_joint.children] == [
-        "parent",
-        "origin",
-        "limit",
-    ]
-    assert all(id(child) in shared for child in wheel.elements())
+    assert wheel.memo is other_wheel.memo is not None
+    both = [child for child in joint.elements() if child in other_joint.children]
+    assert [child.name for child in both] == ["parent", "limit"]
+    assert all(child.memo is not None for child in both)
     assert joint.elements()[0].attributes == {"link": "b_link"}

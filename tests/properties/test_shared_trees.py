@@ -12,23 +12,26 @@ from tests.effort import examples
 from yamaro.check.robot import check
 from yamaro.diagnostics import INHERITED, Diagnostic, Frame, Reporter, YamaroError
 from yamaro.source import Source, Span
-from yamaro.xml.tree import Comment, Element, Shared, Text, unshared
+from yamaro.xml.memo import Memo
+from yamaro.xml.tree import Comment, Element, Text, unshared
 from yamaro.xml.values import format_number
 from yamaro.xml.writer import write_pieces
 
 SPAN = Span(Source("key: value", name="t.yaml"), 0, 3)
 
 
-def shared_in(root: Element) -> Shared:
-    """Return the elements that stand in several places of a tree."""
+def with_memos(root: Element) -> Element:
+    """Return a tree after giving a memo to each element that is in several places of it."""
     counts: dict[int, int] = {}
     pending = [root]
     while pending:
         element = pending.pop()
         counts[id(element)] = counts.get(id(element), 0) + 1
+        if counts[id(element)] == 2:
+            element.memo = Memo()
         if counts[id(element)] < 3:
             pending.extend(element.elements())
-    return {key: {} for key, count in counts.items() if count > 1}
+    return root
 
 
 # --- writing ----------------------------------------------------------------------------------
@@ -52,9 +55,9 @@ def trees(draw: Any) -> Element:
     return Element("root", SPAN, attributes=prefixes, children=nodes[3:])
 
 
-def written(root: Element, shared: Shared) -> str:
+def written(root: Element) -> str:
     try:
-        return "".join(write_pieces(root, shared))
+        return "".join(write_pieces(root))
     except YamaroError as error:
         return str(error)
 
@@ -62,7 +65,25 @@ def written(root: Element, shared: Shared) -> str:
 @settings(max_examples=examples(500))
 @given(trees())
 def test_shared_elements_are_written_as_if_each_place_had_its_own(root: Element) -> None:
-    assert written(root, shared_in(root)) == written(unshared(root), {})
+    expected = written(unshared(root))
+    assert written(with_memos(root)) == expected
+    assert written(root) == expected, "what was noted for one document is not used for another"
+
+
+@settings(max_examples=examples(500))
+@given(trees(), st.integers(0, 3), st.lists(NAMES, min_size=2, max_size=4))
+def test_alike_elements_are_written_as_if_each_were_the_only_one(
+    inner: Element, own: int, names: list[str]
+) -> None:
+    memo, children = Memo(own), []
+    for name in names:
+        keys: list[dict[str, object]] = [{"k": name + str(i)} for i in range(own)]
+        first: list[Any] = [Element("own", SPAN, attributes) for attributes in keys]
+        alike = Element("alike", SPAN, {"name": name}, [*first, *inner.children])
+        alike.memo = memo
+        children.append(alike)
+    root = Element("root", SPAN, attributes=inner.attributes, children=[*children])
+    assert written(root) == written(unshared(root))
 
 
 @settings(max_examples=examples(2000))
@@ -119,13 +140,12 @@ def told(diagnostic: Diagnostic) -> object:
     return (diagnostic.code, diagnostic.message, span, diagnostic.hint, notes)
 
 
-def findings(root: Element, shared: Shared) -> list[Diagnostic]:
+def findings(root: Element) -> list[Diagnostic]:
     faults, advice = Reporter(), Reporter()
     check(
         root,
         reporter=faults,
         advice=advice,
-        shared=shared,
         resolve_mesh=lambda filename, span: None,
         places_searched=lambda package, span: ["/opt"],
     )
@@ -135,8 +155,9 @@ def findings(root: Element, shared: Shared) -> list[Diagnostic]:
 @settings(max_examples=examples(500))
 @given(robots())
 def test_shared_elements_are_checked_as_if_each_place_had_its_own(root: Element) -> None:
-    expected = [told(finding) for finding in findings(unshared(root), {})]
-    assert [told(finding) for finding in findings(root, shared_in(root))] == expected
+    expected = [told(finding) for finding in findings(unshared(root))]
+    assert [told(finding) for finding in findings(with_memos(root))] == expected
+    assert [told(finding) for finding in findings(root)] == expected
 
 
 def test_what_is_under_the_root_and_inherits_its_trace_was_not_called() -> None:
@@ -145,7 +166,7 @@ def test_what_is_under_the_root_and_inherits_its_trace_was_not_called() -> None:
         root = read('<robot name="r"><link name="a"/><link name="a"/></robot>')
         root.elements()[0].trace = one
         root.elements()[1].trace = other
-        (finding,) = findings(root, {})
+        (finding,) = findings(root)
         assert finding.code == "duplicate-link"
         assert finding.trace is (None if other is INHERITED else frame)
         assert finding.notes[0].startswith("first defined at robot.urdf:1:29")

@@ -7,9 +7,10 @@ import pytest
 from yamaro.diagnostics import INHERITED, Frame
 from yamaro.runtime.elements import MAX_KNOWN, Builder
 from yamaro.source import Source, Span
-from yamaro.syntax.forms import Form, key_of
 from yamaro.syntax.nodes import Body, ElementNode, PartNode
 from yamaro.syntax.parser import parse
+from yamaro.xml.forms import Form, key_of
+from yamaro.xml.memo import Memo
 from yamaro.xml.tree import Element, Text
 
 
@@ -25,6 +26,10 @@ def form_of(text: str) -> Form:
     (node,) = root_of(text).statements
     assert isinstance(node, (ElementNode, PartNode)) and node.form is not None
     return node.form
+
+
+def memo_of(element: Element) -> Memo | None:
+    return element.memo
 
 
 def frame(name: str) -> Frame:
@@ -85,12 +90,14 @@ def test_the_same_values_give_the_same_element() -> None:
     builder = Builder()
     form = form_of("link/name=$(n): $(t)")
     first = builder.element(form, ("a", 1), False)
-    assert builder.shared == {}
+    assert memo_of(first) is None
     assert builder.element(form, ("a", 1), False) is first
-    assert list(builder.shared) == [id(first)]
-    assert builder.element(form, ("a", 1.0), False) is not first
-    assert builder.element(form, ("b", 1), False) is not first
-    assert list(builder.shared) == [id(first)]
+    memo = first.memo
+    assert memo is not None and memo.own is None
+    others = [builder.element(form, values, False) for values in (("a", 1.0), ("b", 1))]
+    assert [other.memo for other in others] == [None, None]
+    assert builder.element(form, ("a", 1), False) is first
+    assert first.memo is memo
 
 
 def test_each_way_to_an_element_has_its_own() -> None:
@@ -160,18 +167,14 @@ def test_no_more_than_some_are_kept() -> None:
     assert builder.element(form, ("first",), False) is not first
 
 
-def test_what_is_always_the_same_in_an_element_stands_in_both() -> None:
+def test_what_is_always_the_same_in_an_element_is_in_all_after_the_first() -> None:
     builder = Builder()
     form = form_of("link/name=$(n):\n  visual: {}\n  mass/value=1:")
-    first = builder.element(form, ("a",), False)
-    assert builder.shared == {}
-    second = builder.element(form, ("b",), False)
-    static = [child for child in first.children if isinstance(child, Element)]
-    assert [child.name for child in static] == ["visual", "mass"]
-    assert second.children == static
-    assert list(builder.shared) == [id(child) for child in static]
-    builder.element(form, ("c",), False)
-    assert len(builder.shared) == 2
+    first, second, third = (builder.element(form, (name,), False).elements() for name in "abc")
+    assert [child.name for child in first] == [child.name for child in second] == ["visual", "mass"]
+    assert [child.memo for child in first] == [None, None]  # they are those of all conversions
+    assert all(child.memo is not None for child in second)
+    assert third == second
 
 
 def test_inner_elements_are_shared_by_their_own_values() -> None:
@@ -217,29 +220,23 @@ def test_attributes_without_a_value_are_left_out() -> None:
 # --- what the parser has made -----------------------------------------------------------------
 
 
-def test_an_element_that_stands_in_several_places_lives_on() -> None:
-    builder = Builder()
-    for _turn in range(100):
-        builder.share(made_element())  # were it gone, the next one could take its identity
-    assert len(builder.shared) == 100
-
-
 def made_element() -> Element:
     (element,) = root_of("a: {b: {}, c: text}").statements
     assert isinstance(element, Element)
     return element
 
 
-def test_what_is_put_out_a_second_time_stands_in_several_places() -> None:
+def test_what_is_put_out_a_second_time_is_a_copy_with_a_memo() -> None:
     builder = Builder()
     element = made_element()
-    builder.emit(element)
-    assert builder.shared == {}
-    builder.emit(element)
-    assert list(builder.shared) == [id(element)]
-    builder.shared[id(element)]["known"] = 1  # type: ignore[index]
-    builder.emit(element)
-    assert list(builder.shared[id(element)]) == ["known"]  # type: ignore[comparison-overlap]
+    assert builder.emitted(element) is element
+    copy = builder.emitted(element)
+    assert copy is not element
+    assert (copy.name, copy.children) == ("a", element.children)
+    assert copy.memo is not None
+    assert builder.emitted(element) is copy
+    assert element.memo is None, "it is that of other conversions as well"
+    assert Builder().emitted(element) is element
 
 
 def test_the_same_way_gives_the_same_copy() -> None:
@@ -248,13 +245,28 @@ def test_the_same_way_gives_the_same_copy() -> None:
     one, other = frame("One"), frame("Other")
     copy = builder.traced(element, one)
     assert (copy.trace, copy.name, copy.children) == (one, "a", element.children)
-    assert builder.shared == {}
+    assert memo_of(copy) is None
     assert builder.traced(element, one) is copy
-    assert list(builder.shared) == [id(copy)]
+    assert copy.memo is not None
     second = builder.traced(element, other)
     assert second is not copy and second.trace is other
-    children = [id(child) for child in element.children]
-    assert list(builder.shared) == [id(copy), *children]  # they stand in both copies
+    assert all(child.memo is not None for child in second.elements())
+    assert builder.traced(element, frame("Third")).children == second.children
+
+
+def test_all_that_is_in_a_copy_can_have_its_trace() -> None:
+    builder = Builder()
+    way = frame("One")
+    copy = builder.traced(made_element(), way, way)
+    assert [child.trace for child in copy.elements()] == [way, way]
+    form = form_of("a/x=$(v):\n  b/y=$(v): {c: text}\n  d: {}")
+    element = builder.element(form, (1, 1), False, way, way)
+    pending = [element]
+    for inner in pending:
+        assert inner.trace is way
+        pending += inner.elements()
+    assert [inner.name for inner in pending] == ["a", "b", "d", "c"]
+    assert builder.element(form, (1, 1), False, way).elements()[1].trace is INHERITED
 
 
 def test_a_part_holds_what_its_form_says() -> None:
@@ -277,10 +289,10 @@ def test_what_is_always_the_same_in_parts_is_shared_by_those_of_one_form() -> No
     arm = form_of("part:\n  name: $(n)\n  <a>: {}")
     leg = form_of("part:\n  name: $(n)\n  <b>: {}")
     for form in (arm, leg):
-        _name, static = builder.part(form, ("one",), None).children
-        assert id(static) not in builder.shared
-        assert builder.part(form, ("two",), None).children[1] is static
-        assert id(static) in builder.shared
+        static = [builder.part(form, (name,), None).elements()[1] for name in ("x", "y", "z")]
+        assert static[0].memo is None
+        assert static[1] is static[2]
+        assert static[1].memo is not None
 
 
 def test_a_part_with_other_children_is_reached_the_same_way() -> None:

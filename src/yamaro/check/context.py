@@ -4,16 +4,16 @@ from __future__ import annotations
 
 from ..diagnostics import ERROR, INHERITED, WARNING, Diagnostic, suggest
 from ..model.values import NumberFault, attribute_text, read_numbers
+from ..xml.memo import LONGEST_ROW_REMEMBERED, remember
 from ..xml.tree import Element
-from ..xml.values import LONGEST_ROW_REMEMBERED, remember
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Collection, Sequence
 
     from ..diagnostics import Frame, Reporter
+    from ..model.urdf_schema import AttributeRule
     from ..source import Span
-    from ..xml.tree import Shared
 
     Children = dict[str, Element]
     """The first child element of each name; parsers of URDF read no other where one is meant."""
@@ -47,12 +47,29 @@ STRAY_CODES = ("unknown-element", "unknown-attribute")
 """What a stray key of a part comes out as; where the key was told of, this is not told again."""
 
 
+class Checked:
+    """What a memo holds of elements in which one run of the checks found nothing wrong.
+
+    Attributes:
+        context: the run.
+        first: the first child of each name that may be there once.
+    """
+
+    __slots__ = ("context", "first")
+
+    def __init__(self, context: CheckContext, first: Children) -> None:
+        """Hold what was found."""
+        self.context = context
+        self.first = first
+
+
 class CheckContext:
     """One run of the checks: where findings go, and what has been worked out so far."""
 
     __slots__ = (
         "_around",
         "_found",
+        "_read",
         "_suggestion_budget",
         "count",
         "file_owners",
@@ -62,8 +79,7 @@ class CheckContext:
         "reporter",
         "root",
         "sound",
-        "sound_children",
-        "sound_elements",
+        "sound_values",
         "stage",
         "version",
     )
@@ -74,7 +90,6 @@ class CheckContext:
         reporter: Reporter,
         *,
         version: str = "1.0",
-        shared: Shared | None = None,
     ) -> None:
         """Report to `reporter`.
 
@@ -82,16 +97,13 @@ class CheckContext:
             root: the robot.
             reporter: takes the findings.
             version: the URDF version of the robot.
-            shared: the elements that stand in several places.
 
         Attributes:
             count: how often something was found.
             outermost: the child of the root that is being looked at, if it is one alone.
             stage: the stage that findings belong to.
             sound: what else has been found right: what was asked, and the texts of the values.
-            sound_children: of the children that several elements have, where all was right in
-                them, the first of each name.
-            sound_elements: for each shared element, by identity, whether all was right in it.
+            sound_values: by attributes, the texts that were found right.
             material_uses: the first link and visual's material of each name that visuals use.
             materials_inside: the names of the materials that are defined in visuals.
             file_owners: the links and materials that may refer to files, each in turn.
@@ -104,8 +116,8 @@ class CheckContext:
         self.stage = SCHEMA
         self.count = 0
         self.sound: set[tuple[object, ...]] = set()
-        self.sound_elements = dict.fromkeys(shared or (), False)
-        self.sound_children: dict[int, Children] = {}
+        self.sound_values: dict[AttributeRule, dict[str, bool]] = {}
+        self._read: dict[str, tuple[float, ...] | NumberFault] = {}
         self.material_uses: dict[str, tuple[Element, Element]] = {}
         self.materials_inside: set[str] = set()
         self.file_owners: list[Element] = []
@@ -250,11 +262,11 @@ class CheckContext:
 
         Long ones hold computed numbers, which seldom come again.
         """
-        found = _remembered.get(text)
+        found = self._read.get(text)
         if found is None:
             found = read_numbers(text)
             if len(text) <= LONGEST_ROW_REMEMBERED:
-                remember(_remembered, text, found)
+                remember(self._read, text, found)
         return found
 
     def numbers(self, element: Element | None, attribute: str, count: int) -> tuple[float, ...]:
@@ -288,10 +300,6 @@ def _inclusion(trace: Frame | None) -> Frame | None:
     while trace is not None and trace.span.source.is_xml:
         trace = trace.parent
     return trace
-
-
-_remembered: dict[str, tuple[float, ...] | NumberFault] = {}
-"""The numbers in texts, whatever robot they are of."""
 
 
 def place_of(element: Element, attribute: str | None = None) -> Span:

@@ -17,7 +17,6 @@ if TYPE_CHECKING:
 UNIT_TOLERANCE = 1e-3
 """How far from 1 the length of an axis may be: three digits, as 0.707 for 1/√2, are enough."""
 
-JUDGED_BY_TYPE = ("axis", "limit", "safety_controller", "dynamics")
 LIMITED = ("revolute", "prismatic")
 WITH_AXIS = ("revolute", "continuous", "prismatic", "planar")
 
@@ -29,25 +28,6 @@ def check_joint(joint: Element, children: Children, owner: Element, context: Che
     kind = attribute_text(joint, "type")
     if kind is None:
         return
-    parts = (kind, *[id(children.get(name)) for name in JUDGED_BY_TYPE])
-    if parts in context.sound:
-        return
-    count = context.count
-    _check_by_type(kind, joint, children, context)
-    if count == context.count and _are_shared(children, context):
-        context.sound.add(parts)
-
-
-def _are_shared(children: Children, context: CheckContext) -> bool:
-    """Tell whether all that the type has a say in stands in other joints as well, or is not there.
-
-    What does not may be gone later, and another element have its identity.
-    """
-    shared = context.sound_elements
-    return all(name not in children or id(children[name]) in shared for name in JUDGED_BY_TYPE)
-
-
-def _check_by_type(kind: str, joint: Element, children: Children, context: CheckContext) -> None:
     if kind not in JOINT_TYPES:
         _report_type(kind, joint, context)
         return

@@ -21,7 +21,6 @@ if TYPE_CHECKING:
 
     from ..diagnostics import Reporter
     from ..source import Span
-    from ..xml.tree import Shared
 
 
 def check(
@@ -32,7 +31,6 @@ def check(
     places_searched: Callable[[str, Span], Sequence[str] | None] | None = None,
     path_meant: Callable[[str, Span], str | None] | None = None,
     advice: Reporter | None = None,
-    shared: Shared | None = None,
 ) -> bool:
     """Check the robot and report each fault as a warning at the value that is wrong.
 
@@ -47,8 +45,6 @@ def check(
             there.
         advice: takes what is legal but seldom meant, such as a density of 50,000 kg/m³. Without it
             this is not worked out.
-        shared: the elements that stand in several places, which are checked once where nothing is
-            wrong with them.
 
     Returns:
         Whether it has meshes or textures.
@@ -56,7 +52,7 @@ def check(
     children = root.elements()
     links = [child for child in children if child.name == "link"]
     materials = [child for child in children if child.name == "material"]
-    context = CheckContext(root, reporter, shared=shared)
+    context = CheckContext(root, reporter)
     context.version = _check_robot(root, links, context)
     joints = check_elements(root, context)
     context.stage = TREE

@@ -21,12 +21,12 @@ from ..model.urdf_schema import (
     ElementRule,
 )
 from ..model.values import NOT_FINITE, SPACING, NumberFault, attribute_text
+from ..xml.memo import LONGEST_ROW_REMEMBERED, Memo, remember
 from ..xml.tree import Element
-from ..xml.values import LONGEST_ROW_REMEMBERED, remember
-from .context import SCHEMA, CheckContext, label, shown
+from .context import JOINTS, SCHEMA, CheckContext, Checked, label, shown
 from .files import note_file
 from .joint import check_joint
-from .link import check_inertial, check_section
+from .link import check_inertial, check_pose, check_section
 from .material import check_used_material
 
 TYPE_CHECKING = False
@@ -134,7 +134,10 @@ def check_elements(root: Element, context: CheckContext) -> list[JointParts]:
             continue
         context.outermost = child
         if child.name in ("link", "joint", "material"):
-            children = _check_element(child, ELEMENTS[child.name], child, context)
+            if child.memo is not None:
+                children = _check_alike(child, child.memo, child, context)
+            else:
+                children = _check_element(child, ELEMENTS[child.name], child, context)
             if child.name == "joint":
                 get = children.get
                 joints.append((child, get("parent"), get("child"), get("mimic")))
@@ -152,8 +155,6 @@ def _check_element(
     children = element.children
     if not children:
         first = NO_CHILDREN
-    elif id(children) in context.sound_elements:
-        first = _check_shared_children(element, rule, owner, context)
     else:
         first = _check_children(element, rule, owner, context)
     for name in rule.required_children:
@@ -171,7 +172,6 @@ def _check_children(
 ) -> Children:
     """Check the elements in an element, and return the first of each name that may stand once."""
     known = rule.children
-    shared = context.sound_elements
     first: Children = {}
     names: set[str] = set()  # of all of them, once one is unknown
     for child in element.children:
@@ -188,38 +188,43 @@ def _check_children(
                 _check_repeated(child, first[name], element, owner, context)
                 continue
             first[name] = child
-        is_sound = shared.get(id(child)) if shared else None
-        if is_sound is None:
-            if child.children or name not in LEAVES:
-                _check_element(child, ELEMENTS[name], owner, context)
-            else:
-                _check_attributes(child, ELEMENTS[name], owner, context)
-        elif not is_sound:
-            _check_shared(child, owner, context)
+        if child.memo is not None:
+            _check_alike(child, child.memo, owner, context)
+        elif child.children or name not in LEAVES:
+            _check_element(child, ELEMENTS[name], owner, context)
+        else:
+            _check_attributes(child, ELEMENTS[name], owner, context)
     return first
 
 
-def _check_shared_children(
-    element: Element, rule: ElementRule, owner: Element, context: CheckContext
-) -> Children:
-    """Check children that several elements have, once if all is right in them."""
-    first = context.sound_children.get(id(element.children))
-    if first is None:
-        count = context.count
-        first = _check_children(element, rule, owner, context)
-        if context.count == count:
-            context.sound_children[id(element.children)] = first
-    return first
+def _check_alike(element: Element, memo: Memo, owner: Element, context: CheckContext) -> Children:
+    """Check an element that others are equal to: what they have in common once, if all is right.
 
-
-def _check_shared(element: Element, owner: Element, context: CheckContext) -> None:
-    """Check an element that stands in several places, and note whether all is right in it.
-
-    Where it is not, it is checked at each of them: what is found is told with its number.
+    Where it is not, each of them is checked: what is found is told with its number.
     """
-    count = context.count
-    _check_element(element, ELEMENTS[element.name], owner, context)
-    context.sound_elements[id(element)] = context.count == count
+    checked: Checked | None = memo.checked
+    if checked is None or checked.context is not context:
+        count = context.count
+        first = _check_element(element, ELEMENTS[element.name], owner, context)
+        if context.count == count:
+            memo.checked = Checked(context, first)
+        return first
+    if not memo.own:
+        return checked.first
+    first = checked.first.copy()
+    for child in element.children[: memo.own]:  # a parent, a child and an origin
+        assert isinstance(child, Element)
+        first[child.name] = child
+    if "origin" in first:
+        origin = first["origin"]
+        if origin.memo is not None:
+            _check_alike(origin, origin.memo, owner, context)
+        else:
+            _check_attributes(origin, ELEMENTS["origin"], owner, context)
+        context.stage = JOINTS
+        check_pose(first, owner, context)
+        context.stage = SCHEMA
+    return first
 
 
 # --- attributes -------------------------------------------------------------------------------
@@ -228,14 +233,14 @@ def _check_shared(element: Element, owner: Element, context: CheckContext) -> No
 def _check_attributes(
     element: Element, rule: ElementRule, owner: Element, context: CheckContext
 ) -> None:
-    attributes = element.attributes
+    attributes, sound = element.attributes, context.sound_values
     known = rule.attributes
     for name, value in attributes.items():
         attribute_rule = known.get(name)
         if attribute_rule is None:
             _check_unknown_attribute(name, element, rule, owner, context)
         elif attribute_rule.count != TEXT and (
-            type(value) is not str or value not in attribute_rule.sound
+            type(value) is not str or value not in sound.get(attribute_rule, ())
         ):
             _check_numbers(name, attribute_rule, element, owner, context)
     for name in rule.required:
@@ -262,7 +267,7 @@ def _check_numbers(
                 _report_sign(number, name, rule, element, owner, context)
                 return
     if len(text) <= LONGEST_ROW_REMEMBERED:
-        remember(rule.sound, text, True)
+        remember(context.sound_values.setdefault(rule, {}), text, True)
 
 
 def _report_not_a_number(

@@ -54,7 +54,6 @@ class AttributeRule:
         self.count = count
         self.required = required
         self.sign = sign
-        self.sound: dict[str, bool] = {}  # texts that were found right, whatever robot they are of
 
 
 class ElementRule:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ..diagnostics import YamaroError, failure, suggest
-from ..syntax.names import bad_name_character
+from ..xml.names import bad_name_character
 from ..xml.tree import Comment, Element, Text
 from ..xml.values import LiteralList, format_value
 from .places import Place, home_of
@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from ..source import Span
-    from ..xml.tree import Node, Places
+    from ..xml.tree import Node, ValueSpans
     from .lowering import Lowering
 
 
@@ -348,7 +348,7 @@ class Record:
         """Return where the value of an attribute is written; finding out may take long."""
         return self._spans.get(name) or self.key.value_span(name)
 
-    def places(self) -> Places | None:
+    def places(self) -> ValueSpans | None:
         """Return where the values are written, for an element that has these attributes."""
         if not self.key.attributes:
             return self._spans

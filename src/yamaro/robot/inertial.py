@@ -5,8 +5,9 @@ from __future__ import annotations
 from math import isfinite
 
 from ..diagnostics import YamaroError, failure
+from ..xml.memo import remember
 from ..xml.tree import Element
-from ..xml.values import format_number, remember
+from ..xml.values import format_number
 from .fields import Fields, read_record
 from .geometry import section_geometry, solid_shape
 from .numbers import LAYOUTS, Numbers, read_attribute, read_numbers
@@ -213,17 +214,13 @@ def _given_inertia(lowering: Lowering, key: Element) -> Element:
     return record.element()
 
 
-_remembered: dict[Inertia, tuple[str, ...]] = {}
-"""The words of moments of inertia, whatever robot they are of: robots have equal bodies."""
-
-
 def _computed_inertia(lowering: Lowering, owner: Element, moments: Inertia) -> Element:
     if not all(map(isfinite, moments)):
         raise _too_large(owner)
-    words = _remembered.get(moments)
+    words = lowering.inertias.get(moments)
     if words is None:
         words = tuple([format_number(value) if value else "0" for value in moments])
-        remember(_remembered, moments, words)
+        remember(lowering.inertias, moments, words)
     return Element("inertia", owner.span, dict(zip(MOMENTS, words, strict=True)), [], owner.trace)
 
 

@@ -7,11 +7,11 @@ from math import pi
 from ..diagnostics import YamaroError, failure
 from ..model.urdf_schema import JOINT_TYPES, joint_type_hint
 from ..xml.tree import Element
-from ..xml.values import format_number, format_value, remember
+from ..xml.values import format_number, format_value
 from .fields import read_record, read_value, sort_fields, with_attributes, word_of
 from .numbers import read_attribute
-from .places import JOINT, POSE_KEYS, RECORD_KEYS
-from .pose import lower_origin
+from .places import JOINT, RECORD_KEYS
+from .pose import origin_element, read_pose
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -40,9 +40,6 @@ NUMBERS: dict[str, dict[str, int]] = {
 }
 """The attributes of numbers, and how many numbers each takes."""
 
-OWN_KEYS = frozenset(("parent", *POSE_KEYS))
-"""The keys in which one joint mostly differs from another."""
-
 REQUIRED = {"axis": "xyz", "mimic": "joint"}
 
 
@@ -58,18 +55,6 @@ class JointType:
         self.key_span = key_span
 
 
-class CommonJoint:
-    """What joints have in common whose keys, but for those of OWN_KEYS, are the same elements."""
-
-    __slots__ = ("children", "has_mimic", "joint_type")
-
-    def __init__(self, joint_type: JointType, children: list[Node], *, has_mimic: bool) -> None:
-        """Hold the type, and what stands behind parent, child and origin."""
-        self.joint_type = joint_type
-        self.children = children
-        self.has_mimic = has_mimic
-
-
 def lower_joint(lowering: Lowering, key: Element, name: str, *, child: str) -> Element:
     """Return `<joint>`: parent, child, origin, then the rest as written.
 
@@ -79,14 +64,11 @@ def lower_joint(lowering: Lowering, key: Element, name: str, *, child: str) -> E
         name: the joint's name.
         child: the name of the part's link.
     """
-    own, common_keys = _split(lowering, key)
-    common = lowering.joints.get(common_keys)
-    fields = sort_fields(lowering, key, JOINT, None if common is None else own)
+    fields = sort_fields(lowering, key, JOINT)
     children: list[Node] = []
     if fields.has_text:
         return _joint_element(key, name, None, children)
-    told = lowering.told
-    joint_type = common.joint_type if common is not None else _absorbed_type(lowering, key, fields)
+    joint_type = _absorbed_type(lowering, key, fields)
     for make in (_parent_element, _child_element, _origin_element):
         try:
             generated = make(lowering, key, fields, child)
@@ -95,43 +77,16 @@ def lower_joint(lowering: Lowering, key: Element, name: str, *, child: str) -> E
             continue
         if generated is not None:
             children.append(generated)
-    if common is not None:
-        children += common.children
-        has_mimic = common.has_mimic
-    else:
-        start = len(children)
-        _add_rest(lowering, fields, children)
-        if joint_type is not None and joint_type.name in ASSUMED_RANGES:
-            _assume_limits(lowering, key, name, joint_type, fields, children)
-        has_mimic = "mimic" in fields.keys
-        if common_keys and told == lowering.told and joint_type is not None and not fields.plain:
-            found = CommonJoint(joint_type, children[start:], has_mimic=has_mimic)
-            remember(lowering.joints, common_keys, found)
+    _add_rest(lowering, fields, children)
+    if joint_type is not None and joint_type.name in ASSUMED_RANGES:
+        _assume_limits(lowering, key, name, joint_type, fields, children)
     joint = _joint_element(key, name, joint_type, children)
     lowering.give_trace(joint)
     if "parent" not in fields.plain:
         lowering.parents.append(joint)
-    if has_mimic:
+    if "mimic" in fields.keys:
         lowering.mimics.append(joint)
     return joint
-
-
-def _split(lowering: Lowering, key: Element) -> tuple[list[Node], tuple[int, ...]]:
-    """Return the keys that most joints have of their own, and which shared ones there are besides.
-
-    The latter are empty if there are others, or attributes, in which nothing is common.
-    """
-    own: list[Node] = []
-    common = []
-    shared = lowering.shared
-    for child in key.children:
-        if type(child) is Element and child.name in OWN_KEYS:
-            own.append(child)
-        elif id(child) in shared:
-            common.append(id(child))
-        else:
-            return [], ()
-    return own, () if key.attributes else tuple(common)
 
 
 def _absorbed_type(lowering: Lowering, key: Element, fields: Fields) -> JointType | None:
@@ -254,7 +209,7 @@ def _child_element(lowering: Lowering, key: Element, fields: Fields, child: str)
 
 
 def _origin_element(lowering: Lowering, key: Element, fields: Fields, child: str) -> Element | None:
-    return fields.plain.get("origin") or lower_origin(lowering, fields, key)
+    return fields.plain.get("origin") or origin_element(read_pose(lowering, fields), key)
 
 
 # --- axis, limit and the like -----------------------------------------------------------------

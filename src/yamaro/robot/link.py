@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from ..diagnostics import YamaroError, failure
+from ..xml.memo import Memo
 from ..xml.tree import Element
 from .fields import Fields, sort_fields
 from .geometry import LinkGeometry, section_geometry
@@ -31,17 +32,26 @@ class LinkFrame:
 
 def lower_link(lowering: Lowering, key: Element, name: str) -> Element:
     """Return `<link>` with its sections in the order written; record errors and go on."""
-    attributes: dict[str, object] = {"name": name}
+    common = lowering.once(key, _lower_common)
+    link = common.with_children(common.children)
+    link.attributes = {"name": name}
     for attribute, value in key.attributes.items():
-        attributes.setdefault(attribute, value)
-    children = lowering.once(key, _lower_children)
-    link = Element("link", key.span, attributes, children, key.trace, key.value_spans)
+        link.attributes.setdefault(attribute, value)
+    link.memo = common.memo
     lowering.give_trace(link)
     return link
 
 
+def _lower_common(lowering: Lowering, key: Element) -> Element:
+    """Return a `<link>` without its name, which nothing else in it depends on."""
+    children = _lower_children(lowering, key)
+    link = Element("link", key.span, {}, children, key.trace, key.value_spans)
+    link.memo = None if key.memo is None else Memo(own=0)
+    return link
+
+
 def _lower_children(lowering: Lowering, key: Element) -> list[Node]:
-    """Return what stands in the `<link>` of a `link` key, which its name does not touch."""
+    """Return what is in the `<link>` of a `link` key."""
     fields = sort_fields(lowering, key, LINK)
     try:
         pose = read_pose(lowering, fields)

@@ -3,24 +3,23 @@
 from __future__ import annotations
 
 from ..diagnostics import INHERITED, settle
+from ..xml.memo import Memo
 from ..xml.tree import Element, with_trace
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable
-    from typing import TypeVar
 
     from ..diagnostics import Diagnostic, Frame, Reporter, YamaroError
     from ..model.mesh_integrals import SolidMoments
+    from ..model.shapes import Inertia
     from ..source import Span
-    from ..syntax.forms import Form
-    from ..xml.tree import Node, Shared
-    from .joint import CommonJoint
+    from ..xml.forms import Form
+    from .formed import Pattern
     from .mirror import Mirror
-    from .patterns import Pattern
+    from .numbers import Numbers
 
     Outside = tuple[list[Element], list[Element], list[Mirror], dict[str, str], dict[str, str]]
-    Product = TypeVar("Product", Element, list[Node])
     Entered = tuple[Frame | None, int, int]
     """The trace in which a part was entered, and how many errors and warnings there were."""
 
@@ -30,11 +29,10 @@ class Lowering:
 
     Attributes:
         has_capsule: whether the robot's URDF version knows capsules.
-        shared: the elements that stand in several places, with notes of what they come out as.
-        origins: the `<origin>` made of shared keys, by the identity of these.
         moments: the volume integrals of the mesh files read so far, by path.
         near_keys: what a key in a place was found to be a misspelling of.
-        joints: what joints of shared keys have in common, by the identity of these.
+        numbers: the numbers in the texts read so far.
+        inertias: the words of the moments of inertia computed so far.
         patterns: how to lower the parts of a form, or None where that has no pattern.
         parents: the joints whose first child is a `<parent>` made here, of which the link may yet
             be the name of a part.
@@ -51,12 +49,12 @@ class Lowering:
         "_reported",
         "errors",
         "has_capsule",
-        "joints",
+        "inertias",
         "may_read",
         "mimics",
         "moments",
         "near_keys",
-        "origins",
+        "numbers",
         "parents",
         "part_joints",
         "part_links",
@@ -64,7 +62,6 @@ class Lowering:
         "pending",
         "reporter",
         "resolve_mesh",
-        "shared",
         "told",
         "trace",
     )
@@ -76,17 +73,15 @@ class Lowering:
         *,
         may_read: Callable[[str], bool] | None,
         has_capsule: bool,
-        shared: Shared,
     ) -> None:
         """Start a run with nothing found."""
         self.reporter = reporter
         self.resolve_mesh = resolve_mesh
         self.may_read = may_read
         self.has_capsule = has_capsule
-        self.shared = shared
         self.errors: list[Diagnostic] = []
-        self.origins: dict[tuple[int, ...], Element] = {}
-        self.joints: dict[tuple[int, ...], CommonJoint] = {}
+        self.numbers: dict[str, Numbers] = {}
+        self.inertias: dict[Inertia, tuple[str, ...]] = {}
         self.moments: dict[str, SolidMoments] = {}
         self.near_keys: dict[tuple[str, str], str | None] = {}
         self.patterns: dict[Form, Pattern | None] = {}
@@ -127,9 +122,9 @@ class Lowering:
         """Return an element for a place under the root, where it cannot inherit from the part."""
         if element.trace is not INHERITED or self.trace is None:
             return element
-        if id(element) in self.shared:
-            self.shared.setdefault(id(element.children), {})
-        return with_trace(element, self.trace)
+        copy = with_trace(element, self.trace)
+        copy.memo = element.memo
+        return copy
 
     def begin_robot(self) -> Outside:
         """Begin with a robot in which the names of parts mean its own.
@@ -168,31 +163,23 @@ class Lowering:
         self.told += 1
         self.reporter.warn(code, message, span, hint=hint, trace=trace)
 
-    def once(self, key: Element, lower: Callable[[Lowering, Element], Product]) -> Product:
-        """Return what `lower` makes of a key: where the key is shared, the same in every place.
+    def once(self, key: Element, lower: Callable[[Lowering, Element], Element]) -> Element:
+        """Return what `lower` makes of a key: where the key has a memo, the same in every place.
 
-        What had something reported is lowered again in each place, so that it is told again.
+        What had something reported is lowered again in each place, so that it is reported again.
 
         Args:
             key: the key; what comes out must depend on it and on the run alone.
-            lower: makes an element of the key, or a list of nodes, which nobody changes later.
+            lower: makes an element of the key, which nobody changes later.
         """
-        notes = self.shared.get(id(key))
-        if notes is None:
+        memo = key.memo
+        if memo is None:
             return lower(self, key)
-        product: Product | None = notes.get("lowered")
-        if product is None:
+        made: Element | None = memo.lowered
+        if made is None:
             told = self.told
-            product = lower(self, key)
+            made = lower(self, key)
             if told == self.told:
-                notes["lowered"] = product
-                self._share(product)
-        return product
-
-    def _share(self, product: Element | list[Node]) -> None:
-        """Add what a shared key is lowered to, to what is shared."""
-        self.shared.setdefault(id(product), {})
-        if isinstance(product, list):
-            for node in product:
-                if isinstance(node, Element):
-                    self.shared.setdefault(id(node), {})
+                memo.lowered = made
+                made.memo = made.memo or Memo()
+        return made

@@ -7,15 +7,8 @@ from math import isfinite
 from ..diagnostics import YamaroError, failure
 from ..model.shapes import SIMPLE_SHAPES
 from ..source import Span
-from ..xml.values import (
-    LONGEST_ROW_REMEMBERED,
-    LiteralList,
-    format_number,
-    format_value,
-    is_number,
-    plain_value,
-    remember,
-)
+from ..xml.memo import LONGEST_ROW_REMEMBERED, remember
+from ..xml.values import LiteralList, format_number, format_value, is_number, plain_value
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -107,7 +100,7 @@ def read_numbers(
         YamaroError: a word, NaN, an infinity, or a wrong count.
     """
     if type(value) is str:
-        numbers = _numbers_of(value)
+        numbers = _numbers_of(lowering, value)
         if numbers is None:
             raise _bad_text(value, span, name, trace)
     else:
@@ -125,24 +118,20 @@ def read_attribute(
     Where it is written is only found out where it matters, which spares most runs the search.
     """
     value = record.values[attribute]
-    numbers = _numbers_of(value) if type(value) is str else None
+    numbers = _numbers_of(lowering, value) if type(value) is str else None
     if numbers is not None and len(numbers.words) == count:
         return numbers
     span, trace = record.span(attribute), record.key.trace
     return read_numbers(lowering, value, span, count=count, name=name, trace=trace)
 
 
-_remembered: dict[str, Numbers] = {}
-"""The numbers in texts, whatever robot they are of: most occur many times."""
-
-
-def _numbers_of(text: str) -> Numbers | None:
+def _numbers_of(lowering: Lowering, text: str) -> Numbers | None:
     """Return the numbers in a text, or None where a word is no finite number."""
-    numbers = _remembered.get(text)
+    numbers = lowering.numbers.get(text)
     if numbers is None:
         numbers = _read(text)
         if numbers is not None and len(text) <= LONGEST_ROW_REMEMBERED:
-            remember(_remembered, text, numbers)
+            remember(lowering.numbers, text, numbers)
     return numbers
 
 
@@ -197,7 +186,7 @@ def _read_object(
     for item in items:
         if type(item) is str:
             place = _item_place(item, span) if is_literal else span
-            numbers = _numbers_of(item)
+            numbers = _numbers_of(lowering, item)
             if numbers is None:
                 raise _bad_text(item, place, name, trace)
             if not numbers.words:

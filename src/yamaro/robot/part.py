@@ -7,7 +7,7 @@ that joints refer to are resolved at the end, over the whole tree.
 from __future__ import annotations
 
 from ..diagnostics import INHERITED, YamaroError, failure, settle
-from ..syntax.forms import FormedPart
+from ..xml.memo import Memo
 from ..xml.tree import Element, PartElement, RobotWord, unshared
 from ..xml.values import format_value
 from .fields import (
@@ -19,11 +19,11 @@ from .fields import (
     with_attributes,
     word_of,
 )
+from .formed import lower_formed
 from .joint import lower_joint
 from .link import lower_link
 from .lowering import Lowering
 from .material import lower_material
-from .patterns import lower_formed
 from .places import PART
 
 TYPE_CHECKING = False
@@ -32,7 +32,7 @@ if TYPE_CHECKING:
 
     from ..diagnostics import Frame, Reporter
     from ..source import Span
-    from ..xml.tree import Node, Shared
+    from ..xml.tree import Node
 
 CAPSULE_VERSION = (1, 1)
 ROOT_LINK = "root_link"
@@ -46,7 +46,6 @@ def lower(
     reporter: Reporter,
     resolve_mesh: Callable[[str, Span], str | None],
     may_read: Callable[[str], bool] | None = None,
-    shared: Shared | None = None,
 ) -> Element:
     """Return the tree with every part replaced by its joint, its link and what stands beside them.
 
@@ -58,8 +57,6 @@ def lower(
         resolve_mesh: gives the absolute path of a mesh file named at a span, or None if there is
             none; asked only when inertia is computed from the mesh.
         may_read: tells whether a file may be read that a mesh names; None allows all.
-        shared: the elements that stand in several places of the tree; what they are lowered to is
-            shared alike, and added.
 
     Raises:
         YamaroError: holds every error found.
@@ -81,7 +78,6 @@ def lower(
         resolve_mesh,
         may_read=may_read,
         has_capsule=_has_capsule(root),
-        shared=shared if shared is not None else {},
     )
     robot = _rebuilt(lowering, root, places, is_root=True)
     settle(reporter.diagnostics, None)
@@ -152,10 +148,12 @@ def _rebuilt(
         if isinstance(child, PartElement):
             if element.name != "robot":
                 _warn_of_place(lowering, element, child)
-            if not is_root:
-                # Its joint and link will inherit from what it is in.
-                child = unshared(child, lowering.trace)
-            _lower_part(lowering, child, children)
+            part = child
+            if not is_root:  # its joint and link will inherit from what it is in
+                copy = unshared(child, lowering.trace)
+                assert isinstance(copy, PartElement)
+                part = copy
+            _lower_part(lowering, part, children)
         elif isinstance(child, Element) and id(child) in holders:
             entered = lowering.enter(child) if is_root else None
             if child.name in ("joint", "link"):
@@ -203,14 +201,14 @@ class PartNames:
         self.link = link
 
 
-def _lower_part(lowering: Lowering, part: Element, out: list[Node]) -> None:
+def _lower_part(lowering: Lowering, part: PartElement, out: list[Node]) -> None:
     """Append the joint and link of a part, in the order written, and then what stands beside."""
     entered = lowering.enter(part)
     if type(part) is RobotWord:
         from .words import lower_word
 
         lower_word(lowering, part, out)
-    elif type(part) is FormedPart:
+    elif part.form is not None:
         lower_formed(lowering, part, out, _lower_each)
     else:
         _lower_each(lowering, part, out)
@@ -355,7 +353,7 @@ def resolve_names(lowering: Lowering, robot: Element) -> None:
             continue
         link_name = part_links.get(name)
         if link_name is not None:
-            _refer(lowering, joint, parent, "link", link_name)
+            _refer(joint, parent, "link", link_name)
         elif name == ROOT_LINK and root_link is None:
             root_link, trace = parent, joint.trace
     joints = _names(robot, "joint") if lowering.mimics else set()
@@ -363,7 +361,7 @@ def resolve_names(lowering: Lowering, robot: Element) -> None:
         mimic = _mimic_of(joint)
         name = str(mimic.attributes["joint"])
         if name not in joints and name in lowering.part_joints:
-            _refer(lowering, joint, mimic, "joint", lowering.part_joints[name])
+            _refer(joint, mimic, "joint", lowering.part_joints[name])
     if root_link is not None:
         link = Element(
             "link",
@@ -392,17 +390,13 @@ def _mimic_of(joint: Element) -> Element:
     raise AssertionError("the joint has none")
 
 
-def _refer(
-    lowering: Lowering, joint: Element, reference: Element, attribute: str, name: str
-) -> None:
-    """Let a reference in a joint bear another name; one that is shared is replaced, not changed."""
-    notes = lowering.shared.get(id(reference))
-    if notes is None:
+def _refer(joint: Element, reference: Element, attribute: str, name: str) -> None:
+    """Let a reference in a joint bear another name; one of several places is replaced."""
+    memo = reference.memo
+    if memo is None:
         reference.attributes[attribute] = name
         return
-    resolved = notes.get("resolved")
-    if resolved is None:
-        resolved = with_attributes(reference, {**reference.attributes, attribute: name})
-        notes["resolved"] = resolved
-        lowering.shared[id(resolved)] = {}
-    joint.children[joint.children.index(reference)] = resolved
+    if memo.resolved is None:
+        memo.resolved = with_attributes(reference, {**reference.attributes, attribute: name})
+        memo.resolved.memo = Memo()
+    joint.children[joint.children.index(reference)] = memo.resolved

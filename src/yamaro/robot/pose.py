@@ -8,12 +8,11 @@ from __future__ import annotations
 from math import isfinite
 from operator import add
 
-from ..diagnostics import INHERITED, failure
+from ..diagnostics import failure
 from ..model.rotations import ZERO, multiply, rotate, rotation_from_rpy, rpy_from_rotation
 from ..xml.tree import Element, Text
 from .fields import empty_value, read_record, read_value
 from .numbers import NEGLIGIBLE, Numbers, format_component, read_numbers
-from .places import POSE_KEYS
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -100,6 +99,25 @@ def read_pose(lowering: Lowering, fields: Fields) -> Pose:
     rpy = _read_vector(lowering, rpy_key, spans) if rpy_key is not None else None
     pivot = _read_vector(lowering, pivot_key, spans) if pivot_key is not None else None
     return _place(xyz, rpy, pivot, key.span, spans)
+
+
+def pose_of_values(lowering: Lowering, rows: dict[str, tuple[object, Span, Span]]) -> Pose:
+    """Return the pose of `xyz`, `rpy` and `pivot`, each a value with the places of key and value.
+
+    Raises:
+        YamaroError: faulty numbers.
+    """
+    if not rows:
+        return NO_POSE
+    spans: dict[str, Span] = {}
+    numbers: dict[str, Numbers] = {}
+    first: Span | None = None
+    for name, (value, key_span, span) in rows.items():
+        first = first or key_span
+        spans[name] = span
+        numbers[name] = _numbers(lowering, value, span, name, None)
+    assert first is not None
+    return _place(numbers.get("xyz"), numbers.get("rpy"), numbers.get("pivot"), first, spans)
 
 
 def _read_origin(lowering: Lowering, fields: Fields, origin: Element) -> Pose:
@@ -237,28 +255,6 @@ def _sum(first: Numbers, second: tuple[float, ...], second_words: Words | None) 
         else:
             words.append(format_component(first.values[axis] + second[axis]))
     return Numbers(tuple(words), tuple(map(add, first.values, second)))
-
-
-def lower_origin(lowering: Lowering, fields: Fields, owner: Element) -> Element | None:
-    """Return `<origin>` as the keys of a joint give it: the same one where they all are shared.
-
-    None if it is not to be written.
-
-    Raises:
-        YamaroError: see `read_pose` and `origin_element`.
-    """
-    keys = tuple([id(key) for name, key in fields.keys.items() if name in POSE_KEYS])
-    origin = lowering.origins.get(keys)
-    if origin is None:
-        origin = origin_element(read_pose(lowering, fields), owner)
-        if origin is None:
-            return None
-        shared = lowering.shared
-        if keys and all(map(shared.__contains__, keys)):
-            origin.trace = INHERITED
-            lowering.origins[keys] = origin
-            shared[id(origin)] = {}
-    return origin
 
 
 def origin_element(pose: Pose, owner: Element) -> Element | None:

@@ -8,8 +8,9 @@ from __future__ import annotations
 
 from ..diagnostics import INHERITED, Frame
 from ..safe.namespace import MISSING
-from ..syntax.forms import Form, FormedPart, filled, key_of
-from ..xml.tree import Element, Text, unshared, with_trace
+from ..xml.forms import Form, filled, key_of
+from ..xml.memo import Memo
+from ..xml.tree import Element, PartElement, Text, unshared, with_trace
 from ..xml.values import format_value
 from .scope import Scope
 from .values import ALWAYS_WRITABLE, SHORT, Values
@@ -18,54 +19,50 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
-    from ..xml.tree import Node, Shared
+    from ..syntax.forms import EvaluatedForm
+    from ..xml.tree import Node
 
 MAX_KNOWN = 64
 """How many elements of one form are kept, and after how many new ones in a row none is any more."""
 
 
-class Known:
+class BuiltLately:
     """The elements of one form that were built lately, by the values in them."""
 
-    __slots__ = ("built", "elements", "new_in_a_row")
+    __slots__ = ("elements", "new_in_a_row")
 
     def __init__(self) -> None:
         """Start with no element."""
         self.elements: dict[object, Element] | None = {}  # None once it is given up
         self.new_in_a_row = 0
-        self.built = 0
 
 
 class Builder:
-    """Builds the elements of one conversion.
+    """Builds the elements of one conversion; those that are in several places have a memo."""
 
-    Attributes:
-        shared: the elements that stand in several places of the tree.
-    """
-
-    __slots__ = ("_emitted", "_in_parts", "_kept", "_outside", "_traced", "shared")
+    __slots__ = ("_emitted", "_in_parts", "_outside", "_traced")
 
     def __init__(self) -> None:
         """Start with nothing built."""
-        self.shared: Shared = {}
-        self._kept: list[Element] = []  # what `shared` names by identity has to live
-        self._emitted: set[int] = set()
+        self._emitted: dict[int, Element | None] = {}
         self._traced: dict[tuple[int, Frame | None, Frame | None], Element] = {}
-        self._in_parts: dict[Form, Known] = {}
-        self._outside: dict[Form, Known] = {}
+        self._in_parts: dict[Form, BuiltLately] = {}
+        self._outside: dict[Form, BuiltLately] = {}
 
-    def share(self, element: Element) -> None:
-        """Note that an element stands in several places."""
-        if id(element) not in self.shared:
-            self.shared[id(element)] = {}
-            self._kept.append(element)
+    def emitted(self, element: Element) -> Element:
+        """Return an element that the parser made, or a copy for all places after the first.
 
-    def emit(self, element: Element) -> None:
-        """Note that an element that the parser made is put out, perhaps not for the first time."""
-        if id(element) in self._emitted:
-            self.share(element)
-        else:
-            self._emitted.add(id(element))
+        The element itself is that of other conversions as well, and can have no memo.
+        """
+        identity = id(element)
+        if identity not in self._emitted:
+            self._emitted[identity] = None
+            return element
+        copy = self._emitted[identity]
+        if copy is None:
+            copy = self._emitted[identity] = element.with_children(element.children)
+            copy.memo = Memo()
+        return copy
 
     def element(
         self,
@@ -80,24 +77,24 @@ class Builder:
         It may be in other places as well, which are reached the same way if it has a trace. `inner`
         is the trace of all that is in it.
         """
-        known = self._known(form, in_part)
-        elements = known.elements
+        built = self._built(form, in_part)
+        elements = built.elements
         key = None if elements is None else key_of(values)
         if elements is None or key is None:
-            return self._make(form, values, trace, inner, in_part, known)
+            return self._make(form, values, trace, inner, in_part)
         if trace is not INHERITED:
             key = (trace, inner, key)
         found = elements.get(key)
         if found is not None:
-            known.new_in_a_row = 0
-            self.share(found)
+            built.new_in_a_row = 0
+            found.memo = found.memo or Memo()
             return found
-        known.new_in_a_row += 1
-        if known.new_in_a_row > MAX_KNOWN:
-            known.elements = None
+        built.new_in_a_row += 1
+        if built.new_in_a_row > MAX_KNOWN:
+            built.elements = None
         elif len(elements) >= MAX_KNOWN:
             elements.clear()
-        found = elements[key] = self._make(form, values, trace, inner, in_part, known)
+        found = elements[key] = self._make(form, values, trace, inner, in_part)
         return found
 
     def traced(
@@ -110,24 +107,29 @@ class Builder:
         key = (id(element), trace, inner)
         found = self._traced.get(key)
         if found is not None:
-            self.share(found)
+            found.memo = found.memo or Memo()
             return found
         if inner is not INHERITED:
             found = unshared(element, trace)
         else:
             found = with_trace(element, trace)
-            for child in element.children:
-                if isinstance(child, Element):
-                    self.emit(child)
+            found.children = self.inner(element)
         self._traced[key] = found
         return found
 
-    def _known(self, form: Form, in_part: bool) -> Known:
+    def inner(self, element: Element) -> list[Node]:
+        """Return what is in an element that the parser made, for another one with that in it."""
+        return [
+            self.emitted(child) if isinstance(child, Element) else child
+            for child in element.children
+        ]
+
+    def _built(self, form: Form, in_part: bool) -> BuiltLately:
         table = self._in_parts if in_part else self._outside
-        known = table.get(form)
-        if known is None:
-            known = table[form] = Known()
-        return known
+        built = table.get(form)
+        if built is None:
+            built = table[form] = BuiltLately()
+        return built
 
     def _make(
         self,
@@ -136,7 +138,6 @@ class Builder:
         trace: Frame | None,
         inner: Frame | None,
         in_part: bool,
-        known: Known,
     ) -> Element:
         if form.text is not None:
             text, span = form.text
@@ -154,7 +155,7 @@ class Builder:
             form.name,
             form.span,
             attributes,
-            self._children(form, values, inner, in_part, known),
+            self._children(form, values, inner, in_part),
             trace,
             form.value_spans,
             form.verbatim,
@@ -162,42 +163,33 @@ class Builder:
         )
 
     def _children(
-        self,
-        form: Form,
-        values: tuple[Any, ...],
-        trace: Frame | None,
-        in_part: bool,
-        known: Known,
+        self, form: Form, values: tuple[Any, ...], trace: Frame | None, in_part: bool
     ) -> list[Node]:
         children: list[Node] = []
         for node, inner, first, end, text, span in form.content:
             if inner is not None:
                 children.append(self.element(inner, values[first:end], in_part, trace, trace))
+            elif isinstance(node, Element):
+                children.append(
+                    self.emitted(node) if trace is INHERITED else self.traced(node, trace, trace)
+                )
             elif node is not None:
-                if trace is not INHERITED and isinstance(node, Element):
-                    node = self.traced(node, trace, trace)
                 children.append(node)
             else:
                 value = filled(text, values)
                 if value is not None or in_part:  # in a part, None leaves the key out
                     children.append(Text(value, span))
-        if known.built < 2:
-            known.built += 1
-            if known.built == 2:
-                for element in form.static:
-                    self.share(element)
         return children
 
-    def part(self, form: Form, values: tuple[Any, ...], trace: Frame | None) -> FormedPart:
+    def part(self, form: Form, values: tuple[Any, ...], trace: Frame | None) -> PartElement:
         """Return a part of a form with these values."""
-        return FormedPart(form, values, trace, self)
+        return PartElement.of_form(form, values, trace, self._fill_part)
 
-    def part_children(self, form: Form, values: tuple[Any, ...]) -> list[Node]:
-        """Return what a part of a form holds."""
-        return self._children(form, values, INHERITED, True, self._known(form, True))
+    def _fill_part(self, form: Form, values: tuple[Any, ...]) -> list[Node]:
+        return self._children(form, values, INHERITED, True)
 
 
-def evaluate_holes(form: Form, scope: Scope, values: Values) -> tuple[Any, ...]:
+def evaluate_holes(form: EvaluatedForm, scope: Scope, values: Values) -> tuple[Any, ...]:
     """Return the value of each of a form's holes, sure that it can be written.
 
     Raises:

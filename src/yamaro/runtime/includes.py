@@ -156,10 +156,9 @@ def _traced(interpreter: Interpreter, node: Node) -> Node:
     if isinstance(node, PartElement):  # each is made for its place
         node.trace = interpreter.frame
         return node
-    for child in node.children:
-        if isinstance(child, Element):
-            interpreter.builder.emit(child)
-    return with_trace(node, interpreter.frame)
+    copy = with_trace(node, interpreter.frame)
+    copy.children = interpreter.builder.inner(node)
+    return copy
 
 
 def _hand_back(

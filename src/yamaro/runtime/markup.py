@@ -81,7 +81,7 @@ def run_static(
     if not interpreter.shares:
         element = unshared(element, interpreter.frame)
     elif interpreter.frame is interpreter.holder:
-        interpreter.builder.emit(element)
+        element = interpreter.builder.emitted(element)
     else:
         inner = interpreter.frame if interpreter.is_inside else INHERITED
         element = interpreter.builder.traced(element, interpreter.frame, inner)

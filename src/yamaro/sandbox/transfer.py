@@ -13,7 +13,7 @@ import os
 from ..diagnostics import ERROR, FRAME_KINDS, WARNING, Diagnostic, Frame, YamaroError
 from ..policy import Limits
 from ..source import Source, Span
-from ..syntax.names import bad_name_character
+from ..xml.names import bad_name_character
 from ..xml.tree import Comment, Element, Text
 from ..xml.values import format_value, is_comment_text
 from ..xml.wellformed import check_document
@@ -128,7 +128,7 @@ def _read_document(data: bytes, root: Element | None, limits: Limits) -> str:
         text = data.decode()
     else:
         try:
-            text = "".join(write_pieces(root, {}, limits))
+            text = "".join(write_pieces(root, limits))
         except YamaroError as error:
             raise ValueError(error.diagnostics[0].message) from None
     check_document(text, limits)

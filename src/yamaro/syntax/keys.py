@@ -10,9 +10,10 @@ from __future__ import annotations
 
 from ..diagnostics import Reporter, YamaroError, failure
 from ..source import Span
+from ..xml.names import bad_name_character
 from ..yaml.nodes import ScalarNode
 from .context import ParseContext
-from .names import STATEMENTS, bad_name_character
+from .names import STATEMENTS
 from .nodes import Attribute
 from .template import Template, parse_template, skip_expression
 

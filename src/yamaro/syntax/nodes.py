@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from ..diagnostics import Diagnostic
-    from .forms import Form
+    from .forms import EvaluatedForm
 
 
 # --- values -----------------------------------------------------------------------------------
@@ -158,7 +158,7 @@ class ElementNode:
         self.content = content
         self.span = span
         self.verbatim = verbatim
-        self.form: Form | None = None
+        self.form: EvaluatedForm | None = None
 
 
 class RobotWordItem:
@@ -230,7 +230,7 @@ class PartNode:
     def __init__(self, body: Body, span: Span) -> None:
         self.body = body
         self.span = span
-        self.form: Form | None = None
+        self.form: EvaluatedForm | None = None
 
 
 class Argument:

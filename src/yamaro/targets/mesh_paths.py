@@ -10,6 +10,7 @@ import os
 from operator import is_
 
 from ..files.mesh_files import FILE_ELEMENTS, MeshFinder
+from ..xml.memo import Memo
 from ..xml.tree import Element
 from ..xml.values import format_value
 
@@ -18,7 +19,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
     from ..source import Span
-    from ..xml.tree import Node, Shared
+    from ..xml.tree import Node
     from .assets import Assets
 
     Rename = Callable[[str, Span], str]
@@ -68,18 +69,18 @@ class MeshPaths:
         elif mode not in MODES:
             raise ValueError(f"'{mode}' is none of {', '.join(MODES)}")
 
-    def applied_to(self, root: Element, shared: Shared) -> tuple[Element, Shared]:
-        """Return a robot with these paths, and the elements shared in it; `root` stays as it is."""
+    def applied_to(self, root: Element) -> Element:
+        """Return a robot with these paths; `root` stays as it is."""
         if self._mode == KEEP:
-            return root, shared
-        renaming = _Renaming(self.named, shared, has_meshes=self._mode != NONE)
+            return root
+        renaming = _Renaming(self.named, has_meshes=self._mode != NONE)
         children = [
             renaming.element(child)
             if isinstance(child, Element) and child.name in ("link", "material")
             else child
             for child in root.children
         ]
-        return root.with_children(children), {**shared, **renaming.shared}
+        return root.with_children(children)
 
     def named(self, filename: str, span: Span) -> str:
         """Return the name of a file that is referred to at a span."""
@@ -136,22 +137,35 @@ def _below(path: str, folder: str) -> str | None:
 
 
 class _Renaming:
-    """Copies what holds a file whose name changes; all else stands in both trees."""
+    """Copies what holds a file whose name changes; all else is in both trees."""
 
-    __slots__ = ("_done", "_has_meshes", "_lists", "_rename", "_shared", "shared")
+    __slots__ = ("_has_meshes", "_rename")
 
-    def __init__(self, rename: Rename, shared: Shared, *, has_meshes: bool) -> None:
+    def __init__(self, rename: Rename, *, has_meshes: bool) -> None:
         self._rename = rename
         self._has_meshes = has_meshes
-        self._shared = shared
-        self._done: dict[int, Element] = {}
-        self._lists: dict[int, list[Node]] = {}
-        self.shared: Shared = {}  # the copies that stand in several places
 
     def element(self, element: Element) -> Element:
         """Return an element with the names changed in it: itself if there are none."""
-        if id(element) in self._done:
-            return self._done[id(element)]
+        memo = element.memo
+        if memo is None:
+            return self._changed(element)
+        if memo.renamed is None:
+            changed = self._changed(element)
+            memo.renamed = element, changed
+            if changed is not element:
+                changed.memo = Memo(memo.own)
+        before, after = memo.renamed
+        if before is element or memo.own is None:
+            return after  # type: ignore[no-any-return]
+        if before is after:
+            return element
+        assert memo.own == 0, "a joint refers to no file"
+        alike = element.with_children(after.children)
+        alike.memo = after.memo
+        return alike
+
+    def _changed(self, element: Element) -> Element:
         children = self._children(element.children)
         changed = element
         if children is not element.children:
@@ -159,10 +173,6 @@ class _Renaming:
         filename = element.attributes.get("filename")
         if filename is not None and element.name in FILE_ELEMENTS:
             changed = self._named(changed, format_value(filename))
-        if id(element) in self._shared:
-            self._done[id(element)] = changed
-            if changed is not element:
-                self.shared[id(changed)] = {}
         return changed
 
     def _named(self, element: Element, filename: str) -> Element:
@@ -174,16 +184,10 @@ class _Renaming:
         return changed
 
     def _children(self, children: list[Node]) -> list[Node]:
-        if id(children) in self._lists:
-            return self._lists[id(children)]
         wanted = children
         if not self._has_meshes:
             wanted = [child for child in children if not _is_mesh_shape(child)]
         made = [self.element(child) if isinstance(child, Element) else child for child in wanted]
         if len(made) == len(children) and all(map(is_, made, children)):
-            made = children
-        if id(children) in self._shared:
-            self._lists[id(children)] = made
-            if made is not children:
-                self.shared[id(made)] = {}
+            return children
         return made

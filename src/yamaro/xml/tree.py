@@ -11,9 +11,13 @@ from .values import format_value
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Callable
     from typing import Any, Protocol
 
-    class Places(Protocol):
+    from .forms import Form
+    from .memo import Memo
+
+    class ValueSpans(Protocol):
         """Where the values of an element's attributes are written; a dict is one."""
 
         def get(self, attribute: str, /) -> Span | None:
@@ -49,6 +53,7 @@ class Element:
         "attributes",
         "body",
         "children",
+        "memo",
         "name",
         "span",
         "trace",
@@ -63,7 +68,7 @@ class Element:
         attributes: dict[str, object] | None = None,
         children: list[Node] | None = None,
         trace: Frame | None = None,
-        value_spans: Places | None = None,
+        value_spans: ValueSpans | None = None,
         verbatim: bool = False,
         body: object = None,
     ) -> None:
@@ -79,6 +84,10 @@ class Element:
             value_spans: where the attributes' values are written; `span` stands in for the rest.
             verbatim: written in angle brackets: plain XML, whatever its name.
             body: identity of the mapping the element's key was written in.
+
+        Attributes:
+            memo: what is worked out once for all elements that are equal to this one; None if there
+                are no others.
         """
         self.name = name
         self.span = span
@@ -88,6 +97,7 @@ class Element:
         self.value_spans = value_spans
         self.verbatim = verbatim
         self.body = body
+        self.memo: Memo | None = None
 
     def with_children(self, children: list[Node]) -> Element:
         """Return the same element with other children; attributes are shared, not copied."""
@@ -134,9 +144,55 @@ class Element:
 
 
 class PartElement(Element):
-    """A `part` as evaluated, before it is lowered to a joint and a link."""
+    """A `part` as evaluated, before it is lowered to a joint and a link.
 
-    __slots__ = ()
+    Attributes:
+        form: its form, if it is of fixed shape.
+        values: the value of each hole of the form.
+    """
+
+    __slots__ = ("_children", "_fill", "form", "values")
+
+    form: Form | None
+    values: tuple[Any, ...]
+    _children: list[Node] | None
+    _fill: Callable[[Form, tuple[Any, ...]], list[Node]]
+
+    @classmethod
+    def of_form(
+        cls,
+        form: Form,
+        values: tuple[Any, ...],
+        trace: Frame | None,
+        fill: Callable[[Form, tuple[Any, ...]], list[Node]],
+    ) -> PartElement:
+        """Return a part of fixed shape; `fill` makes what it holds, if that is asked for."""
+        part = cls.__new__(cls)
+        part.name = form.name
+        part.span = form.span
+        part.attributes = _NO_ATTRIBUTES
+        part.trace = trace
+        part.value_spans = part.memo = None
+        part.verbatim = False
+        part.body = form.body
+        part.form = form
+        part.values = values
+        part._fill = fill
+        part._children = None
+        return part
+
+    @property
+    def children(self) -> list[Node]:  # type: ignore[override]
+        """The keys and elements of the part."""
+        if self._children is None:
+            assert self.form is not None
+            self._children = self._fill(self.form, self.values)
+        return self._children
+
+    @children.setter
+    def children(self, children: list[Node]) -> None:
+        self._children = children
+        self.form = None
 
 
 class RobotWord(PartElement):
@@ -177,10 +233,7 @@ class IncludedRobot:
         return inner
 
 
-Shared = dict[int, dict[str, "Any"]]
-"""The elements that stand in several places of a tree, by identity, each with notes of what has
-been worked out for it once for all its places; and the lists of children that several elements
-have. Where nothing is shared, it is empty. What is in it is never changed."""
+_NO_ATTRIBUTES: dict[str, object] = {}
 
 
 def unshared(root: Element, trace: Frame | None = None) -> Element:

@@ -10,31 +10,13 @@ from ..source import Span
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from typing import Any, TypeVar
-
-    Key = TypeVar("Key")
-    Value = TypeVar("Value")
+    from typing import Any
 
 
 class LiteralList(list[object]):
     """A list written as a YAML list under an element: numbers for `part`, an error elsewhere."""
 
     __slots__ = ()
-
-
-# --- what comes again ---------------------------------------------------------------------------
-
-MOST_REMEMBERED = 4096
-"""How much of a kind is remembered at a time; what is forgotten is only worked out again."""
-LONGEST_ROW_REMEMBERED = 24
-"""Characters of a row of numbers worth remembering: longer ones are computed, and seldom equal."""
-
-
-def remember(known: dict[Key, Value], key: Key, value: Value) -> None:
-    """Keep what has been worked out for when it comes again, in bounded memory."""
-    if len(known) >= MOST_REMEMBERED:
-        known.clear()
-    known[key] = value
 
 
 # --- values to text ---------------------------------------------------------------------------

@@ -5,27 +5,25 @@ from __future__ import annotations
 from ..diagnostics import YamaroError, failure, settle
 from ..policy import Limits
 from ..source import Span
+from .memo import remember
 from .tree import Comment, Element, Text
-from .values import check_characters, escaped_attribute, escaped_text, format_value, remember
+from .values import check_characters, escaped_attribute, escaped_text, format_value
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from .tree import Node, Shared
+    from .memo import Memo
+    from .tree import Node
 
 _LONGEST_REMEMBERED = 16
 """Characters of a value worth remembering: longer ones seldom come again, and there are many."""
 
 
-_spelled: dict[str, str] = {}
-"""Values of attributes as they are written, whatever document they are of."""
-
-
 def write(root: Element) -> str:
     """Return the tree as an XML document; raise YamaroError where XML cannot hold a character."""
-    return "".join(write_pieces(root, {}))
+    return "".join(write_pieces(root))
 
 
-def write_pieces(root: Element, shared: Shared, limits: Limits | None = None) -> list[str]:
+def write_pieces(root: Element, limits: Limits | None = None) -> list[str]:
     """Return the pieces of text that make the document, which spares putting them together.
 
     Raises:
@@ -34,7 +32,7 @@ def write_pieces(root: Element, shared: Shared, limits: Limits | None = None) ->
     """
     out = ['<?xml version="1.0"?>\n']
     limits = limits or Limits()
-    _Writer(root, shared, limits).write_root(out)
+    _Writer(root, limits).write_root(out)
     if sum(map(len, out)) > limits.output:
         raise _too_long(root, limits)
     return out
@@ -50,7 +48,7 @@ def _too_long(root: Element, limits: Limits) -> YamaroError:
 
 
 class _Writer:
-    """Writes elements, remembering what comes again: values of attributes and shared elements."""
+    """Writes elements, remembering values of attributes, and texts in the memos of elements."""
 
     __slots__ = (
         "_depth",
@@ -59,21 +57,19 @@ class _Writer:
         "_most_long",
         "_most_margin",
         "_outermost",
-        "_passages",
         "_root",
-        "_shared",
+        "_spelled",
     )
 
-    def __init__(self, root: Element, shared: Shared, limits: Limits) -> None:
+    def __init__(self, root: Element, limits: Limits) -> None:
         self._root = root
         self._outermost = root  # the child of the root that is being written
-        self._shared = shared
         self._limits = limits
         self._most_margin = 2 * (limits.xml_depth - 1)  # two spaces a level
         self._depth = 0  # of what stands inline among text
         self._long = 0  # characters of long values; those of others are counted in the end
         self._most_long = limits.output
-        self._passages: dict[int, _Passage] = {}
+        self._spelled: dict[str, str] = {}  # values of attributes as they are written
 
     def write_root(self, out: list[str]) -> None:
         """Write the whole; what an error is about came the way of the child of the root it is in.
@@ -82,35 +78,17 @@ class _Writer:
             YamaroError: see `write_pieces`.
         """
         try:
-            self.write(self._root, "", "\n", out, frozenset(("xml",)))
+            self._write(self._root, "", "\n", out, frozenset(("xml",)))
         except YamaroError as error:
             settle(error.diagnostics, self._outermost.trace)
             settle(error.diagnostics, None)
             raise
 
-    def write(
+    def _write(
         self, element: Element, margin: str, end: str, out: list[str], prefixes: frozenset[str]
     ) -> None:
         """Write an element: on lines of its own, or with no space added if `end` is empty."""
-        name = element.name
-        head = f"{margin}<{name}"
-        for key, value in element.attributes.items():
-            if type(value) is not str:
-                if value is None:
-                    continue
-                value = format_value(value)
-            if not value.isidentifier():  # most names are, and have nothing to escape
-                escaped = _spelled.get(value)
-                if escaped is None:
-                    escaped = _attribute_text(value, element, key)
-                    if len(value) <= _LONGEST_REMEMBERED:
-                        remember(_spelled, value, escaped)
-                    else:
-                        self._long += len(value)
-                        if self._long > self._most_long:
-                            raise _too_long(self._root, self._limits)
-                value = escaped
-            head += f' {key}="{value}"'
+        head = self._head(element, margin)
         if ":" in head:
             prefixes = _prefixes_inside(element, prefixes)
         children = element.children
@@ -126,14 +104,36 @@ class _Writer:
         if not end:
             self._go_deeper(element)
         out.append(f"{head}>{end}")
-        deeper = margin + "  " if end else ""
-        if end and id(children) in self._shared:
-            self._write_shared(children, element, deeper, out, prefixes)
-        else:
-            self._write_children(children, element, deeper, end, out, prefixes)
-        out.append(f"{margin}</{name}>{end}")
+        self._write_children(children, element, margin + "  " if end else "", end, out, prefixes)
+        out.append(f"{margin}</{element.name}>{end}")
         if not end:
             self._depth -= 1
+
+    def _head(self, element: Element, margin: str) -> str:
+        """Return the start of an element's tag, with its attributes."""
+        head = f"{margin}<{element.name}"
+        for key, value in element.attributes.items():
+            if type(value) is not str:
+                if value is None:
+                    continue
+                value = format_value(value)
+            if not value.isidentifier():  # most names are, and have nothing to escape
+                escaped = self._spelled.get(value)
+                if escaped is None:
+                    escaped = self._escaped(value, element, key)
+                value = escaped
+            head += f' {key}="{value}"'
+        return head
+
+    def _escaped(self, value: str, element: Element, key: str) -> str:
+        escaped = _attribute_text(value, element, key)
+        if len(value) <= _LONGEST_REMEMBERED:
+            remember(self._spelled, value, escaped)
+            return escaped
+        self._long += len(value)
+        if self._long > self._most_long:
+            raise _too_long(self._root, self._limits)
+        return escaped
 
     def _go_deeper(self, element: Element) -> None:
         """Note that what stands in an element is written inline, where no margin tells how deep."""
@@ -159,38 +159,62 @@ class _Writer:
         out: list[str],
         prefixes: frozenset[str],
     ) -> None:
-        shared = self._shared
         is_outermost = owner is self._root
         for child in children:
-            if is_outermost and isinstance(child, Element):
-                self._outermost = child
             if not isinstance(child, Element):
                 if isinstance(child, Comment):
                     out.append(f"{margin}<!--{_comment_text(child, owner)}-->{end}")
-            elif shared and end and id(child) in shared:
-                self._write_shared(child, child, margin, out, prefixes)
+                continue
+            if is_outermost:
+                self._outermost = child
+            memo = child.memo
+            if memo is None or not end:
+                self._write(child, margin, end, out, prefixes)
+            elif memo.own is None:
+                self._write_again(child, memo, margin, out, prefixes)
             else:
-                self.write(child, margin, end, out, prefixes)
+                self._write_alike(child, memo, memo.own, margin, out, prefixes)
 
-    def _write_shared(
+    def _write_again(
+        self, element: Element, memo: Memo, margin: str, out: list[str], prefixes: frozenset[str]
+    ) -> None:
+        """Write an element of several places: from the second on, in one piece."""
+        passage: _Passage | None = memo.written
+        if passage is not None and passage.fits(out, margin, prefixes):
+            out.append(passage.text or passage.put_together())
+            return
+        start = len(out)
+        self._write(element, margin, "\n", out, prefixes)
+        memo.written = _Passage(out, margin, prefixes, start)
+
+    def _write_alike(
         self,
-        what: Element | list[Node],
-        owner: Element,
+        element: Element,
+        memo: Memo,
+        own: int,
         margin: str,
         out: list[str],
         prefixes: frozenset[str],
     ) -> None:
-        """Write an element, or children, of several places: from the second on, in one piece."""
-        passage = self._passages.get(id(what))
-        if passage is not None and passage.margin == margin and passage.prefixes == prefixes:
-            out.append(passage.text or passage.put_together(out))
+        """Write an element that differs from others in its name and its first children alone."""
+        head, inner = self._head(element, margin), margin + "  "
+        children = element.children
+        passage: _Passage | None = memo.written
+        if passage is not None and ":" not in head and passage.fits(out, inner, prefixes):
+            lines = "".join([f"{self._head(child, inner)}/>\n" for child in children[:own]])  # type: ignore[arg-type]
+            rest = passage.text or passage.put_together()
+            out.append(f"{head}>\n{lines}{rest}{margin}</{element.name}>\n")
             return
+        is_mixed = any(isinstance(child, Text) for child in children)
+        if ":" in head or is_mixed or not children or len(margin) >= self._most_margin:
+            self._write(element, margin, "\n", out, prefixes)
+            return
+        out.append(f"{head}>\n")
+        self._write_children(children[:own], element, inner, "\n", out, prefixes)
         start = len(out)
-        if isinstance(what, Element):
-            self.write(what, margin, "\n", out, prefixes)
-        else:
-            self._write_children(what, owner, margin, "\n", out, prefixes)
-        self._passages[id(what)] = _Passage(margin, prefixes, start, len(out))
+        self._write_children(children[own:], element, inner, "\n", out, prefixes)
+        memo.written = _Passage(out, inner, prefixes, start)
+        out.append(f"{margin}</{element.name}>\n")
 
     def _write_mixed(
         self, element: Element, head: str, end: str, out: list[str], prefixes: frozenset[str]
@@ -199,8 +223,6 @@ class _Writer:
         self._go_deeper(element)
         inner: list[str] = []
         for child in element.children:
-            if element is self._root and isinstance(child, Element):
-                self._outermost = child
             if isinstance(child, Text):
                 text = format_value(child.value)
                 self._long += len(text)
@@ -210,32 +232,39 @@ class _Writer:
             elif isinstance(child, Comment):
                 inner.append(f"<!--{_comment_text(child, element)}-->")
             else:
-                self.write(child, "", "", inner, prefixes)
+                if element is self._root:
+                    self._outermost = child
+                self._write(child, "", "", inner, prefixes)
         content = "".join(inner)
         out.append(f"{head}>{content}</{element.name}>{end}" if content else f"{head}/>{end}")
         self._depth -= 1
 
 
 class _Passage:
-    """Where a shared element was written, so that its text can be used again in its like.
+    """What was written of an element, so that its text can be used again for its like.
 
-    The text is only put together for a second place: of elements in elements that stand in several
+    The text is only put together for a second place: of elements in elements that are in several
     places, one text is needed.
     """
 
-    __slots__ = ("margin", "prefixes", "start", "stop", "text")
+    __slots__ = ("margin", "out", "prefixes", "start", "stop", "text")
 
-    def __init__(self, margin: str, prefixes: frozenset[str], start: int, stop: int) -> None:
-        """Say that pieces `start` to `stop` were written at a margin, with prefixes declared."""
+    def __init__(self, out: list[str], margin: str, prefixes: frozenset[str], start: int) -> None:
+        """Say that the pieces from `start` on were written at a margin, with prefixes declared."""
+        self.out = out
         self.margin = margin
         self.prefixes = prefixes
         self.start = start
-        self.stop = stop
+        self.stop = len(out)
         self.text = ""
 
-    def put_together(self, out: list[str]) -> str:
-        """Return the element's text, made of the pieces written for it."""
-        self.text = "".join(out[self.start : self.stop])
+    def fits(self, out: list[str], margin: str, prefixes: frozenset[str]) -> bool:
+        """Tell whether the same would be written at a place of a document."""
+        return self.out is out and self.margin == margin and self.prefixes == prefixes
+
+    def put_together(self) -> str:
+        """Return the text, made of the pieces written for it."""
+        self.text = "".join(self.out[self.start : self.stop])
         return self.text
 
 

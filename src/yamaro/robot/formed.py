@@ -1,9 +1,9 @@
-"""Parts of one form: what they have in common is lowered once.
+"""Parts of one form and equal values: what they have in common is lowered once.
 
 Most parts that a loop or a function makes differ in their name, their parent and their pose alone.
-Where all else has the same values as in a part that was lowered before, and nothing was told of
-that one, its joint and link are taken over with what is the part's own put in. Any other part is
-lowered as if there were no pattern.
+Where all else has the same values as in a part that was lowered before, and nothing was reported of
+that one, its joint and link are taken over with what is the part's own put in, and have the memos
+of that joint and link. Any other part is lowered by itself.
 """
 
 from __future__ import annotations
@@ -11,38 +11,42 @@ from __future__ import annotations
 from operator import itemgetter
 
 from ..diagnostics import INHERITED, YamaroError
-from ..syntax.forms import Form, filled, key_of
+from ..xml.forms import Form, filled, key_of
+from ..xml.memo import Memo
 from ..xml.tree import Element, Text
-from .fields import Fields
-from .pose import origin_element, read_pose
+from .pose import origin_element, pose_of_values
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable
     from typing import Any
 
+    from ..diagnostics import Frame
     from ..source import Span
-    from ..syntax.forms import FormedPart, FormText
-    from ..xml.tree import Node
+    from ..xml.forms import FormText
+    from ..xml.tree import Node, PartElement
     from .lowering import Lowering
 
 MAX_KNOWN = 64
 """How many parts of one form are kept to take over from, and how many origins."""
 
-POSE_KEYS = frozenset(("xyz", "rpy", "pivot"))
+OWN_CHILDREN = 3
+"""The first children of a joint, which are its own: parent, child and origin."""
+
+POSE_KEYS = ("xyz", "rpy", "pivot")
 
 OwnKey = tuple["FormText", "Span", "Span"]
 """A key with a value of its own in each part: the text, the place of the key, and of the value."""
 
 
-class Known:
-    """A part that was lowered, to take over from: its joint and link.
+class LoweredPart:
+    """A part that was lowered, to take over from.
 
     Attributes:
         joint: its joint.
         parent: the joint's parent.
         child: the joint's child.
-        rest: what stands in the joint behind parent, child and origin.
+        rest: what is in the joint after parent, child and origin.
         has_mimic: whether a mimic is among it.
         link: its link.
     """
@@ -50,14 +54,14 @@ class Known:
     __slots__ = ("child", "has_mimic", "joint", "link", "parent", "rest")
 
     def __init__(self, joint: Element, link: Element, *, has_mimic: bool) -> None:
-        """Hold a joint and a link of which nothing was told."""
+        """Hold a joint and a link of which nothing was reported."""
         parent, child = joint.children[:2]
         assert isinstance(parent, Element)
         assert isinstance(child, Element)
         self.joint = joint
         self.parent = parent
         self.child = child
-        self.rest = joint.children[3:]
+        self.rest = joint.children[OWN_CHILDREN:]
         self.has_mimic = has_mimic
         self.link = link
 
@@ -71,15 +75,15 @@ class Pattern:
         pose: the keys of the pose, by name.
         pose_of: takes the values in these out of those of the part.
         common_of: takes out all values but those in the name, the parent and the pose.
-        is_joint_first: whether the joint stands before the link.
-        known: parts that were lowered, by the values of the common holes.
+        is_joint_first: whether the joint is before the link.
+        lowered: parts that were lowered, by the values of the common holes.
         origins: the origins of the joints, by the values of the pose.
     """
 
     __slots__ = (
         "common_of",
         "is_joint_first",
-        "known",
+        "lowered",
         "name",
         "origins",
         "parent",
@@ -91,11 +95,11 @@ class Pattern:
         """Take what was read of a form."""
         self.name = reader.name
         self.parent = reader.keys.pop("parent")
-        self.pose = reader.keys
+        self.pose = {name: reader.keys[name] for name in POSE_KEYS if name in reader.keys}
         self.pose_of = _taker(reader.pose_holes)
         self.common_of = _taker(reader.common_holes)
         self.is_joint_first = reader.is_joint_first
-        self.known: dict[object, Known] = {}
+        self.lowered: dict[object, LoweredPart] = {}
         self.origins: dict[object, Element] = {}
 
 
@@ -192,21 +196,21 @@ def _taker(holes: list[int]) -> Callable[[tuple[Any, ...]], tuple[Any, ...]]:
 
 def lower_formed(
     lowering: Lowering,
-    part: FormedPart,
+    part: PartElement,
     out: list[Node],
     lower: Callable[[Lowering, Element, list[Node]], None],
 ) -> None:
     """Append the joint and link of a part; `lower` is how that is done without a pattern."""
-    form = part.form
+    form, values = part.form, part.values
+    assert form is not None
     if form not in lowering.patterns:
         lowering.patterns[form] = _pattern_of(form)
     pattern = lowering.patterns[form]
     if pattern is None:
         lower(lowering, part, out)
         return
-    values = part.values
     common = key_of(pattern.common_of(values))
-    known = None if common is None else pattern.known.get(common)
+    known = None if common is None else pattern.lowered.get(common)
     if known is not None and _take_over(lowering, pattern, known, values, out):
         return
     told, before = lowering.told, len(out)
@@ -223,52 +227,53 @@ def _pattern_of(form: Form) -> Pattern | None:
 
 
 def _learn(lowering: Lowering, pattern: Pattern, common: object, made: list[Node]) -> None:
-    """Keep a joint and a link to take over from; what stands in them is shared from now on."""
+    """Keep a joint and a link to take over from, and give them memos."""
     joint, link = made if pattern.is_joint_first else reversed(made)
     assert isinstance(joint, Element)
     assert isinstance(link, Element)
-    if len(pattern.known) >= MAX_KNOWN:
-        pattern.known.clear()
+    if len(pattern.lowered) >= MAX_KNOWN:
+        pattern.lowered.clear()
     has_mimic = bool(lowering.mimics) and lowering.mimics[-1] is joint
-    known = pattern.known[common] = Known(joint, link, has_mimic=has_mimic)
-    shared = lowering.shared
-    shared.setdefault(id(link.children), {})
-    for node in [*known.rest, *link.children]:
-        if isinstance(node, Element):
-            shared.setdefault(id(node), {})
+    pattern.lowered[common] = LoweredPart(joint, link, has_mimic=has_mimic)
+    joint.memo = Memo(own=OWN_CHILDREN)
+    link.memo = link.memo or Memo(own=0)
 
 
 def _take_over(
-    lowering: Lowering, pattern: Pattern, known: Known, values: tuple[Any, ...], out: list[Node]
+    lowering: Lowering,
+    pattern: Pattern,
+    known: LoweredPart,
+    values: tuple[Any, ...],
+    out: list[Node],
 ) -> bool:
     """Append the joint and link of a part made after another one, unless it has a fault."""
-    name, parent = filled(pattern.name, values), filled(pattern.parent[0], values)
-    if type(name) is not str or type(parent) is not str:
+    parent = filled(pattern.parent[0], values)
+    if type(parent) is not str:
         return False
-    words = name.replace(",", " ").split()
     parent = parent.strip()
-    if len(words) not in (1, 2) or not parent:
+    names = _names(filled(pattern.name, values))
+    if names is None or not parent:
         return False
     origin = _origin(lowering, pattern, known.joint, values)
     if origin is None:
         return False
-    if len(words) == 2:
-        joint_name, link_name = words
-    else:
-        joint_name, link_name = f"{words[0]}_joint", f"{words[0]}_link"
-        lowering.part_links.setdefault(words[0], link_name)
-        lowering.part_joints.setdefault(words[0], joint_name)
-    first, up, down = known.joint, known.parent, known.child
+    joint_name, link_name, part_name = names
+    if part_name:
+        lowering.part_links.setdefault(part_name, link_name)
+        lowering.part_joints.setdefault(part_name, joint_name)
     children: list[Node] = [
-        Element("parent", up.span, {"link": parent}, _NOTHING, INHERITED, up.value_spans),
-        Element("child", down.span, {"link": link_name}, _NOTHING, INHERITED, down.value_spans),
+        _like(known.parent, {"link": parent}, INHERITED),
+        _like(known.child, {"link": link_name}, INHERITED),
         origin,
         *known.rest,
     ]
-    attributes, trace = {**first.attributes, "name": joint_name}, lowering.trace
-    joint = Element("joint", first.span, attributes, children, trace, first.value_spans)
-    own = known.link
-    link = Element("link", own.span, {"name": link_name}, own.children, trace, own.value_spans)
+    trace, before = lowering.trace, known.joint
+    joint = _like(before, {**before.attributes, "name": joint_name}, trace)
+    joint.children = children
+    joint.memo = before.memo
+    link = _like(known.link, {**known.link.attributes, "name": link_name}, trace)
+    link.children = known.link.children
+    link.memo = known.link.memo
     out += (joint, link) if pattern.is_joint_first else (link, joint)
     lowering.parents.append(joint)
     if known.has_mimic:
@@ -276,8 +281,23 @@ def _take_over(
     return True
 
 
-_NOTHING: list[Node] = []
-"""What a `<parent>` or `<child>` holds."""
+def _like(element: Element, attributes: dict[str, object], trace: Frame | None) -> Element:
+    """Return an empty element of the same origin with other attributes."""
+    return Element(element.name, element.span, attributes, None, trace, element.value_spans)
+
+
+def _names(name: object) -> tuple[str, str, str] | None:
+    """Return the names of a part's joint and link, and its own or ""; None if they are faulty."""
+    if type(name) is not str:
+        return None
+    if not name.isidentifier():  # as most are
+        words = name.replace(",", " ").split()
+        if len(words) == 2:
+            return words[0], words[1], ""
+        if len(words) != 1:
+            return None
+        name = words[0]
+    return f"{name}_joint", f"{name}_link", name
 
 
 def _origin(
@@ -289,22 +309,23 @@ def _origin(
         return None
     origin = pattern.origins.get(key)
     if origin is not None:
-        if id(origin) not in lowering.shared:
-            lowering.shared[id(origin)] = {}
+        origin.memo = origin.memo or Memo()
         return origin
-    fields = Fields()
-    for name, (text, span, text_span) in pattern.pose.items():
+    rows: dict[str, tuple[object, Span, Span]] = {}
+    for name, (text, key_span, span) in pattern.pose.items():
         value = filled(text, values)
+        if value == "":
+            return None
         if value is not None:  # which leaves the key out
-            fields.keys[name] = Element(name, span, {}, [Text(value, text_span)], INHERITED)
+            rows[name] = value, key_span, span
     told = lowering.told
     try:
-        origin = origin_element(read_pose(lowering, fields), joint)
-        assert origin is not None  # a form has no key `origin`
+        origin = origin_element(pose_of_values(lowering, rows), joint)
     except YamaroError:
         return None
-    if told != lowering.told:
+    if origin is None or told != lowering.told:
         return None
+    origin.trace = INHERITED
     if len(pattern.origins) >= MAX_KNOWN:
         pattern.origins.clear()
     pattern.origins[key] = origin
