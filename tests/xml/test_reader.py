@@ -121,7 +121,7 @@ def test_a_comment_stands_where_it_is_written() -> None:
     ],
 )
 def test_what_is_no_xml_is_told_at_its_place(text: str, place: str, message: str) -> None:
-    assert fault(text) == ("xml-syntax", place, f"this is no well-formed XML: {message}")
+    assert fault(text) == ("xml-syntax", place, f"this is not well-formed XML: {message}")
 
 
 @pytest.mark.parametrize(
@@ -137,7 +137,7 @@ def test_a_prefix_has_to_be_declared_where_that_is_asked_for(text: str, place: s
     assert fault(text, exact=True) == (
         "xml-syntax",
         place,
-        "this is no well-formed XML: unbound prefix 'x'",
+        "this is not well-formed XML: unbound prefix 'x'",
     )
 
 
@@ -155,7 +155,7 @@ def test_an_entity_that_is_read_from_elsewhere_or_made_of_others_is_refused(
 ) -> None:
     code, place, message = fault(f"<!DOCTYPE a [\n<!ENTITY x {declaration}>]><a>&x;</a>")
     assert (code, place.partition(":")[0]) == ("xml-entity", "robot.urdf")
-    assert message == "the entity 'x' is read from elsewhere, or made of others"
+    assert message == "the entity 'x' is external, or contains other entities"
 
 
 def test_depth_has_a_limit() -> None:
@@ -227,7 +227,7 @@ def test_wide_text_without_a_mark_is_read(encoding: str) -> None:
 
 @pytest.mark.parametrize("text", ["", "links: []"])
 def test_what_is_no_xml_at_all_is_told_as_such(text: str) -> None:
-    assert fault(text) == ("xml-syntax", "robot.urdf:1:1", "this is no XML")
+    assert fault(text) == ("xml-syntax", "robot.urdf:1:1", "this is not XML")
 
 
 # --- the same as another reader -----------------------------------------------------------------

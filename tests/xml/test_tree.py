@@ -89,10 +89,10 @@ def test_an_element_tells_its_text_and_its_place() -> None:
             element("a", **{"xmlns:b": None, "b:c": 1}),
             "the XML prefix 'b' of 'b:c' is not declared",
         ),
-        (element("a", **{"xmlns:b": ""}), "the XML prefix 'b' is declared without an address"),
+        (element("a", **{"xmlns:b": ""}), "the XML prefix 'b' is declared without a URI"),
         (
             element("a", **{"xmlns:xml": "x"}),
-            "the XML prefix 'xml' has its meaning and cannot be declared",
+            "the XML prefix 'xml' is reserved and cannot be declared",
         ),
     ],
 )

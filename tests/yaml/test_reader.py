@@ -186,5 +186,5 @@ def test_numbers_with_units_are_converted_where_that_is_asked() -> None:
 
 
 def test_a_unit_needs_a_number() -> None:
-    with pytest.raises(YamaroError, match="'pi' is no number, as !radians needs it"):
+    with pytest.raises(YamaroError, match="'pi' is not a number, which !radians requires"):
         read(Source("a: !radians pi", name="t.yaml"), reporter=Reporter(), units=True)

@@ -85,8 +85,8 @@ HINTS = {
     "For": f"use `for:` outside of `process`, or a list in it, [… for x in …]; {RUN_IT}",
     "FunctionDef": f"write a lambda: f = lambda x: 2 * x; {RUN_IT}",
     "If": f"use `if:` outside of `process`, or a value: x = 1 if big else 2; {RUN_IT}",
-    "Import": "modules are listed at the root of the file: import: [math]",
-    "ImportFrom": "modules are listed at the root of the file: import: [math]",
+    "Import": "list modules at the root of the file: import: [math]",
+    "ImportFrom": "list modules at the root of the file: import: [math]",
     "NamedExpr": "declare the value as a variable first",
     "While": f"use `for:` outside of `process`; {RUN_IT}",
 }

@@ -165,7 +165,7 @@ def _parse_long(entry: ArgumentEntry, node: MappingNode, context: ParseContext) 
         if name in found and (entry.kind not in NUMERIC or (name == "unit" and _is_whole(entry))):
             needs = "a number" if name == "unit" else "a number or an integer"
             raise _bad(
-                f"`{name}` is for an argument that is {needs}, and '{entry.name}' is "
+                f"`{name}` is only for an argument that is {needs}, and '{entry.name}' is "
                 f"{'of any type' if entry.kind == ANY else f'of the type {entry.kind}'}",
                 found[name][0].span(),
                 hint="write type: number, or leave it out",

@@ -90,7 +90,7 @@ def body_pairs(word: str, node: YamlNode, context: ParseContext) -> Pairs:
             "not-a-body",
             f"statements follow `{word}`, and this is a text",
             node.span(),
-            hint="write each statement as `name: value`, on a line of its own",
+            hint="write each statement as `name: value`, on a separate line",
         )
     pairs = pairs_of(node, f"`{word}`", context)
     if len(pairs) == 1 and pairs[0][0].text == "body":

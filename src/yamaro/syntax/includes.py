@@ -93,7 +93,7 @@ def parse_include_of(key: ScalarNode, pairs: Pairs, context: ParseContext) -> In
             "missing-key",
             f"`{word}` needs an entry `path`",
             key.span(),
-            hint=f"did you mean `path` by '{near}'?"
+            hint=f"did you mean `path` instead of '{near}'?"
             if near
             else f"write path: other.yaml{', or a body' if word == 'attach' else ''}",
         )
@@ -127,7 +127,7 @@ def _argument_name(key: ScalarNode, context: ParseContext) -> str:
         return parse_argument_name(key, context)
     raise failure(
         "bad-argument",
-        f"'{name}' cannot name a variable that is passed to the file",
+        f"'{name}' cannot be the name of a variable that is passed to the file",
         key.span(),
         hint=name_hint(name),
     )

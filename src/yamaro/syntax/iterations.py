@@ -35,7 +35,7 @@ def parse_iterator(node: YamlNode, context: ParseContext) -> list[str]:
             span = scalar.span(first, first + len(name)) if name else scalar.span()
             start += len(piece) + 1
             if name in names:
-                raise failure("bad-iterator", f"'{name}' is named twice", span)
+                raise failure("bad-iterator", f"'{name}' is given twice", span)
             if not is_identifier(name):
                 raise failure(
                     "bad-iterator",

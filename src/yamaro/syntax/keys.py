@@ -17,7 +17,7 @@ from .names import STATEMENTS
 from .nodes import Attribute
 from .template import Template, parse_template, skip_expression
 
-NAME_RULE = "a name begins with a letter or _ and goes on with letters, digits, - _ ."
+NAME_RULE = "a name begins with a letter or _ and contains letters, digits, - _ ."
 
 
 def find_outside(text: str, characters: str, start: int, end: int) -> int:
@@ -70,10 +70,10 @@ def name_fault(name: str, what: str) -> str | None:
     if not name:
         return f"the {what} has no name"
     if char == " ":
-        return f"'{name}' is no XML name: it holds a space"
+        return f"'{name}' is not an XML name: it contains a space"
     if char == name[0]:
-        return f"'{name}' is no XML name: it begins with '{char}'"
-    return f"'{name}' is no XML name: it holds '{char}'"
+        return f"'{name}' is not an XML name: it begins with '{char}'"
+    return f"'{name}' is not an XML name: it contains '{char}'"
 
 
 def _name_hint(key: ScalarNode, name: str) -> str:
@@ -81,25 +81,28 @@ def _name_hint(key: ScalarNode, name: str) -> str:
     if word == "else" and rest.lstrip().startswith("if"):
         return "write `elif:`, and `condition:` and `body:` below it"
     if space and word in STATEMENTS:
-        return f"the statement is `{word}:`, and its entries stand below it"
+        return f"write `{word}:` with its entries below it"
     if "=" in name:
         if "/" not in key.text:
             return (
-                "attributes stand behind a slash: name/attribute=value; inside { } a comma ends "
-                "the key, so quote such a key or give it a line of its own"
+                "write attributes after a slash: name/attribute=value; inside { }, a comma ends "
+                "the key, so quote such a key or put it on a separate line"
             )
-        return "attributes stand behind a slash: name/attribute=value"
+        return "write attributes after a slash: name/attribute=value"
     if ")" in name and "(" not in name:
-        return "the commas of { } and [ ] split an expression: quote it, or use a line of its own"
+        return "the commas of { } and [ ] split an expression: quote it, or use a separate line"
     if name.startswith("#"):
         return "write <#text>: for text between elements, <#comment>: for an XML comment"
     if name.startswith("<"):
         return f"close the bracket: <{key.text.lstrip('<').rstrip('/')}>:"
     invisible = [char for char in name if not char.isprintable()]
     if invisible:
-        return f"retype it: U+{ord(invisible[0]):04X} is invisible, and comes from pasted text"
+        return (
+            f"type it again: U+{ord(invisible[0]):04X} is "
+            "invisible and often comes from pasted text"
+        )
     if name.startswith("xacro:"):
-        return "xacro's tags do not exist here; see docs/coming-from-xacro.md"
+        return "xacro tags are not supported here; see docs/coming-from-xacro.md"
     return NAME_RULE
 
 
@@ -158,9 +161,9 @@ def _parse_attribute(
         if close < 0:
             raise failure(
                 "bad-key",
-                f"the quote {text[begin]} of this attribute is never closed",
+                f"the quote {text[begin]} of this attribute is not closed",
                 key.span(begin, begin + 1),
-                hint=f"put {text[begin]} behind the value",
+                hint=f"put {text[begin]} after the value",
             )
         value_start, value_end, comma = begin + 1, close, close + 1
         while comma < end and text[comma].isspace():
@@ -168,7 +171,7 @@ def _parse_attribute(
         if comma < end and text[comma] != ",":
             raise failure(
                 "bad-key",
-                "text follows behind the closing quote of this attribute",
+                "text follows the closing quote of this attribute",
                 key.span(comma, end),
                 hint="separate attributes with commas: name/a='1', b='2'",
             )
@@ -196,15 +199,15 @@ def _refuse_bare(key: ScalarNode, start: int, end: int) -> None:
             "bad-key",
             "an attribute is missing here",
             key.span(max(start - 1, 0), max(start, 1)),
-            hint="write name/attribute=value, and commas only between attributes",
+            hint="write name/attribute=value, with commas only between attributes",
         )
     raise failure(
         "bad-key",
-        f"'{word}' is no attribute: it has no '='",
+        f"'{word}' is not an attribute: it has no '='",
         key.span(first, last),
-        hint="a value that holds commas needs quotes: attribute='1, 2'"
+        hint="a value that contains commas needs quotes: attribute='1, 2'"
         if name_fault(word, "attribute")
-        else f"write {word}=value; a value that holds commas needs quotes: attribute='1, 2'",
+        else f"write {word}=value; a value that contains commas needs quotes: attribute='1, 2'",
     )
 
 

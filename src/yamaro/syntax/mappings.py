@@ -33,7 +33,7 @@ def pairs_of(node: YamlNode, what: str, context: ParseContext) -> Pairs:
             return []
         raise failure(
             "not-a-body",
-            f"{what} holds entries such as `name: value`; this is a text",
+            f"{what} needs entries such as `name: value`, not a text",
             node.span(),
             hint=body_hint(node.text),
         )
@@ -84,9 +84,9 @@ def refuse_not_indented(node: YamlNode, *, functions: bool = False) -> None:
         if isinstance(value, ScalarNode) and is_empty(value) and beside.text in own:
             raise failure(
                 "not-indented",
-                f"'{beside.text}' stands beside '{key.text}', not below it",
+                f"'{beside.text}' is beside '{key.text}', not below it",
                 beside.span(),
-                hint=f"put `{beside.text}` and what follows two columns further to the right",
+                hint=f"indent `{beside.text}` and the lines below it by two more columns",
             )
 
 
@@ -95,7 +95,7 @@ def item_hint(item: YamlNode) -> str:
     if not isinstance(item, ScalarNode):
         return "write the entries of an inner list as items of this one: - name: value"
     if is_empty(item):
-        return "delete this dash, or write an entry behind it: - name: value"
+        return "delete this dash, or write an entry after it: - name: value"
     return body_hint(item.text)
 
 
@@ -110,10 +110,10 @@ def body_hint(text: str) -> str:
     if equals and is_identifier(variable.strip()) and value_of_variable[:1] != "=":
         return f"write {variable.strip()}: {value_of_variable.strip()}"
     if colon and is_identifier(name) and value:
-        return f"put a space behind the colon: {name}: {value}"
+        return f"put a space after the colon: {name}: {value}"
     if find_outside(text, " ", 0, len(text)) < 0 or "/" in text:
         return f"write `{text}:` with a colon for an entry without a value"
-    return "write each entry as `name: value`, on a line of its own"
+    return "write each entry as `name: value`, on a separate line"
 
 
 def _entries_hint(text: str, known: Sequence[str]) -> str:

@@ -70,10 +70,13 @@ def is_keyword(text: str) -> bool:
 def bad_variable_name(name: str) -> str:
     """Return what is wrong with the name of a variable."""
     if is_keyword(name):
-        return f"'{name}' is a word of Python and cannot name a variable"
+        return f"'{name}' is a Python keyword and cannot be the name of a variable"
     if is_dunder(name):
-        return f"'{name}' cannot name a variable: names in double underscores are Python's own"
-    return f"'{name}' cannot name a variable"
+        return (
+            f"'{name}' cannot be the name of a variable: names in "
+            "double underscores are reserved by Python"
+        )
+    return f"'{name}' cannot be the name of a variable"
 
 
 def name_hint(name: str) -> str:

@@ -189,10 +189,10 @@ def _parse_root_element(
     if bare.startswith("xacro:"):
         raise failure(
             "unknown-section",
-            f"'{bare}' belongs to xacro and is no section of a file",
+            f"'{bare}' is a xacro element, not a section of a file",
             key.span(),
-            hint="properties go under `variables:`, macros under `functions:`, includes and calls "
-            "under `model:`; see docs/coming-from-xacro.md",
+            hint="write properties under `variables:`, macros under `functions:`, includes "
+            "and calls under `model:`; see docs/coming-from-xacro.md",
         )
     if word == "robot" and isinstance(node, SequenceNode) and not _has_entries(node):
         raise failure(
@@ -227,9 +227,9 @@ def _has_entries(node: SequenceNode) -> bool:
 def _refuse_misspelt(key: ScalarNode, near: str) -> None:
     raise failure(
         "unknown-section",
-        f"'{key.text}' is no section of a file",
+        f"'{key.text}' is not a section of a file",
         key.span(),
-        hint=f"did you mean `{near}`? An output root of that name is written <{key.text}>:",
+        hint=f"did you mean `{near}`? for a root element of that name, write <{key.text}>:",
     )
 
 
@@ -240,15 +240,15 @@ def _refuse_two_roots(key: ScalarNode, document: Document, context: ParseContext
     if document.root is not None:
         raise failure(
             "two-roots",
-            f"'{key.text}' stands beside the root element, and a file makes one",
+            f"'{key.text}' is a second root element",
             key.span(),
-            hint="put it inside the root element; elements of a robot go under `model:`",
+            hint="put it inside the root element; put elements of a robot under `model:`",
             notes=[f"the root element is at {document.root.span.place()}"],
         )
     if document.robot_name is not None and key.text.partition("/")[0] == "robot":
         raise failure(
             "two-roots",
-            f"'{key.text}' makes a root element, and `robot:` has named one before",
+            f"'{key.text}' is a second root element, after `robot:`",
             key.span(),
             hint="write robot/name=NAME: above the body, or `model:` instead of this `robot:`",
             notes=[f"the robot is named at {document.robot_name.span.place()}"],
@@ -257,9 +257,9 @@ def _refuse_two_roots(key: ScalarNode, document: Document, context: ParseContext
         _refuse_beside_model(key.span(), document.model_span, context)
     raise failure(
         "two-roots",
-        f"'{key.text}' stands beside `robot:`, and would be a second root element",
+        f"'{key.text}' is a second root element, beside `robot:`",
         key.span(),
-        hint=f"leave `robot:` out when '{key.text}' is the root element",
+        hint=f"remove `robot:` if '{key.text}' is the root element",
     )
 
 
@@ -269,10 +269,10 @@ def _refuse_beside_model(span: Span, model: Span, context: ParseContext) -> None
         return
     raise failure(
         "two-roots",
-        f"'{span.written()}' is no section, and would be a root element beside `model:`",
+        f"'{span.written()}' is not a section, and a root element is not allowed beside `model:`",
         span,
         hint=did_you_mean(span.written(), [ARGUMENTS])
-        or "elements of a robot go under `model:`; a file has a `model` or a root element",
+        or "put elements of a robot under `model:`; a file has a `model` or a root element",
         notes=[f"`model:` is at {model.place()}"],
     )
 
@@ -288,7 +288,7 @@ def _parse_imports(node: YamlNode, document: Document, context: ParseContext) ->
                 "bad-import",
                 "`import` lists Python modules",
                 scalar.span(),
-                hint="write import: [math, numpy as np], or one a line behind a dash",
+                hint="write import: [math, numpy as np], or one per line after a dash",
             )
         if not is_empty(scalar):
             context.attempt(_parse_import, scalar, document, context)
@@ -329,21 +329,21 @@ def _parse_module(node: ScalarNode, text: str) -> ImportNode:
     if len(words) == 1 and _is_module(words[0]):
         entry = ImportNode(words[0], None, None, node.span())
         if words[0].endswith(".py"):
-            entry.hint = f"a module is named without its ending: {words[0][:-3]}"
+            entry.hint = f"write the module without its extension: {words[0][:-3]}"
         return entry
     hint = "write math, or numpy as np, or from math import pi, sin"
     if words[:1] == ["import"]:
         hint = f"write '{' '.join(words[1:])}' without the word import"
     elif _is_module(text.strip().lstrip("./")):
-        hint = f"modules beside the file are named without a dot: {text.strip().lstrip('./')}"
-    raise failure("bad-import", f"'{text.strip()}' is no module to import", node.span(), hint=hint)
+        hint = f"write a module beside the file without a dot: {text.strip().lstrip('./')}"
+    raise failure("bad-import", f"'{text.strip()}' cannot be imported", node.span(), hint=hint)
 
 
 def _parse_from(node: ScalarNode, words: list[str]) -> ImportNode:
     if len(words) < 4 or words[2] != "import" or not _is_module(words[1]):
         raise failure(
             "bad-import",
-            f"'{node.text}' is no import",
+            f"'{node.text}' is not an import",
             node.span(),
             hint="write from math import pi, sin",
         )
@@ -355,9 +355,9 @@ def _parse_from(node: ScalarNode, words: list[str]) -> ImportNode:
         if not (is_plain or is_alias) or not is_identifier(parts[0]):
             raise failure(
                 "bad-import",
-                f"'{piece.strip()}' is no name to import",
+                f"'{piece.strip()}' is not a name to import",
                 node.span(),
-                hint="name what you need: from math import pi, sin",
+                hint="list the names: from math import pi, sin",
             )
         names.append((parts[0], parts[-1]))
     return ImportNode(words[1], None, names, node.span())

@@ -170,7 +170,7 @@ def _compile(python: PythonCode, text: str, mode: str, message: str) -> None:
 def _reason(error: Exception) -> str:
     """Return why Python does not compile a text that is spelled well."""
     if isinstance(error, (RecursionError, MemoryError)):
-        return "it is nested too deep"
+        return "it is nested too deeply"
     return str(error)
 
 
@@ -234,9 +234,9 @@ def _syntax_hint(python: PythonCode, reason: str) -> str | None:
     if "&&" in text or "||" in text:
         return "Python writes `and`, `or` and `not`"
     if "$" in text:
-        return "names stand by themselves inside an expression, without $"
+        return "inside an expression, write names without $"
     if python.opening and text.rstrip().endswith(":"):
-        return "leave out the colon at the end"
+        return "remove the colon at the end"
     if "=" in reason and "==" in reason:
         return "compare with =="
     return None
@@ -248,13 +248,13 @@ def _hint_for_words(words: list[str]) -> str | None:
     if not rest:
         return None
     if first in ("eval", "arg", "var"):
-        return f"leave out the word {first}: $({rest})"
+        return f"remove the word {first}: $({rest})"
     if first == "env":
         return f"an environment variable with a default is $(optenv {rest})"
     if first in ("find", "find-pkg-share"):
-        return f"the name of a package has no quotes: $({first} name)"
+        return f"write the name of a package without quotes: $({first} name)"
     if first in ("import", "from"):
-        return "modules are listed at the root of the file: import: [math]"
+        return "list modules at the root of the file: import: [math]"
     return None
 
 
@@ -269,7 +269,7 @@ def unclosed(node: ScalarNode, index: int) -> Exception:
         hint = "write $$( for a literal $("
     return failure(
         "unclosed-expression",
-        "this $( is never closed by a )",
+        "this $( is not closed by a )",
         node.span(index, min(index + 2, len(node.text))),
         hint=hint,
     )

@@ -27,7 +27,7 @@ def parse_input(node: YamlNode, context: ParseContext) -> list[Parameter]:
     if isinstance(node, MappingNode):
         raise failure(
             "bad-input",
-            "`input` lists names; this is a mapping",
+            "`input` needs a list of names, not a mapping",
             node.span(),
             hint="write input: side, length=1.0, **Block",
         )
@@ -40,9 +40,9 @@ def parse_input(node: YamlNode, context: ParseContext) -> list[Parameter]:
                 "bad-input",
                 "a parameter is a name, a name=default or a **Block",
                 scalar.span(),
-                hint="write a default behind an equals sign: length=1.0"
+                hint="write a default after an equals sign: length=1.0"
                 if isinstance(scalar, MappingNode)
-                else "quote a parameter whose default holds brackets: 'sizes=[1, 2]'",
+                else "quote a parameter whose default contains brackets: 'sizes=[1, 2]'",
             )
         stretches = split_inline(scalar) if scalar is node else [(0, len(scalar.text))]
         for start, end in stretches:
@@ -72,7 +72,7 @@ def _parse_parameter(node: ScalarNode, start: int, end: int, context: ParseConte
             "bad-input",
             "a parameter is missing here",
             node.span(max(start - 1, 0), max(start, 1)) if text else node.span(),
-            hint="commas stand only between parameters",
+            hint="write commas only between parameters",
         )
     span = node.span(start, end)
     if written.startswith("*"):
@@ -101,7 +101,7 @@ def _parameter_hint(name: str) -> str:
     if is_identifier(rest.strip()):
         rest = rest.strip()
         return f"write {first}_{rest} for one name, or {first}, {rest} for two parameters"
-    return f"a default stands behind =: {first}={rest.strip()}"
+    return f"write a default after =: {first}={rest.strip()}"
 
 
 def _parse_block(written: str, span: object) -> Parameter:
@@ -143,7 +143,7 @@ def parse_short_arguments(node: ScalarNode, context: ParseContext) -> list[Argum
                 "bad-argument",
                 "an argument is missing here",
                 node.span(max(start - 1, 0), max(start, 1)),
-                hint="commas stand only between arguments; an empty text is ''",
+                hint="write commas only between arguments; an empty text is ''",
             )
         equals = _equals_of_name(text, start, end)
         name = None if equals < 0 else text[start:equals].rstrip().removesuffix(":").rstrip()
@@ -182,9 +182,9 @@ def parse_argument_name(key: ScalarNode, context: ParseContext) -> str:
         return python_name(name.strip())
     raise failure(
         "bad-argument",
-        f"'{key.text}' is no name of an argument",
+        f"'{key.text}' cannot be the name of an argument",
         key.span(),
-        hint="arguments are written name: value; statements and elements go under a block's name"
+        hint="write arguments as name: value; write statements and elements under a block's name"
         if isinstance(name, str)
         else "the names of arguments are fixed; compute their values",
     )

@@ -141,7 +141,7 @@ def parse_statement(key: ScalarNode, node: YamlNode, context: ParseContext) -> S
     if word[:slash] in STATEMENTS:
         raise failure(
             "statement-with-attributes",
-            f"`{word[:slash]}` is a statement and takes no attributes",
+            f"`{word[:slash]}` is a statement and has no attributes",
             key.span(),
             hint=f"write <{word}>: for an XML element of that name",
         )
@@ -157,16 +157,16 @@ def _refuse_at_root(key: ScalarNode) -> None:
         what = f"`{word}`" if word in STATEMENTS else f"the call `{word}`"
         raise failure(
             "misplaced-statement",
-            f"{what} cannot stand at the root of a file",
+            f"{what} is not allowed at the root of a file",
             key.span(),
             hint="move it under `model:` or into the body of a function",
         )
     raise failure(
         "misplaced-statement",
-        f"'{word}' cannot stand in an `if` or `for` at the root of a file",
+        f"'{word}' is not allowed in an `if` or `for` at the root of a file",
         key.span(),
         hint=did_you_mean(word, ROOT_STATEMENTS)
-        or "elements go under `model:`, and so does an `if` that makes them",
+        or "put elements under `model:`, and also an `if` that contains them",
     )
 
 
@@ -183,7 +183,7 @@ def _parse_bare(key: ScalarNode, node: YamlNode, context: ParseContext) -> State
         if isinstance(template, Template):
             return _parse_dynamic(key, template, node, context)
     element = _parse_element(key, 0, len(word), node, context, verbatim=False)
-    assert isinstance(element.name, str), "what is evaluated in it makes it one of `$(…)`"
+    assert isinstance(element.name, str), "its expression makes it one of `$(…)`"
     if word not in ROBOT_STATEMENTS:
         context.plain_keys[word] = (element.name, {})
     _warn_of_misspelt_statement(key, node, context)
@@ -215,7 +215,7 @@ def _warn_of_misspelt_statement(key: ScalarNode, node: YamlNode, context: ParseC
     if word == "import":
         context.warn(
             "misspelt-statement",
-            "'import' makes an XML element here; modules are imported at the root of the file",
+            "'import' creates an XML element here; modules are imported at the root of the file",
             key.span(),
             hint="move it to the root of the file, or write <import>: for the element",
         )
@@ -228,7 +228,7 @@ def _warn_of_misspelt_statement(key: ScalarNode, node: YamlNode, context: ParseC
     if near in ("include", "variables", "functions", "process") or inside & telling:
         context.warn(
             "misspelt-statement",
-            f"'{word}' makes an XML element; did you mean the statement `{near}`?",
+            f"'{word}' creates an XML element; did you mean the statement `{near}`?",
             key.span(),
             hint=f"write {near}: for the statement, or <{word}>: for the element",
         )
@@ -368,7 +368,7 @@ def _parse_text_or_comment(
             "not-a-text",
             f"<{word}> takes a text",
             node.span(),
-            hint="use one such entry for each stretch of text",
+            hint="use one such entry for each text",
         )
     text = "" if is_empty(node) else parse_template(node, context=context)
     make = TextNode if word == "#text" else CommentNode
@@ -422,7 +422,7 @@ def parse_arguments(name: str, node: YamlNode, context: ParseContext) -> list[Ar
     if isinstance(node, SequenceNode) and node.items and isinstance(node.items[0], ScalarNode):
         raise failure(
             "bad-argument",
-            "a list is no form of a call's arguments",
+            "the arguments of a call cannot be a list",
             node.span(),
             hint=f"write {name}: left, 2 for values by position, or each as name: value",
         )
@@ -506,7 +506,7 @@ def _extend_if(
             "lone-else",
             f"this `{key.text}` has no `if` right before it",
             key.span(),
-            hint="an `elif` or `else` follows its `if` directly, at the same indentation",
+            hint="put an `elif` or `else` directly after its `if`, at the same indentation",
         )
     if key.text != "else":
         branch = context.attempt(_parse_branch, key, node, context)
@@ -542,7 +542,7 @@ def _parse_for(key: ScalarNode, node: YamlNode, context: ParseContext) -> ForNod
             hint=f"write `iterator: {iterator.strip()}` and `in: {items.strip()}` below it, "
             "and then `body:`"
             if word
-            else "write each entry as `name: value`, on a line of its own",
+            else "write each entry as `name: value`, on a separate line",
         )
     pairs = pairs_of(node, "`for`", context)
     fields = Entries("for", pairs, ("iterator", "range", "in", "body"), key.span())
@@ -563,7 +563,7 @@ def _parse_for(key: ScalarNode, node: YamlNode, context: ParseContext) -> ForNod
         if len(names) > 1:
             raise failure(
                 "bad-iterator",
-                "a `range` gives one number at a time, so it takes one name",
+                "a `range` has single numbers, so the iterator has one name",
                 fields.key("iterator").span(),
                 hint="use `in` for pairs, as in `in: [[a, 1], [b, 2]]`",
             )
@@ -634,7 +634,7 @@ def _parse_function(key: ScalarNode, node: YamlNode, context: ParseContext) -> F
     if not is_function_name(name) or "." in name:
         raise failure(
             "bad-function-name",
-            f"'{name}' cannot name a function",
+            f"'{name}' cannot be the name of a function",
             key.span(),
             hint=f"a function's name begins with a capital letter: {name[:1].upper()}{name[1:]}"
             if is_identifier(name)
@@ -673,7 +673,7 @@ def _parse_part(key: ScalarNode, node: YamlNode, context: ParseContext) -> PartN
     if isinstance(node, ScalarNode) and node.text and not is_empty(node):
         raise failure(
             "not-a-body",
-            "a part holds entries such as `name: value`; this is a text",
+            "a part needs entries such as `name: value`, not a text",
             node.span(),
             hint=f"to name the part, write name: {node.text} below it, indented",
         )
@@ -699,7 +699,7 @@ def _parse_process(key: ScalarNode, node: YamlNode, context: ParseContext) -> Pr
     if node.anchor is not None:
         context.warn(
             "anchored-expression",
-            f"'&{node.anchor}' is a YAML anchor here and no part of the statement",
+            f"'&{node.anchor}' is a YAML anchor here, not a part of the statement",
             node.anchor_span(),
             hint="quote the statement, or delete the anchor",
         )

@@ -106,7 +106,7 @@ def _warn_of_xacro(node: ScalarNode, index: int, context: ParseContext) -> None:
     inner = node.text[index + 2 : close] if close >= 0 else "…"
     context.warn(
         "xacro-syntax",
-        "'${' is xacro's spelling and stays as it is here",
+        "'${' is xacro syntax and is not evaluated here",
         node.span(index, index + 2),
         hint=f"write $({inner}) for an expression, or $${{ for a literal ${{",
     )

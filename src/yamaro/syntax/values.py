@@ -90,9 +90,9 @@ def warn_of_hidden_value(node: ScalarNode, context: ParseContext) -> None:
     hidden = text[at:end].rstrip()
     context.warn(
         "hidden-value",
-        f"'{hidden}' is a comment to YAML, so the value is empty",
+        f"'{hidden}' is a YAML comment, so the value is empty",
         Span(node.source, at, at + len(hidden)),
-        hint=f"quote the value: '{hidden}'; put a space behind # if it is a comment",
+        hint=f"quote the value: '{hidden}'; put a space after # if it is a comment",
     )
 
 
@@ -103,9 +103,9 @@ def _warn_of_missing_space(key: ScalarNode, value: YamlNode, context: ParseConte
     if is_missing and key.style == PLAIN and name.isidentifier() and rest:
         context.warn(
             "hidden-value",
-            f"'{key.text}' is a key to YAML, and its value is empty",
+            f"'{key.text}' is a YAML key with an empty value",
             key.span(),
-            hint=f"put a space behind the colon: {name}: {rest}",
+            hint=f"put a space after the colon: {name}: {rest}",
         )
 
 
@@ -202,7 +202,7 @@ def parse_bare_expression(node: ScalarNode, context: ParseContext) -> PythonCode
     if node.anchor is not None:
         context.warn(
             "anchored-expression",
-            f"'&{node.anchor}' is a YAML anchor here and no part of the expression",
+            f"'&{node.anchor}' is a YAML anchor here, not a part of the expression",
             node.anchor_span(),
             hint="quote the whole expression, or delete the anchor",
         )
@@ -217,7 +217,7 @@ def parse_bare_expression(node: ScalarNode, context: ParseContext) -> PythonCode
             "dollar-in-string",
             "$( inside a string of an expression is plain text",
             node.span(index, index + 2),
-            hint="outside the quotes a name stands by itself: name == 'left'",
+            hint="outside the quotes, write only the name: name == 'left'",
         )
     code = compile_expression(text, node, 0, context.rules, meaning=meaning)
     context.codes.append(code)

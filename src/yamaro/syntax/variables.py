@@ -32,7 +32,7 @@ def split_scope(key: ScalarNode, what: str) -> tuple[int, str]:
     if scope not in SCOPES:
         raise failure(
             "unknown-scope",
-            f"'{scope}' is no scope of a {what}",
+            f"'{scope}' is not a scope of a {what}",
             key.span(slash + 1) if scope else key.span(),
             hint=did_you_mean(scope, SCOPES) or f"the scopes are {', '.join(SCOPES)}",
         )

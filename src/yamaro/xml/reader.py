@@ -39,12 +39,12 @@ _ENCODINGS = frozenset(
 Python has codecs besides that are not for text (punycode, undefined), or that hide text.
 """
 _ADVICE = {
-    "mismatched tag": "each <tag> needs its </tag>, and what is opened last is closed first",
-    "not well-formed (invalid token)": "a < or & in a text or value is written &lt; or &amp;",
+    "mismatched tag": "each <tag> needs a </tag>; close the last opened element first",
+    "not well-formed (invalid token)": "in a text or value, write &lt; for < and &amp; for &",
     "unbound prefix": 'declare it at the root, as in xmlns:xacro="http://www.ros.org/wiki/xacro"',
     "no element found": "the file ends before its root element is closed",
-    "duplicate attribute": "an attribute may stand once in a tag",
-    "junk after document element": "a file has one root element, which holds all others",
+    "duplicate attribute": "give each attribute only once in a tag",
+    "junk after document element": "a file has one root element, which contains all others",
 }
 
 
@@ -100,9 +100,9 @@ def decode_xml(data: bytes, *, name: str, path: str) -> Source:
         "xml-encoding",
         message,
         Span(source, at, end),
-        hint='say what the file is written in: <?xml version="1.0" encoding="UTF-8"?>'
+        hint='declare the encoding of the file: <?xml version="1.0" encoding="UTF-8"?>'
         if declared
-        else 'say what the file is written in: <?xml version="1.0" encoding="ISO-8859-1"?>',
+        else 'declare the encoding of the file: <?xml version="1.0" encoding="ISO-8859-1"?>',
     )
 
 
@@ -288,9 +288,9 @@ class _Reader:
         if value is None or "&" in value or "%" in value:
             raise failure(
                 "xml-entity",
-                f"the entity '{name}' is read from elsewhere, or made of others",
+                f"the entity '{name}' is external, or contains other entities",
                 self._entity_span(name),
-                hint="write what it stands for where it is used",
+                hint="write its text where it is used",
             )
 
     def _entity_span(self, name: str) -> Span:
@@ -344,7 +344,7 @@ class _Reader:
                 message = "unbound prefix"
                 raise failure(
                     "xml-syntax",
-                    f"this is no well-formed XML: {message} '{prefix}'",
+                    f"this is not well-formed XML: {message} '{prefix}'",
                     element.span if name == element.name else element.name_span(name),
                     hint=_ADVICE[message],
                 )
@@ -365,13 +365,13 @@ class _Reader:
     def _fault(self, error: Any) -> YamaroError:
         from pyexpat import ErrorString
 
-        message = ErrorString(error.code) or "this is no XML"
+        message = ErrorString(error.code) or "this is not XML"
         length = len(self._source.text)
         offset = max(0, min(self._offset(self._parser.ErrorByteIndex), length))
         if not self._source.text.lstrip().startswith("<"):
             first = Span(self._source, 0, min(1, length))
             told = 'it begins with a tag, such as <robot name="arm">'
-            return failure("xml-syntax", "this is no XML", first, hint=told)
+            return failure("xml-syntax", "this is not XML", first, hint=told)
         hint = _ADVICE.get(message)
         notes: tuple[str, ...] = ()
         if self._open and message in ("mismatched tag", "no element found"):
@@ -380,7 +380,7 @@ class _Reader:
             notes = (f"<{opened.name}> begins at {opened.span.place()}",)
         return failure(
             "xml-syntax",
-            f"this is no well-formed XML: {message}",
+            f"this is not well-formed XML: {message}",
             Span(self._source, offset, min(offset + 1, length)),
             hint=hint,
             notes=notes,

@@ -67,12 +67,18 @@ def _refuse_without_text(value: Any) -> None:
     if kind.__str__ is not object.__str__:
         return
     if callable(value):
-        raise InputFault("no-text", "a function is no text", "to call it, write name(…)")
+        raise InputFault(
+            "no-text", "a function cannot be converted to text", "to call it, write name(…)"
+        )
     if hasattr(kind, "__next__"):
-        raise InputFault("no-text", "an iterator is no text", "write list(…) around it")
+        raise InputFault(
+            "no-text", "an iterator cannot be converted to text", "write list(…) around it"
+        )
     if kind.__repr__ is object.__repr__:
-        hint = f"give the class {kind.__name__} a __str__, or write what is meant of it"
-        raise InputFault("no-text", f"an object of the class {kind.__name__} is no text", hint)
+        hint = f"give the class {kind.__name__} a __str__, or write one of its attributes"
+        raise InputFault(
+            "no-text", f"an object of the class {kind.__name__} cannot be converted to text", hint
+        )
 
 
 def plain_value(value: Any) -> Any:
@@ -143,7 +149,7 @@ def check_characters(text: str, span: Span, *, trace: Frame | None = None) -> No
         if not is_xml_character(char):
             raise failure(
                 "control-character",
-                f"the character U+{ord(char):04X} cannot stand in XML",
+                f"the character U+{ord(char):04X} is not allowed in XML",
                 span,
                 hint="remove it; XML allows only tab, line breaks and printable characters",
                 trace=trace,

@@ -314,13 +314,13 @@ def _declared(element: Element, prefixes: frozenset[str]) -> frozenset[str]:
         if not address or prefix in ("xml", "xmlns"):
             raise failure(
                 "undeclared-prefix",
-                f"the XML prefix '{prefix}' is declared without an address"
+                f"the XML prefix '{prefix}' is declared without a URI"
                 if not address
-                else f"the XML prefix '{prefix}' has its meaning and cannot be declared",
+                else f"the XML prefix '{prefix}' is reserved and cannot be declared",
                 element.value_span(f"xmlns:{prefix}"),
                 hint=f"write xmlns:{prefix}=https://…"
                 if not address
-                else "leave the declaration out, or name another prefix",
+                else "remove the declaration, or use another prefix",
                 trace=element.trace,
             )
     return prefixes.union(new) if new else prefixes
@@ -340,6 +340,6 @@ def _check_prefix(name: str, element: Element, prefixes: frozenset[str]) -> None
 
 
 _PREFIX_HINTS = {
-    "xacro": "xacro's tags do not exist here; see docs/coming-from-xacro.md",
+    "xacro": "xacro tags are not supported here; see docs/coming-from-xacro.md",
     "xmlns": "xmlns: begins the attributes that declare prefixes: name/xmlns:gz=https://…",
 }

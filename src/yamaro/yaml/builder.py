@@ -240,15 +240,15 @@ class NodeBuilder:
         if name in self.open_anchors:
             return self._absence(
                 "alias-cycle",
-                f"the alias '*{name}' refers to itself: it stands inside the node it names",
+                f"the alias '*{name}' refers to itself: it is inside the node it names",
                 span,
-                hint="an alias can only repeat what is complete before it",
+                hint="an alias can only repeat a node that ends before it",
             )
         node = self.anchors.get(name)
         if node is None:
             return self._absence(
                 "undefined-alias",
-                f"the alias '*{name}' names no anchor",
+                f"the alias '*{name}' has no anchor",
                 span,
                 hint=did_you_mean(name, self.anchors)
                 or f"a text that begins with * needs quotes: '*{name}'",
@@ -321,9 +321,9 @@ class NodeBuilder:
             start, end = event.start_mark.index, event.end_mark.index
             raise failure(
                 "yaml-tag",
-                f"'{event.value}' is no number, as {event.tag} needs it",
+                f"'{event.value}' is not a number, which {event.tag} requires",
                 Span(self.source, start, end),
-                hint=f"write {event.tag} 90.0; an expression in data is not evaluated",
+                hint=f"write {event.tag} 90.0; expressions in data are not evaluated",
             ) from None
 
     def _refuse(self, code: str, message: str, span: Span, *, hint: str) -> None:
@@ -353,9 +353,9 @@ class NodeBuilder:
             end += 1
         self._refuse(
             "yaml-tag",
-            f"the YAML tag '{self.text[start:end]}' has no meaning here",
+            f"the YAML tag '{self.text[start:end]}' is not supported here",
             self.span(start, end),
-            hint="quote the value if it is text; an expression says `not` where others write !",
+            hint="quote the value if it is text; in an expression, write `not` instead of !",
         )
 
     def _refuse_key(self, node: YamlNode) -> ScalarNode:
@@ -380,17 +380,17 @@ class NodeBuilder:
             "several-documents",
             "a second YAML document begins here; a file holds one",
             self.span(event.start_mark.index, event.end_mark.index),
-            hint="put the other document into a file of its own and `include` it",
+            hint="put the other document in a separate file and `include` it",
         )
 
 
 def _hint_for_key(source: Source, node: YamlNode) -> str:
     written = source.text[node.start : node.end].rstrip()
     if len(written.splitlines()) > 1:
-        return "quote the key if it is meant as text, and write it on one line"
+        return "quote the key if it is text, and write it on one line"
     if isinstance(node, MappingNode) and node.is_flow:
         return f"an expression is written $({written.strip('{} ')})"
-    return f"quote the key if it is meant as text: {quoted(written)}"
+    return f"quote the key if it is text: {quoted(written)}"
 
 
 def children_of(node: YamlNode) -> list[Any]:
@@ -417,9 +417,9 @@ def _merged_pairs(
         if not isinstance(mapping, MappingNode):
             raise failure(
                 "bad-merge",
-                "`<<` merges mappings, and this is none",
+                "`<<` can only merge mappings",
                 mapping.span(),
-                hint="write `<<: *name`, where &name stands before a mapping",
+                hint="write `<<: *name`, where &name is before a mapping",
             )
         brought.extend(pair for pair in mapping.pairs if pair[0].text not in taken)
         if not is_alias:

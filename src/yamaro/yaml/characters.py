@@ -27,7 +27,7 @@ def refuse_characters(source: Source) -> None:
         at = text.index(_MARK)
         raise failure(
             "misplaced-bom",
-            "a byte order mark (U+FEFF) stands inside the text",
+            "a byte order mark (U+FEFF) is inside the text",
             Span(source, at, at + 1),
             hint="delete this invisible character; it often comes from pasting files together",
         )
@@ -49,7 +49,7 @@ def _refuse_break(source: Source, at: int) -> NoReturn:
     char = source.text[at]
     raise failure(
         "control-character",
-        f"the character U+{ord(char):04X} would end a line for some readers of YAML",
+        f"the character U+{ord(char):04X} ends a line for some YAML parsers",
         Span(source, at, at + 1),
         hint=f'delete this invisible character; in a text write "{_OTHER_BREAKS[char]}" for it',
     )
@@ -58,11 +58,11 @@ def _refuse_break(source: Source, at: int) -> NoReturn:
 def _refuse_character(source: Source, at: int) -> NoReturn:
     raise failure(
         "control-character",
-        f"the character U+{ord(source.text[at]):04X} cannot stand in a YAML file",
+        f"the character U+{ord(source.text[at]):04X} is not allowed in a YAML file",
         Span(source, at, at + 1),
         hint="delete this invisible character"
         if not is_binary(source.text)
-        else "with so many of them this is no text; is it the right file?",
+        else "this file contains many of them and is probably not a text file",
     )
 
 

@@ -45,9 +45,9 @@ def _tab(given: GivenText, problem: str, context: str, begin: int, at: int) -> E
     tab = start + margin.index("\t")
     return failure(
         "yaml-tab",
-        "a tab stands in the indentation; YAML indents with spaces only",
+        "YAML does not allow tabs in the indentation",
         given.span(tab, tab + 1),
-        hint="replace the tab with spaces, and set the editor to do so",
+        hint="replace the tab with spaces",
     )
 
 
@@ -63,7 +63,7 @@ def _no_break_space(
         if not text[start:found].strip():
             return failure(
                 "yaml-tab",
-                "a no-break space (U+00A0) stands in the indentation; YAML indents with spaces",
+                "YAML does not allow no-break spaces (U+00A0) in the indentation",
                 given.span(found, found + 1),
                 hint="replace it with a space; it often comes from pasting a web page",
             )
@@ -82,7 +82,7 @@ def _start_of_value(
     if text[at : at + 1] == "\t":
         return failure(
             "yaml-tab",
-            "a tab stands here, where YAML allows spaces only",
+            "YAML does not allow a tab here",
             given.span(at, at + 1),
             hint="replace the tab with a space",
         )
@@ -123,9 +123,9 @@ def _open_quote(
         return None
     return failure(
         "yaml-open",
-        "this quote is never closed",
+        "this quote is not closed",
         given.span(begin, begin + 1),
-        hint="put the same quote behind the text; a ' inside '…' is written ''",
+        hint="put the same quote after the text; inside '…', write '' for a '",
     )
 
 
@@ -141,13 +141,13 @@ def _open_bracket(
     key += len(text[key:at]) - len(text[key:at].lstrip())
     if found == ":" and at - key > MAX_KEY:
         return _long_key(given, key)
-    hint = "quote a value that contains , : # [ ] { } and is meant as one text or expression"
+    hint = "quote a text or expression that contains , : # [ ] { }"
     dollar = text.rfind("$(", begin, at)
     close = find_close(text, dollar + 2) if dollar >= 0 else -1
     if close > at:
         return failure(
             "yaml-quote",
-            f"an expression that holds {found} must be quoted inside {{ }} and [ ]",
+            f"an expression that contains {found} must be quoted inside {{ }} and [ ]",
             given.span(dollar, close + 1),
             hint=f"write {quoted(text[dollar : close + 1])}",
         )
@@ -160,7 +160,7 @@ def _open_bracket(
         )
     return failure(
         "yaml-open",
-        f"this {text[begin]} is not closed: there is no {closing} behind it",
+        f"this {text[begin]} is not closed: '{closing}' is missing",
         given.span(begin, begin + 1),
         hint=f"put a {closing} at its end; {hint}",
     )
@@ -173,19 +173,20 @@ def _escape(given: GivenText, problem: str, context: str, begin: int, at: int) -
     if "invalid Unicode" in problem:
         return failure(
             "yaml-escape",
-            f"the escape that begins with '{given.text[slash : slash + 2]}' stands for no "
-            "character of Unicode",
+            f"the escape that begins with '{given.text[slash : slash + 2]}' is not a Unicode "
+            "character",
             given.span(slash, slash + 2),
             hint="write the character itself",
         )
     lacks_digits = given.text[slash + 1 : slash + 2] in ("x", "u", "U")
     return failure(
         "yaml-escape",
-        f"the escape '{given.text[slash : slash + 2]}' has too few hexadecimal digits behind it"
+        f"the escape '{given.text[slash : slash + 2]}' has too few hexadecimal digits"
         if lacks_digits
-        else f"'{given.text[slash : slash + 2]}' is no escape that YAML knows",
+        else f"'{given.text[slash : slash + 2]}' is not a YAML escape",
         given.span(slash, slash + 2),
-        hint="use single quotes, where a backslash is just a backslash, or double the backslash",
+        hint="use single quotes, in which a backslash is an ordinary "
+        "character, or write the backslash twice",
     )
 
 
@@ -199,9 +200,9 @@ def _tag(given: GivenText, problem: str, context: str, begin: int, at: int) -> E
     written = text[start:end].split()[0] if text[start:end].strip() else "!"
     return failure(
         "yaml-tag",
-        f"'{written}' begins with !, which makes it a YAML tag, and tags have no meaning here",
+        f"'{written}' begins with !, so it is a YAML tag, which is not supported here",
         given.span(start, start + len(written)),
-        hint="quote the value if it is text; an expression says `not` where others write !",
+        hint="quote the value if it is text; in an expression, write `not` instead of !",
     )
 
 
@@ -219,7 +220,7 @@ def _second_anchor(
         "yaml-syntax",
         "a value can have one anchor only"
         if written.startswith("&")
-        else "an alias cannot have an anchor: its value has one already",
+        else "an alias cannot have an anchor, since its value already has one",
         given.span(at, at + len(written)),
         hint=f"delete {written if written.startswith('&') else before}",
     )
@@ -246,17 +247,17 @@ def _no_colon(given: GivenText, begin: int) -> Exception:
     if colon and key.isidentifier():
         return failure(
             "yaml-syntax",
-            "there is no space behind the ':', so this is neither a key nor a value",
+            "there is no space after the ':', so this is neither a key nor a value",
             given.span(begin + len(key), begin + len(key) + 1),
             hint=f"write {key}: {value.strip()}",
         )
     return failure(
         "yaml-syntax",
-        "this line has no ':' with a space behind it, so it is neither a key nor a value"
+        "this line has no ':' followed by a space, so it is neither a key nor a value"
         if colon
         else "this line has no ':', so it is neither a key nor a value",
         given.span(begin, max(begin + len(text[begin:end].rstrip()), begin + 1)),
-        hint="put a ':' behind a key; indent a longer text deeper than its key",
+        hint="put a ':' after a key; indent the lines of a long text deeper than its key",
     )
 
 
@@ -278,7 +279,7 @@ def _long_key(given: GivenText, at: int) -> Exception:
         "yaml-long-key",
         f"this key is longer than the {MAX_KEY:,} characters that YAML allows",
         given.span(at, at + MAX_KEY),
-        hint="put long attribute values into variables: name/attribute=$(variable)",
+        hint="store long attribute values in variables: name/attribute=$(variable)",
     )
 
 
@@ -302,9 +303,10 @@ def _second_colon(given: GivenText, start: int, end: int, at: int) -> Exception:
         return _no_colon(given, above)
     return failure(
         "yaml-syntax",
-        "a key stands here, but the lines above do not allow one at this indentation",
+        "a key is not allowed at this indentation",
         given.span(start + len(line) - len(line.lstrip()), at + 1),
-        hint="keys of one mapping begin in the same column; a key with a value holds no more keys",
+        hint="keys of one mapping begin in the same column; a key "
+        "with a value cannot contain other keys",
     )
 
 
@@ -353,7 +355,7 @@ def _misplaced(
     if "incompatible YAML" in problem:
         return failure(
             "yaml-syntax",
-            "this version of YAML is not known",
+            "this version of YAML is not supported",
             given.span(start, end),
             hint="delete the line",
         )
@@ -368,7 +370,7 @@ def _misplaced(
         colon = text.index(":", start)
         return failure(
             "yaml-syntax",
-            "the key is missing in front of this ':'",
+            "the key before this ':' is missing",
             given.span(colon, colon + 1),
             hint="write name: value",
         )
@@ -386,9 +388,9 @@ def _rest(given: GivenText, problem: str, context: str, begin: int, at: int) -> 
     if "document start" in problem and not before:
         return failure(
             "several-documents",
-            "the document has ended above, and this line does not belong to it",
+            "this line is after the end of the document",
             given.span(start + len(before), max(end, start + 1)),
-            hint="the keys of a file all begin in the first column; `...` ends a file",
+            hint="all keys of a file begin in the first column; `...` ends the document",
         )
     if before.endswith(("]", "}", '"', "'")) and text[at:end].strip():
         begun = _quote_over_lines(given, start + len(before))
@@ -406,7 +408,7 @@ def _rest(given: GivenText, problem: str, context: str, begin: int, at: int) -> 
     column = at - start + len(text[at:end]) - len(text[at:end].lstrip())
     return failure(
         "yaml-syntax",
-        "this line does not fit into the mapping or list around it",
+        "the indentation of this line does not match the mapping or list around it",
         given.span(start + column, max(end, start + column + 1)),
         hint="entries of one mapping or list begin in the same column",
     )
@@ -421,7 +423,7 @@ def _quote_over_lines(given: GivenText, end: int) -> Exception | None:
     line, _ = given.span(end - 1, end).location()
     return failure(
         "yaml-open",
-        f"this quote is not closed before line {line}, where text follows behind the closing one",
+        f"this quote is not closed before line {line}, where text follows the closing quote",
         given.span(begin, begin + 1),
         hint=f"put a {text[begin]} at the end of the text that begins here",
     )
@@ -448,13 +450,13 @@ def _text_behind_quote(given: GivenText, key: str, value: str, where: int, at: i
     advice, meant = "quote the whole value:", value
     extra = value[len(text[where:at].rstrip()) :].strip()
     if extra and not extra.strip("]}"):
-        advice, meant = "delete what is too much, or quote the whole value:", value
+        advice, meant = "delete the extra text, or quote the whole value:", value
     if text[at - 1] == closing == value[0] == value[-1] and text[at].isalnum():
         advice, meant = f"a {closing} inside the text ends it; write", value[1:-1]
     shown = f"{key}: {quoted(meant)}" if key else quoted(meant)
     return failure(
         "yaml-quote",
-        f"text follows behind the closing {closing} of this value",
+        f"text follows the closing {closing} of this value",
         given.span(where, max(where + len(value), where + 1)),
         hint=f"{advice} {shown}",
     )

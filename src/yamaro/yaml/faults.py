@@ -21,7 +21,7 @@ def refuse_yaml(error: Any, given: GivenText) -> NoReturn:
         at = first_control_character(given.text)
         raise failure(
             "control-character",
-            f"the character U+{ord(given.text[at]):04X} cannot stand in a YAML file"
+            f"the character U+{ord(given.text[at]):04X} is not allowed in a YAML file"
             if at < len(given.text)
             else f"the file cannot be read as YAML: {problem}",
             given.span(at, at + 1),

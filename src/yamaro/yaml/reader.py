@@ -106,7 +106,7 @@ def _empty(source: Source) -> YamaroError:
         "empty-file",
         "the file is empty",
         Span(source, 0, 0),
-        hint="a robot begins with sections such as `variables:` and `model:`",
+        hint="write sections such as `variables:` and `model:`",
     )
 
 
@@ -150,7 +150,7 @@ def _warn_of_comments(source: Source, root: YamlNode, reporter: Reporter) -> Non
                 if not _is_in_one(at, scalars):
                     reporter.warn(
                         "comment-entry",
-                        f"'{word}' is a YAML comment here, so this line does nothing",
+                        f"'{word}' is a YAML comment here, so this line has no effect",
                         Span(source, at, at + len(word)),
                         hint=f"write <{word[:-1]}>: or quote the key",
                     )

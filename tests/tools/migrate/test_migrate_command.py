@@ -254,7 +254,7 @@ def test_line_ends_of_windows_do_not_come_along(capsys: pytest.CaptureFixture[st
 def test_no_xml_is_an_error(capsys: pytest.CaptureFixture[str]) -> None:
     Path("arm.urdf").write_text("robot: arm\n")
     told = (
-        "error[xml-syntax]: this is no XML\n"
+        "error[xml-syntax]: this is not XML\n"
         " --> arm.urdf:1:1\n"
         "  |\n"
         "1 | robot: arm\n"
@@ -271,7 +271,7 @@ def test_an_error_of_standard_input_names_it(
     give(monkeypatch, b"<robot")
     status, out, err = outcome(capsys, "-", "-q")
     assert (status, out) == (1, "")
-    assert err.startswith("error[xml-syntax]: this is no well-formed XML: ")
+    assert err.startswith("error[xml-syntax]: this is not well-formed XML: ")
     assert " --> <standard input>:1:" in err
 
 
