@@ -14,6 +14,7 @@ from ..diagnostics import INHERITED, YamaroError
 from ..xml.forms import Form, filled, key_of
 from ..xml.memo import Memo
 from ..xml.tree import Element, Text
+from .notes import JOINT_WORDS, LINK_WORDS
 from .pose import origin_element, pose_of_values
 
 TYPE_CHECKING = False
@@ -129,6 +130,7 @@ class _Reader:
             elif key == "joint" and inner is not None and not inner.attributes:
                 self._read_joint(inner, first)
             elif key == "link" and not (inner.attributes if inner else node.attributes):  # type: ignore[union-attr]
+                _refuse_words(node, inner)
                 self.common_holes += range(first, end)
             else:
                 raise _Unusual
@@ -140,7 +142,7 @@ class _Reader:
         seen: set[str] = set()
         for node, inner, first, end, _, _ in form.content:
             key = _plain_key(node, inner)
-            if key in seen or key == "origin":
+            if key in seen or key == "origin" or key in JOINT_WORDS:
                 raise _Unusual
             seen.add(key)
             holes = range(start + first, start + end)
@@ -150,6 +152,17 @@ class _Reader:
                     self.pose_holes += holes
             else:
                 self.common_holes += holes
+
+
+def _refuse_words(node: Node | None, form: Form | None) -> None:
+    """Raise _Unusual if a link holds a word that is worked out beside it."""
+    children = form.content if form is not None else ()
+    names = {each.name for each, inner, *_ in children if isinstance(each, Element)}
+    names |= {inner.name for _, inner, *_ in children if inner is not None}
+    if isinstance(node, Element):
+        names |= {each.name for each in node.elements()}
+    if not LINK_WORDS.isdisjoint(names):
+        raise _Unusual
 
 
 def _plain_key(node: Node | None, form: Form | None) -> str:

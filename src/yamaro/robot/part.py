@@ -24,6 +24,7 @@ from .joint import lower_joint
 from .link import lower_link
 from .lowering import Lowering
 from .material import lower_material
+from .notes import LINK_WORDS, lower_link_words, take_notes, take_words
 from .places import PART
 
 TYPE_CHECKING = False
@@ -91,6 +92,7 @@ def lower(
         finish_words(lowering, robot)
         if lowering.errors:
             raise YamaroError(lowering.errors)
+    robot, _ = take_notes(robot)
     return robot
 
 
@@ -237,7 +239,10 @@ def _lower_each(lowering: Lowering, part: Element, out: list[Node]) -> None:
         elif node.name == "joint":
             out.append(lower_joint(lowering, node, names.joint, child=names.link))
         else:
-            out.append(lower_link(lowering, node, names.link))
+            link, words = take_words(node, LINK_WORDS)
+            out.append(lower_link(lowering, link, names.link))
+            if words:
+                lower_link_words(lowering, words, names.link, beside)
     if "link" not in fields.keys:
         out.append(_empty_link(lowering, part, fields, names))
     out += beside

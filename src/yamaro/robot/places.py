@@ -119,6 +119,13 @@ INERTIAL = Place(
     example="mass: 1.0",
 )
 
+FRAME = Place(
+    "frame",
+    keys=POSE_KEYS - {"origin"},
+    elements=frozenset(),
+    example="xyz: 0 0 0.1",
+)
+
 _LINK_HINT = "it belongs under 'link:'"
 _JOINT_HINT = "it belongs under 'joint:'"
 _HOMES: dict[str, dict[str, str]] = {

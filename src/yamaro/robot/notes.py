@@ -1,0 +1,76 @@
+"""Notes: what a robot holds besides URDF, from the part that says it to what reads it in the end.
+
+A sensor, an actuator, a state and the like are no elements of URDF. Each becomes a note, which
+stands among the robot's links and joints while these are lowered, so that `attach` and `mirror`
+change the names in it with all others. At the end the notes are taken out.
+"""
+
+from __future__ import annotations
+
+from ..diagnostics import did_you_mean, failure
+from ..xml.tree import Element
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Collection
+
+    from ..xml.tree import Node
+    from .lowering import Lowering
+
+LINK_WORDS = frozenset(("frame",))
+"""Keys of a link that are worked out beside it."""
+JOINT_WORDS: frozenset[str] = frozenset()
+"""Keys of a joint that are worked out beside it."""
+
+
+class RobotNote(Element):
+    """Something about a robot that is no element of URDF, such as a sensor or a state.
+
+    Its attributes are texts and numbers as they are read; those that name a link, a joint or a
+    frame are called `link`, `joint` and `frame`, so that they are renamed with it.
+    """
+
+    __slots__ = ()
+
+
+def check_keys(word: Element, known: Collection[str]) -> None:
+    """Raise YamaroError if a word has an entry that means nothing there."""
+    for key in word.elements():
+        if key.name not in known or key.verbatim:
+            raise failure(
+                "unknown-key",
+                f"'{key.name}' is not an entry of `{word.name}`",
+                key.span,
+                hint=did_you_mean(key.name, known) or f"its entries are {', '.join(sorted(known))}",
+                trace=word.trace,
+            )
+
+
+def take_words(key: Element, words: frozenset[str]) -> tuple[Element, list[Element]]:
+    """Return a `joint` or `link` key without the words in it, and the words."""
+    found = [
+        child
+        for child in key.children
+        if type(child) is Element and child.name in words and not child.verbatim
+    ]
+    if not found:
+        return key, found
+    rest = [child for child in key.children if not any(child is word for word in found)]
+    return key.with_children(rest), found
+
+
+def take_notes(robot: Element) -> tuple[Element, list[RobotNote]]:
+    """Return a lowered robot without its notes, and these."""
+    notes = [node for node in robot.children if isinstance(node, RobotNote)]
+    if not notes:
+        return robot, notes
+    return robot.with_children([n for n in robot.children if not isinstance(n, RobotNote)]), notes
+
+
+def lower_link_words(lowering: Lowering, words: list[Element], link: str, out: list[Node]) -> None:
+    """Append what the words in a link make, in the order in which they are written."""
+    from .frames import lower_frame
+
+    for word in words:
+        if word.name == "frame":
+            lower_frame(lowering, word, link, out)
