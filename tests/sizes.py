@@ -19,7 +19,6 @@ MOST_OF_FUNCTION = 40
 LONGER = frozenset(
     """
     check/schema.py
-    robot/geometry.py:_read_moments
     robot/joint.py:_assume_limits
     syntax/keys.py:_parse_attribute
     syntax/parser.py:_parse_root_element

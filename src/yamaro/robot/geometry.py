@@ -13,6 +13,7 @@ from .numbers import read_numbers
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from ..meshes.triangles import TriangleMesh
     from ..model.mesh_integrals import SolidMoments
     from ..model.shapes import Solid
     from ..source import Span
@@ -297,31 +298,11 @@ def _solid_mesh(lowering: Lowering, geometry: Geometry, scale: tuple[float, ...]
 
 def _read_moments(lowering: Lowering, geometry: Geometry, path: str) -> SolidMoments:
     """Return the volume integrals of a mesh file, for scale 1."""
-    from ..meshes.formats import FORMAT_NAMES, MeshFileError, MissingLibraryError
-    from ..meshes.triangles import is_closed, read_mesh
+    from ..meshes.triangles import is_closed
     from ..model.mesh_integrals import solid_moments
 
     span, word, trace = geometry.span, geometry.word, geometry.key.trace
-    try:
-        mesh = read_mesh(path, lowering.may_read)
-    except MeshFileError as error:
-        readable = " ".join(f".{ending}" for ending in FORMAT_NAMES)
-        raise failure(
-            "bad-mesh",
-            f"the mesh '{word}' cannot be read: {error}",
-            span,
-            hint=f"give 'inertia' yourself; computing it needs one of {readable}",
-            trace=trace,
-        ) from error
-    except MissingLibraryError as error:
-        raise failure(
-            "missing-extra",
-            f"reading the mesh '{word}' needs the Python package '{error}'",
-            span,
-            hint="run pip install \"yamaro[mesh]\", give 'inertia' yourself, or use an .stl or "
-            ".obj file, which need nothing",
-            trace=trace,
-        ) from error
+    mesh = _read_mesh(lowering, geometry, path)
     if is_closed(mesh):
         moments = solid_moments(mesh)
         size = max(max(axis) - min(axis) for axis in zip(*mesh.vertices, strict=True))
@@ -346,3 +327,35 @@ def _read_moments(lowering: Lowering, geometry: Geometry, path: str) -> SolidMom
         "and scale: 0.4 0.3 0.2",
         trace=trace,
     )
+
+
+def _read_mesh(lowering: Lowering, geometry: Geometry, path: str) -> TriangleMesh:
+    """Return the triangles of a mesh file.
+
+    Raises:
+        YamaroError: it cannot be read.
+    """
+    from ..meshes.formats import FORMAT_NAMES, MeshFileError, MissingLibraryError
+    from ..meshes.triangles import read_mesh
+
+    span, word, trace = geometry.span, geometry.word, geometry.key.trace
+    try:
+        return read_mesh(path, lowering.may_read)
+    except MeshFileError as error:
+        readable = " ".join(f".{ending}" for ending in FORMAT_NAMES)
+        raise failure(
+            "bad-mesh",
+            f"the mesh '{word}' cannot be read: {error}",
+            span,
+            hint=f"give 'inertia' yourself; computing it needs one of {readable}",
+            trace=trace,
+        ) from error
+    except MissingLibraryError as error:
+        raise failure(
+            "missing-extra",
+            f"reading the mesh '{word}' needs the Python package '{error}'",
+            span,
+            hint="run pip install \"yamaro[mesh]\", give 'inertia' yourself, or use an .stl or "
+            ".obj file, which need nothing",
+            trace=trace,
+        ) from error
