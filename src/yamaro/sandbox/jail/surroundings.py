@@ -34,17 +34,17 @@ def python_folders() -> list[str]:
     name. The rest came there by where the program was started, and may hold anything.
     """
     prefixes = {sys.prefix, sys.exec_prefix, sys.base_prefix, sys.base_exec_prefix}
-    places = [entry for entry in sys.path if _is_place_of_packages(entry, prefixes)]
-    places += [os.path.join(prefix, "lib") for prefix in sorted(prefixes)]
-    places.append(os.path.abspath(__file__)[: -len("sandbox/jail/surroundings.py") - 1])
+    paths = [entry for entry in sys.path if _holds_packages(entry, prefixes)]
+    paths += [os.path.join(prefix, "lib") for prefix in sorted(prefixes)]
+    paths.append(os.path.abspath(__file__)[: -len("sandbox/jail/surroundings.py") - 1])
     found: list[str] = []
-    for place in sorted([*places, *_SYSTEM_FOLDERS]):  # a folder comes before what is in it
-        if not any(covers(folder, place) for folder in found):
-            found.append(place)
+    for path in sorted([*paths, *_SYSTEM_FOLDERS]):  # a folder comes before what is in it
+        if not any(covers(folder, path) for folder in found):
+            found.append(path)
     return found
 
 
-def _is_place_of_packages(path: str, prefixes: set[str]) -> bool:
+def _holds_packages(path: str, prefixes: set[str]) -> bool:
     if not os.path.isabs(path):
         return False
     is_inside = any(path != prefix and covers(prefix, path) for prefix in prefixes)
