@@ -20,14 +20,8 @@ LONGER = frozenset(
     """
     check/schema.py
     robot/joint.py:_assume_limits
-    syntax/keys.py:_parse_attribute
-    syntax/parser.py:_parse_root_element
-    syntax/statements.py
-    syntax/statements.py:_parse_for
     tools/migrate/xacro/program.py
     tools/migrate/xacro/program.py:__init__
-    yaml/builder.py:_build
-    yaml/explanations.py:_misplaced
     """.split()
 )
 

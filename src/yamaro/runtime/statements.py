@@ -24,7 +24,7 @@ from ..syntax.nodes import (
     TextNode,
     VariablesNode,
 )
-from ..syntax.statements import refuse_second_function
+from ..syntax.signatures import refuse_second_function
 from ..syntax.variables import variable_name
 from ..xml.tree import Comment, Element, Text
 from .calls import (

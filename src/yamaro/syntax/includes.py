@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ..diagnostics import failure, suggest
+from ..diagnostics import YamaroError, failure, suggest
 from ..yaml.nodes import ScalarNode
 from .context import ParseContext
 from .mappings import Pairs, is_mapping, pairs_of, refuse_twice
@@ -87,16 +87,7 @@ def parse_include_of(key: ScalarNode, pairs: Pairs, context: ParseContext) -> In
         else:
             rest.append((own, value))
     if path_pair is None:
-        names = [own.text for own, _ in rest]
-        near = suggest("path", names) or next((n for n in names if n in OTHER_WORDS), None)
-        raise failure(
-            "missing-key",
-            f"`{word}` needs an entry `path`",
-            key.span(),
-            hint=f"did you mean `path` instead of '{near}'?"
-            if near
-            else f"write path: other.yaml{', or a body' if word == 'attach' else ''}",
-        )
+        raise _without_path(key, [own.text for own, _ in rest])
     path = _parse_path(path_pair[1], path_pair[0], context)
     if namespace_pair and isinstance(path_pair[1], ScalarNode) and is_xml_file(path_pair[1].text):
         rest.append(namespace_pair)  # XML has no names to put into one, but xacro files arguments
@@ -130,6 +121,19 @@ def _argument_name(key: ScalarNode, context: ParseContext) -> str:
         f"'{name}' cannot be the name of a variable that is passed to the file",
         key.span(),
         hint=name_hint(name),
+    )
+
+
+def _without_path(key: ScalarNode, names: list[str]) -> YamaroError:
+    word = key.text
+    near = suggest("path", names) or next((n for n in names if n in OTHER_WORDS), None)
+    return failure(
+        "missing-key",
+        f"`{word}` needs an entry `path`",
+        key.span(),
+        hint=f"did you mean `path` instead of '{near}'?"
+        if near
+        else f"write path: other.yaml{', or a body' if word == 'attach' else ''}",
     )
 
 

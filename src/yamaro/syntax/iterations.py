@@ -6,6 +6,7 @@ from ..diagnostics import failure
 from ..source import Span
 from ..yaml.nodes import ScalarNode, SequenceNode
 from .context import ParseContext
+from .mappings import Entries
 from .names import bad_variable_name, is_identifier, name_hint, python_name
 from .nodes import Constant, Value
 from .python import PythonCode
@@ -13,9 +14,12 @@ from .values import is_empty, parse_bare_expression, parse_condition, parse_valu
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from typing import NoReturn
+
     from ..yaml.nodes import YamlNode
 
 
+Iterable = PythonCode | Value | list[PythonCode | Constant]
 RANGE_FORMS = "write range: 6, or range: 0, 6, or range: 0, 6, 2"
 
 
@@ -91,3 +95,57 @@ def parse_in(node: YamlNode, context: ParseContext) -> Value | PythonCode:
     if isinstance(node, ScalarNode):
         return parse_bare_expression(node, context)
     return parse_value(node, context)
+
+
+def refuse_text_of_for(node: ScalarNode) -> NoReturn:
+    """Raise YamaroError for a `for` with a text in place of its entries."""
+    iterator, word, items = node.text.partition(" in ")
+    raise failure(
+        "not-a-body",
+        "`for` has the entries `iterator`, `range` or `in`, and `body`",
+        node.span(),
+        hint=f"write `iterator: {iterator.strip()}` and `in: {items.strip()}` below it, "
+        "and then `body:`"
+        if word
+        else "write each entry as `name: value`, on a separate line",
+    )
+
+
+def parse_iterable(entries: Entries, names: int, context: ParseContext) -> tuple[Iterable, bool]:
+    """Return what a `for` with so many names runs over, and whether that is a range.
+
+    Raises:
+        YamaroError: there is nothing to run over, or two things, or a range for several names.
+    """
+    range_node, in_node = entries.get("range"), entries.get("in")
+    if range_node is not None and in_node is not None:
+        raise failure(
+            "given-twice",
+            "`for` takes `range` or `in`, not both",
+            entries.key("in").span(),
+            notes=[f"`range` is given at {entries.key('range').span().place()}"],
+        )
+    if range_node is not None:
+        if names > 1:
+            raise failure(
+                "bad-iterator",
+                "a `range` has single numbers, so the iterator has one name",
+                entries.key("iterator").span(),
+                hint="use `in` for pairs, as in `in: [[a, 1], [b, 2]]`",
+            )
+        return parse_range(range_node, context), True
+    if in_node is None:
+        raise failure(
+            "missing-key",
+            "`for` needs an entry `range` or `in`",
+            entries.span,
+            hint="write range: 6, or in: [left, right]",
+        )
+    if is_empty(in_node):
+        raise failure(
+            "missing-key",
+            "`in` is empty",
+            entries.key("in").span(),
+            hint="write in: [left, right], or the name of a list",
+        )
+    return parse_in(in_node, context), False

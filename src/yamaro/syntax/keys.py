@@ -157,24 +157,8 @@ def _parse_attribute(
     while begin < end and text[begin].isspace():
         begin += 1
     if begin < end and text[begin] in "'\"":
-        close = find_outside(text, text[begin], begin + 1, end)
-        if close < 0:
-            raise failure(
-                "bad-key",
-                f"the quote {text[begin]} of this attribute is not closed",
-                key.span(begin, begin + 1),
-                hint=f"put {text[begin]} after the value",
-            )
-        value_start, value_end, comma = begin + 1, close, close + 1
-        while comma < end and text[comma].isspace():
-            comma += 1
-        if comma < end and text[comma] != ",":
-            raise failure(
-                "bad-key",
-                "text follows the closing quote of this attribute",
-                key.span(comma, end),
-                hint="separate attributes with commas: name/a='1', b='2'",
-            )
+        value_start = begin + 1
+        value_end, comma = _end_of_quoted(key, begin, end)
     else:
         comma = find_outside(text, ",", begin, end)
         comma = end if comma < 0 else comma
@@ -189,6 +173,30 @@ def _parse_attribute(
         value_place=(first, equals + 1) if is_empty else (value_start, value_end),
     )
     return attribute, comma
+
+
+def _end_of_quoted(key: ScalarNode, begin: int, end: int) -> tuple[int, int]:
+    """Return where the quoted value at `begin` is closed, and the index of the comma behind it."""
+    text = key.text
+    close = find_outside(text, text[begin], begin + 1, end)
+    if close < 0:
+        raise failure(
+            "bad-key",
+            f"the quote {text[begin]} of this attribute is not closed",
+            key.span(begin, begin + 1),
+            hint=f"put {text[begin]} after the value",
+        )
+    comma = close + 1
+    while comma < end and text[comma].isspace():
+        comma += 1
+    if comma < end and text[comma] != ",":
+        raise failure(
+            "bad-key",
+            "text follows the closing quote of this attribute",
+            key.span(comma, end),
+            hint="separate attributes with commas: name/a='1', b='2'",
+        )
+    return close, comma
 
 
 def _refuse_bare(key: ScalarNode, start: int, end: int) -> None:

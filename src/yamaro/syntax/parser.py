@@ -187,13 +187,7 @@ def _parse_root_element(
     if near is not None and "/" not in word:
         _refuse_misspelt(key, near)
     if bare.startswith("xacro:"):
-        raise failure(
-            "unknown-section",
-            f"'{bare}' is a xacro element, not a section of a file",
-            key.span(),
-            hint="write properties under `variables:`, macros under `functions:`, includes "
-            "and calls under `model:`; see docs/coming-from-xacro.md",
-        )
+        _refuse_xacro(key, bare)
     if word == "robot" and isinstance(node, SequenceNode) and not _has_entries(node):
         raise failure(
             "not-a-text",
@@ -218,6 +212,16 @@ def _parse_root_element(
     if document.root is not None or document.model_span or document.robot_name is not None:
         _refuse_two_roots(key, document, context)
     document.root = element
+
+
+def _refuse_xacro(key: ScalarNode, tag: str) -> None:
+    raise failure(
+        "unknown-section",
+        f"'{tag}' is a xacro element, not a section of a file",
+        key.span(),
+        hint="write properties under `variables:`, macros under `functions:`, includes "
+        "and calls under `model:`; see docs/coming-from-xacro.md",
+    )
 
 
 def _has_entries(node: SequenceNode) -> bool:

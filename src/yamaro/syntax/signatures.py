@@ -2,18 +2,34 @@
 
 from __future__ import annotations
 
-from ..diagnostics import failure
+from ..diagnostics import YamaroError, failure
 from ..yaml.nodes import MappingNode, ScalarNode
 from .context import ParseContext
+from .heads import scope_behind
 from .keys import find_outside
-from .names import is_identifier, name_hint, python_name
-from .nodes import Argument, Parameter, Value
+from .names import is_function_name, is_identifier, name_hint, python_name
+from .nodes import Argument, FunctionNode, Parameter, Value
 from .template import parse_template
 from .values import is_empty, parse_inline, split_inline
+from .variables import split_scope
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Iterable
+    from typing import NoReturn
+
     from ..yaml.nodes import YamlNode
+
+
+def _no_parameter(node: YamlNode) -> YamaroError:
+    return failure(
+        "bad-input",
+        "a parameter is a name, a name=default or a **Block",
+        node.span(),
+        hint="write a default after an equals sign: length=1.0"
+        if isinstance(node, MappingNode)
+        else "quote a parameter whose default contains brackets: 'sizes=[1, 2]'",
+    )
 
 
 def parse_input(node: YamlNode, context: ParseContext) -> list[Parameter]:
@@ -36,14 +52,7 @@ def parse_input(node: YamlNode, context: ParseContext) -> list[Parameter]:
     seen: dict[str, Parameter] = {}
     for scalar in scalars:
         if not isinstance(scalar, ScalarNode):
-            raise failure(
-                "bad-input",
-                "a parameter is a name, a name=default or a **Block",
-                scalar.span(),
-                hint="write a default after an equals sign: length=1.0"
-                if isinstance(scalar, MappingNode)
-                else "quote a parameter whose default contains brackets: 'sizes=[1, 2]'",
-            )
+            raise _no_parameter(scalar)
         stretches = split_inline(scalar) if scalar is node else [(0, len(scalar.text))]
         for start, end in stretches:
             parameter = context.attempt(_parse_parameter, scalar, start, end, context)
@@ -196,3 +205,56 @@ def _trim(text: str, start: int, end: int) -> tuple[int, int]:
     while end > start and text[end - 1].isspace():
         end -= 1
     return start, end
+
+
+def refuse_repeated(arguments: Iterable[Argument]) -> None:
+    """Raise YamaroError if one of the named arguments of a call is given twice."""
+    seen: dict[str, Argument] = {}
+    for argument in arguments:
+        assert argument.name is not None
+        if argument.name in seen:
+            raise failure(
+                "given-twice",
+                f"the argument '{argument.name}' is given twice",
+                argument.span,
+                hint="keep one of the two",
+                notes=[f"first given at {seen[argument.name].span.place()}"],
+            )
+        seen[argument.name] = argument
+
+
+# --- functions --------------------------------------------------------------------------------
+
+
+def parse_function_name(key: ScalarNode, *, has_signature: bool) -> tuple[str, str]:
+    """Return the name and the scope in the key of a function, with its parameters or without.
+
+    Raises:
+        YamaroError: it cannot name a function.
+    """
+    if has_signature:
+        name, scope = key.text.partition("(")[0].strip(), scope_behind(key)
+    else:
+        end, scope = split_scope(key, "function")
+        name = key.text[:end].strip()
+    if not is_function_name(name) or "." in name:
+        raise failure(
+            "bad-function-name",
+            f"'{name}' cannot be the name of a function",
+            key.span(),
+            hint=f"a function's name begins with a capital letter: {name[:1].upper()}{name[1:]}"
+            if is_identifier(name)
+            else "a function's name is one word that begins with a capital letter",
+        )
+    return name, scope
+
+
+def refuse_second_function(first: FunctionNode, second: FunctionNode) -> NoReturn:
+    """Raise YamaroError for a function that is defined twice in one context."""
+    raise failure(
+        "defined-twice",
+        f"the function '{second.name}' is defined twice",
+        second.span,
+        hint="give one of them another name",
+        notes=[f"first defined at {first.span.place()}"],
+    )

@@ -2,39 +2,35 @@
 
 from __future__ import annotations
 
-from ..diagnostics import INHERITED, YamaroError, did_you_mean, failure, suggest
-from ..xml.tree import Comment, Element, Text
-from ..xml.values import is_comment_text
+from ..diagnostics import INHERITED, YamaroError, failure
+from ..xml.tree import Element
 from ..yaml.nodes import MappingNode, ScalarNode, SequenceNode
 from .context import ParseContext
-from .forms import form_of
 from .heads import (
     body_pairs,
     head_of,
     parse_head_condition,
     parse_head_iteration,
     refuse_other_heads,
-    scope_behind,
     signature_of,
     wrapped_body,
 )
 from .includes import parse_include
-from .iterations import parse_in, parse_iterator, parse_range
+from .iterations import parse_iterable, parse_iterator, refuse_text_of_for
 from .keys import PlainKeyPlaces, find_outside, parse_attributes, parse_name, parse_plain_key
+from .leaves import parse_print, parse_process, parse_text_or_comment
 from .mappings import Entries, Pairs, item_hint, pairs_of, refuse_not_indented
+from .misplaced import refuse_at_root, warn_of_misspelt_statement
 from .names import (
     ROBOT_SECTIONS,
     ROBOT_STATEMENTS,
-    ROOT_STATEMENTS,
     STATEMENTS,
     is_function_name,
-    is_identifier,
 )
 from .nodes import (
     Argument,
     Body,
     CallNode,
-    CommentNode,
     Constant,
     Content,
     DynamicNode,
@@ -47,24 +43,27 @@ from .nodes import (
     ListContent,
     ListValue,
     PartNode,
-    PrintNode,
-    ProcessNode,
     Statement,
     TextContent,
-    TextNode,
 )
-from .python import PythonCode, compile_statements
-from .signatures import parse_argument_name, parse_input, parse_short_arguments
+from .put_out import NO_CHILDREN, as_put_out, element_put_out, static_children
+from .python import PythonCode
+from .signatures import (
+    parse_argument_name,
+    parse_function_name,
+    parse_input,
+    parse_short_arguments,
+    refuse_repeated,
+    refuse_second_function,
+)
 from .template import Template, parse_template
 from .values import is_empty, parse_condition, parse_value, warn_of_hidden_value
-from .variables import parse_variables, split_scope
+from .variables import parse_variables
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable
-    from typing import NoReturn
 
-    from ..xml.tree import Node
     from ..yaml.nodes import YamlNode
     from .keys import PlainKey
 
@@ -106,7 +105,7 @@ def parse_pairs(pairs: Pairs, context: ParseContext) -> Body:
         if statement is None and (word == "if" or head_of(word) == "if"):
             chain = IfNode([], key.span())
         if statement is not None:
-            body.add(_as_put_out(statement, body))
+            body.add(as_put_out(statement, body))
     return body
 
 
@@ -118,7 +117,7 @@ def parse_statement(key: ScalarNode, node: YamlNode, context: ParseContext) -> S
     """
     word = key.text
     if context.at_root:
-        _refuse_at_root(key)
+        refuse_at_root(key)
     parse = _PARSERS.get(word)
     if parse is None and (" " in word or "(" in word):
         parse = _PARSERS.get(head_of(word) or "")
@@ -134,7 +133,7 @@ def parse_statement(key: ScalarNode, node: YamlNode, context: ParseContext) -> S
     if word.startswith("<") and word.endswith(">"):
         return _parse_angled(key, node, context)
     if word in ("#text", "#comment"):
-        return _parse_text_or_comment(word, node, context)
+        return parse_text_or_comment(word, node, context)
     slash = find_outside(word, "/", 0, len(word))
     if slash < 0:
         return _parse_bare(key, node, context)
@@ -146,28 +145,6 @@ def parse_statement(key: ScalarNode, node: YamlNode, context: ParseContext) -> S
             hint=f"write <{word}>: for an XML element of that name",
         )
     return _parse_element(key, 0, len(word), node, context, verbatim=False)
-
-
-def _refuse_at_root(key: ScalarNode) -> None:
-    """Raise YamaroError if a statement may not stand at the root of a file."""
-    word = key.text
-    if word in ROOT_STATEMENTS or word in ROBOT_SECTIONS or head_of(word):
-        return
-    if word in STATEMENTS or is_function_name(word):
-        what = f"`{word}`" if word in STATEMENTS else f"the call `{word}`"
-        raise failure(
-            "misplaced-statement",
-            f"{what} is not allowed at the root of a file",
-            key.span(),
-            hint="move it under `model:` or into the body of a function",
-        )
-    raise failure(
-        "misplaced-statement",
-        f"'{word}' is not allowed in an `if` or `for` at the root of a file",
-        key.span(),
-        hint=did_you_mean(word, ROOT_STATEMENTS)
-        or "put elements under `model:`, and also an `if` that contains them",
-    )
 
 
 def _parse_bare(key: ScalarNode, node: YamlNode, context: ParseContext) -> Statement:
@@ -186,7 +163,7 @@ def _parse_bare(key: ScalarNode, node: YamlNode, context: ParseContext) -> State
     assert isinstance(element.name, str), "its expression makes it one of `$(…)`"
     if word not in ROBOT_STATEMENTS:
         context.plain_keys[word] = (element.name, {})
-    _warn_of_misspelt_statement(key, node, context)
+    warn_of_misspelt_statement(key, node, context)
     return element
 
 
@@ -200,92 +177,7 @@ def _parse_dynamic(
     return DynamicNode(template, node, content, inner.errors, key.span())
 
 
-# Elements of URDF, SDF, MJCF and others that are near a statement's name.
-_LOOK_MISSPELT = frozenset(
-    "dart exclude far farm fog force fov friction included pair parent park parts path pin point "
-    "points port pos ros sort".split()
-)
-
-
-def _warn_of_misspelt_statement(key: ScalarNode, node: YamlNode, context: ParseContext) -> None:
-    """Warn of an element that reads like a misspelt statement, such as `inlcude: leg.yaml`."""
-    word = key.text
-    if word in _LOOK_MISSPELT:
-        return
-    if word == "import":
-        context.warn(
-            "misspelt-statement",
-            "'import' creates an XML element here; modules are imported at the root of the file",
-            key.span(),
-            hint="move it to the root of the file, or write <import>: for the element",
-        )
-        return
-    near = suggest(word, STATEMENTS) if 2 <= len(word) <= 10 else None
-    if near is None:
-        return
-    inside = _keys_inside(node)
-    telling = {"condition", "body", "iterator", "range", "in", "path", "name", "joint", "link"}
-    if near in ("include", "variables", "functions", "process") or inside & telling:
-        context.warn(
-            "misspelt-statement",
-            f"'{word}' creates an XML element; did you mean the statement `{near}`?",
-            key.span(),
-            hint=f"write {near}: for the statement, or <{word}>: for the element",
-        )
-
-
-def _keys_inside(node: YamlNode) -> set[str]:
-    mappings = node.items if isinstance(node, SequenceNode) else [node]
-    return {key.text for item in mappings if isinstance(item, MappingNode) for key, _ in item}
-
-
 # --- elements ---------------------------------------------------------------------------------
-
-
-def _as_put_out(statement: Statement, body: Body) -> Statement:
-    """Return an element, text or comment in which nothing is evaluated as it will be put out.
-
-    What is evaluated, or may fail when it is run, is returned as it is.
-    """
-    if isinstance(statement, ElementNode):
-        return _element_put_out(statement, body)
-    if isinstance(statement, PartNode):
-        statement.form = form_of(statement, body)
-    if isinstance(statement, TextNode) and isinstance(statement.value, str):
-        return Text(statement.value, statement.span)
-    if isinstance(statement, CommentNode) and isinstance(statement.value, str):
-        if is_comment_text(statement.value):
-            return Comment(statement.value, statement.span)
-    return statement
-
-
-def _element_put_out(node: ElementNode, body: Body) -> Element | ElementNode:
-    form = form_of(node, body)
-    children = _static_children(node.content)
-    if form is None or form.holes or children is None:
-        node.form = form
-        return node
-    return Element(
-        str(node.name),
-        node.span,
-        attributes={str(attribute.name): attribute.value for attribute in node.attributes},
-        children=children,
-        trace=INHERITED,
-        value_spans={str(attribute.name): attribute.span for attribute in node.attributes},
-        verbatim=node.verbatim,
-        body=body,
-    )
-
-
-def _static_children(content: Content) -> list[Node] | None:
-    """Return what an element's content puts out, or None if it has to be run."""
-    if content is None:
-        return []
-    if isinstance(content, Body) and content.is_static:
-        return content.statements  # type: ignore[return-value]  # `is_static` says what they are
-    if isinstance(content, TextContent) and isinstance(content.value, str):
-        return [Text(content.value, content.span)]
-    return None
 
 
 def parse_element(key: ScalarNode, node: YamlNode, context: ParseContext) -> ElementNode:
@@ -336,43 +228,24 @@ def _add_plain(
     except YamaroError as error:
         context.keep(error)
         content = None
-    children = _NO_CHILDREN if content is None else _static_children(content)
+    children = NO_CHILDREN if content is None else static_children(content)
     if children is None:
         own = []
         if attributes:
             text = key.text
             own = parse_attributes(key, text.index("/") + 1, len(text), context=context)
         element = ElementNode(name, own, content, span=key, verbatim=False)
-        body.add(_element_put_out(element, body))
+        body.add(element_put_out(element, body))
         return
     places = PlainKeyPlaces(key) if attributes else None
     body.statements.append(Element(name, key, attributes, children, INHERITED, places, False, body))
 
 
-_NO_CHILDREN: list[Node] = []
-"""What an element holds that is empty; nobody changes an element that the parser has made."""
-
-
 def _parse_angled(key: ScalarNode, node: YamlNode, context: ParseContext) -> Statement:
     inner = key.text[1:-1]
     if inner in ("#text", "#comment"):
-        return _parse_text_or_comment(inner, node, context)
+        return parse_text_or_comment(inner, node, context)
     return _parse_element(key, 1, len(key.text) - 1, node, context, verbatim=True)
-
-
-def _parse_text_or_comment(
-    word: str, node: YamlNode, context: ParseContext
-) -> TextNode | CommentNode:
-    if not isinstance(node, ScalarNode):
-        raise failure(
-            "not-a-text",
-            f"<{word}> takes a text",
-            node.span(),
-            hint="use one such entry for each text",
-        )
-    text = "" if is_empty(node) else parse_template(node, context=context)
-    make = TextNode if word == "#text" else CommentNode
-    return make(text, node.span())
 
 
 def parse_content(node: YamlNode, context: ParseContext) -> Content:
@@ -405,7 +278,7 @@ def parse_content(node: YamlNode, context: ParseContext) -> Content:
     return parse_body(node, "an element", context)
 
 
-# --- calls and includes -----------------------------------------------------------------------
+# --- calls -----------------------------------------------------------------------
 
 
 def parse_arguments(name: str, node: YamlNode, context: ParseContext) -> list[Argument]:
@@ -432,18 +305,7 @@ def parse_arguments(name: str, node: YamlNode, context: ParseContext) -> list[Ar
         for key, value in pairs
         if (argument := context.attempt(_parse_argument, key, value, context)) is not None
     ]
-    seen: dict[str, Argument] = {}
-    for argument in arguments:
-        assert argument.name is not None
-        if argument.name in seen:
-            raise failure(
-                "given-twice",
-                f"the argument '{argument.name}' is given twice",
-                argument.span,
-                hint="keep one of the two",
-                notes=[f"first given at {seen[argument.name].span.place()}"],
-            )
-        seen[argument.name] = argument
+    refuse_repeated(arguments)
     return arguments
 
 
@@ -488,12 +350,12 @@ def _parse_branch(
             hint=f"write `condition: {' '.join(node.text.split())}` below it, and then `body:`",
         )
     pairs = pairs_of(node, f"`{word}`", context)
-    fields = Entries(word, pairs, ("condition", "body"), key.span())
-    body_node = fields.get("body")
+    entries = Entries(word, pairs, ("condition", "body"), key.span())
+    body_node = entries.get("body")
     body = Body()
     if body_node is not None:
         body = context.attempt(parse_body, body_node, f"the body of `{word}`", context) or body
-    condition = parse_condition(fields.need("condition", "length > 1.0"), context)
+    condition = parse_condition(entries.need("condition", "length > 1.0"), context)
     return condition, body
 
 
@@ -534,56 +396,16 @@ def _parse_for(key: ScalarNode, node: YamlNode, context: ParseContext) -> ForNod
     if key.text != "for":
         return _parse_short_for(key, node, context)
     if isinstance(node, ScalarNode) and not is_empty(node):
-        iterator, word, items = node.text.partition(" in ")
-        raise failure(
-            "not-a-body",
-            "`for` has the entries `iterator`, `range` or `in`, and `body`",
-            node.span(),
-            hint=f"write `iterator: {iterator.strip()}` and `in: {items.strip()}` below it, "
-            "and then `body:`"
-            if word
-            else "write each entry as `name: value`, on a separate line",
-        )
+        refuse_text_of_for(node)
     pairs = pairs_of(node, "`for`", context)
-    fields = Entries("for", pairs, ("iterator", "range", "in", "body"), key.span())
-    body_node = fields.get("body")
+    entries = Entries("for", pairs, ("iterator", "range", "in", "body"), key.span())
+    body_node = entries.get("body")
     body = Body()
     if body_node is not None:
         body = context.attempt(parse_body, body_node, "the body of `for`", context) or body
-    names = parse_iterator(fields.need("iterator", "i"), context)
-    range_node, in_node = fields.get("range"), fields.get("in")
-    if range_node is not None and in_node is not None:
-        raise failure(
-            "given-twice",
-            "`for` takes `range` or `in`, not both",
-            fields.key("in").span(),
-            notes=[f"`range` is given at {fields.key('range').span().place()}"],
-        )
-    if range_node is not None:
-        if len(names) > 1:
-            raise failure(
-                "bad-iterator",
-                "a `range` has single numbers, so the iterator has one name",
-                fields.key("iterator").span(),
-                hint="use `in` for pairs, as in `in: [[a, 1], [b, 2]]`",
-            )
-        ranges = parse_range(range_node, context)
-        return ForNode(names, ranges, body, is_range=True, span=key.span())
-    if in_node is None:
-        raise failure(
-            "missing-key",
-            "`for` needs an entry `range` or `in`",
-            key.span(),
-            hint="write range: 6, or in: [left, right]",
-        )
-    if is_empty(in_node):
-        raise failure(
-            "missing-key",
-            "`in` is empty",
-            fields.key("in").span(),
-            hint="write in: [left, right], or the name of a list",
-        )
-    return ForNode(names, parse_in(in_node, context), body, is_range=False, span=key.span())
+    names = parse_iterator(entries.need("iterator", "i"), context)
+    iterable, is_range = parse_iterable(entries, len(names), context)
+    return ForNode(names, iterable, body, is_range=is_range, span=key.span())
 
 
 def _parse_short_for(key: ScalarNode, node: YamlNode, context: ParseContext) -> ForNode:
@@ -613,39 +435,15 @@ def _parse_functions(key: ScalarNode, node: YamlNode, context: ParseContext) -> 
     return FunctionsNode(functions, key.span())
 
 
-def refuse_second_function(first: FunctionNode, second: FunctionNode) -> NoReturn:
-    """Raise YamaroError for a function that is defined twice in one context."""
-    raise failure(
-        "defined-twice",
-        f"the function '{second.name}' is defined twice",
-        second.span,
-        hint="give one of them another name",
-        notes=[f"first defined at {first.span.place()}"],
-    )
-
-
 def _parse_function(key: ScalarNode, node: YamlNode, context: ParseContext) -> FunctionNode:
     signature = signature_of(key)
-    if signature is None:
-        end, scope = split_scope(key, "function")
-        name = key.text[:end].strip()
-    else:
-        name, scope = key.text.partition("(")[0].strip(), scope_behind(key)
-    if not is_function_name(name) or "." in name:
-        raise failure(
-            "bad-function-name",
-            f"'{name}' cannot be the name of a function",
-            key.span(),
-            hint=f"a function's name begins with a capital letter: {name[:1].upper()}{name[1:]}"
-            if is_identifier(name)
-            else "a function's name is one word that begins with a capital letter",
-        )
+    name, scope = parse_function_name(key, has_signature=signature is not None)
     input_node: YamlNode | None
     body_node: YamlNode | None
     if signature is None:
         pairs = pairs_of(node, f"the function {name}", context)
-        fields = Entries(name, pairs, ("input", "body"), key.span())
-        input_node, body_node = fields.get("input"), fields.get("body")
+        entries = Entries(name, pairs, ("input", "body"), key.span())
+        input_node, body_node = entries.get("input"), entries.get("body")
     else:
         input_node, body_node = signature, wrapped_body(node, context)
     parameters = []
@@ -680,34 +478,6 @@ def _parse_part(key: ScalarNode, node: YamlNode, context: ParseContext) -> PartN
     return PartNode(parse_body(node, "a part", context), key.span())
 
 
-def _parse_print(key: ScalarNode, node: YamlNode, context: ParseContext) -> PrintNode:
-    if isinstance(node, ScalarNode):
-        warn_of_hidden_value(node, context)
-        text = "" if is_empty(node) else parse_template(node, context=context)
-        return PrintNode(text, node.span())
-    return PrintNode(parse_value(node, context), node.span())
-
-
-def _parse_process(key: ScalarNode, node: YamlNode, context: ParseContext) -> ProcessNode:
-    if not isinstance(node, ScalarNode):
-        raise failure(
-            "not-a-text",
-            "`process` takes Python statements as a text",
-            node.span(),
-            hint="write process: | and the statements, indented, on the lines below",
-        )
-    if node.anchor is not None:
-        context.warn(
-            "anchored-expression",
-            f"'&{node.anchor}' is a YAML anchor here, not a part of the statement",
-            node.anchor_span(),
-            hint="quote the statement, or delete the anchor",
-        )
-    code = compile_statements(node, context.rules)
-    context.codes.append(code)
-    return ProcessNode(code, key.span())
-
-
 _PARSERS: dict[str, Callable[[ScalarNode, YamlNode, ParseContext], Statement]] = {
     "part": _parse_part,
     "if": _parse_if,
@@ -715,6 +485,6 @@ _PARSERS: dict[str, Callable[[ScalarNode, YamlNode, ParseContext], Statement]] =
     "include": parse_include,
     "variables": parse_variables,
     "functions": _parse_functions,
-    "print": _parse_print,
-    "process": _parse_process,
+    "print": parse_print,
+    "process": parse_process,
 }

@@ -54,18 +54,13 @@ def parse_template(
         YamaroError: an expression is not closed, or no Python.
     """
     text = node.text
-    if end is None:
-        end = len(text)
+    end = len(text) if end is None else end
     if text.find("$", start, end) < 0:
         return text if end - start == len(text) else text[start:end]
     parts: list[str | PythonCode] = []
     literal: list[str] = []
     at = start
-    while True:
-        dollar = text.find("$", at, end)
-        if dollar < 0:
-            literal.append(text[at:end])
-            break
+    while (dollar := text.find("$", at, end)) >= 0:
         literal.append(text[at:dollar])
         if text.startswith(("$$(", "$${"), dollar) and dollar + 2 < end:
             literal.append(text[dollar + 1 : dollar + 3])
@@ -84,10 +79,11 @@ def parse_template(
                 _warn_of_xacro(node, dollar, context)
             literal.append("$")
             at = dollar + 1
+    literal.append(text[at:end])
+    if not parts:
+        return "".join(literal)
     if piece := "".join(literal):
         parts.append(piece)
-    if all(isinstance(part, str) for part in parts):
-        return "".join(str(part) for part in parts)
     return Template(tuple(parts), node, start, end)
 
 

@@ -66,7 +66,8 @@ class NodeBuilder:
         self.text = source.text if text is None else text
         self.errors = errors
         self.absent: list[YamlNode] = []  # what stands for nodes that could not be read
-        self.innermost: Any = None  # the collection that was open when the YAML ended in a fault
+        self.open_flow: Any = None  # the outermost `[…]` or `{…}` that is open
+        self.documents = 0
         self.limits = limits
         self.source = owner or source
         self.places = places
@@ -91,13 +92,6 @@ class NodeBuilder:
 
             refuse_yaml(error, self)
 
-    def start_of_open_flow(self) -> int | None:
-        """Return where the outermost `[` or `{` stands that was open when a fault was met."""
-        for collection in (*(outer for outer, _ in self.stack), self.innermost):
-            if collection is not None and collection.is_flow:
-                return int(collection.start)
-        return None
-
     def place(self, offset: int) -> int:
         """Return the offset in the owning source of an offset in the text that is read."""
         if self.places is None:
@@ -110,69 +104,43 @@ class NodeBuilder:
         return Span(self.source, first, max(first, self.place(end)))
 
     def _build(self, parser: Any) -> YamlNode | None:
-        root: YamlNode | None = None
-        documents = 0
         stack = self.stack
-        container: Any = None  # the innermost open collection
+        top = SequenceNode(self.source, 0, 0, is_flow=False)
+        container: Any = top  # the innermost open collection
         key: Any = None  # its key that waits for a value, if it is a mapping
         source, is_fragment = self.source, self.places is not None
         end = 0  # of what was read last, which is where a block collection ends
-        merging, open_anchors = self.merging, self.open_anchors
-        most_depth = self.limits.yaml_depth
         get_event = parser.get_event
         while True:
-            try:
-                event = get_event()
-            except YAMLError:
-                self.innermost = container
-                raise
+            event = get_event()
             kind = type(event)
             if kind is ScalarEvent:
+                start, end = event.start_mark.index, event.end_mark.index
                 if is_fragment or event.anchor is not None or event.tag is not None:
                     node: Any = self._scalar(event)
-                    end = event.end_mark.index
                 else:  # as `_scalar` would; nearly all of a file is read here
-                    start, end = event.start_mark.index, event.end_mark.index
                     node = ScalarNode(event.value, event.style or "", source, start, end)
             elif kind is MappingStartEvent or kind is SequenceStartEvent:
-                opened = self._collection(event, kind)
                 stack.append((container, key))
-                if len(stack) > most_depth:
-                    self._refuse_depth(event)
-                container, key = opened, None
+                container, key = self._open(event, kind), None
                 continue
             elif kind is MappingEndEvent or kind is SequenceEndEvent:
                 node = container
-                if merging and merging[-1][0] is node:
-                    self._merge(node)
-                if node.is_flow:
-                    end = event.end_mark.index
-                node.end = self.place(end) if is_fragment else end
+                end = self._close(node, event, end)
                 container, key = stack.pop()
-                if open_anchors:
-                    self._close_anchor(node)
             elif kind is AliasEvent:
-                node = self._alias(event)
-                end = event.end_mark.index
-            elif kind is DocumentStartEvent:
-                documents += 1
-                if documents > 1:
-                    self._refuse_second_document(event)
-                    return root
-                continue
-            elif kind is StreamEndEvent or event is None:
-                return root
+                node, end = self._alias(event), event.end_mark.index
+            elif kind is StreamEndEvent or event is None or self._is_second_document(event):
+                return top.items[0] if top.items else None
             else:
                 continue
             if key is not None:
                 if key.text == "<<" and key.style == "":
-                    merging.append((container, len(container.pairs), kind is AliasEvent))
+                    self.merging.append((container, len(container.pairs), kind is AliasEvent))
                 container.pairs.append((key, node))
                 key = None
             elif type(container) is MappingNode:
                 key = node if type(node) is ScalarNode else self._refuse_key(node)
-            elif container is None:
-                root = node
             else:
                 container.items.append(node)
 
@@ -198,19 +166,35 @@ class NodeBuilder:
             self.absent.append(node)
         return node
 
-    def _collection(self, event: Any, kind: Any) -> MappingNode | SequenceNode:
+    def _open(self, event: Any, kind: Any) -> MappingNode | SequenceNode:
+        if len(self.stack) > self.limits.yaml_depth:
+            self._refuse_depth(event)
         if event.tag is not None:
             self._refuse_tag(event)
         make = MappingNode if kind is MappingStartEvent else SequenceNode
         start = event.start_mark.index
         if event.anchor is not None or event.tag is not None:
             start = self._after_properties(start)
-        if self.places is not None:
-            start = self.place(start)
+        start = self.place(start)
         node = make(self.source, start, start, bool(event.flow_style))
         if event.anchor is not None:
             self.open_anchors[event.anchor] = node
+        if node.is_flow and self.open_flow is None:
+            self.open_flow = node
         return node
+
+    def _close(self, node: Any, event: Any, end: int) -> int:
+        """Complete a collection whose last node ends at `end`; return where it ends itself."""
+        if self.merging and self.merging[-1][0] is node:
+            self._merge(node)
+        if node.is_flow:
+            end = event.end_mark.index
+        node.end = self.place(end)
+        if self.open_anchors:
+            self._close_anchor(node)
+        if node is self.open_flow:
+            self.open_flow = None
+        return end
 
     def _close_anchor(self, node: YamlNode) -> None:
         for name, opened in list(self.open_anchors.items()):
@@ -375,13 +359,21 @@ class NodeBuilder:
             "--limit yaml-depth=… sets another limit",
         )
 
-    def _refuse_second_document(self, event: Any) -> None:
+    def _is_second_document(self, event: Any) -> bool:
+        """Tell whether a second document begins, and refuse it."""
+        kind = type(event)
+        if kind is not DocumentStartEvent:
+            return False
+        self.documents += 1
+        if self.documents == 1:
+            return False
         self._refuse(
             "several-documents",
             "a second YAML document begins here; a file holds one",
             self.span(event.start_mark.index, event.end_mark.index),
             hint="put the other document in a separate file and `include` it",
         )
+        return True
 
 
 def _hint_for_key(source: Source, node: YamlNode) -> str:

@@ -352,20 +352,6 @@ def _misplaced(
             given.span(at, max(end, at + 1)),
             hint="move this to the next line, indented",
         )
-    if "incompatible YAML" in problem:
-        return failure(
-            "yaml-syntax",
-            "this version of YAML is not supported",
-            given.span(start, end),
-            hint="delete the line",
-        )
-    if "directive" in problem or "directive" in context:
-        return failure(
-            "yaml-quote",
-            "a line cannot begin with % in YAML unless it is quoted",
-            given.span(start, end),
-            hint=f"write {quoted(line.strip())}",
-        )
     if line.strip() == ":" or line.lstrip().startswith(": "):
         colon = text.index(":", start)
         return failure(
@@ -378,6 +364,28 @@ def _misplaced(
         ("]", "}")
     ):
         return _needs_quotes(given, at)
+    return None
+
+
+def _directive(
+    given: GivenText, problem: str, context: str, begin: int, at: int
+) -> Exception | None:
+    """Explain a line that begins with %, which makes it a directive."""
+    start, end = _line_around(given.text, at)
+    if "incompatible YAML" in problem:
+        return failure(
+            "yaml-syntax",
+            "this version of YAML is not supported",
+            given.span(start, end),
+            hint="delete the line",
+        )
+    if "directive" in problem or "directive" in context:
+        return failure(
+            "yaml-quote",
+            "a line cannot begin with % in YAML unless it is quoted",
+            given.span(start, end),
+            hint=f"write {quoted(given.text[start:end].strip())}",
+        )
     return None
 
 
@@ -474,6 +482,7 @@ EXPLANATIONS = (
     _escape,
     _second_anchor,
     _colon,
+    _directive,
     _misplaced,
     _rest,
 )

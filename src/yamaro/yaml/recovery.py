@@ -93,8 +93,9 @@ class Recovery:
             self._text = f"{self._text[:at]} {self._text[at + 1 :]}"
             self._times[self._line_at(at)] = 1
             return at < len(self._source.text) and not is_binary(self._source.text)
-        opening = builder.start_of_open_flow()
-        line = self._line_of(at if opening is None else min(at, opening))
+        if builder.open_flow is not None:
+            at = min(at, builder.open_flow.start)
+        line = self._line_of(at)
         times = self._times.get(line, 0)
         self._times[line] = times + 1
         if not times and not self._is_caused_by_hiding(fault, line):
@@ -102,7 +103,7 @@ class Recovery:
         if is_last or times >= _REST:
             self._hide_from(self._starts[line], len(self._starts) - 1)
         elif times or fault.code not in _STRUCTURE or not self._hide_above(line):
-            self._hide_in(line, at if opening is None else min(at, opening), times)
+            self._hide_in(line, at, times)
         return times <= _REST
 
     def _is_caused_by_hiding(self, fault: Diagnostic, line: int) -> bool:
