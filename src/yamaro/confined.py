@@ -24,7 +24,6 @@ if TYPE_CHECKING:
     from .sandbox.jail import JailError, JailLimits
     from .sandbox.transfer import Outcome
     from .targets.mesh_paths import MeshPaths
-    from .xml.tree import Element
 
     T = TypeVar("T")
 
@@ -143,12 +142,7 @@ def build_of_outcome(outcome: Outcome, paths: MeshPaths, limits: Limits) -> Buil
     if outcome.root is not None and outcome.root.name == "robot":  # as it was written
         outcome.pieces = write_pieces(paths.applied_to(outcome.root), limits)
 
-    def make_root() -> Element:
-        assert outcome.root is not None, "only those who need the tree ask for it"
-        return outcome.root
-
     return Build(
-        make_root,
         lambda: outcome.meshes,
         finished=outcome.root,
         paths=paths,

@@ -7,7 +7,6 @@ from .phases import check, evaluate, lower
 from .result import Build, Finished
 from .runtime.interpreter import Interpreter
 from .runtime.statements import HANDLERS
-from .xml.tree import unshared
 from .xml.writer import write_pieces
 
 TYPE_CHECKING = False
@@ -58,7 +57,6 @@ def compile_request(
     for diagnostic in document.diagnostics:
         reporter.add(diagnostic)
     return Build(
-        lambda: lower(unshared(evaluated), interpreter, finder, Reporter()),
         lambda: finder.referred_to(finished),
         finished=finished,
         paths=request.paths,

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from .xml.tree import unshared
+
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
@@ -42,7 +44,6 @@ class Build:
         "_find_assets",
         "_find_meshes",
         "_finished",
-        "_make_root",
         "_robot",
         "_root",
         "files",
@@ -53,7 +54,6 @@ class Build:
 
     def __init__(
         self,
-        make_root: Callable[[], Element],
         find_meshes: Callable[[], list[str]],
         *,
         finished: Element | None,
@@ -65,7 +65,6 @@ class Build:
         """Hold the results of a build.
 
         Args:
-            make_root: makes the finished tree, each element traced to its origin.
             find_meshes: gives the meshes referred to.
             finished: the finished tree, in which an element may stand in several places; None if
                 it stayed in a jail.
@@ -74,7 +73,6 @@ class Build:
             warnings: what was noticed, in order.
             files: the absolute path of every file read, in order.
         """
-        self._make_root = make_root
         self._find_meshes = find_meshes
         self._root: Element | None = None
         self._finished = finished
@@ -103,7 +101,7 @@ class Build:
     def root(self) -> Element:
         """Return the root element; every element tells where in the YAML it was made."""
         if self._root is None:
-            self._root = self._make_root()
+            self._root = unshared(self._tree())
         return self._root
 
     @property

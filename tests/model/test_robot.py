@@ -283,7 +283,7 @@ model:
 
 
 def test_a_shape_tells_the_line_and_the_call_that_made_it(tmp_path: Path) -> None:
-    robot = read_robot(build(tmp_path / "robot.yaml", text=BALLS).root)
+    robot = build(tmp_path / "robot.yaml", text=BALLS).robot
     found = list(robot.visuals())
     assert [shown.span.location()[0] for _, shown in found] == [11, 11]
     calls = [shown.trace_in(link) for link, shown in found]
@@ -298,7 +298,7 @@ def test_the_robot_tells_the_same_places_as_the_tree(example: str) -> None:
     built = build(path, on_message=lambda line: None)
     elements = [e for e in built.root.elements() if e.name in ("link", "joint")]
     expected = [(e.attributes["name"], e.span.place(), e.trace) for e in elements]
-    robot = read_robot(built.root)
+    robot = built.robot
     found: list[Link | Joint] = [*robot.all_links, *robot.all_joints]
     places = {id(each.element): (each.name, each.span.place(), each.trace) for each in found}
     in_order = [places[id(e)] for e in robot.element.elements() if id(e) in places]

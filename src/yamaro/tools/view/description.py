@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from ...diagnostics import ERROR, WARNING, Diagnostic, YamaroError, render
 from ...model.link import Visual
-from ...model.reading import read_robot
 from ...model.shapes import Mesh
 from ...model.values import attribute_text
 from .origins import Owners, Places
@@ -41,7 +40,7 @@ class Description:
         self._finder = build.finder
         self._files = files
         self._refused: dict[str, Diagnostic] = {}  # by message
-        robot = read_robot(build.root)
+        robot = build.robot
         owners = Owners(robot)
         self.data: Json = {
             "urdf": build.xml(),
