@@ -49,10 +49,8 @@ class Tree:
 def check_tree(links: list[Element], joints: list[JointParts], context: CheckContext) -> Tree:
     """Check names, references and the shape of the tree; return what goes by which name."""
     tree = Tree()
-    for link in links:
-        _check_name(link, tree.links, context)
-    for joint, *_ in joints:
-        _check_name(joint, tree.joints, context)
+    _check_names(links, tree.links, context)
+    _check_names([parts[0] for parts in joints], tree.joints, context)
     hanging, is_complete = _check_references(joints, tree, context)
     in_circle = _check_circles(hanging, context)
     if is_complete and not in_circle:
@@ -64,6 +62,15 @@ def check_tree(links: list[Element], joints: list[JointParts], context: CheckCon
 
 
 # --- names ------------------------------------------------------------------------------------
+
+
+def _check_names(elements: list[Element], known: dict[str, Element], context: CheckContext) -> None:
+    for element in elements:
+        name = element.attributes.get("name")
+        if type(name) is str and name.isidentifier() and name not in known:
+            known[name] = element  # as nearly all are
+        else:
+            _check_name(element, known, context)
 
 
 def _check_name(element: Element, known: dict[str, Element], context: CheckContext) -> None:
@@ -138,21 +145,31 @@ def _check_references(
     joints: list[JointParts], tree: Tree, context: CheckContext
 ) -> tuple[Hanging, bool]:
     """Return how each link hangs, and whether every joint says so and its links exist."""
-    hanging = Hanging()
+    hanging, links = Hanging(), tree.links
     is_complete = True
     for joint, parent_element, child_element, _ in joints:
-        context.outermost = joint
-        parent = _reference(joint, parent_element, tree, context)
-        child = _reference(joint, child_element, tree, context)
+        parent = _known_link(parent_element, links)
+        if parent is None:
+            parent = _reference(joint, parent_element, tree, context)
+        child = _known_link(child_element, links)
+        if child is None:
+            child = _reference(joint, child_element, tree, context)
         if child is None:
             is_complete = False
         elif child in hanging.joints:
+            context.outermost = joint
             _report_two_parents(child, hanging.joints[child], joint, context)
         else:
             hanging.joints[child] = joint
             hanging.parents[child] = NOWHERE if parent is None else parent
     context.outermost = None
     return hanging, is_complete
+
+
+def _known_link(element: Element | None, links: dict[str, Element]) -> str | None:
+    """Return the link that a parent or child names, as nearly all do; None if it may have none."""
+    name = None if element is None else element.attributes.get("link")
+    return name if type(name) is str and name in links else None
 
 
 def _reference(
@@ -164,6 +181,7 @@ def _reference(
     name = attribute_text(element, "link")
     if name is None or name in tree.links:
         return name
+    context.outermost = joint
     role = element.name
     joint_name = attribute_text(joint, "name")
     context.error(

@@ -207,28 +207,43 @@ def _taker(holes: list[int]) -> Callable[[tuple[Any, ...]], tuple[Any, ...]]:
 # --- lowering by a pattern --------------------------------------------------------------------
 
 
+def take_over(lowering: Lowering, part: PartElement, out: list[Node]) -> bool:
+    """Append the joint and link of a part made after one that was lowered before.
+
+    Returns:
+        Whether there is one, and the part has no fault.
+    """
+    form = part.form
+    assert form is not None
+    pattern = lowering.patterns.get(form)
+    if pattern is None:
+        return False
+    common = key_of(pattern.common_of(part.values))
+    known = pattern.lowered.get(common)
+    if known is None:
+        return False
+    trace = lowering.trace if part.trace is INHERITED else part.trace
+    return _take_over(lowering, pattern, known, part.values, trace, out)
+
+
 def lower_formed(
     lowering: Lowering,
     part: PartElement,
     out: list[Node],
     lower: Callable[[Lowering, Element, list[Node]], None],
 ) -> None:
-    """Append the joint and link of a part; `lower` is how that is done without a pattern."""
-    form, values = part.form, part.values
+    """Append the joint and link of a part by `lower`, and keep them to take over from."""
+    form = part.form
     assert form is not None
     if form not in lowering.patterns:
         lowering.patterns[form] = _pattern_of(form)
     pattern = lowering.patterns[form]
-    if pattern is None:
-        lower(lowering, part, out)
-        return
-    common = key_of(pattern.common_of(values))
-    known = None if common is None else pattern.lowered.get(common)
-    if known is not None and _take_over(lowering, pattern, known, values, out):
-        return
     told, before = lowering.told, len(out)
     lower(lowering, part, out)
-    if common is not None and known is None and told == lowering.told:
+    if pattern is None or told != lowering.told:
+        return
+    common = key_of(pattern.common_of(part.values))
+    if common is not None and common not in pattern.lowered:
         _learn(lowering, pattern, common, out[before:])
 
 
@@ -257,6 +272,7 @@ def _take_over(
     pattern: Pattern,
     known: LoweredPart,
     values: tuple[Any, ...],
+    trace: Frame | None,
     out: list[Node],
 ) -> bool:
     """Append the joint and link of a part made after another one, unless it has a fault."""
@@ -275,17 +291,15 @@ def _take_over(
         lowering.part_links.setdefault(part_name, link_name)
         lowering.part_joints.setdefault(part_name, joint_name)
     children: list[Node] = [
-        _like(known.parent, {"link": parent}, INHERITED),
-        _like(known.child, {"link": link_name}, INHERITED),
+        _like(known.parent, {"link": parent}, _NOTHING, INHERITED),
+        _like(known.child, {"link": link_name}, _NOTHING, INHERITED),
         origin,
         *known.rest,
     ]
-    trace, before = lowering.trace, known.joint
-    joint = _like(before, {**before.attributes, "name": joint_name}, trace)
-    joint.children = children
+    before = known.joint
+    joint = _like(before, {**before.attributes, "name": joint_name}, children, trace)
     joint.memo = before.memo
-    link = _like(known.link, {**known.link.attributes, "name": link_name}, trace)
-    link.children = known.link.children
+    link = _like(known.link, {"name": link_name}, known.link.children, trace)
     link.memo = known.link.memo
     out += (joint, link) if pattern.is_joint_first else (link, joint)
     lowering.parents.append(joint)
@@ -294,9 +308,15 @@ def _take_over(
     return True
 
 
-def _like(element: Element, attributes: dict[str, object], trace: Frame | None) -> Element:
-    """Return an empty element of the same origin with other attributes."""
-    return Element(element.name, element.span, attributes, None, trace, element.value_spans)
+_NOTHING: list[Node] = []
+"""What a `<parent>` or `<child>` holds."""
+
+
+def _like(
+    element: Element, attributes: dict[str, object], children: list[Node], trace: Frame | None
+) -> Element:
+    """Return an element of the same origin with other attributes and children."""
+    return Element(element.name, element.span, attributes, children, trace, element.value_spans)
 
 
 def _names(name: object) -> tuple[str, str, str] | None:

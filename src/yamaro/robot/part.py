@@ -19,7 +19,7 @@ from .fields import (
     with_attributes,
     word_of,
 )
-from .formed import lower_formed
+from .formed import lower_formed, take_over
 from .joint import lower_joint
 from .link import lower_link
 from .lowering import Lowering
@@ -205,6 +205,8 @@ class PartNames:
 
 def _lower_part(lowering: Lowering, part: PartElement, out: list[Node]) -> None:
     """Append the joint and link of a part, in the order written, and then what stands beside."""
+    if part.form is not None and take_over(lowering, part, out):
+        return
     entered = lowering.enter(part)
     if type(part) is RobotWord:
         from .words import lower_word

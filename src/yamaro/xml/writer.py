@@ -201,9 +201,9 @@ class _Writer:
         children = element.children
         passage: _Passage | None = memo.written
         if passage is not None and ":" not in head and passage.fits(out, inner, prefixes):
-            lines = "".join([f"{self._head(child, inner)}/>\n" for child in children[:own]])  # type: ignore[arg-type]
-            rest = passage.text or passage.put_together()
-            out.append(f"{head}>\n{lines}{rest}{margin}</{element.name}>\n")
+            out.append(f"{head}>\n")
+            out += [f"{self._head(child, inner)}/>\n" for child in children[:own]]  # type: ignore[arg-type]
+            out += (passage.text or passage.put_together(), passage.end)
             return
         is_mixed = any(isinstance(child, Text) for child in children)
         if ":" in head or is_mixed or not children or len(margin) >= self._most_margin:
@@ -213,8 +213,9 @@ class _Writer:
         self._write_children(children[:own], element, inner, "\n", out, prefixes)
         start = len(out)
         self._write_children(children[own:], element, inner, "\n", out, prefixes)
-        memo.written = _Passage(out, inner, prefixes, start)
-        out.append(f"{margin}</{element.name}>\n")
+        memo.written = passage = _Passage(out, inner, prefixes, start)
+        passage.end = f"{margin}</{element.name}>\n"
+        out.append(passage.end)
 
     def _write_mixed(
         self, element: Element, head: str, end: str, out: list[str], prefixes: frozenset[str]
@@ -247,7 +248,7 @@ class _Passage:
     places, one text is needed.
     """
 
-    __slots__ = ("margin", "out", "prefixes", "start", "stop", "text")
+    __slots__ = ("end", "margin", "out", "prefixes", "start", "stop", "text")
 
     def __init__(self, out: list[str], margin: str, prefixes: frozenset[str], start: int) -> None:
         """Say that the pieces from `start` on were written at a margin, with prefixes declared."""
@@ -257,6 +258,7 @@ class _Passage:
         self.start = start
         self.stop = len(out)
         self.text = ""
+        self.end = ""  # the end of the tag around, if this is what is in an element
 
     def fits(self, out: list[str], margin: str, prefixes: frozenset[str]) -> bool:
         """Tell whether the same would be written at a place of a document."""
