@@ -20,8 +20,6 @@ LONGER = frozenset(
     """
     check/schema.py
     robot/joint.py:_assume_limits
-    tools/migrate/xacro/program.py
-    tools/migrate/xacro/program.py:__init__
     """.split()
 )
 

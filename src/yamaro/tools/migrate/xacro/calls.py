@@ -7,15 +7,15 @@ from ....xml.tree import Comment, Element
 from ....xml.values import format_value
 from ..document import Body, Entry
 from ..elements import add_loose, comments_at_ends
+from .names import camel
 from .parts import is_statement
-from .program import camel
 from .python import CannotMigrate
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from ....xml.tree import Node
+    from .macros import Macro
     from .parts import Write
-    from .program import Macro
     from .writer import FileWriter
 
 

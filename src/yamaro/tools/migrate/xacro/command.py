@@ -10,14 +10,14 @@ from ....diagnostics import WARNING, Diagnostic, YamaroError, did_you_mean, fail
 from ....files.loader import FileLoader, LoadError
 from ....files.packages import PackageFinder
 from ....model.compare import Difference, compare, count_defaults
-from ....program import Program as Yamaro
+from ....program import Program
 from ....sandbox.deep_stack import run_on_deep_stack
 from ....source import Source, Span
 from ....xml.reader import decode_xml, read_xml
 from ..command import ignore
 from ..refused import build_allowing
 from .layout import ALL, ASKED
-from .program import Program
+from .program import XacroProgram
 from .sources import XacroMigration, migrate_program
 
 TYPE_CHECKING = False
@@ -158,14 +158,14 @@ def _migrate(
     *,
     exact: bool,
 ) -> XacroMigration:
-    program = Program(source, host, given, exact=exact)
+    program = XacroProgram(source, host, given, exact=exact)
     expected = expanded_by_xacro(source.path, given, host)
     judge = Judge(folder, host, given, expected or program.result, exact=exact)
     migration = first = judge.tried(program, wanted)
     if first.is_wrong and first.layout.theirs:
         migration = judge.tried(program, (ALL,))
     if migration.is_wrong and len(program.runs.done) > 1:
-        alone = Program(source, host, given, exact=exact, with_others=False)
+        alone = XacroProgram(source, host, given, exact=exact, with_others=False)
         migration = judge.tried(alone, wanted)
     if migration.is_wrong:
         migration = first
@@ -194,9 +194,9 @@ class Judge:
         self._given = given
         self._expected = expected
         self._exact = exact
-        self._programs: dict[tuple[object, ...], Yamaro] = {}
+        self._programs: dict[tuple[object, ...], Program] = {}
 
-    def tried(self, program: Program, wanted: Collection[str]) -> XacroMigration:
+    def tried(self, program: XacroProgram, wanted: Collection[str]) -> XacroMigration:
         """Return the sources of a robot, with their faults and differences."""
         migration = migrate_program(program, wanted)
         try:
@@ -230,12 +230,12 @@ class Judge:
         )
         return built.root, codes
 
-    def _program(self, migration: XacroMigration, codes: Sequence[str]) -> Yamaro:
+    def _program(self, migration: XacroMigration, codes: Sequence[str]) -> Program:
         key = (id(migration), *codes)
         if key not in self._programs:
             files = migration.files.items()
             texts = {os.path.join(self._folder, name): text for name, text in files}
-            self._programs[key] = Yamaro(
+            self._programs[key] = Program(
                 os.path.join(self._folder, migration.main),
                 loader=OverlayLoader(texts, self._host.limits),
                 packages=self._host.found,

@@ -7,7 +7,7 @@ from ....xml.tree import Element
 from ....xml.values import format_value
 from ....yaml.scalars import type_plain
 from ..document import Body, Entry, Quoted
-from .program import names_in
+from .names import names_in
 from .python_texts import negated
 from .surroundings import body_of_last, move_opening, names_of
 

@@ -9,13 +9,14 @@ from __future__ import annotations
 from ....xml.tree import Element
 from ....xml.values import format_value
 from ..elements import walk
-from .program import names_in, used_in
+from .names import names_in, used_in
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
-    from .program import Macro, Program
+    from .macros import Macro
+    from .program import XacroProgram
 
 Counts = dict[str, tuple[int, int]]
 """How many elements of a name there are at least, and at most."""
@@ -31,7 +32,7 @@ class UnknownContent(Exception):
 class Contents:
     """Tells what statements make, over all files of a robot."""
 
-    def __init__(self, program: Program) -> None:
+    def __init__(self, program: XacroProgram) -> None:
         """Look at the macros, their calls, and the blocks that are properties."""
         self._macros: dict[str, list[Macro]] = {}
         self._calls: dict[str, list[tuple[Element, Macro | None]]] = {}

@@ -10,7 +10,8 @@ from ..document import Body, Entry, Quoted, Row, without_expressions
 from .arguments import is_argument
 from .calls import block_name, place_of_block
 from .loops import find_loop
-from .program import Macro, names_in
+from .macros import Macro
+from .names import names_in
 from .python import CannotMigrate, is_typed
 from .surroundings import body_of_last, move_opening, names_of
 
@@ -51,7 +52,7 @@ def is_late(writer: FileWriter, name: str) -> bool:
     known = PREDEFINED | writer.program.arguments.keys()
     if len(argument.defaults) > 1 or not argument.made_of <= known:
         return True
-    return not writer.program.has_what_it_needs(argument.default)
+    return not writer.program.files.has_what_it_needs(argument.default)
 
 
 def write_property(writer: FileWriter, node: Element, body: Body) -> None:
@@ -135,7 +136,7 @@ def _sort(writer: FileWriter, variables: Body, name: str, text: str) -> None:
 
 def _may_be_evaluated(writer: FileWriter, node: Element, text: str) -> bool:
     """Tell whether all that a value is made of is there: xacro evaluates only what is read."""
-    known = writer.program.can_be_evaluated(node)
+    known = writer.program.files.can_be_evaluated(node)
     if known is not None:
         return known
     return names_in(text) <= (

@@ -39,14 +39,14 @@ def sections_of(writer: FileWriter, *, is_main: bool) -> Body:
         _add_root(writer, root, sections, model)
     elif model or not sections:
         sections.add("model", model or None)
-    for comment in writer.program.documents[writer.path].after:
+    for comment in writer.program.files.documents[writer.path].after:
         sections.note(tidy_text(comment.text))
     return sections
 
 
 def header_of(writer: FileWriter, *, is_main: bool) -> str:
     """Return the comment above the file."""
-    header = comments_above(writer.program.documents[writer.path])
+    header = comments_above(writer.program.files.documents[writer.path])
     root = writer.program.roots[writer.path]
     if is_main or all(element.name != "xacro:arg" for element in walk(root)):
         return header

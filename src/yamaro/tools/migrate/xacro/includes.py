@@ -99,10 +99,10 @@ def _is_constant(command: str) -> bool:
 
 def write_include(writer: FileWriter, node: Element, body: Body) -> None:
     """Write an include of a file as one of the source that it becomes, or of itself."""
-    paths = writer.program.files_of(node)
+    paths = writer.program.files.files_of(node)
     filename = format_value(node.attributes.get("filename"))
     computed = computed_name(filename)
-    if computed is not None and len(paths) == 1 and writer.program.is_constant(node):
+    if computed is not None and len(paths) == 1 and writer.program.files.is_constant(node):
         computed = None
     if not paths and "optional" in node.attributes:
         raise CannotMigrate(f"the file '{filename}' is optional, and is not there")
@@ -131,11 +131,11 @@ def _tell_left_behind(writer: FileWriter, node: Element, paths: list[str]) -> No
     """Warn of files that an include might mean as well, and that are not migrated."""
     filename = format_value(node.attributes["filename"])
     if _is_pattern(filename):
-        if not writer.program.is_constant(node):
+        if not writer.program.files.is_constant(node):
             why = f"which files '{filename}' matches depends on arguments"
             writer.lose(node.span, why, f"the sources always include {_shortly(paths)}")
         return
-    left = writer.program.left_behind(node)
+    left = writer.program.files.left_behind(node)
     if left:
         why = f"'{filename}' may name files that are not migrated: {_shortly(left)}"
         hint = f"migrated: {_shortly(paths)}; any other file is an error when the sources are built"
@@ -176,9 +176,9 @@ def _computed_name(
         sources: the names of the sources that it may be, by the paths of their xacro files.
     """
     filename = computed.start + computed.rest
-    named = writer.program.names_of(node)
+    named = writer.program.files.names_of(node)
     is_relative = not any(os.path.isabs(name) for name in named)
-    folder = writer.program.folder_meant(computed.start, node)
+    folder = writer.program.files.folder_meant(computed.start, node)
     if folder and (computed.start or is_relative):
         name = computed.source(folder, sources or _likely(writer, folder), writer.translator.text)
         if name:
@@ -238,7 +238,7 @@ def _is_in_known_folder(writer: FileWriter, name: str) -> bool:
 
 def _current_folder(writer: FileWriter) -> str:
     """Return the current folder if names of files may begin with it; "" if not."""
-    documents = writer.program.documents.values()
+    documents = writer.program.files.documents.values()
     is_named = any("$(cwd)" in document.root.span.source.text for document in documents)
     return os.getcwd() if is_named else ""
 

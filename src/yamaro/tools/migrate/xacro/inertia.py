@@ -17,7 +17,8 @@ if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping
 
     from ....xml.tree import Node
-    from .program import Macro, Program
+    from .macros import Macro
+    from .program import XacroProgram
 
 
 class SolidMacro:
@@ -128,7 +129,7 @@ class SolidInertia:
 class Solids:
     """The macros of a robot that give the inertia of a solid."""
 
-    def __init__(self, program: Program) -> None:
+    def __init__(self, program: XacroProgram) -> None:
         """Look at all macros; one that is defined twice is none."""
         self._macros: dict[str, SolidMacro] = {}
         names = [macro.name for macro in program.definitions.values()]

@@ -15,7 +15,8 @@ from ....xml.tree import Element
 from ....xml.values import format_value
 from ..elements import walk
 from .includes import computed_name, source_name
-from .program import Program, common_folder, used_in
+from .names import common_folder, used_in
+from .program import XacroProgram
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -38,7 +39,7 @@ class Layout:
         brought: the files of other packages that become sources all the same, with the reason.
     """
 
-    def __init__(self, program: Program, wanted: Collection[str]) -> None:
+    def __init__(self, program: XacroProgram, wanted: Collection[str]) -> None:
         """Lay out a robot.
 
         Args:
@@ -110,7 +111,7 @@ class Layout:
 
     def _may_be_found(self, name: str, folder: str) -> bool:
         """Tell whether an include can name a file by its package."""
-        return bool(name) and self._program.finds(name) == folder
+        return bool(name) and self._program.files.finds(name) == folder
 
     # --- outputs --------------------------------------------------------------------------------
 
@@ -139,7 +140,7 @@ class Layout:
         else:
             relative = os.path.relpath(path, self._folder)
         stem = source_name(relative).removesuffix(".yaml")
-        taken = set(self.outputs.values()) | self._program.data.keys()
+        taken = set(self.outputs.values()) | self._program.files.data.keys()
         unique, number = f"{stem}.yaml", 2
         if unique in taken:  # arm.urdf.xacro beside arm.xacro: the ending tells them apart
             endings = os.path.basename(path)[len(os.path.basename(stem)) :].split(".")[1:]
@@ -164,7 +165,7 @@ class Layout:
             migrated = [path for path in names if path not in foreign or path in self.brought]
             for path in migrated:
                 for include in _includes_of(self._program.roots[path]):
-                    for target in self._program.files_of(include):
+                    for target in self._program.files.files_of(include):
                         if target in foreign and target not in self.brought:
                             reason = self._why_coupled(include, target, names)
                             if reason:
@@ -250,7 +251,7 @@ class _Names:
         has_computed_calls: whether they call macros whose names are computed.
     """
 
-    def __init__(self, program: Program, path: str) -> None:
+    def __init__(self, program: XacroProgram, path: str) -> None:
         """Look at a file."""
         root = program.roots[path]
         self.macros: set[str] = set()

@@ -21,7 +21,7 @@ from ....xml.values import format_value
 from ..document import Body, Entry
 from ..elements import tidy_text, walk
 from ..pairing import has_text
-from .program import used_in
+from .names import used_in
 from .python import CannotMigrate
 from .rewriting import Rewriting
 from .steps import (
@@ -43,7 +43,8 @@ if TYPE_CHECKING:
 
     from ....xacro.parameters import Parameter
     from ....xml.tree import Node
-    from .program import Macro, Program
+    from .macros import Macro
+    from .program import XacroProgram
     from .python import Translator
 
 _CONDITIONS = ("xacro:if", "xacro:unless")
@@ -88,7 +89,7 @@ class Loop:
         return body
 
 
-def find_loop(macro: Macro, program: Program, translator: Translator) -> Loop | None:
+def find_loop(macro: Macro, program: XacroProgram, translator: Translator) -> Loop | None:
     """Return the loop that a macro is, or None if it is none for certain."""
     if not any(inner.name == f"xacro:{macro.name}" for inner in walk(macro.element)):
         return None
@@ -108,7 +109,7 @@ class _Reader:
         changed: the texts that the call gives to parameters, without those that stay the same.
     """
 
-    def __init__(self, macro: Macro, program: Program, translator: Translator) -> None:
+    def __init__(self, macro: Macro, program: XacroProgram, translator: Translator) -> None:
         """Take the macro to pieces."""
         self._macro = macro
         self._program = program
@@ -422,7 +423,7 @@ def _is_opposite(one: Element, other: Element) -> bool:
     return {one.name, other.name} == set(_CONDITIONS) and len(values) == 1
 
 
-def _scoped(program: Program) -> set[str]:
+def _scoped(program: XacroProgram) -> set[str]:
     """Return the names of the properties that are set from elsewhere."""
     return {
         format_value(own.attributes.get("name"))

@@ -9,7 +9,8 @@ from __future__ import annotations
 from ....xml.tree import Element
 from ....xml.values import format_value
 from ..elements import walk
-from .program import Program, defined_in, names_in, used_in
+from .names import defined_in, names_in, used_in
+from .program import XacroProgram
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -19,7 +20,7 @@ if TYPE_CHECKING:
     from ..elements import Endings
 
 
-def in_order(nodes: list[Node], endings: Endings, program: Program) -> list[Node]:
+def in_order(nodes: list[Node], endings: Endings, program: XacroProgram) -> list[Node]:
     """Return what stands in one place, properties behind what their values are made of.
 
     They take along the comments above them, and those at the ends of their lines (`endings`).
@@ -82,7 +83,7 @@ def _is_lazy(element: Element) -> bool:
     )
 
 
-def _defined_by(element: Element, program: Program) -> set[str]:
+def _defined_by(element: Element, program: XacroProgram) -> set[str]:
     """Return the names that an element defines where it stands, or what it includes or calls."""
     if element.name == "xacro:macro":
         return set()
@@ -98,7 +99,7 @@ def _last_needed(
     before: list[Element],
     after: list[Element],
     defined: dict[int, set[str]],
-    program: Program,
+    program: XacroProgram,
 ) -> Element | None:
     """Return the last of the elements below that a property needs, if it needs one."""
     own = format_value(element.attributes.get("name"))
@@ -118,7 +119,7 @@ def _last_needed(
     return None if is_read or is_defined_again else after[last]
 
 
-def _read_by(element: Element, program: Program) -> set[str]:
+def _read_by(element: Element, program: XacroProgram) -> set[str]:
     """Return the names that are read where an element stands, also by what it calls or includes."""
     names: set[str] = set()
     seen: set[int] = set()
@@ -135,12 +136,12 @@ def _read_by(element: Element, program: Program) -> set[str]:
     return names
 
 
-def _reached_by(root: Element, inside: set[int], program: Program) -> Iterator[Element]:
+def _reached_by(root: Element, inside: set[int], program: XacroProgram) -> Iterator[Element]:
     """Return the macros that an element calls, and the files that it includes."""
     for own in walk(root, inside):
         macro = program.macro_called(own)
         if macro is not None:
             yield macro.element
         elif own.name == "xacro:include":
-            for path in program.files_of(own):
+            for path in program.files.files_of(own):
                 yield program.roots[path]

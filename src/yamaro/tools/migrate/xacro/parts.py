@@ -38,7 +38,7 @@ if TYPE_CHECKING:
     from ..part_forms import LinkPlan
     from .contents import Contents, Counts
     from .inertia import SolidInertia, Solids
-    from .program import Macro
+    from .macros import Macro
 
     Write = Callable[[Element, Body], None]
 

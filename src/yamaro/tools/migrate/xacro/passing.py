@@ -11,13 +11,14 @@ from ....xacro.parameters import Parameter
 from ....xml.tree import Element
 from ....xml.values import format_value
 from ..elements import walk
-from .program import defined_in, names_in, used_in
+from .names import defined_in, names_in, used_in
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Collection
 
-    from .program import Macro, Program
+    from .macros import Macro
+    from .program import XacroProgram
 
 
 class _Site:
@@ -42,7 +43,7 @@ class _Site:
 class Passing:
     """Finds the names to pass."""
 
-    def __init__(self, program: Program) -> None:
+    def __init__(self, program: XacroProgram) -> None:
         """Look at all macros and calls of a robot."""
         self._program = program
         macros = list(program.definitions.values())
@@ -159,7 +160,7 @@ class Passing:
         text = definition.attributes.get("value", definition.attributes.get("default"))
         if text is not None and "$" not in format_value(text):
             return True
-        return bool(text is not None and self._program.can_be_evaluated(definition))
+        return bool(text is not None and self._program.files.can_be_evaluated(definition))
 
     def _are_hidden(self, name: str, wanted: set[Macro], called: set[Macro]) -> bool:
         """Tell whether a call is in a block, and a macro that inserts this has such a name too."""

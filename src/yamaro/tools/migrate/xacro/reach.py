@@ -10,13 +10,14 @@ from ....xml.tree import Element
 from ....xml.values import format_value
 from ..elements import walk
 from .includes import is_plain
-from .program import Program, defined_in, used_in
+from .names import defined_in, used_in
+from .program import XacroProgram
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Container
 
-    from .program import Macro
+    from .macros import Macro
 
 KEYS_OF_INCLUDES = ("path", "namespace", "prefix")
 """What an include says besides the variables that it passes."""
@@ -65,7 +66,7 @@ class Reach:
         hidden: the properties of files that a macro's own names hide from what it calls.
     """
 
-    def __init__(self, program: Program, theirs: Container[str] = ()) -> None:
+    def __init__(self, program: XacroProgram, theirs: Container[str] = ()) -> None:
         """Look at all macros and files.
 
         Args:
@@ -99,7 +100,7 @@ class Reach:
             if macro is not None:
                 reached.add(macro)
             elif each.name == "xacro:include":
-                reached.update(program.files_of(each))
+                reached.update(program.files.files_of(each))
         used = used_in(element, without=inside) | program.forwarded_in(element, inside)
         return _Reads(own, used, reached)
 
@@ -144,7 +145,7 @@ class Reach:
         if path in self._theirs or not all(
             is_plain(element)
             for element in walk(macro.element)
-            if element.name == "xacro:include" and path in self._program.files_of(element)
+            if element.name == "xacro:include" and path in self._program.files.files_of(element)
         ):
             return set()
         reads = self._reads[path]

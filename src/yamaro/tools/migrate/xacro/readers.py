@@ -15,7 +15,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Container
 
-    from .program import Program
+    from .program import XacroProgram
 
 _WORD = re.compile(r"[^\W\d]\w*")
 _ARGUMENT = re.compile(r"\$\(\s*(?:arg|eval)\b|\barg\s*\(")
@@ -28,7 +28,7 @@ class Readers:
         files: the files that read a name or call a macro (`xacro:name`), by that.
     """
 
-    def __init__(self, program: Program) -> None:
+    def __init__(self, program: XacroProgram) -> None:
         """Look at all macros, and at what is outside of macros in each file."""
         self.files: dict[str, set[str]] = {}
         macros = list(program.definitions.values())
@@ -43,7 +43,7 @@ class Readers:
 
     def _add(
         self,
-        program: Program,
+        program: XacroProgram,
         element: Element,
         path: str,
         own: set[str],

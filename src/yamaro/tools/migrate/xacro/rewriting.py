@@ -13,13 +13,13 @@ from .steps import (
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from ....xml.tree import Node
-    from .program import Program
+    from .program import XacroProgram
 
 
 class Rewriting:
     """Puts a name in the place of a list's first item."""
 
-    def __init__(self, first: str, name: str, program: Program) -> None:
+    def __init__(self, first: str, name: str, program: XacroProgram) -> None:
         """Take the item's expression, as `items[0]`, and its new name."""
         listed, _, index = first[:-1].partition("[")
         self._first = re.compile(rf"(?<![\w.]){listed}\s*\[\s*{index}\s*\]")

@@ -8,7 +8,7 @@ from .file import header_of, sections_of
 from .inertia import Solids
 from .layout import Layout
 from .placing import Placing
-from .program import Program
+from .program import XacroProgram
 from .reach import Reach
 from .tidying import tidy
 from .writer import FileWriter
@@ -60,7 +60,7 @@ class XacroMigration:
         return bool(self.faults or self.differences)
 
 
-def migrate_program(program: Program, wanted: Collection[str] = ()) -> XacroMigration:
+def migrate_program(program: XacroProgram, wanted: Collection[str] = ()) -> XacroMigration:
     """Return sources that make the same robot, for the arguments given at least.
 
     Args:
@@ -95,11 +95,11 @@ def migrate_program(program: Program, wanted: Collection[str] = ()) -> XacroMigr
     for output, sections in sources.items():
         header = written[output][1]
         migration.files[output] = write_document(sections, header)
-    for path, text in program.data.items():
+    for path, text in program.files.data.items():
         copy = layout.output_of_data(path)
         if copy is not None:
             migration.files[copy] = text
-    for changed in program.untried:
+    for changed in program.files.untried:
         given = ", ".join(f"{name}:={value}" for name, value in changed.items())
         span = program.roots[program.main].span
         migration.lost.append((span, f"not tried with {given}", "migrate it with these as well"))

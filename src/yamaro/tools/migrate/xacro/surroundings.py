@@ -5,15 +5,16 @@ from __future__ import annotations
 from copy import copy
 
 from ..document import Body, Entry
-from .program import defined_in, used_in
+from .names import defined_in, used_in
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
+    from .macros import Macro
     from .parts import Write
     from .placing import Content
-    from .program import Macro, Program
+    from .program import XacroProgram
 
 
 class Surroundings:
@@ -31,7 +32,7 @@ class Surroundings:
         parameters, locals, blocks: the names that the macro has.
     """
 
-    def __init__(self, program: Program) -> None:
+    def __init__(self, program: XacroProgram) -> None:
         """Stand at the top of a file."""
         self.macro: Macro | None = None
         self.is_top = True
@@ -60,7 +61,7 @@ class Surroundings:
         inner.is_top = False
         return inner
 
-    def in_macro(self, macro: Macro, program: Program, place: Write | None) -> Surroundings:
+    def in_macro(self, macro: Macro, program: XacroProgram, place: Write | None) -> Surroundings:
         """Return those in a macro, whose elements are written by `place`."""
         inner = self.within(place, is_in_element=False, holder=macro.name)
         inner.macro = macro

@@ -17,14 +17,14 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
 
-    from .program import Program
+    from .program import XacroProgram
 
 _WORD = re.compile(r"[^\W\d]\w*")
 WIDEST_KEY = 60
 """Characters that the key of an entry under a condition may have."""
 
 
-def tidy(files: dict[str, Body], main: str, program: Program) -> None:
+def tidy(files: dict[str, Body], main: str, program: XacroProgram) -> None:
     """Tidy the sources of a robot.
 
     Args:
@@ -56,7 +56,7 @@ def _drop_aliases(files: list[Body], names: set[str]) -> None:
                     body.entries.remove(entry)
 
 
-def _drop_parameters(files: list[Body], program: Program) -> None:
+def _drop_parameters(files: list[Body], program: XacroProgram) -> None:
     """Leave out parameters that only macros read that are not called any more."""
     functions = _functions_in(files)
     read = {
@@ -129,10 +129,10 @@ def _functions_in(files: list[Body]) -> dict[str, Body]:
 # --- scopes ---------------------------------------------------------------------------------------
 
 
-def _make_local(files: dict[str, Body], program: Program) -> None:
+def _make_local(files: dict[str, Body], program: XacroProgram) -> None:
     """Take the scope from variables that are declared once, and read in that file only."""
     words = {path: set(_words_read(sections)) for path, sections in files.items()}
-    others = {word for text in program.data.values() for word in _WORD.findall(text)}
+    others = {word for text in program.files.data.values() for word in _WORD.findall(text)}
     if len(program.roots) > len(files):
         for root in program.roots.values():
             others |= _words_in_macro(root)

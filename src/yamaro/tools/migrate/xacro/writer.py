@@ -43,7 +43,7 @@ if TYPE_CHECKING:
     from .layout import Layout
     from .parts import Write
     from .placing import Content, Placing
-    from .program import Program
+    from .program import XacroProgram
     from .reach import Reach
 
 
@@ -68,7 +68,7 @@ class FileWriter(ElementWriter):
 
     def __init__(
         self,
-        program: Program,
+        program: XacroProgram,
         contents: Contents,
         solids: Solids,
         reach: Reach,

@@ -1,0 +1,79 @@
+"""The names that the expressions and tags of xacro define and read."""
+
+from __future__ import annotations
+
+import os
+import re
+
+from ....xml.tree import Element
+from ....xml.values import format_value
+from ..elements import walk
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Container, Iterator
+
+
+def camel(name: str) -> str:
+    """Return a name as that of a function: `wheel_macro` becomes `WheelMacro`."""
+    words = [word for word in re.split(r"[^A-Za-z0-9]+", name) if word]
+    joined = "".join(word[0].upper() + word[1:] for word in words)
+    return joined if joined[:1].isalpha() else f"F{joined}"
+
+
+def defined_in(root: Element, *, nested: bool = False) -> set[str]:
+    """Return the properties defined in an element, those of macros in it only if `nested`."""
+    names = set()
+    pending = [root]
+    while pending:
+        element = pending.pop()
+        if element.name == "xacro:property":
+            names.add(format_value(element.attributes.get("name")))
+        if element.name != "xacro:macro" or element is root or nested:
+            pending += element.elements()
+    return names
+
+
+def texts_in(root: Element) -> Iterator[str]:
+    """Return the values of attributes in an element, and its texts."""
+    for element in walk(root):
+        yield from map(format_value, element.attributes.values())
+        yield element.text()
+
+
+def outside_expressions(text: str) -> str:
+    """Return what of a text is none of Python's: without `${…}`, but with the texts in it."""
+    return re.sub(
+        r"\$\{([^}]*)\}", lambda found: " ".join(re.findall(r"'[^']*'|\"[^\"]*\"", found[1])), text
+    )
+
+
+def used_in(root: Element, without: Container[int] = ()) -> set[str]:
+    """Return the names in the expressions of an element, but for elements of some identities."""
+    names: set[str] = set()
+    for element in walk(root, without):
+        for text in (*map(format_value, element.attributes.values()), element.text()):
+            names |= names_in(text)
+    return names
+
+
+def names_in(text: str) -> set[str]:
+    """Return the names that the expressions of a text read."""
+    import ast
+
+    names: set[str] = set()
+    for expression in re.findall(r"\$\{([^}]*)\}", text):
+        try:
+            tree = ast.parse(re.sub(r"\$\([^)]*\)", "0", expression).strip(), mode="eval")
+        except (SyntaxError, ValueError):
+            continue
+        found = [node for node in ast.walk(tree) if isinstance(node, ast.Name)]
+        bound = {node.id for node in found if isinstance(node.ctx, ast.Store)}
+        bound |= {node.arg for node in ast.walk(tree) if isinstance(node, ast.arg)}
+        names |= {node.id for node in found} - bound
+    return names
+
+
+def common_folder(paths: list[str]) -> str:
+    """Return the deepest folder that holds all of the files."""
+    return os.path.commonpath([os.path.dirname(path) for path in paths])
