@@ -18,7 +18,8 @@ ADJUSTABLE = frozenset(
     leftover-expression limit-order long-chain massless-moving mimic-cycle mirror-axis
     mirror-raw misplaced-key misplaced-part missing-attribute missing-element missing-extra
     missing-limit missing-mesh-file misspelt-statement needs-version negative-value no-link
-    no-range not-a-number not-urdf odd-density odd-inertia odd-mass quaternion-not-unit
+    no-range not-a-number not-urdf odd-density odd-inertia odd-mass prefix-not-passed
+    quaternion-not-unit
     repeated-element root-inertia several-roots several-shapes slash-in-name soft-limit-outside
     two-parents two-rotations unknown-attribute unknown-child unknown-element unknown-joint
     unknown-joint-type unknown-key unknown-material unknown-mimic unknown-package unknown-parent

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import os
 
-from ..diagnostics import Diagnostic, InputFault, YamaroError, did_you_mean, failure
+from ..diagnostics import Diagnostic, InputFault, Reporter, YamaroError, did_you_mean, failure
 from ..safe.namespace import MISSING
-from ..source import COMMAND_LINE, Span
+from ..source import COMMAND_LINE, Source, Span
 from ..syntax.argument_section import is_literal, spelling_of
 from ..syntax.argument_types import PATH, ArgumentEntry, checked
 from ..syntax.nodes import IncludeNode
@@ -226,3 +226,18 @@ def _note(entry: ArgumentEntry, span: Span) -> list[str]:
     if span.source is entry.span.source:
         return []
     return [f"the argument is declared at {entry.span.place()}"]
+
+
+def warn_of_own_prefix(
+    node: IncludeNode, prefix: Span, names: list[str], source: Source, reporter: Reporter
+) -> None:
+    """Warn of an `attach` whose `prefix` may be meant for the argument of that name."""
+    is_passed = any(argument.name == "prefix" for argument in node.arguments)
+    if "prefix" in names and not is_passed:
+        reporter.warn(
+            "prefix-not-passed",
+            f"'{source.name}' has an argument 'prefix', and the `prefix` of `attach` is not passed "
+            "to it",
+            prefix,
+            hint="to pass one, write arguments: {prefix: left_} under this `attach`",
+        )

@@ -130,9 +130,14 @@ class Interpreter:
         """
         self.files.import_modules(document, scope.home, self.evaluator)
         if document.arguments is not None:
-            from .argument_values import settle_arguments
+            from .argument_values import settle_arguments, warn_of_own_prefix
 
             settle_arguments(document.arguments, scope, self.values, include)
+            if include is not None and include.own_prefix is not None:
+                names = [entry.name for entry in document.arguments]
+                warn_of_own_prefix(
+                    include, include.own_prefix, names, document.source, self.reporter
+                )
         words: list[Node] = []
         for statement in document.sections:
             if document.is_lone_section and include is None and type(statement) is RobotWordNode:

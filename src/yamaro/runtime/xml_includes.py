@@ -210,6 +210,11 @@ def include_xml(
     interpreter.enter(frame, node.path_span)
     try:
         if is_xacro:
+            if node.own_prefix is not None:
+                from .argument_values import warn_of_own_prefix
+
+                names = _arguments_of(root)
+                warn_of_own_prefix(node, node.own_prefix, names, source, interpreter.reporter)
             root = _expanded(interpreter, root, passed, node, namespace, frame)
             mark_included(root, "")
             content = root.children
@@ -224,6 +229,15 @@ def include_xml(
         raise
     finally:
         interpreter.leave(frame)
+
+
+def _arguments_of(root: Element) -> list[str]:
+    """Return the names of the arguments that a xacro file declares in its root."""
+    return [
+        format_value(element.attributes.get("name"))
+        for element in root.elements()
+        if element.name == "xacro:arg"
+    ]
 
 
 def _expanded(

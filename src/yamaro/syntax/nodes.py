@@ -334,9 +334,13 @@ class ForNode:
 
 
 class IncludeNode:
-    """`include:`: another file's content, and the names it hands back."""
+    """`include:`: another file's content, and the names it hands back.
 
-    __slots__ = ("arguments", "namespace", "path", "path_span", "span")
+    Attributes:
+        own_prefix: where the `prefix` of an `attach` is written, which is not passed; else None.
+    """
+
+    __slots__ = ("arguments", "namespace", "own_prefix", "path", "path_span", "span")
 
     def __init__(
         self,
@@ -352,6 +356,7 @@ class IncludeNode:
         self.namespace = namespace
         self.arguments = arguments
         self.span = span
+        self.own_prefix: Span | None = None
 
 
 LOCAL, GLOBAL, PARENT, CHILD, BRIDGE = "local", "global", "parent", "child", "bridge"

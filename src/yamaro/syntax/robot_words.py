@@ -81,6 +81,9 @@ def _parse_item(key: ScalarNode, node: YamlNode, context: ParseContext) -> Robot
         item.body = context.attempt(parse_body, body[1], f"`{word}`", context)
     if word == "attach":
         item.include = _parse_attached(key, passed, body, context)
+        if item.include is not None:
+            prefixes = [name.span() for name, _ in own if name.text == "prefix"]
+            item.include.own_prefix = prefixes[0] if prefixes else None
     return item
 
 
