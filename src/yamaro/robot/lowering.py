@@ -17,9 +17,17 @@ if TYPE_CHECKING:
     from ..xml.forms import Form
     from .formed import Pattern
     from .mirror import Mirror
+    from .notes import RobotNote
     from .numbers import Numbers
 
-    Outside = tuple[list[Element], list[Element], list[Mirror], dict[str, str], dict[str, str]]
+    Outside = tuple[
+        list[Element],
+        list[Element],
+        list[Mirror],
+        list[tuple[RobotNote, str]],
+        dict[str, str],
+        dict[str, str],
+    ]
     Entered = tuple[Frame | None, int, int]
     """The trace in which a part was entered, and how many errors and warnings there were."""
 
@@ -40,6 +48,7 @@ class Lowering:
             part.
         told: how often something was reported so far.
         trace: the calls and includes that led to the part that is being lowered.
+        references: notes with the attribute that may yet be the name of a part.
         pending: the mirrors whose image is made once names are resolved, inner ones first.
         part_links: the link of each part, by the part's name.
         part_joints: the joint of each part, by the part's name.
@@ -60,6 +69,7 @@ class Lowering:
         "part_links",
         "patterns",
         "pending",
+        "references",
         "reporter",
         "resolve_mesh",
         "told",
@@ -90,6 +100,7 @@ class Lowering:
         self.part_links: dict[str, str] = {}
         self.part_joints: dict[str, str] = {}
         self.pending: list[Mirror] = []
+        self.references: list[tuple[RobotNote, str]] = []
         self._reported: set[object] = set()
         self.told = 0
         self.trace: Frame | None = None
@@ -132,8 +143,15 @@ class Lowering:
         Returns:
             What to give `end_robot`.
         """
-        outside = self.parents, self.mimics, self.pending, self.part_links, self.part_joints
-        self.parents, self.mimics, self.pending = [], [], []
+        outside = (
+            self.parents,
+            self.mimics,
+            self.pending,
+            self.references,
+            self.part_links,
+            self.part_joints,
+        )
+        self.parents, self.mimics, self.pending, self.references = [], [], [], []
         self.part_links, self.part_joints = {}, {}
         return outside
 
@@ -144,7 +162,8 @@ class Lowering:
             The link and the joint of each part in that robot.
         """
         own = self.part_links, self.part_joints
-        self.parents, self.mimics, self.pending, self.part_links, self.part_joints = outside
+        self.parents, self.mimics, self.pending, self.references = outside[:4]
+        self.part_links, self.part_joints = outside[4:]
         return own
 
     def absorb(self, error: YamaroError) -> None:

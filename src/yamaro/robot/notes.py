@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from ..diagnostics import did_you_mean, failure
 from ..xml.tree import Element
+from ..xml.values import format_value
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -17,9 +18,9 @@ if TYPE_CHECKING:
     from ..xml.tree import Node
     from .lowering import Lowering
 
-LINK_WORDS = frozenset(("frame",))
+LINK_WORDS = frozenset(("frame", "sensor"))
 """Keys of a link that are worked out beside it."""
-JOINT_WORDS: frozenset[str] = frozenset()
+JOINT_WORDS = frozenset(("actuator", "sensor"))
 """Keys of a joint that are worked out beside it."""
 
 
@@ -67,10 +68,31 @@ def take_notes(robot: Element) -> tuple[Element, list[RobotNote]]:
     return robot.with_children([n for n in robot.children if not isinstance(n, RobotNote)]), notes
 
 
-def lower_link_words(lowering: Lowering, words: list[Element], link: str, out: list[Node]) -> None:
+def lower_link_words(
+    lowering: Lowering, words: list[Element], link: Element, out: list[Node]
+) -> None:
     """Append what the words in a link make, in the order in which they are written."""
     from .frames import lower_frame
+    from .sensors import lower_link_sensor
 
+    name = format_value(link.attributes.get("name"))
     for word in words:
         if word.name == "frame":
-            lower_frame(lowering, word, link, out)
+            lower_frame(lowering, word, name, out)
+        else:
+            lower_link_sensor(lowering, word, name, out, is_empty=not link.elements())
+
+
+def lower_joint_words(
+    lowering: Lowering, words: list[Element], joint: Element, out: list[Node]
+) -> None:
+    """Append what the words in a joint make, in the order in which they are written."""
+    from .actuators import lower_actuator
+    from .sensors import lower_joint_sensor
+
+    for word in words:
+        if word.name == "actuator":
+            lower_actuator(lowering, word, joint, out)
+        else:
+            name = format_value(joint.attributes.get("name"))
+            lower_joint_sensor(lowering, word, name, out)

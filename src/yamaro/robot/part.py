@@ -24,7 +24,14 @@ from .joint import lower_joint
 from .link import lower_link
 from .lowering import Lowering
 from .material import lower_material
-from .notes import LINK_WORDS, lower_link_words, take_notes, take_words
+from .notes import (
+    JOINT_WORDS,
+    LINK_WORDS,
+    lower_joint_words,
+    lower_link_words,
+    take_notes,
+    take_words,
+)
 from .places import PART
 
 TYPE_CHECKING = False
@@ -239,12 +246,17 @@ def _lower_each(lowering: Lowering, part: Element, out: list[Node]) -> None:
         if not is_own:
             _lower_beside(lowering, node, beside)
         elif node.name == "joint":
-            out.append(lower_joint(lowering, node, names.joint, child=names.link))
+            joint, words = take_words(node, JOINT_WORDS)
+            lowered = lower_joint(lowering, joint, names.joint, child=names.link)
+            out.append(lowered)
+            if words:
+                lower_joint_words(lowering, words, lowered, beside)
         else:
             link, words = take_words(node, LINK_WORDS)
-            out.append(lower_link(lowering, link, names.link))
+            lowered = lower_link(lowering, link, names.link)
+            out.append(lowered)
             if words:
-                lower_link_words(lowering, words, names.link, beside)
+                lower_link_words(lowering, words, lowered, beside)
     if "link" not in fields.keys:
         out.append(_empty_link(lowering, part, fields, names))
     out += beside
@@ -369,6 +381,14 @@ def resolve_names(lowering: Lowering, robot: Element) -> None:
         name = str(mimic.attributes["joint"])
         if name not in joints and name in lowering.part_joints:
             _refer(joint, mimic, "joint", lowering.part_joints[name])
+    for note, attribute in lowering.references:
+        name = str(note.attributes[attribute])
+        is_joint = attribute == "joint"
+        there = _names(robot, "joint") if is_joint else links
+        parts = lowering.part_joints if is_joint else part_links
+        if name not in there and name in parts:
+            note.attributes[attribute] = parts[name]
+    lowering.references.clear()
     if root_link is not None:
         link = Element(
             "link",

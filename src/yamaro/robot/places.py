@@ -126,6 +126,14 @@ FRAME = Place(
     example="xyz: 0 0 0.1",
 )
 
+SENSOR = Place(
+    "sensor",
+    keys=POSE_KEYS - {"origin"},
+    elements=frozenset(("type", "rate", "noise", "topic", "rays", "rows", "angle", "tilt"))
+    | {"range", "size", "fov", "clip", "frame"},
+    example="type: imu",
+)
+
 _LINK_HINT = "it belongs under 'link:'"
 _JOINT_HINT = "it belongs under 'joint:'"
 _HOMES: dict[str, dict[str, str]] = {

@@ -1,0 +1,83 @@
+"""Lowers `actuator`: a note of what drives a joint."""
+
+from __future__ import annotations
+
+from ..diagnostics import YamaroError, did_you_mean, failure
+from ..xml.values import format_value
+from .fields import read_value, word_of
+from .notes import RobotNote, check_keys
+from .numbers import read_numbers
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from ..xml.tree import Element, Node
+    from .lowering import Lowering
+
+COMMANDS = ("position", "velocity", "effort")
+KEYS = ("command", "kp", "kd", "armature", "gear")
+"""What is commanded; the gains; the inertia and the ratio of the gear."""
+
+
+def lower_actuator(lowering: Lowering, word: Element, joint: Element, out: list[Node]) -> None:
+    """Append the note of an actuator in a joint; record what is wrong."""
+    try:
+        out.append(_read(lowering, word, joint))
+    except YamaroError as error:
+        lowering.absorb(error)
+
+
+def _read(lowering: Lowering, word: Element, joint: Element) -> RobotNote:
+    if word.attributes:
+        attribute = next(iter(word.attributes))
+        raise failure(
+            "unknown-key",
+            f"`actuator` has no attribute '{attribute}'",
+            word.name_span(attribute),
+            hint=f"write actuator: {{{attribute}: …}}, or <actuator/…>: for an XML element",
+            trace=word.trace,
+        )
+    check_keys(word, KEYS)
+    _check_joint(word, joint)
+    note = RobotNote(
+        "actuator",
+        word.span,
+        {"joint": format_value(joint.attributes.get("name")), "command": "position"},
+        trace=lowering.trace,
+    )
+    for key in word.elements():
+        value, span = read_value(key)
+        if key.name == "command":
+            command = word_of("command", value, span, owner=word)
+            if command not in COMMANDS:
+                raise failure(
+                    "bad-choice",
+                    f"'command' is one of {', '.join(COMMANDS)}, and '{command}' is none of them",
+                    span,
+                    hint=did_you_mean(command, COMMANDS) or "write command: position",
+                    trace=word.trace,
+                )
+            note.attributes["command"] = command
+        else:
+            numbers = read_numbers(lowering, value, span, count=1, name=key.name, trace=key.trace)
+            note.attributes[key.name] = numbers.text
+    return note
+
+
+def _check_joint(word: Element, joint: Element) -> None:
+    """Raise YamaroError for a joint that cannot be driven by itself."""
+    if joint.attributes.get("type") == "fixed":
+        raise failure(
+            "actuator-on-fixed",
+            "this joint is fixed, so there is nothing to drive",
+            word.span,
+            hint="remove 'actuator', or give the joint another type",
+            trace=word.trace,
+        )
+    if any(child.name == "mimic" for child in joint.elements()):
+        raise failure(
+            "actuator-on-mimic",
+            "this joint follows another, which is the one to drive",
+            word.span,
+            hint="move 'actuator' to the joint that it follows",
+            trace=word.trace,
+        )
