@@ -14,6 +14,7 @@ import yaml
 
 from yamaro.diagnostics import Reporter, YamaroError
 from yamaro.source import Source
+from yamaro.syntax.parser import parse
 from yamaro.yaml.nodes import MappingNode, ScalarNode, SequenceNode, quoted
 from yamaro.yaml.reader import read, read_fragment
 
@@ -35,6 +36,7 @@ BREAK = re.compile("\r\n|[\r\n\x85\u2028\u2029]")
 
 def check(text: str) -> str:
     """Read a text; return what came of it."""
+    require_parsed(text)
     reporter = Reporter()
     try:
         root: Any = read(Source(text, name="t.yaml"), reporter=reporter)
@@ -53,6 +55,14 @@ def check(text: str) -> str:
             assert isinstance(other, yaml.Node), f"PyYAML refuses it: {other}"
             require_same(root, other)
     return "read"
+
+
+def require_parsed(text: str) -> None:
+    """Require that a parse does not raise, and that all it finds has its place in the text."""
+    parsed = parse(Source(text, name="t.yaml"))
+    for span in (*parsed.hidden, *(found.span for found in parsed.diagnostics)):
+        assert 0 <= span.start <= span.end <= len(text) + 1
+    assert all(text[comment.start] == "#" for comment in parsed.comments)
 
 
 def composed(text: str) -> Any:

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import random
+import subprocess
+import sys
 from functools import cache
 from pathlib import Path
 
@@ -114,6 +116,19 @@ def test_warnings_that_hidden_lines_may_have_caused_are_held_back() -> None:
 def test_a_file_too_deep_for_the_stack_is_told_of() -> None:
     deep = "".join(f"{' ' * n}a:\n" for n in range(1, 190))
     assert told(f"model:\n{deep}") == ["1 too-deep"]
+
+
+def test_a_file_without_errors_loads_nothing_that_is_for_errors() -> None:
+    code = (
+        "import sys; from yamaro.source import Source; from yamaro.syntax.parser import parse;"
+        "parse(Source('variables: {a: 1}  # b', name='t')).require();"
+        "print(*sys.modules)"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    loaded = done.stdout.split()
+    assert "yamaro.syntax.parsed" in loaded
+    for name in ("yaml.recovery", "yaml.explanations", "yaml.comments", "syntax.follow_on"):
+        assert f"yamaro.{name}" not in loaded
 
 
 @cache

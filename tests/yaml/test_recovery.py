@@ -105,7 +105,7 @@ def test_aliases_that_expand_without_measure_are_told_of_once() -> None:
     lines += [f"a{n}: &a{n} [{', '.join([f'*a{n - 1}'] * 10)}]" for n in range(1, 12)]
     reading = read("\n".join(lines))
     assert [error.code for error in reading.errors] == ["alias-bomb"]
-    assert len(plain(reading.root)) == 12
+    assert reading.root is None
 
 
 @pytest.mark.parametrize("end", ["\n", "\r\n", "\r"])

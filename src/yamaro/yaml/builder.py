@@ -80,11 +80,12 @@ class NodeBuilder:
         self.sizes: dict[int, int] = {}
 
     def build(self) -> YamlNode | None:
-        """Return the document's root, or None if there is none."""
+        """Return the document's root, or None if there is none or its aliases expand too far."""
         try:
             parser = Parser(self.text)
             try:
-                return self._build(parser)
+                root = self._build(parser)
+                return None if self.is_full else root  # what is below the limit takes long, too
             finally:
                 parser.dispose()
         except YAMLError as error:
