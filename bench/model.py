@@ -8,7 +8,9 @@ from __future__ import annotations
 
 import csv
 from collections.abc import Iterator
+from functools import partial
 from pathlib import Path
+from time import process_time
 
 from legs import FOLDER
 from measuring import Figure, Setting, main, shown, timed
@@ -20,17 +22,17 @@ CORPUS = REPOSITORY.parent / "shared" / "corpus"
 
 
 def medians(path: Path, setting: Setting, **variables: object) -> dict[str, float]:
-    """Return the median seconds of building a robot and of reading its model."""
+    """Return the median seconds of the processor for building a robot and for its model."""
     seconds: dict[str, list[float]] = {"build": [], "robot": []}
     for _ in range(setting.runs + 1):
         found: list[yamaro.Build] = []
-        seconds["build"].append(timed(lambda found=found: found.append(build(path, variables))))  # type: ignore[misc]
-        seconds["robot"].append(timed(lambda found=found: found[0].robot))  # type: ignore[misc]
+        seconds["build"].append(timed(partial(build_into, found, path, variables), process_time))
+        seconds["robot"].append(timed(partial(getattr, found[0], "robot"), process_time))
     return {name: sorted(each[1:])[setting.runs // 2] for name, each in seconds.items()}
 
 
-def build(path: Path, variables: dict[str, object]) -> yamaro.Build:
-    return yamaro.build(path, variables=variables, on_message=lambda line: None)
+def build_into(found: list[yamaro.Build], path: Path, variables: dict[str, object]) -> None:
+    found.append(yamaro.build(path, variables=variables, on_message=lambda line: None))
 
 
 def figure(work: str, found: dict[str, float], most: float | None) -> Figure:

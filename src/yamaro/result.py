@@ -118,8 +118,10 @@ class Build:
         """
         if self._robot is None:
             from .model.reading import read_robot
+            from .runtime.collector import RareCollection
 
-            self._robot = read_robot(self._tree())
+            with RareCollection():
+                self._robot = read_robot(self._tree())
         return self._robot
 
     def _tree(self) -> Element:
