@@ -19,7 +19,6 @@ MOST_OF_FUNCTION = 40
 LONGER = frozenset(
     """
     check/schema.py
-    robot/joint.py:_assume_limits
     """.split()
 )
 

@@ -15,6 +15,8 @@ from .pose import origin_element, read_pose
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Mapping
+
     from ..source import Span
     from ..xml.tree import Node
     from .fields import Fields
@@ -240,6 +242,19 @@ def _lower_record(lowering: Lowering, key: Element) -> Element:
     return record.element()
 
 
+def _assumed_beside(given: Mapping[str, object], joint_type: JointType) -> dict[str, object]:
+    """Return the attributes that a limit with the given ones needs as well."""
+    assumed: dict[str, object] = {}
+    if "lower" not in given and "upper" not in given:
+        lower, upper = ASSUMED_RANGES[joint_type.name]
+        assumed = {"lower": lower, "upper": upper}
+    if "effort" not in given:
+        assumed["effort"] = ASSUMED_EFFORT
+    if "velocity" not in given:
+        assumed["velocity"] = ASSUMED_VELOCITY
+    return assumed
+
+
 def _assume_limits(
     lowering: Lowering,
     key: Element,
@@ -258,14 +273,7 @@ def _assume_limits(
     if limit is None and "limit" in fields.keys:
         return  # it is faulty, which has been reported
     given = limit.attributes if limit is not None else {}
-    lower, upper = ASSUMED_RANGES[joint_type.name]
-    assumed: dict[str, object] = {}
-    if "lower" not in given and "upper" not in given:
-        assumed = {"lower": lower, "upper": upper}
-    if "effort" not in given:
-        assumed["effort"] = ASSUMED_EFFORT
-    if "velocity" not in given:
-        assumed["velocity"] = ASSUMED_VELOCITY
+    assumed = _assumed_beside(given, joint_type)
     if not assumed:
         return
     if limit is not None:
