@@ -119,7 +119,6 @@ class Entry:
     __slots__ = ("comment", "ending", "key", "value")
 
     def __init__(self, key: str, value: Value = None, comment: str = "") -> None:
-        """Hold them."""
         self.key = key
         self.value = value
         self.comment = comment

@@ -53,7 +53,6 @@ class Result:
         remark: str = "",
         is_same: bool,
     ) -> None:
-        """Hold it."""
         self.files = dict(files)
         self.main = main
         self.diagnostics = list(diagnostics)

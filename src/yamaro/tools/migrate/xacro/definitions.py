@@ -112,7 +112,7 @@ def _scope(writer: FileWriter, name: str, given: str) -> str:
         return "/parent"
     if scope and writer.path not in writer.program.included_by_macros:
         return scope
-    if name in writer.reach.hidden:
+    if name in writer.callees.hidden:
         return writer.scope_of(name) or "/global"  # callers' names go before it, as in xacro
     return writer.scope_of(name)
 
@@ -121,7 +121,7 @@ def _is_handed_down(writer: FileWriter, name: str, macro: Macro | None) -> bool:
     """Tell whether a name of a macro is read by what it calls or includes."""
     if name in writer.program.inherited and writer.program.has_computed_calls:
         return True
-    return macro is not None and name in writer.reach.read_below(macro)
+    return macro is not None and name in writer.callees.read_below(macro)
 
 
 def _sort(writer: FileWriter, variables: Body, name: str, text: str) -> None:
@@ -175,7 +175,7 @@ def write_macro(writer: FileWriter, node: Element, body: Body) -> None:
     shared = [
         own
         for own in macro.values()
-        if _is_handed_down(writer, own, macro) and not writer.reach.is_set_for_all(own, macro)
+        if _is_handed_down(writer, own, macro) and not writer.callees.is_set_for_all(own, macro)
     ]
     if shared:
         _declare_first(content, [Entry(f"{own}/child", f"$({own})") for own in shared])

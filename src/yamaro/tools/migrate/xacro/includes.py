@@ -39,7 +39,6 @@ class ComputedName:
     """
 
     def __init__(self, start: str, rest: str) -> None:
-        """Hold them."""
         self.start = start
         self.rest = rest
 
@@ -270,7 +269,7 @@ def is_plain(include: Element) -> bool:
 def _with_names(writer: FileWriter, node: Element, path: str, file: str) -> Body | None:
     """Return what an include says that passes names, or puts them in a namespace, if it does."""
     macro = writer.here.macro
-    names = writer.reach.passed_to(path, macro) if macro is not None and is_plain(node) else ()
+    names = writer.callees.passed_to(path, macro) if macro is not None and is_plain(node) else ()
     if not names:
         return _in_namespace(writer, node, path, file)
     passed = [Entry(name, f"$({name})") for name in sorted(names)]

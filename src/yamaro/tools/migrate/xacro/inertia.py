@@ -39,7 +39,6 @@ class SolidMacro:
         sizes: tuple[str, ...],
         inertial: Element | None,
     ) -> None:
-        """Hold them."""
         self.macro = macro
         self.kind = kind
         self.mass = mass
@@ -114,7 +113,6 @@ class SolidInertia:
     def __init__(
         self, source: SolidMacro, mass: str, sizes: list[str], children: list[Node]
     ) -> None:
-        """Hold them."""
         self.source = source
         self.mass = mass.strip()
         self.sizes = [size.strip() for size in sizes]

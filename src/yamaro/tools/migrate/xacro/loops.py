@@ -67,7 +67,6 @@ class Loop:
     """
 
     def __init__(self, iterator: str, over: tuple[str, str], work: list[Node]) -> None:
-        """Hold what is in it."""
         self.iterator = iterator
         self.over = over
         self.work = work

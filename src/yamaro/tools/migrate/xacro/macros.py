@@ -61,7 +61,6 @@ class Argument:
     __slots__ = ("defaults", "ending", "made_of", "remark", "span")
 
     def __init__(self, span: Span, remark: str) -> None:
-        """Hold what its first declaration says."""
         self.span = span
         self.remark = remark
         self.ending = ""

@@ -65,7 +65,6 @@ class Step:
     def __init__(
         self, node: Node, joint: Element | None = None, *, is_joint_first: bool = True
     ) -> None:
-        """Hold them."""
         self.node = node
         self.joint = joint
         self.is_joint_first = is_joint_first

@@ -55,7 +55,6 @@ class Run:
         values: Mapping[str, str],
         result: Element,
     ) -> None:
-        """Hold what came out."""
         self.changed = dict(changed)
         self.arguments = dict(arguments)
         self.values = dict(values)

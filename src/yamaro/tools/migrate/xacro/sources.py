@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from ..document import Body, write_document
+from .callees import Callees
 from .contents import Contents
 from .file import header_of, sections_of
 from .inertia import Solids
 from .layout import Layout
 from .placing import Placing
 from .program import XacroProgram
-from .reach import Reach
 from .tidying import tidy
 from .writer import FileWriter
 
@@ -41,7 +41,6 @@ class XacroMigration:
     """
 
     def __init__(self, files: dict[str, str], main: str, root: Element) -> None:
-        """Hold the files."""
         self.files = files
         self.main = main
         self.root = root
@@ -71,7 +70,7 @@ def migrate_program(program: XacroProgram, wanted: Collection[str] = ()) -> Xacr
     layout = Layout(program, wanted)
     migration = XacroMigration({}, layout.outputs[program.main], program.result)
     migration.layout = layout
-    reach = Reach(program, layout.theirs)
+    callees = Callees(program, layout.theirs)
     placing = Placing(() if program.exact else contents.in_parts())
     is_settled = False
     while not is_settled:
@@ -79,7 +78,7 @@ def migrate_program(program: XacroProgram, wanted: Collection[str] = ()) -> Xacr
         written: dict[str, tuple[Body, str]] = {}
         migration.lost.clear()
         for path, output in layout.outputs.items():
-            writer = FileWriter(program, contents, solids, reach, placing, path, layout)
+            writer = FileWriter(program, contents, solids, callees, placing, path, layout)
             is_main = path == program.main
             header = header_of(writer, is_main=is_main)
             written[output] = sections_of(writer, is_main=is_main), header

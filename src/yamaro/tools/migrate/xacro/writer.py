@@ -38,13 +38,13 @@ if TYPE_CHECKING:
     from ....source import Span
     from ....xml.tree import Node
     from ..elements import Endings
+    from .callees import Callees
     from .contents import Contents
     from .inertia import Solids
     from .layout import Layout
     from .parts import Write
     from .placing import Content, Placing
     from .program import XacroProgram
-    from .reach import Reach
 
 
 class FileWriter(ElementWriter):
@@ -54,7 +54,7 @@ class FileWriter(ElementWriter):
         program: the robot that the file belongs to.
         contents: tells what statements make.
         solids: tells which macros compute the inertia of a solid.
-        reach: tells what of a macro is read elsewhere.
+        callees: tells what of a macro is read elsewhere.
         placing: knows which macros and blocks give things to parts only.
         path: of the file.
         layout: which files become sources, and where these are.
@@ -71,7 +71,7 @@ class FileWriter(ElementWriter):
         program: XacroProgram,
         contents: Contents,
         solids: Solids,
-        reach: Reach,
+        callees: Callees,
         placing: Placing,
         path: str,
         layout: Layout,
@@ -81,7 +81,7 @@ class FileWriter(ElementWriter):
         self.program = program
         self.contents = contents
         self.solids = solids
-        self.reach = reach
+        self.callees = callees
         self.placing = placing
         self.path = path
         self.layout = layout

@@ -59,7 +59,7 @@ def _read_first(root: Element, inside: set[int]) -> set[str]:
     return first & defined_in(root)
 
 
-class Reach:
+class Callees:
     """Tells which names of macros are read elsewhere.
 
     Attributes:
