@@ -16,11 +16,7 @@ MOST_OF_MODULE = 500
 MOST_OF_FUNCTION = 40
 
 # What is still to be divided. Whoever does so takes it from here; nothing is to be added.
-LONGER = frozenset(
-    """
-    check/schema.py
-    """.split()
-)
+LONGER: frozenset[str] = frozenset()
 
 
 def too_long(text: str, name: str) -> Iterator[tuple[str, int]]:
