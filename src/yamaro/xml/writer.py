@@ -197,14 +197,21 @@ class _Writer:
         prefixes: frozenset[str],
     ) -> None:
         """Write an element that differs from others in its name and its first children alone."""
-        head, inner = self._head(element, margin), margin + "  "
-        children = element.children
+        children, inner = element.children, margin + "  "
         passage: _Passage | None = memo.written
-        if passage is not None and ":" not in head and passage.fits(out, inner, prefixes):
-            out.append(f"{head}>\n")
+        name = element.attributes.get("name")
+        if (
+            passage is not None
+            and passage.before_name
+            and type(name) is str
+            and name.isidentifier()  # which has nothing to escape
+            and passage.fits(out, inner, prefixes)
+        ):
+            out.append(f"{passage.before_name}{name}{passage.after_name}")
             out += [f"{self._head(child, inner)}/>\n" for child in children[:own]]  # type: ignore[arg-type]
             out += (passage.text or passage.put_together(), passage.end)
             return
+        head = self._head(element, margin)
         is_mixed = any(isinstance(child, Text) for child in children)
         if ":" in head or is_mixed or not children or len(margin) >= self._most_margin:
             self._write(element, margin, "\n", out, prefixes)
@@ -215,6 +222,10 @@ class _Writer:
         self._write_children(children[own:], element, inner, "\n", out, prefixes)
         memo.written = passage = _Passage(out, inner, prefixes, start)
         passage.end = f"{margin}</{element.name}>\n"
+        before_name = f'{margin}<{element.name} name="'
+        if type(name) is str and name.isidentifier() and head.startswith(before_name):
+            passage.before_name = before_name
+            passage.after_name = f"{head[len(before_name) + len(name) :]}>\n"
         out.append(passage.end)
 
     def _write_mixed(
@@ -248,7 +259,17 @@ class _Passage:
     places, one text is needed.
     """
 
-    __slots__ = ("end", "margin", "out", "prefixes", "start", "stop", "text")
+    __slots__ = (
+        "after_name",
+        "before_name",
+        "end",
+        "margin",
+        "out",
+        "prefixes",
+        "start",
+        "stop",
+        "text",
+    )
 
     def __init__(self, out: list[str], margin: str, prefixes: frozenset[str], start: int) -> None:
         """Say that the pieces from `start` on were written at a margin, with prefixes declared."""
@@ -258,7 +279,8 @@ class _Passage:
         self.start = start
         self.stop = len(out)
         self.text = ""
-        self.end = ""  # the end of the tag around, if this is what is in an element
+        self.end = ""  # the end tag around, if this is what is in an element
+        self.before_name = self.after_name = ""  # and the start tag, but for the name in it
 
     def fits(self, out: list[str], margin: str, prefixes: frozenset[str]) -> bool:
         """Tell whether the same would be written at a place of a document."""
