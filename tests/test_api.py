@@ -614,8 +614,8 @@ def test_warnings_and_advice_can_be_denied(folder: Path) -> None:
         ({"allow": ["several-rots"]}, "did you mean 'several-roots'"),
         ({"deny": "yaml-syntax"}, "'yaml-syntax' is not a code that can be allowed or denied"),
         ({"allow": [""]}, "'' is not a code"),
-        ({"allow": [1]}, "is a text, not 1"),
-        ({"deny": ["no-link", None]}, "is a text, not None"),
+        ({"allow": [1]}, "must be a text, not 1"),
+        ({"deny": ["no-link", None]}, "must be a text, not None"),
         ({"allow": ["no-link"], "deny": ["no-link"]}, "both allowed and denied"),
     ],
 )

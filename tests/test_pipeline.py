@@ -97,7 +97,7 @@ def test_convert_gives_xml_and_issues_warnings(tmp_path: Path) -> None:
 
 
 def test_convert_tells_a_missing_file_from_a_wrong_use(tmp_path: Path) -> None:
-    with pytest.raises(FileNotFoundError, match="there is no such file"):
+    with pytest.raises(FileNotFoundError, match="the file does not exist"):
         convert(tmp_path / "none.yaml")
 
 

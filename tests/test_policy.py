@@ -54,9 +54,9 @@ def codes(path: str, policy: Policy) -> list[str]:
         ),
         (["safe"], {"limits": {"xml_depth": 2.5}}, "the limit 'xml-depth' is a whole number"),
         (["trusted"], {"limits": {"steps": 9}}, "the limit 'steps' has a meaning in safe mode"),
-        (["jail"], {"timeout": 0}, "a time-out is a number of seconds above 0"),
-        (["jail"], {"timeout": float("nan")}, "a time-out is a number of seconds above 0"),
-        (["jail"], {"timeout": float("inf")}, "a time-out is a number of seconds above 0"),
+        (["jail"], {"timeout": 0}, "a time-out is a number of seconds greater than 0"),
+        (["jail"], {"timeout": float("nan")}, "a time-out is a number of seconds greater than 0"),
+        (["jail"], {"timeout": float("inf")}, "a time-out is a number of seconds greater than 0"),
     ],
 )
 def test_a_policy_that_makes_no_sense_is_refused(
@@ -166,7 +166,7 @@ def test_a_long_call_is_ended_in_trusted_mode_too(tmp_path: Path) -> None:
         check=False,
     )
     assert finished.returncode == -15
-    assert finished.stderr.startswith("error[limit-time]: the time is over: this takes more than")
+    assert finished.stderr.startswith("error[limit-time]: timed out: this takes more than")
     assert finished.stdout == ""
     assert os.listdir(tmp_path) == ["robot.yaml"]
 
@@ -207,8 +207,8 @@ def test_without_a_jail_there_is_an_error_and_nothing_is_run(
     printed = capsys.readouterr()
     assert printed.out == ""
     assert printed.err == (
-        f"error[no-jail]: there can be no jail: the jail needs Linux\n --> {path}:1:1\n"
-        "  = hint: --safe works everywhere; nothing of the file was run\n"
+        f"error[no-jail]: the jail is not available: the jail needs Linux\n --> {path}:1:1\n"
+        "  = hint: --safe works everywhere; the file was not run\n"
     )
 
 
@@ -241,7 +241,7 @@ def test_the_home_folder_is_known_where_nothing_tells_it(
     (found,) = caught.value.diagnostics
     expected = "missing-file" if mode == "trusted" else "path-outside"
     assert found.code == expected
-    assert "looked for /home/someone" in found.notes[0]
+    assert "searched for /home/someone" in found.notes[0]
 
 
 OWN_FILES = {

@@ -32,7 +32,7 @@ def adjustment_of(
     denied = frozenset([deny] if isinstance(deny, str) else deny)
     for code in (*allowed, *denied):
         if not isinstance(code, str):
-            raise UsageError(f"a code that can be allowed or denied is a text, not {code!r}")
+            raise UsageError(f"a code to allow or deny must be a text, not {code!r}")
     if allowed or denied:
         from .codes import fault_of_codes
 

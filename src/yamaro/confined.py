@@ -264,7 +264,7 @@ class Reader:
 
 def time_is_over(name: str, policy: Policy) -> YamaroError:
     """Return the error for a conversion that was ended by force, of a file of that name."""
-    message = f"the time is over: this takes more than {_seconds(policy):g} s"
+    message = f"timed out: this takes more than {_seconds(policy):g} s"
     return failure_of_all("limit-time", message, name, TIME_HINT)
 
 
@@ -288,8 +288,8 @@ class _Printed(io.TextIOBase):
 
 def no_jail(reason: str, name: str) -> YamaroError:
     """Return the error for a file that has to be run in a jail where there is none."""
-    hint = "--safe works everywhere; nothing of the file was run"
-    return failure_of_all(NO_JAIL, f"there can be no jail: {reason}", name, hint)
+    hint = "--safe works everywhere; the file was not run"
+    return failure_of_all(NO_JAIL, f"the jail is not available: {reason}", name, hint)
 
 
 def _seconds(policy: Policy) -> float:
@@ -319,4 +319,4 @@ def _failure_of_jail(error: JailError, policy: Policy, name: str) -> YamaroError
         "answer": ("limit-output", policy.limits.hint("output")),
     }
     code, hint = hints.get(error.limit, ("jail-broken", None))
-    return failure_of_all(code, f"the file was ended in its jail: {error}", name, hint)
+    return failure_of_all(code, f"the file was stopped in its jail: {error}", name, hint)

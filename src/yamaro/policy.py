@@ -124,7 +124,7 @@ class Limits:
             if name not in _LIMITS:
                 raise ValueError(f"unknown limit '{shown(name)}'")
             if not getattr(self, name):
-                raise ValueError(f"the limit '{shown(name)}' has a meaning in safe mode only")
+                raise ValueError(f"the limit '{shown(name)}' applies only in safe mode")
             least, most = limit_range(name)
             if type(value) is not int or not least <= value <= most:
                 of_which = f"a whole number from {least:,} to {most:,}"
@@ -171,9 +171,9 @@ class Policy:
             ValueError: there is no such mode or limit, or it cannot have such a value.
         """
         if mode not in MODES:
-            raise ValueError(f"there is no mode '{mode}'; the modes are {', '.join(MODES)}")
+            raise ValueError(f"unknown mode '{mode}'; the modes are {', '.join(MODES)}")
         if timeout is not None and not 0 < timeout < float("inf"):
-            raise ValueError("a time-out is a number of seconds above 0")
+            raise ValueError("a time-out is a number of seconds greater than 0")
         self.mode = mode
         self.limits = Limits(mode, **(limits or {}))
         self.timeout = timeout if timeout is not None or mode == TRUSTED else USUAL_SECONDS

@@ -252,7 +252,9 @@ class Program:
         folder = start if output is None else folder_of(os.fspath(output))
         finder = MeshFinder(packages, self._reach, start=start)
         if mode == COPY and output is None:
-            raise UsageError("'copy' needs an output file (-o FILE): the meshes go beside it")
+            raise UsageError(
+                "'copy' needs an output file (-o FILE); the meshes are copied beside it"
+            )
         try:
             return MeshPaths(mode, folder, finder, self._assets(finder) if mode == COPY else None)
         except ValueError as error:

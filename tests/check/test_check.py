@@ -336,15 +336,15 @@ def test_a_duplicate_is_told_with_both_places() -> None:
         ("rgba 255", "divide by 255: `1 0.502 0 1`"),
         ("rgba with three numbers", "add the opacity as the fourth number: 1 0 0 1"),
         ("axis diagonal", "write 0.707107 0.707107 0; some parsers scale the motion by the length"),
-        ("mass as text", "URDF wants it as an attribute: `mass/value=1.0:`"),
+        ("mass as text", "in URDF it is an attribute: `mass/value=1.0:`"),
         ("name as an element", "in URDF it is an attribute: `link/name=arm:`"),
         ("misspelt visual", "did you mean 'visual'?"),
         ("limit outside of a joint", "it belongs in a joint"),
-        ("upper alone below zero", "give 'lower' too: it is 0 when it is left out"),
+        ("upper alone below zero", "also write 'lower', which defaults to 0"),
         ("lower above upper", "swap the two"),
         ("origin with a xacro expression", "write `$(…)` for an expression; `${…}` is xacro's"),
         ("rpy in degrees", "angles are in radians; for degrees write `$(radians(90))`"),
-        ("inertia with iyx", "leave it out: the matrix is symmetric, and 'ixy' stands for it"),
+        ("inertia with iyx", "remove it: the matrix is symmetric, and 'ixy' has the same value"),
     ],
 )
 def test_a_hint_holds_the_remedy(name: str, hint: str) -> None:
@@ -482,7 +482,7 @@ def test_an_unknown_package_is_told_once_with_the_places_looked_at() -> None:
     assert finding.code == "unknown-package"
     assert finding.span.written() == "package://p/a.stl"
     assert finding.hint is not None
-    assert finding.hint.endswith("looked in /opt/a, /opt/b")
+    assert finding.hint.endswith("searched in /opt/a, /opt/b")
 
 
 def test_a_missing_texture_is_told() -> None:

@@ -34,8 +34,8 @@ def test_a_file_is_read_as_bytes(tmp_path: Path) -> None:
 
 def test_each_reason_has_its_words(tmp_path: Path) -> None:
     (tmp_path / "file").write_text("")
-    assert reason(tmp_path / "missing") == "there is no such file"
-    assert reason(tmp_path / "file" / "below") == "a part of the path is no folder"
+    assert reason(tmp_path / "missing") == "the file does not exist"
+    assert reason(tmp_path / "file" / "below") == "a part of the path is not a folder"
     assert reason(tmp_path) == "it is a folder"
     assert "null" in reason(tmp_path / "a\0b")
 
@@ -45,8 +45,8 @@ def test_what_is_no_regular_file_is_refused_without_waiting(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     os.mkfifo(tmp_path / "pipe")
-    assert reason(tmp_path / "pipe") == "it is no regular file"
-    assert reason(Path("/dev/null")) == "it is no regular file"
+    assert reason(tmp_path / "pipe") == "it is not a regular file"
+    assert reason(Path("/dev/null")) == "it is not a regular file"
     monkeypatch.chdir(tmp_path)  # the name of a socket may only be short
     with socket.socket(socket.AF_UNIX) as server:
         server.bind("socket")
@@ -57,9 +57,9 @@ def test_what_is_no_regular_file_is_refused_without_waiting(
 def test_a_link_is_what_it_leads_to(tmp_path: Path) -> None:
     for name, target in (("zero", "/dev/zero"), ("a", "b"), ("b", "a"), ("away", "nowhere")):
         (tmp_path / name).symlink_to(target)
-    assert reason(tmp_path / "zero") == "it is no regular file"
+    assert reason(tmp_path / "zero") == "it is not a regular file"
     assert reason(tmp_path / "a") == "too many levels of symbolic links"
-    assert reason(tmp_path / "away") == "there is no such file"
+    assert reason(tmp_path / "away") == "the file does not exist"
     assert reason(tmp_path / ("n" * 300)) == "file name too long"
 
 
@@ -151,7 +151,7 @@ def test_a_file_that_is_deleted_or_replaced_while_it_is_read_is_read_whole(
     with monkeypatch.context() as patch:
         between_looking_and_reading(patch, path.unlink)
         assert FileLoader().read(str(path)) == b"new"
-    assert reason(path) == "there is no such file"
+    assert reason(path) == "the file does not exist"
 
 
 @posix
@@ -273,7 +273,7 @@ def test_neighbours_are_the_files_of_the_folder(tmp_path: Path) -> None:
 def test_memory_stands_in_for_the_disk() -> None:
     loader = MemoryLoader({"/r/é.yaml": "é"})
     assert loader.read("/r/é.yaml") == "é".encode()
-    with pytest.raises(LoadError, match="there is no such file"):
+    with pytest.raises(LoadError, match="the file does not exist"):
         loader.read("/r/b.yaml")
 
 
@@ -299,7 +299,7 @@ def test_other_encodings_are_recognised(data: bytes, name: str, text: str) -> No
     (diagnostic,) = caught.value.diagnostics
     assert (diagnostic.code, diagnostic.message, diagnostic.hint) == (
         "not-utf-8",
-        f"the file is written in {name}",
+        f"the file is in {name}",
         "save it as UTF-8",
     )
     source = diagnostic.span.source

@@ -76,7 +76,7 @@ def test_what_is_not_there_is_not_found(name: str, tmp_path: Path) -> None:
 def test_a_missing_mesh_tells_where_it_was_looked_for(tmp_path: Path) -> None:
     text = "model: {part: {name: a, link: {geometry: meshes/a.stl, visual: }}}"
     (warning,) = build(tmp_path / "robot.yaml", text=text).warnings
-    assert f"looked for {tmp_path / 'meshes' / 'a.stl'}" in render(warning)
+    assert f"searched for {tmp_path / 'meshes' / 'a.stl'}" in render(warning)
 
 
 def test_an_unknown_package_tells_how_to_name_its_folder(tmp_path: Path) -> None:

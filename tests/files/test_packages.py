@@ -346,7 +346,7 @@ def test_places_looked_at_are_told(tmp_path: Path) -> None:
         "/opt/a (AMENT_PREFIX_PATH)",
         "/opt/b (AMENT_PREFIX_PATH)",
         "ROS_PACKAGE_PATH (not set)",
-        f"{own} and the folders it lies in",
+        f"{own} and the folders that contain it",
         f"{tmp_path / 'src'} and the folders below it",
     ]
 

@@ -63,7 +63,7 @@ def test_a_file_whose_reading_would_wait_is_refused() -> None:
     try:
         file = _Unblocked(read, "rb")
         for work in (file.readall, lambda: file.readinto(bytearray(4))):
-            with pytest.raises(OSError, match="no regular file"):
+            with pytest.raises(OSError, match="not a regular file"):
                 work()
         file.close()
     finally:

@@ -102,7 +102,7 @@ class Files:
 
     def read(self, path: str) -> bytes:
         if path not in self.files:
-            raise LoadError("there is no such file")
+            raise LoadError("the file does not exist")
         return self.files[path]
 
     def neighbours(self, path: str) -> list[str]:

@@ -162,19 +162,19 @@ def test_a_hint_says(text: str, hint: str) -> None:
 @pytest.mark.parametrize(
     ("text", "message"),
     [
-        ('out:\n  include: "a\\0b"', "the path of this include holds a NUL character"),
+        ('out:\n  include: "a\\0b"', "the path of this include contains a NUL character"),
         ("out:\n  include: $('')", "the path of this include is empty"),
         (
             "out:\n  for: {iterator: i, range: false}",
-            "`range` takes whole numbers, and this is the boolean false",
+            "`range` needs integers, not the boolean false",
         ),
         (
             "out:\n  for: {iterator: i, range: true}",
-            "`range` takes whole numbers, and this is the boolean true",
+            "`range` needs integers, not the boolean true",
         ),
         (
             "out:\n  include: {path: a.yaml, namespace: $('a b')}",
-            "'a b' cannot name a namespace",
+            "'a b' cannot be the name of a namespace",
         ),
     ],
 )
@@ -278,9 +278,9 @@ def test_a_package_that_is_nowhere_is_told_with_the_places(
         "the package 'nowhere_to_be_found' is not found",
     )
     assert error.hint == (
-        "looked in /opt/a (AMENT_PREFIX_PATH), /opt/b (AMENT_PREFIX_PATH), "
-        f"ROS_PACKAGE_PATH (not set), {tmp_path} and the folders it lies in; "
-        "source its workspace, or give its folder: --package nowhere_to_be_found:=FOLDER"
+        "searched in /opt/a (AMENT_PREFIX_PATH), /opt/b (AMENT_PREFIX_PATH), "
+        f"ROS_PACKAGE_PATH (not set), {tmp_path} and the folders that contain it; "
+        "source its workspace, or set its folder: --package nowhere_to_be_found:=FOLDER"
     )
 
 
@@ -288,7 +288,7 @@ def test_a_name_that_no_package_has_is_looked_for_nowhere() -> None:
     error = fault("out: $(find('a b'))")
     assert (error.code, error.hint) == (
         "unknown-package",
-        "source its workspace, or give its folder: --package a b:=FOLDER",
+        "source its workspace, or set its folder: --package a b:=FOLDER",
     )
 
 
@@ -303,15 +303,15 @@ def test_a_file_of_data_may_be_named_by_its_package_or_scheme() -> None:
 def test_data_of_a_package_that_is_nowhere_is_told_by_the_package(uri: str) -> None:
     error = fault(f"out: {{a: \"$(load_yaml('{uri}'))\"}}")
     assert (error.code, error.message) == ("unknown-package", "the package 'none' is not found")
-    assert error.hint is not None and error.hint.startswith("looked in ")
+    assert error.hint is not None and error.hint.startswith("searched in ")
 
 
 def test_data_is_not_fetched() -> None:
     error = fault("out: {a: \"$(load_yaml('https://a/b.yaml?c=http://d'))\"}")
     assert (error.code, error.message, error.hint) == (
         "missing-file",
-        "'https://' cannot be read: nothing is fetched",
-        "save the file beside this one; files and package:// can be read",
+        "'https://' cannot be read: files are not downloaded",
+        "save the file locally and read it with a path or package://",
     )
 
 

@@ -16,7 +16,7 @@ from yamaro.files.loader import MemoryLoader
 
 def test_a_recursion_that_python_ends_is_told() -> None:
     error = fault("process: |\n  def f(): raise RecursionError\nout: $(f())")
-    assert (error.code, error.message) == ("too-deep", "this calls itself without end")
+    assert (error.code, error.message) == ("too-deep", "this calls itself endlessly")
 
 
 def test_of_a_recursion_only_the_first_call_is_told() -> None:
@@ -134,13 +134,13 @@ def test_a_block_begins_and_ends_exactly_for_what_is_declared_in_it(inside: str,
 def test_a_bound_of_a_range_that_is_no_number_is_underlined() -> None:
     error = fault("out: {for: {iterator: i, range: [0, null]}}")
     assert (error.code, place(error)) == ("bad-range", "1:37 null")
-    assert error.message == "`range` takes whole numbers, and this is empty (null)"
+    assert error.message == "`range` needs integers, not empty (null)"
     assert error.hint == "write range: 6, or range: 0, 6, or in: for the items of a list"
 
 
 def test_no_more_than_the_start_of_a_long_text_is_shown() -> None:
     error = fault("out: {for: {iterator: i, range: $('abcd' * 11)}}")
-    assert error.message == f"`range` takes whole numbers, and this is the text '{'abcd' * 10}'"
+    assert error.message == f"`range` needs integers, not the text '{'abcd' * 10}'"
 
 
 def test_behind_a_part_a_list_is_no_content_again() -> None:
@@ -162,7 +162,7 @@ def test_expressions_in_a_list_of_a_part_are_evaluated_where_it_stands() -> None
 
 def test_of_an_address_with_another_one_in_it_the_first_scheme_is_told() -> None:
     error = fault("out: {include: 'https://a/b.yaml?c=http://d'}")
-    assert error.message == "'https://' cannot be included: nothing is fetched"
+    assert error.message == "'https://' cannot be included: files are not downloaded"
 
 
 @pytest.mark.parametrize("ending", ["yaml", "yml"])
@@ -178,7 +178,7 @@ def test_a_package_that_is_nowhere_is_told_by_its_name_alone() -> None:
     assert (error.code, error.message, error.hint) == (
         "unknown-package",
         "the package 'none' is not found",
-        "source its workspace, or give its folder: --package none:=FOLDER",
+        "source its workspace, or set its folder: --package none:=FOLDER",
     )
 
 

@@ -198,14 +198,17 @@ def test_an_included_file_may_be_as_deep_as_the_limit_says(name: str) -> None:
     ("argument", "hint"),
     [
         ("prefx", "did you mean 'prefix'?"),
-        ("side", "prefix: left_ renames its links and joints; nothing else can be set in it"),
+        (
+            "side",
+            "prefix: left_ renames its links and joints; an XML file accepts no other variables",
+        ),
     ],
 )
 def test_a_urdf_takes_nothing_but_a_prefix(argument: str, hint: str) -> None:
     error = fault({"arm.urdf": "<robot/>"}, f"{{path: arm.urdf, {argument}: 1}}")
     assert (error.code, error.message) == (
         "unknown-argument",
-        f"an XML file takes no variable '{argument}'",
+        f"an XML file does not accept the variable '{argument}'",
     )
     assert (error.span.written(), error.hint) == (argument, hint)
 
@@ -215,8 +218,8 @@ def test_a_urdf_has_nothing_for_a_namespace() -> None:
     error = fault({"arm.urdf": "<robot/>"}, include)
     assert (error.code, error.message, error.hint) == (
         "bad-namespace",
-        "an XML file has no functions or variables to put into a namespace",
-        "leave 'namespace' out",
+        "an XML file has no functions or variables for a namespace",
+        "remove 'namespace'",
     )
     assert error.span.place() == f"{error.span.source.name}:2:19"
 
@@ -232,11 +235,9 @@ def test_namespace_is_an_argument_of_xacro_like_others(path: str) -> None:
 def test_xacro_runs_in_no_safe_process_without_a_jail() -> None:
     error = fault({"arm.xacro": robot("")}, "arm.xacro", Policy("safe"))
     assert (error.code, error.span.written()) == ("unsafe-code", "arm.xacro")
-    assert error.message == (
-        "xacro's expressions are Python, which safe mode lets run in a jail only"
-    )
+    assert error.message == ("xacro expressions are Python, which safe mode runs only in a jail")
     assert error.hint == (
-        "there is no jail on this system; use --trust if you know where the file comes from"
+        "this system has no jail; use --trust if you trust the source of the file"
     )
 
 
@@ -302,10 +303,10 @@ def test_a_file_that_is_missing_is_told_with_where_it_was_looked_for() -> None:
     error = fault(files, "arm.xacro")
     assert (error.code, error.message) == (
         "missing-file",
-        "the file 'hnd.xacro' cannot be included: there is no such file",
+        "the file 'hnd.xacro' cannot be included: the file does not exist",
     )
     assert (error.span.written(), error.hint) == ("hnd.xacro", "did you mean 'hand.xacro'?")
-    assert error.notes == (f"looked for {os.path.join(AT, 'hnd.xacro')}",)
+    assert error.notes == (f"searched for {os.path.join(AT, 'hnd.xacro')}",)
 
 
 def test_a_file_that_is_missing_may_be_optional() -> None:

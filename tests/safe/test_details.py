@@ -243,7 +243,7 @@ def test_functions_and_modules_show_what_they_are(line: str, shown: str) -> None
 # --- limits -------------------------------------------------------------------------------------
 
 LIMITED = {
-    "calls": "this function calls itself too deep",
+    "calls": "this function calls itself too deeply",
     "integer": "this whole number",
     "sequence": "this makes {size:,} | with the lists in it, | too many numbers are put into",
     "text": "this text has {size:,} characters",
@@ -292,7 +292,7 @@ def test_a_limit_holds_wherever_a_value_is_made(line: str) -> None:
         (
             "! items.append(items); x = str(items)",
             "lists are nested too deep here",
-            "a list may not hold itself; ",
+            "a list cannot contain itself; ",
         ),
         ("(" * 60 + ")" * 60, "too many brackets are open here", ""),
         ("1" + "+1" * 120, "this is nested too deep", "split it into several variables; "),
@@ -306,7 +306,7 @@ def test_a_limit_holds_wherever_a_value_is_made(line: str) -> None:
             "this Python text has 40,000 characters",
             "split it into several variables; ",
         ),
-        ("(lambda f: f(f))(lambda f: f(f))", "this function calls itself too deep", ""),
+        ("(lambda f: f(f))(lambda f: f(f))", "this function calls itself too deeply", ""),
     ],
 )
 def test_a_limit_says_what_is_too_large_and_a_way_out(line: str, message: str, hint: str) -> None:
@@ -461,6 +461,6 @@ def test_without_numpy_a_file_is_told_where_it_is_looked_for(
     with pytest.raises(SafetyError) as caught:
         SafeRuntime().module("numpy")
     assert caught.value.code == "unknown-module"
-    assert caught.value.message == "there is no Python module 'numpy'"
-    hint = "modules are looked for where Python finds them; is it installed?"
+    assert caught.value.message == "the Python module 'numpy' is not found"
+    hint = "is it installed?"
     assert caught.value.hint == hint

@@ -445,7 +445,7 @@ def test_without_numpy_the_error_is_that_of_trusted_mode(monkeypatch: pytest.Mon
     monkeypatch.setitem(sys.modules, "numpy", None)
     from yamaro.safe.runtime import SafeRuntime as Fresh
 
-    with pytest.raises(Exception, match="there is no Python module 'numpy'") as caught:
+    with pytest.raises(Exception, match="the Python module 'numpy' is not found") as caught:
         Fresh().module("numpy")
     assert getattr(caught.value, "code", None) == "unknown-module"
 

@@ -78,13 +78,12 @@ def test_check_refuses_them_without_a_jail(
     assert main(["check", "robot.yaml"]) == 1
     assert capsys.readouterr().err == (
         "error[unsafe-code]: "
-        "xacro's expressions are Python, which safe mode lets run in a jail only\n"
+        "xacro expressions are Python, which safe mode runs only in a jail\n"
         " --> robot.yaml:3:12\n"
         "  |\n"
         "3 |   include: arm.xacro\n"
         "  |            ^^^^^^^^^\n"
-        "  = hint: there is no jail on this system; "
-        "use --trust if you know where the file comes from\n"
+        "  = hint: this system has no jail; use --trust if you trust the source of the file\n"
         "\nrobot.yaml: 1 error\n"
     )
 

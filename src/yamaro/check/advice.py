@@ -94,8 +94,8 @@ def _advise_on_names(tree: Tree, context: CheckContext) -> None:
         f"the {element.name} name '{name}' has a '/' in it",
         element,
         attribute="name",
-        hint="tools that name topics or files after it fail; use '_', and a frame_prefix for "
-        "robot_state_publisher",
+        hint="tools that use it for topics or files fail; use '_', and "
+        "a frame_prefix for robot_state_publisher",
         notes=[f"{more} more name{'s have' if more > 1 else ' has'} one"] if more else (),
     )
 
@@ -159,10 +159,10 @@ def _advise_on_inertia(
     if gyration > WIDEST_GYRATION:
         context.warn(
             "odd-inertia",
-            f"the inertia of {label(link)} is that of {shown(mass)} kg held {shown(gyration)} m "
-            "from its centre",
+            f"the inertia of {label(link)} is that of {shown(mass)} kg at a "
+            f"distance of {shown(gyration)} m from its centre",
             inertia,
-            hint="check the units, kg·m²; leave `inertia` out of a part and it is computed",
+            hint="check the units, kg·m²; in a part, omit `inertia` to compute it",
         )
 
 
@@ -213,10 +213,10 @@ def _advise_on_limit(joint: Element, context: CheckContext) -> None:
         if context.number(limit, attribute) == 0:
             context.warn(
                 "zero-limit",
-                f"the {attribute} limit of joint '{name}' is 0, so nothing may move it",
+                f"the {attribute} limit of joint '{name}' is 0, so it cannot be moved",
                 limit,
                 attribute=attribute,
-                hint="planners and simulators take it literally; give what the motor can do",
+                hint="planners and simulators use it literally; write the limit of the motor",
             )
     for attribute in ("lower", "upper"):
         bound = context.number(limit, attribute)
@@ -238,7 +238,8 @@ def _advise_on_limit(joint: Element, context: CheckContext) -> None:
                 f"'{attribute}' of joint '{name}' is ignored before URDF 1.2",
                 limit,
                 attribute=attribute,
-                hint="write `version=1.2` on the robot, if all that reads it knows URDF 1.2",
+                hint="write `version=1.2` on the robot, if all "
+                "programs that read it support URDF 1.2",
             )
 
 
@@ -253,11 +254,11 @@ def _advise_on_pose(element: Element, owner: Element, context: CheckContext) -> 
     if fabs(fabs(pitch) - pi / 2) < GIMBAL_TOLERANCE and roll and yaw:
         context.warn(
             "gimbal-rpy",
-            f"'rpy' in {label(owner)} has a pitch of a quarter turn, where roll and yaw turn "
-            "about the same axis",
+            f"'rpy' in {label(owner)} has a pitch of a quarter turn, at "
+            "which roll and yaw rotate about the same axis",
             origin,
             attribute="rpy",
-            hint="put both into the roll: tools may print it back with other numbers",
+            hint="combine both in the roll: tools may write it back with other numbers",
         )
 
 
@@ -292,8 +293,8 @@ def _advise_on_mesh(
     if size is not None and size > LARGEST_MESH:
         context.warn(
             "large-mesh",
-            f"the mesh '{filename}' of {label(link)} is {shown(size)} m across",
+            f"the mesh '{filename}' of {label(link)} is {shown(size)} m in size",
             mesh,
             attribute="filename",
-            hint="if it is drawn in millimetres, write `scale=0.001 0.001 0.001`",
+            hint="if it is in millimetres, write `scale=0.001 0.001 0.001`",
         )

@@ -109,27 +109,27 @@ def _report_missing(
     filename: str, path: str | None, element: Element, owner: Element, context: CheckContext
 ) -> None:
     if package_of(filename) is None:
-        hint = "a relative path starts at the folder of the file it is written in"
+        hint = "a relative path starts at the folder of the file that contains it"
     else:
-        hint = "the package is there, but not this file in it; mind upper and lower case"
+        hint = "the package exists, but does not contain this file; file names are case-sensitive"
     context.warn(
         "missing-mesh-file",
-        f"the {element.name} '{filename}' of {label(owner)} is not there",
+        f"the {element.name} '{filename}' of {label(owner)} does not exist",
         element,
         attribute="filename",
         hint=hint,
-        notes=() if path is None else [f"looked for {path}"],
+        notes=() if path is None else [f"searched for {path}"],
     )
 
 
 def _report_package(
     package: str, places: Sequence[str], element: Element, owner: Element, context: CheckContext
 ) -> None:
-    looked = "; looked in " + ", ".join(places) if places else ""
+    looked = "; searched in " + ", ".join(places) if places else ""
     context.warn(
         "unknown-package",
         f"the package '{package}', where {label(owner)} has its {element.name}, is not found",
         element,
         attribute="filename",
-        hint=f"source its workspace, or give its folder: --package {package}:=FOLDER{looked}",
+        hint=f"source its workspace, or set its folder: --package {package}:=FOLDER{looked}",
     )

@@ -54,7 +54,7 @@ def _name(joint: Element) -> str:
 def _report_type(kind: str, joint: Element, context: CheckContext) -> None:
     context.error(
         "unknown-joint-type",
-        f"joint '{_name(joint)}' has the type '{kind}', which URDF does not know",
+        f"joint '{_name(joint)}' has the type '{kind}', which is not a URDF joint type",
         joint,
         attribute="type",
         hint=joint_type_hint(kind),
@@ -72,10 +72,10 @@ def _check_axis(axis: Element, joint: Element, context: CheckContext) -> None:
     if length == 0:
         context.warn(
             "zero-axis",
-            f"the axis of joint '{_name(joint)}' is zero, so it points nowhere",
+            f"the axis of joint '{_name(joint)}' is zero, so it has no direction",
             axis,
             attribute="xyz",
-            hint="give the direction the joint moves along or turns about, such as 0 0 1",
+            hint="write the direction that the joint moves along or rotates about, such as 0 0 1",
         )
     elif abs(length - 1) > UNIT_TOLERANCE:
         unit = " ".join(shown(part / length) for part in xyz)
@@ -104,7 +104,7 @@ def _report_missing_limit(kind: str, joint: Element, context: CheckContext) -> N
 
 def _limit_hint(kind: str, hint: str) -> str:
     if kind == "revolute":
-        return f"{hint}, or make the joint continuous if it turns without end"
+        return f"{hint}, or make the joint continuous if it rotates without limits"
     return hint
 
 
@@ -114,8 +114,8 @@ def _check_limit(limit: Element, kind: str, joint: Element, context: CheckContex
     ):
         context.warn(
             "missing-limit",
-            f"joint '{_name(joint)}' is {kind}, but its limit has no 'lower' and no 'upper': "
-            "parsers take 0 for both, and it cannot move",
+            f"joint '{_name(joint)}' is {kind}, but its limit has no 'lower' and "
+            "no 'upper': both default to 0, so it cannot move",
             limit,
             hint=_limit_hint(kind, "add `lower=-1, upper=1` to it"),
         )
@@ -140,11 +140,11 @@ def _check_order(
     absent = [n for n in (lower_name, upper_name) if attribute_text(element, n) is None]
     context.warn(
         "limit-order",
-        f"'{lower_name}' ({shown(lower)}) of joint '{_name(joint)}' is above "
-        f"'{upper_name}' ({shown(upper)})",
+        f"'{lower_name}' ({shown(lower)}) of joint '{_name(joint)}' is "
+        f"greater than '{upper_name}' ({shown(upper)})",
         element,
         attribute=upper_name if lower_name in absent else lower_name,
-        hint=f"give '{absent[0]}' too: it is 0 when it is left out" if absent else "swap the two",
+        hint=f"also write '{absent[0]}', which defaults to 0" if absent else "swap the two",
     )
 
 
@@ -157,5 +157,5 @@ def _check_dynamics(dynamics: Element, joint: Element, context: CheckContext) ->
         "missing-attribute",
         f"the dynamics of joint '{_name(joint)}' has neither 'damping' nor 'friction'",
         dynamics,
-        hint="write `dynamics/damping=0.1, friction=0.0:` or leave it out",
+        hint="write `dynamics/damping=0.1, friction=0.0:` or remove it",
     )

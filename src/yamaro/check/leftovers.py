@@ -29,7 +29,7 @@ def advise_on_leftovers(root: Element, context: CheckContext) -> None:
         f"'{text.strip()}' was not evaluated",
         element,
         attribute=attribute,
-        hint="only xacro evaluates it: rename the file to .xacro, or write what it stands for",
+        hint="only xacro evaluates it: rename the file to .xacro, or write its value",
         notes=[f"{more} more {'are' if more > 1 else 'is'} in the file"] if more else (),
     )
 

@@ -44,10 +44,10 @@ def check_inertial(
 def _report_mass(mass: float, element: Element, link: Element, context: CheckContext) -> None:
     hint = "give the mass in kilograms"
     if mass == 0:
-        hint += ", or leave `inertial` out of a link that is only a frame"
+        hint += ", or remove `inertial` if the link is only a frame"
     context.warn(
         "bad-mass",
-        f"the mass of {label(link)} is {shown(mass)}, but must be more than 0",
+        f"the mass of {label(link)} is {shown(mass)}, but must be greater than 0",
         element,
         attribute="value",
         hint=hint,
@@ -75,7 +75,7 @@ def _check_inertia(inertia: Element, link: Element, context: CheckContext) -> No
         f"no body can have the inertia of {label(link)}: {fault}",
         inertia,
         attribute="ixx" if spans is not None and spans.get("ixx") else None,
-        hint="leave `inertia` out of a part and it is computed from the mass and the shape",
+        hint="in a part, omit `inertia` to compute it from the mass and the shape",
     )
 
 
@@ -85,13 +85,13 @@ def _inertia_fault(moments: tuple[float, float, float]) -> str | None:
     low, middle, high = (0.0 if fabs(m) < negligible else m for m in moments)
     if low <= 0:
         if high == 0 and low == 0:
-            return "all its entries are 0, and it could be turned without effort"
+            return "all its entries are 0"
         numbers = _all_shown(low, middle, high)
-        return f"its eigenvalues are {numbers}, and all three must be more than 0"
+        return f"its eigenvalues are {numbers}, and all three must be greater than 0"
     if low + middle < high * (1 - TRIANGLE_TOLERANCE):
         return (
-            f"of its eigenvalues {_all_shown(low, middle, high)} the two smaller ones together "
-            "must reach the largest (the triangle inequality)"
+            f"of its eigenvalues {_all_shown(low, middle, high)} the sum of the two smaller ones "
+            "must not be less than the largest (the triangle inequality)"
         )
     return None
 
@@ -190,7 +190,7 @@ def _check_scale(mesh: Element, where: str, context: CheckContext) -> None:
     if scale and 0.0 in scale:
         context.warn(
             "bad-size",
-            f"the scale of the mesh in {where} holds 0, which flattens it",
+            f"the scale of the mesh in {where} contains 0, which flattens it",
             mesh,
             attribute="scale",
             hint="write `1 1 1` for the mesh as it is, `0.001 0.001 0.001` if it is in millimetres",
@@ -203,9 +203,10 @@ def _report_capsule(capsule: Element, where: str, context: CheckContext) -> None
         return
     context.warn(
         CAPSULE_CODE,
-        f"the geometry in {where} is a capsule, which URDF has since version 1.1",
+        f"the geometry in {where} is a capsule, which needs URDF 1.1",
         capsule,
-        hint="write `version=1.1` on the robot, or use a cylinder: urdfdom drops the shape in 1.0",
+        hint="write `version=1.1` on the robot, or use a "
+        "cylinder: urdfdom ignores the shape in 1.0",
     )
 
 
@@ -229,7 +230,7 @@ def _check_angles(rpy: str, origin: Element, owner: Element, context: CheckConte
         if fabs(angle) > tau + ANGLE_TOLERANCE:
             context.warn(
                 "angle-too-large",
-                f"'rpy' in {label(owner)} holds {shown(angle)}, more than a full turn",
+                f"'rpy' in {label(owner)} contains {shown(angle)}, more than a full turn",
                 origin,
                 attribute="rpy",
                 hint=f"angles are in radians; for degrees write `$(radians({shown(angle)}))`",
@@ -245,7 +246,7 @@ def _check_quaternion(origin: Element, owner: Element, context: CheckContext) ->
             f"the origin in {label(owner)} has both 'rpy' and 'quat_xyzw'",
             origin,
             attribute="quat_xyzw",
-            hint="keep one of them; parsers refuse both",
+            hint="keep one of them; parsers reject both",
         )
         return
     if context.version == "1.0":

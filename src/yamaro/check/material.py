@@ -66,7 +66,7 @@ def _check_global(material: Element, known: dict[str, Element], context: CheckCo
             "the name of a material is empty, so no visual can refer to it",
             material,
             attribute="name",
-            hint="name it by its look, as in dark_grey",
+            hint="write a name that describes it, such as dark_grey",
         )
         return
     first = known.get(name)

@@ -46,7 +46,7 @@ def _advise_on_joint(name: str, joint: Element, tree: Tree, context: CheckContex
             f"'lower' and 'upper' of joint '{name}' are both {shown(lower)}, so it cannot move",
             limit,
             attribute="upper" if "upper" in limit.attributes else "lower",
-            hint="give it a range, or make it fixed",
+            hint="set a range, or make it fixed",
         )
         return
     if child_named(joint, "mimic") is None and not lower - ROUNDING <= 0 <= upper + ROUNDING:
@@ -64,7 +64,7 @@ def _advise_on_fixed_follower(name: str, joint: Element, tree: Tree, context: Ch
             f"joint '{name}' mimics '{master}', but is fixed",
             mimic,
             attribute="joint",
-            hint="give it a type that moves, or leave the mimic out",
+            hint="use a type that moves, or remove the mimic",
         )
 
 
@@ -84,7 +84,7 @@ def _advise_on_continuous(name: str, limit: Element, context: CheckContext) -> N
             f"joint '{name}' is continuous, so '{given[0]}' is ignored",
             limit,
             attribute=given[0],
-            hint="make it revolute if it has bounds; a continuous joint turns without end",
+            hint="make it revolute if it has limits; a continuous joint rotates without limits",
         )
 
 
@@ -94,11 +94,11 @@ def _advise_on_zero(
     """Report a range without 0: viewers, planners and simulators start there."""
     context.warn(
         "zero-outside-limits",
-        f"joint '{name}' goes from {shown(lower)} to {shown(upper)}, so its zero is out of reach",
+        f"joint '{name}' goes from {shown(lower)} to {shown(upper)}, which excludes 0",
         limit,
         attribute="lower" if lower > 0 else "upper",
-        hint="most programs start with all joints at 0; give them another start, or put 0 into "
-        "the range by another origin",
+        hint="most programs start with all joints at 0; set another start "
+        "position, or include 0 in the range with another origin",
     )
 
 
@@ -118,7 +118,7 @@ def _advise_on_soft_limits(
                 f"{shown(lower)} to {shown(upper)}",
                 safety,
                 attribute=attribute,
-                hint="soft limits lie within 'lower' and 'upper'",
+                hint="soft limits must be between 'lower' and 'upper'",
             )
 
 
@@ -145,8 +145,8 @@ def _advise_on_massless(tree: Tree, context: CheckContext) -> None:
         f"link '{child}' is moved by joint '{name}', but has no mass",
         tree.links[child],
         attribute="name",
-        hint="give it a mass and a shape, or an inertial: MuJoCo refuses the robot without, and "
-        "Gazebo drops the link",
+        hint="add a mass and a shape, or an inertial: without it, MuJoCo "
+        "rejects the robot and Gazebo ignores the link",
         notes=[f"{more} more moving link{'s have' if more > 1 else ' has'} none"] if more else (),
     )
 

@@ -38,7 +38,7 @@ def check_outermost(child: Element, context: CheckContext) -> None:
     if name in PARENTS:
         context.warn(
             "unknown-element",
-            f"'{name}' means nothing directly under 'robot'; parsers ignore it",
+            f"'{name}' has no meaning directly under 'robot'; parsers ignore it",
             child,
             hint=f"it belongs in {PARENTS[name]}",
         )

@@ -48,12 +48,12 @@ def _check_gazebo(gazebo: Element, tree: Tree, context: CheckContext) -> None:
         return
     context.warn(
         "unknown-reference",
-        f"this block is for '{name}', which is not a link or joint of the robot",
+        f"this block refers to '{name}', which is not a link or joint of the robot",
         gazebo,
         attribute="reference",
         hint=near_name(name, tree, "_link", context)
         or near_name(name, tree, "_joint", context)
-        or "name a link or joint that exists; Gazebo ignores the block",
+        or "refer to an existing link or joint; Gazebo ignores the block",
     )
 
 
@@ -90,7 +90,7 @@ def _check_sensor(sensor: Element, tree: Tree, context: CheckContext) -> None:
         "of the robot",
         parent,
         attribute="link",
-        hint=near_name(name, tree, "_link", context) or "name a link that exists",
+        hint=near_name(name, tree, "_link", context) or "refer to an existing link",
     )
 
 
@@ -113,7 +113,7 @@ def _report_joint(
         f"{holder} names '{name}', which is not a joint of the robot",
         element,
         attribute=attribute,
-        hint=near_name(name, tree, "_joint", context) or "name a joint that exists",
+        hint=near_name(name, tree, "_joint", context) or "refer to an existing joint",
     )
 
 

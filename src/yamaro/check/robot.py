@@ -85,7 +85,7 @@ def check_format(root: Element, reporter: Reporter) -> None:
             "not-urdf",
             f"{what}: its root is '{root.name}'",
             root.span,
-            hint="the root of a URDF is 'robot'; give the file the ending of its own format",
+            hint="the root of a URDF is 'robot'; use the extension of the file's format",
         )
 
 
@@ -102,7 +102,7 @@ def _check_robot(root: Element, links: list[Element], context: CheckContext) -> 
     if not links and not _is_srdf(root):
         context.error(
             "no-link",
-            "the robot has no link, and parsers refuse a robot without one",
+            "the robot has no link, so parsers reject it",
             root,
             hint="add one, as in `link/name=base_link:`",
         )

@@ -257,11 +257,11 @@ def _report_not_a_number(
 ) -> None:
     where = f"'{name}' of '{element.name}' in {label(owner)}"
     if fault.kind == SPACING:
-        message = f"{where} is spaced so that urdfdom does not read it as a number"
+        message = f"{where} has white space that urdfdom does not accept in a number"
         hint = f"write `{' '.join(text.split())}`: single spaces between numbers, none at the end"
     elif fault.kind == NOT_FINITE:
         message = f"{where} holds '{fault.item}', which is not a finite number"
-        hint = "write a finite number; parsers refuse NaN and infinities"
+        hint = "write a finite number; parsers reject NaN and infinities"
     else:
         message = f"{where} holds '{fault.item}', which is not a number"
         hint = _hint_for_word(fault.item, text)
@@ -272,7 +272,7 @@ def _hint_for_word(item: str, text: str) -> str:
     if "${" in text:
         return "write `$(…)` for an expression; `${…}` is xacro's"
     if "$(" in text:
-        return "the expression was not evaluated: `$$(` stands for a literal `$(`"
+        return "the expression was not evaluated: `$$(` is a literal `$(`"
     if "," in item:
         return "separate numbers by spaces, and write 1.5 for one and a half"
     return "write plain numbers such as 0.5 or 1e-3, separated by spaces"
@@ -315,10 +315,10 @@ def _report_sign(
     if rule.sign == POSITIVE:
         context.warn(
             "bad-size",
-            f"{where} holds {shown(number)}, but a size must be more than 0",
+            f"{where} holds {shown(number)}, but a size must be greater than 0",
             element,
             attribute=name,
-            hint="give the real size in metres, or leave this geometry out",
+            hint="write the size in metres, or remove this geometry",
         )
         return
     # urdfdom refuses a negative acceleration, deceleration and jerk where it reads them.
@@ -329,7 +329,7 @@ def _report_sign(
         f"{where} is {shown(number)}, but cannot be negative",
         element,
         attribute=name,
-        hint="write the amount without a sign; it holds for both directions",
+        hint="write the value without a sign; it applies to both directions",
     )
 
 
@@ -342,7 +342,7 @@ def _report_missing_attribute(
         return  # The child is told of, with the attribute that it should be.
     text = element.text().strip()
     if text and len(ELEMENTS[element.name].required) == 1:
-        hint = f"URDF wants it as an attribute: `{element.name}/{name}={text}:`"
+        hint = f"in URDF it is an attribute: `{element.name}/{name}={text}:`"
     elif element.name == "robot":
         hint = "name it: `robot: my_robot`"
     else:
@@ -366,7 +366,7 @@ def _check_unknown_attribute(
         return
     if name in REPEATED_INERTIA and element.name == "inertia":
         hint = (
-            f"leave it out: the matrix is symmetric, and '{REPEATED_INERTIA[name]}' stands for it"
+            f"remove it: the matrix is symmetric, and '{REPEATED_INERTIA[name]}' has the same value"
         )
     else:
         absent = [known for known in rule.attributes if known not in element.attributes]
@@ -383,9 +383,9 @@ def _check_unknown_attribute(
 
 def _choices(kind: str, name: str, known: dict[str, AttributeRule] | dict[str, str]) -> str:
     if not known:
-        return f"'{name}' takes no {kind}; leave it out"
+        return f"'{name}' has no {kind}; remove it"
     if len(known) == 1:
-        return f"'{name}' takes only '{next(iter(known))}'"
+        return f"'{name}' accepts only '{next(iter(known))}'"
     return f"the {kind} of '{name}' are {', '.join(known)}"
 
 
@@ -465,7 +465,7 @@ def _hint_for_stray(child: Element, element: Element, present: set[str], rule: E
         text = child.text().strip() or "…"
         return f"in URDF it is an attribute: `{element.name}/{name}={text}:`"
     if name in GAZEBO_ONLY:
-        return f"Gazebo reads '{name}' in a block of its own, `gazebo/reference=my_link:`"
+        return f"Gazebo reads '{name}' in a separate block, `gazebo/reference=my_link:`"
     if name == "gazebo":
         return f"write it directly under the robot: `gazebo/reference=my_{element.name}:`"
     near = did_you_mean(

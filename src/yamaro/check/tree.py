@@ -90,7 +90,7 @@ def _check_name(element: Element, known: dict[str, Element], context: CheckConte
         f"there are two {element.name}s named '{name}'",
         element,
         attribute="name",
-        hint="give each a name of its own; in a function, build it from an argument: `$(side)_arm`",
+        hint="give each its own name; in a function, build it from an argument: `$(side)_arm`",
         notes=(_note_of_first(first, element),),
         among=(first, element),
     )
@@ -103,7 +103,7 @@ def _note_of_first(first: Element, second: Element) -> str:
         way = f"in {trace.name}, {trace.kind} at {trace.span.place()}"
         return f"first defined at {place.place()}, {way}"
     if place.key() == second.value_span("name").key():
-        return "an earlier turn of a loop has defined it here"
+        return "defined here in an earlier iteration of a loop"
     return f"first defined at {place.place()}"
 
 
@@ -114,9 +114,9 @@ def check_spelling(element: Element, name: str, context: CheckContext) -> None:
     if not name.strip():
         message = f"the name of {'the' if element.name == 'robot' else 'a'} {element.name} is empty"
     elif any(char.isspace() for char in name):
-        message = f"the {element.name} name '{name}' has white space in it"
+        message = f"the {element.name} name '{name}' contains white space"
     else:
-        message = f"the {element.name} name '{name}' holds characters that cannot be seen"
+        message = f"the {element.name} name '{name}' contains invisible characters"
     tell = context.warn if name or element.name == "robot" else context.error
     tell(
         "bad-name",
@@ -190,7 +190,7 @@ def _reference(
         element,
         attribute="link",
         hint=near_name(name, tree, "_link", context)
-        or f"add a link named '{name}', or name one there is",
+        or f"add a link named '{name}', or refer to an existing link",
     )
     return None
 
@@ -216,7 +216,7 @@ def _report_two_parents(child: str, first: Element, second: Element, context: Ch
         f"link '{child}' is the child of two joints, {listed(names)}",
         child_named(second, "child") or second,
         attribute="link",
-        hint="a link hangs on one joint: URDF is a tree and cannot close a loop",
+        hint="a link has one parent joint: URDF is a tree and cannot contain closed loops",
         notes=(f"the first joint is at {first.span.place()}",),
         among=(first, second),
     )
@@ -255,12 +255,12 @@ def _report_circle(circle: list[str], hanging: Hanging, context: CheckContext) -
     if len(way) > MAX_PATH_SHOWN:
         way = [*way[: MAX_PATH_SHOWN - 2], "…", way[-1]]
     name = attribute_text(joint, "name")
-    hint = "let one of these links hang on a link outside the circle, or be the root"
+    hint = "attach one of these links to a link outside the cycle, or make it the root"
     if len(circle) == 1:
-        hint = "name the link it hangs on as its parent"
+        hint = "set the link to which it is attached as its parent"
         message = f"joint '{name}' has the link '{circle[0]}' both as parent and as child"
     else:
-        message = f"the joints run in a circle: {' → '.join(way)}"
+        message = f"the joints form a cycle: {' → '.join(way)}"
     context.error(
         "joint-cycle",
         message,
@@ -278,10 +278,10 @@ def _check_roots(tree: Tree, hanging: Hanging, context: CheckContext) -> None:
         return
     context.error(
         "several-roots",
-        f"the robot falls into {len(roots)} trees: {listed(roots)} are no joint's child",
+        f"the robot has {len(roots)} separate trees: {listed(roots)} are not the child of a joint",
         tree.links[roots[1]],
         attribute="name",
-        hint=f"make '{roots[1]}' the child of a joint; a fixed one will do",
+        hint=f"make '{roots[1]}' the child of a joint, for example a fixed one",
         notes=(f"the first root link is at {tree.links[roots[0]].span.place()}",),
         among=[tree.links[name] for name in roots],
     )
@@ -343,7 +343,7 @@ def _check_mimics(joints: list[JointParts], tree: Tree, context: CheckContext) -
                 f"joint '{name}' mimics '{master}', which is not a joint of the robot",
                 mimic,
                 attribute="joint",
-                hint=near_name(master, tree, "_joint", context) or "name a joint that exists",
+                hint=near_name(master, tree, "_joint", context) or "refer to an existing joint",
             )
         elif tree.joints.get(name) is joint:
             masters[name] = master
@@ -367,13 +367,13 @@ def _check_mimic_circles(masters: dict[str, str], tree: Tree, context: CheckCont
 
 def _report_mimic_circle(circle: list[str], tree: Tree, context: CheckContext) -> None:
     context.outermost = joint = tree.joints[circle[0]]
-    hint = "let one of them be moved by itself, without a mimic"
+    hint = "remove the mimic from one of them"
     if len(circle) == 1:
-        hint = "name the joint that leads, or leave the mimic out"
+        hint = "refer to another joint, or remove the mimic"
         message = f"joint '{circle[0]}' mimics itself"
     else:
         way = [*circle[:MAX_PATH_SHOWN], circle[0]]
-        message = f"joints mimic one another in a circle: {' → '.join(way)}"
+        message = f"joints mimic one another in a cycle: {' → '.join(way)}"
     context.error(
         "mimic-cycle",
         message,

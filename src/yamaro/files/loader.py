@@ -103,7 +103,7 @@ class MemoryLoader:
     def read(self, path: str) -> bytes:
         """Return a file's content; raise LoadError if there is none."""
         if path not in self.files:
-            raise LoadError("there is no such file")
+            raise LoadError("the file does not exist")
         return self.files[path].encode("utf-8", "surrogatepass")
 
     def neighbours(self, path: str) -> list[str]:
@@ -114,9 +114,9 @@ class MemoryLoader:
 
 def _reason(error: Exception) -> str:
     if isinstance(error, FileNotFoundError):
-        return "there is no such file"
+        return "the file does not exist"
     if isinstance(error, NotADirectoryError):
-        return "a part of the path is no folder"
+        return "a part of the path is not a folder"
     if isinstance(error, IsADirectoryError):
         return "it is a folder"
     if isinstance(error, PermissionError):
@@ -137,7 +137,7 @@ def decode(data: bytes, *, name: str, path: str) -> Source:
             source = Source(data[4:].decode(encoding, "replace"), name=name, path=path)
             raise failure(
                 "not-utf-8",
-                "the file is written in UTF-32",
+                "the file is in UTF-32",
                 Span(source, 0, 1),
                 hint="save it as UTF-8",
             )
@@ -146,7 +146,7 @@ def decode(data: bytes, *, name: str, path: str) -> Source:
         source = Source(data.decode(encoding, "replace").lstrip("\ufeff"), name=name, path=path)
         raise failure(
             "not-utf-8",
-            "the file is written in UTF-16",
+            "the file is in UTF-16",
             Span(source, 0, 1),
             hint="save it as UTF-8",
         )

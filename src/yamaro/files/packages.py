@@ -89,7 +89,7 @@ class PackageFinder:
             places.extend(f"{path} ({variable})" for path in paths)
             if not paths:
                 places.append(f"{variable} (not set)")
-        places.append(f"{os.path.abspath(start)} and the folders it lies in")
+        places.append(f"{os.path.abspath(start)} and the folders that contain it")
         places.extend(f"{root} and the folders below it" for root, _ in surroundings(start))
         return places
 
@@ -192,7 +192,7 @@ def is_package_name(name: str) -> bool:
 
 def package_hint(package: str) -> str:
     """Return how to say where a package is that is not found."""
-    return f"source its workspace, or give its folder: --package {package}:=FOLDER"
+    return f"source its workspace, or set its folder: --package {package}:=FOLDER"
 
 
 def manifest_name(folder: str) -> str | None:
@@ -223,7 +223,7 @@ def _without_comments(text: str) -> str:
 
 
 def _ancestors(start: str) -> Iterator[str]:
-    """Yield `start` and the folders it lies in, innermost first."""
+    """Yield `start` and the folders that contain it, innermost first."""
     folder = os.path.abspath(start)
     while True:
         yield folder

@@ -36,10 +36,10 @@ class Reach:
         """Raise LoadError if a path lies elsewhere."""
         if not self.allows(path):
             raise LoadError(
-                "it lies outside of what this file may read",
+                "it is outside of the folders that this file may read",
                 code="path-outside",
-                hint="--allow-path FOLDER lets it be read; "
-                "by itself a file may read its own folder and its packages",
+                hint="--allow-path FOLDER allows reading it; by default, a file "
+                "may read its own folder and its packages",
             )
 
     def is_of(self, path: str, descriptor: int) -> bool:

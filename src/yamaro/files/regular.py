@@ -19,7 +19,7 @@ _TYPE = 0o170000
 _FOLDER = 0o040000
 _REGULAR = 0o100000
 _DEVICES = (0o020000, 0o060000)
-_OTHER = "it is no regular file"
+_OTHER = "it is not a regular file"
 
 
 class _Unblocked(FileIO):

@@ -113,7 +113,7 @@ class Robot(Written):
         """Return the robot of a URDF file, read as it is: xacro is not run, files are not included.
 
         Raises:
-            FileNotFoundError: there is no such file; other OSErrors if it cannot be read.
+            FileNotFoundError: the file does not exist; other OSErrors if it cannot be read.
             YamaroError: it is not XML, or not a `<robot>`.
         """
         from .reading import read_file

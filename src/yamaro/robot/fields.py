@@ -158,7 +158,7 @@ def _refuse_list(lowering: Lowering, owner: Element, span: Span) -> None:
             "list-as-text",
             f"a list cannot be the content of <{owner.name}>",
             span,
-            hint="write the items as one text, such as 1 0 0, or give a list of elements",
+            hint="write the items as one text, such as 1 0 0, or write a list of elements",
             trace=owner.trace,
         )
     )
@@ -169,9 +169,9 @@ def refuse_part(lowering: Lowering, part: Element, place_name: str) -> None:
     lowering.absorb(
         failure(
             "misplaced-part",
-            f"a part cannot stand inside {_with_article(place_name)}",
+            f"a part is not allowed inside {_with_article(place_name)}",
             part.span,
-            hint="write it beside the outer part, with 'parent' naming that part",
+            hint="write it beside the outer part, and refer to that part in 'parent'",
             trace=part.trace,
         )
     )
@@ -183,10 +183,10 @@ def _refuse_text(lowering: Lowering, owner: Element, text: Text, place: Place) -
         shown = format_value(text.value).strip()
         if not shown:
             return False
-        message = f"the text '{shown}' stands directly in {_with_article(place.name)}"
+        message = f"the text '{shown}' is directly in {_with_article(place.name)}"
     else:
-        message = f"a list stands directly in {_with_article(place.name)}"
-    hint = f"'{place.name}' takes keys, such as {place.example}"
+        message = f"a list is directly in {_with_article(place.name)}"
+    hint = f"'{place.name}' needs keys, such as {place.example}"
     lowering.absorb(failure("unexpected-text", message, text.span, hint=hint, trace=owner.trace))
     return True
 
@@ -206,7 +206,8 @@ def _warn_of_key(lowering: Lowering, child: Element, place: Place) -> None:
     if hint is None:
         return
     message = (
-        f"'{name}' is no key of {_with_article(place.name)}, and comes out as the element <{name}>"
+        f"'{name}' is not a key of {_with_article(place.name)}, "
+        f"and is written as the element <{name}>"
     )
     hint = f"{hint} (<{name}>: is always an element)"
     if hint.startswith("did you mean"):
@@ -265,7 +266,7 @@ def _join_value(key: Element) -> tuple[object, Span]:
         what = f"the element <{others[0].name}>" if others else "attributes"
         raise failure(
             "value-expected",
-            f"'{key.name}' takes a value, not {what}",
+            f"'{key.name}' needs a value, not {what}",
             span,
             hint=f"write {key.name}: … with the value after the colon, or <{key.name}>: for XML",
             trace=key.trace,
@@ -281,7 +282,7 @@ def empty_value(key: Element) -> YamaroError:
         "empty-value",
         f"'{key.name}' is empty",
         key.span,
-        hint=f"give it a value, or leave '{key.name}' out",
+        hint=f"write a value, or remove '{key.name}'",
         trace=key.trace,
     )
 
@@ -295,9 +296,9 @@ def word_of(key: str, value: object, span: Span, *, owner: Element) -> str:
     if isinstance(value, LiteralList):
         raise failure(
             "value-expected",
-            f"'{key}' takes one word, not a list",
+            f"'{key}' needs one word, not a list",
             span,
-            hint="write the word alone, without brackets",
+            hint="write the word without brackets",
             trace=owner.trace,
         )
     text = format_value(value).strip()
@@ -306,7 +307,7 @@ def word_of(key: str, value: object, span: Span, *, owner: Element) -> str:
             "empty-value",
             f"'{key}' is empty",
             span,
-            hint=f"give it a value, or leave '{key}' out",
+            hint=f"write a value, or remove '{key}'",
             trace=owner.trace,
         )
     return text
@@ -417,7 +418,7 @@ def _read_scalar(key: Element, text: Text, scalar: str | None, record: Record) -
     if scalar is None:
         raise failure(
             "attributes-expected",
-            f"'{key.name}' takes attributes, not a value",
+            f"'{key.name}' needs attributes, not a value",
             text.span,
             hint=f"write {_RECORD_EXAMPLES[key.name]}" if key.name in _RECORD_EXAMPLES else None,
             trace=key.trace,
@@ -449,7 +450,7 @@ _RECORD_EXAMPLES = {
     "dynamics": "dynamics: {damping: 0.1, friction: 0.2}",
     "safety_controller": "safety_controller: {k_velocity: 10}",
     "calibration": "calibration: {rising: 0.0}",
-    "origin": "xyz: 0 0 0 and rpy: 0 0 0 in place of 'origin', or origin: none",
+    "origin": "xyz: 0 0 0 and rpy: 0 0 0 instead of 'origin', or origin: none",
 }
 
 

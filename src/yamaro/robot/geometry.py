@@ -163,7 +163,7 @@ def _read_shape_word(lowering: Lowering, key: Element) -> tuple[str, str, Span]:
         return "mesh", word, span
     raise failure(
         "unknown-shape",
-        f"'{word}' is no shape and no mesh file",
+        f"'{word}' is neither a shape nor a mesh file",
         span,
         hint=_shape_hint(word),
         trace=key.trace,
@@ -178,7 +178,7 @@ def _shape_hint(word: str) -> str:
         from ..model.mesh_integrals import MESH_ENDINGS
 
         endings = " ".join(f".{ending}" for ending in MESH_ENDINGS)
-        return f"mesh files are known by their ending: {endings}"
+        return f"the extensions of mesh files are {endings}"
     words = ", ".join(SIMPLE_SHAPES)
     return f"the shapes are {words}, and mesh files such as meshes/arm.stl"
 
@@ -206,9 +206,9 @@ def _refuse_urdf_form(lowering: Lowering, key: Element) -> None:
         short += f" and scale: {' '.join(numbers)}"
     raise failure(
         "geometry-as-xml",
-        f"'geometry' takes a shape word, not the element <{shape.name}>",
+        f"'geometry' needs the name of a shape, not the element <{shape.name}>",
         shape.span,
-        hint=f"write {short}, or <geometry>: for an element as it is",
+        hint=f"write {short}, or <geometry>: for an XML element",
         trace=key.trace,
     )
 
@@ -216,11 +216,11 @@ def _refuse_urdf_form(lowering: Lowering, key: Element) -> None:
 def _warn_of_capsule(lowering: Lowering, key: Element, span: Span) -> None:
     lowering.warn(
         "capsule-needs-urdf-1.1",
-        "the shape 'capsule' needs URDF 1.1, and this robot does not say that it is 1.1: urdfdom "
-        "(ROS, RViz, MoveIt) and pinocchio drop the shape, yourdfpy refuses it",
+        "the shape 'capsule' needs URDF 1.1, which this robot does not declare: urdfdom (ROS, "
+        "RViz, MoveIt) and pinocchio ignore the shape, yourdfpy rejects it",
         span,
-        hint="write robot/name=…, version=1.1: as the root, which urdfdom reads from 5.1 on, or "
-        "use a cylinder",
+        hint="write robot/name=…, version=1.1: as the root, which urdfdom "
+        "supports from version 5.1, or use a cylinder",
         trace=key.trace,
     )
 
@@ -274,9 +274,10 @@ def _solid_mesh(lowering: Lowering, geometry: Geometry, scale: tuple[float, ...]
     if path is None:
         raise failure(
             "missing-mesh",
-            f"the mesh '{geometry.word}' is not found, and the inertia is computed from it",
+            f"the mesh '{geometry.word}' is not found, but the inertia is computed from it",
             geometry.span,
-            hint="a relative path starts at the file it is written in; or give 'inertia' yourself",
+            hint="a relative path starts at the folder of the file that "
+            "contains it; or write 'inertia' explicitly",
             trace=geometry.key.trace,
         )
     moments = lowering.moments.get(path)
@@ -290,7 +291,7 @@ def _solid_mesh(lowering: Lowering, geometry: Geometry, scale: tuple[float, ...]
             "bad-size",
             f"a mesh of the scale '{geometry.scale.text}' has no inertia",
             geometry.scale_span,
-            hint="no factor may be 0",
+            hint="no factor can be 0",
             trace=geometry.key.trace,
         )
     return MeshSolid(scaled)
@@ -321,9 +322,10 @@ def _read_moments(lowering: Lowering, geometry: Geometry, path: str) -> SolidMom
         problem = "is not closed, so it encloses no volume"
     raise failure(
         "open-mesh",
-        f"the mesh '{word}' {problem}, and the inertia is computed from it",
+        f"the mesh '{word}' {problem}, but the inertia is computed from it",
         span,
-        hint="give 'inertia' yourself, or give 'inertial:' a simple shape, such as geometry: box "
+        hint="write 'inertia' explicitly, or add a simple shape "
+        "to 'inertial:', such as geometry: box "
         "and scale: 0.4 0.3 0.2",
         trace=trace,
     )
@@ -347,7 +349,7 @@ def _read_mesh(lowering: Lowering, geometry: Geometry, path: str) -> TriangleMes
             "bad-mesh",
             f"the mesh '{word}' cannot be read: {error}",
             span,
-            hint=f"give 'inertia' yourself; computing it needs one of {readable}",
+            hint=f"write 'inertia' explicitly; it can be computed only from {readable}",
             trace=trace,
         ) from error
     except MissingLibraryError as error:
@@ -355,7 +357,7 @@ def _read_mesh(lowering: Lowering, geometry: Geometry, path: str) -> TriangleMes
             "missing-extra",
             f"reading the mesh '{word}' needs the Python package '{error}'",
             span,
-            hint="run pip install \"yamaro[mesh]\", give 'inertia' yourself, or use an .stl or "
-            ".obj file, which need nothing",
+            hint="run pip install \"yamaro[mesh]\", write 'inertia' explicitly, or "
+            "use an .stl or .obj file, which need no package",
             trace=trace,
         ) from error

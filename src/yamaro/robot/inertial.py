@@ -134,7 +134,8 @@ def _mass(
             "given-twice",
             "both 'mass' and 'density' are given",
             own_density.span,
-            hint="a density gives the mass by the volume of the shape; keep one of the two",
+            hint="with a density, the mass is computed from the "
+            "volume of the shape; keep one of the two",
             notes=(f"'mass' is given at {own_mass.span.place()}",),
             trace=own_density.trace,
         )

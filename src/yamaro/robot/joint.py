@@ -156,7 +156,7 @@ def _read_type(lowering: Lowering, key: Element, fields: Fields) -> JointType:
         return JointType(word, span, key_span)
     raise failure(
         "joint-type",
-        f"'{word}' is no joint type",
+        f"'{word}' is not a joint type",
         span,
         hint=joint_type_hint(word),
         trace=key.trace,
@@ -204,7 +204,7 @@ def _child_element(lowering: Lowering, key: Element, fields: Fields, child: str)
             "child-given",
             "the child of a part's joint is the part's own link",
             child_key.span,
-            hint="leave 'child' out; to name the link yourself, write link/name=…",
+            hint="remove 'child'; to set the name of the link, write link/name=…",
             trace=child_key.trace,
         )
     return Element("child", key.span, {"link": child}, [], key.trace)

@@ -129,7 +129,7 @@ def _choice(key: Element, choices: tuple[str, ...]) -> str:
     if text not in choices or key.elements():
         raise failure(
             "bad-choice",
-            f"'{key.name}' is one of {', '.join(choices)}, and '{text}' is none of them",
+            f"'{key.name}' is one of {', '.join(choices)}, not '{text}'",
             _place(key),
             hint=did_you_mean(text, choices) or f"write {key.name}: {choices[0]}",
             trace=key.trace,
@@ -274,7 +274,7 @@ class _Image:
         self.lowering.absorb(
             failure(
                 "mirror-mesh",
-                f"'meshes' does not say what replaces '{name}'",
+                f"'meshes' does not specify a replacement for '{name}'",
                 mesh.value_span("filename"),
                 hint=f"add {name}: to 'meshes', with the file of its mirror image or its own name",
                 trace=mesh.trace,
@@ -285,7 +285,7 @@ class _Image:
         if holds_pose(element):
             self.lowering.warn(
                 "mirror-raw",
-                f"<{element.name}> holds a pose, which is copied as it is",
+                f"<{element.name}> contains a pose, which is copied unchanged",
                 element.span,
                 hint="`mirror` changes poses of links, joints and shapes; write the mirrored "
                 "element beside it",
@@ -317,7 +317,7 @@ class _Image:
                 "mirror-axis",
                 f"the axis of '{name}' is tilted to the plane, so that of its image is {image}",
                 joint.span,
-                hint="write axes: mirror to mirror all axes, which says that this is meant",
+                hint="write axes: mirror to mirror all axes, to confirm that this is intended",
                 trace=joint.trace,
             )
 

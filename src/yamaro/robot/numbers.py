@@ -271,7 +271,7 @@ def _not_finite(word: str, span: Span, name: str, trace: Frame | None) -> Yamaro
         "bad-number",
         f"'{word}' in {_label(name)} is not a finite number",
         span,
-        hint="URDF readers refuse NaN and infinities; write a number",
+        hint="URDF parsers reject NaN and infinities; write a number",
         trace=trace,
     )
 
@@ -307,7 +307,7 @@ def _word_hint(word: str, name: str, span: Span) -> str:
     if number and number != word and _parse(number) is not None:
         return _hint_for_units(_in_base_unit(number, word[len(number) :]))
     if any(sign in word for sign in "*/()") or word.strip("0123456789.+-") == "":
-        return f"an expression stands in $(…): $({word})"
+        return f"write an expression in $(…): $({word})"
     return _general_hint(name)
 
 

@@ -76,7 +76,7 @@ def lower(
         first = next(iter(places.values()))
         raise failure(
             "part-outside-robot",
-            f"'part' makes links and joints of a robot, but the root element is <{root.name}>",
+            f"'part' creates links and joints of a robot, but the root element is <{root.name}>",
             first.span,
             hint="write robot: as the root, or <part>: for an XML element of that name",
             trace=_trace_of_part(root, first, places),
@@ -188,7 +188,7 @@ def lower_nodes(lowering: Lowering, nodes: list[Node]) -> list[Node]:
 def _warn_of_place(lowering: Lowering, owner: Element, part: Element) -> None:
     lowering.warn(
         "misplaced-part",
-        f"this part stands inside <{owner.name}>, where URDF readers find no links and joints",
+        f"this part is inside <{owner.name}>, where URDF parsers do not look for links and joints",
         part.span,
         hint="move it directly under 'model'",
         trace=part.trace,
@@ -305,7 +305,7 @@ def _read_names(lowering: Lowering, part: Element, fields: Fields) -> PartNames:
                 "missing-name",
                 "this part has no name",
                 part.span,
-                hint="write name: wheel, which makes 'wheel_joint' and 'wheel_link'",
+                hint="write name: wheel, which creates 'wheel_joint' and 'wheel_link'",
                 trace=part.trace,
             )
         )

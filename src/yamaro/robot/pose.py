@@ -141,9 +141,9 @@ def _read_origin(lowering: Lowering, fields: Fields, origin: Element) -> Pose:
         if name not in ("xyz", "rpy", "pivot"):
             raise failure(
                 "unknown-key",
-                f"'{name}' is no attribute of an origin in a part",
+                f"'{name}' is not an attribute of an origin in a part",
                 record.span(name),
-                hint="write xyz, rpy and pivot, or <origin>: for an element as it is",
+                hint="write xyz, rpy and pivot, or <origin>: for an XML element",
                 trace=origin.trace,
             )
         spans[name] = record.span(name)

@@ -202,9 +202,9 @@ def _unknown(
 
 def _listed(names: list[str]) -> str:
     if not names:
-        return "it takes none: its `arguments` are empty"
+        return "it has no arguments"
     more = ", …" if len(names) > MOST_LISTED else ""
-    return f"it takes {', '.join(names[:MOST_LISTED])}{more}"
+    return f"its arguments are {', '.join(names[:MOST_LISTED])}{more}"
 
 
 def _missing(entry: ArgumentEntry, scope: Scope, include: IncludeNode | None) -> YamaroError:

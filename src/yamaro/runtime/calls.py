@@ -82,9 +82,9 @@ def find_function(
     if hint is None and name.lower() in STATEMENTS:
         hint = f"the statement is written `{name.lower()}:`; the XML element <{name}>:"
     elif hint is None and not notes:
-        hint = f"for an XML element of that name write <{name}>:"
+        hint = f"for an XML element of that name, write <{name}>:"
         if scope.context.closure is not None and not namespace:
-            hint += f"; a block stands in the function's `input` as **{name}"
+            hint += f"; declare a block in the function's `input` as **{name}"
     raise failure(
         "undefined-function", f"function '{name}' is not defined", span, hint=hint, notes=notes
     )
@@ -188,8 +188,8 @@ def _parameter_of(
             return positional[index]
         raise _bad_call(
             "unknown-argument",
-            f"'{node.name}' takes {count(len(positional), 'argument')}, "
-            f"and this is number {index + 1}",
+            f"'{node.name}' takes "
+            f"{count(len(positional), 'argument')}, but this is number {index + 1}",
             argument.span,
             node,
         )
@@ -227,7 +227,7 @@ def _block(argument: Argument, node: FunctionNode, late: Late) -> Body:
             parse_body(argument.node, f"the block {argument.name}", late.context)
         raise _bad_call(
             "not-a-body",
-            f"the block '{argument.name}' takes a body, and this is a value",
+            f"the block '{argument.name}' needs a body, not a value",
             argument.node.span() if argument.node is not None else argument.span,
             node,
             hint="write the statements of the block below its name, indented",

@@ -30,7 +30,7 @@ def holds(condition: PythonCode | Constant, scope: Scope, evaluator: Evaluator) 
         return bool(condition.value)
     if condition.name is None and any(word in condition.text for word in _TESTS):
         _check_operands(condition, scope, evaluator)
-    hint = "a text to compare with needs quotes: '{name}'"
+    hint = "a text in a comparison needs quotes: '{name}'"
     value = evaluate_bare(condition, scope, evaluator, hint=hint)
     if value is True or value is False:
         return bool(value)
@@ -50,7 +50,7 @@ def _check_operands(condition: PythonCode, scope: Scope, evaluator: Evaluator) -
         if _means_false(value):
             raise failure(
                 "bad-condition",
-                f"'{name}' is used as a condition here, and is {a_kind_of(value)}",
+                f"'{name}' is used as a condition here, but is {a_kind_of(value)}",
                 condition.span(),
                 hint=_hint(value, name),
                 notes=notes_on_names([name], scope),
@@ -80,7 +80,7 @@ def _refusal(value: Any, condition: PythonCode, scope: Scope, evaluator: Evaluat
     asked = names[0] if names else written if " " not in written else "name"
     return failure(
         "bad-condition",
-        f"a condition is true, false or a number, and this is {a_kind_of(value)}",
+        f"a condition must be true, false or a number, not {a_kind_of(value)}",
         condition.span(),
         hint=_hint(value, asked) if isinstance(value, str) else f"call it: {asked}()",
         notes=notes_on_names(names, scope),
@@ -93,9 +93,9 @@ def _hint(text: str, asked: str) -> str:
     word = text.strip()
     meant = YAML_1_1_BOOLEANS.get(word.lower())
     if word.isdigit() or word.lower() in ("true", "false"):
-        return f"write {meant or word} without quotes: in quotes it is a text"
+        return f"write {meant or word} without quotes; in quotes it is a text"
     if meant is not None:
         return f"write {meant}: in YAML 1.2 '{word}' is a text"
     if not word:
-        return f"to ask whether there is a text, compare: {asked} != ''"
+        return f"to test whether a text is not empty, write {asked} != ''"
     return f"compare the text: {asked} == 'left'"

@@ -46,13 +46,13 @@ def notes_on(subject: str, declarations: list[Declaration], span: Span) -> list[
 def _note(subject: str, declaration: Declaration, span: Span) -> str:
     place = declaration.span.place()
     if declaration.scope == "import":
-        return f"{subject} is imported at {place}; each file has imports of its own"
+        return f"{subject} is imported at {place}; each file has its own imports"
     if declaration.scope == "passed":
         return f"{subject} at {place} is passed to the file included there, and is local to it"
     if declaration.shares_context_with(span):
         if declaration.span.start > span.start:
             return f"{subject} is declared later, at {place}"
-        return f"{subject} is declared at {place}, which has not taken effect here"
+        return f"{subject} is declared at {place}, which has no effect here"
     if declaration.scope == "local":
         where = "function or block" if declaration.extent is not None else "file"
         return (

@@ -172,7 +172,7 @@ class Files:
             home: the file it is written in.
 
         Raises:
-            YamaroError: there is no such file or package, or it is not text in its encoding.
+            YamaroError: the file does not exist or package, or it is not text in its encoding.
         """
         resolved = self.packages.resolve_uri(path, home.directory)
         if resolved is None:
@@ -193,7 +193,7 @@ class Files:
                 f"the file '{path}' cannot be included: {error}",
                 span,
                 hint=error.hint or did_you_mean(os.path.basename(absolute), likely or neighbours),
-                notes=[f"looked for {absolute}"],
+                notes=[f"searched for {absolute}"],
             ) from None
         self.note(absolute)
         return source
@@ -236,9 +236,9 @@ class Files:
         if scheme.lower() not in ("package", "model"):
             return failure(
                 "missing-file",
-                f"'{scheme}://' cannot be included: nothing is fetched",
+                f"'{scheme}://' cannot be included: files are not downloaded",
                 span,
-                hint="save the file beside this one; files and package:// can be included",
+                hint="save the file locally and include it with a path or package://",
             )
         return self.unknown_package(
             path.partition("://")[2].partition("/")[0], span, home.directory
@@ -252,7 +252,7 @@ class Files:
             f"the package '{package}' is not found",
             span,
             hint=package_hint(package),
-            notes=[f"looked in {place}" for place in places[:6]],
+            notes=[f"searched in {place}" for place in places[:6]],
         )
 
 

@@ -42,7 +42,7 @@ def path_of(node: IncludeNode, scope: Scope, values: Values) -> str:
             "missing-file",
             "the path of this include is empty"
             if not text
-            else "the path of this include holds a NUL character",
+            else "the path of this include contains a NUL character",
             node.path_span,
             hint="write include: other.yaml",
         )
@@ -61,7 +61,7 @@ def namespace_of(node: IncludeNode, scope: Scope, values: Values) -> str | None:
     if name and not is_identifier(name):
         raise failure(
             "bad-namespace",
-            f"'{name}' cannot name a namespace",
+            f"'{name}' cannot be the name of a namespace",
             node.namespace.span(),
             hint=name_hint(name),
         )

@@ -204,9 +204,10 @@ class Interpreter:
         cycle = self._cycle()
         return failure(
             "too-deep",
-            f"calls and includes are nested {self.depth:,} deep here, which is taken as endless",
+            f"calls and includes are nested {self.depth:,} levels "
+            "deep here, which is probably endless",
             span,
-            hint="a function or file that uses itself needs a condition under which it stops; "
+            hint="a function or file that uses itself needs a condition that ends the recursion; "
             + self.limits.hint("nesting"),
             notes=[cycle] if cycle else [],
         )
@@ -235,7 +236,7 @@ class Interpreter:
         ):
             self.reporter.warn(
                 "function-replaced",
-                f"the function '{key[:-2]}' replaces another one of that name",
+                f"the function '{key[:-2]}' replaces another function of that name",
                 span,
                 hint="rename one of them, or include the file with a namespace",
                 notes=[

@@ -45,7 +45,7 @@ def iterate(node: ForNode, scope: Scope, values_of: Values) -> Iterator[Any]:
     if not hasattr(type(values), "__iter__") and not hasattr(type(values), "__getitem__"):
         raise failure(
             "not-iterable",
-            f"`in` needs a list, and this is {a_kind_of(values)}",
+            f"`in` needs a list, not {a_kind_of(values)}",
             span,
             hint=_hint_for_turns(iterable)
             if isinstance(values, (int, float))
@@ -117,7 +117,7 @@ def _range_number(given: _RangeNumber, whole: list[Any] | None, node: ForNode, s
         return number
     raise failure(
         "bad-range",
-        f"`range` takes whole numbers, and this is {a_kind_of(whole or given.value)}",
+        f"`range` needs integers, not {a_kind_of(whole or given.value)}",
         given.span,
         hint=_range_hint(given.value, node),
         notes=_origins(given.code, given.value, scope) or _origins(node.iterable, whole, scope),
@@ -137,7 +137,7 @@ def _hint_for_texts(iterable: PythonCode) -> str:
     """Return what to write where a name in `in` was meant as a text."""
     text = iterable.text.strip()
     if not isinstance(iterable.node, ScalarPiece):
-        return f"this is an expression; texts go in a list: in: [{iterable.text}]"
+        return f"this is an expression; write texts as a list: in: [{iterable.text}]"
     words = [word.strip() for word in text.strip("[]").split(",")]
     quoted = ", ".join(f"'{word}'" for word in words)
     return f"Python follows `in`, where texts are quoted: [{quoted}]"
@@ -146,7 +146,7 @@ def _hint_for_texts(iterable: PythonCode) -> str:
 def _hint_for_turns(iterable: object) -> str:
     if isinstance(iterable, PythonCode) and isinstance(iterable.node, ScalarPiece):
         return f"write range({iterable.text.strip()}) for a number of turns"
-    return "write range: for a number of turns"
+    return "write range: for a number of iterations"
 
 
 def _whole_number(value: Any) -> int | None:
@@ -173,14 +173,14 @@ def too_many_turns(span: Span, limits: Limits) -> YamaroError:
 
 def _range_hint(value: object, node: ForNode) -> str:
     if isinstance(value, float) and value - value != 0:
-        return "write a number of turns, such as range: 6"
+        return "write a number of iterations, such as range: 6"
     if isinstance(value, float):
-        return f"write int(…) around it to cut {value} off to a whole number"
+        return f"write int(…) around it to truncate {value} to an integer"
     if isinstance(value, str) and value.strip().isdigit():
-        return "is the number quoted where it is declared? int(…) makes a number of a text"
+        return "is the number quoted where it is declared? int(…) converts a text to a number"
     written = node.iterable.text.strip() if isinstance(node.iterable, PythonCode) else ","
     if "," not in written and not isinstance(value, bool):
-        return f"to go through the items of a list write in: {written}"
+        return f"to iterate over a list, write in: {written}"
     return "write range: 6, or range: 0, 6, or in: for the items of a list"
 
 
@@ -199,10 +199,10 @@ def unpack(item: Any, index: int, node: ForNode, evaluator: Evaluator) -> list[A
         found = a_kind_of(item) if values is None else count(len(values), "value")
         raise failure(
             "bad-iterator",
-            f"the iterator names {wanted} variables ({', '.join(node.names)}), "
-            f"and an item is {found}",
+            f"the iterator names {wanted} variables "
+            f"({', '.join(node.names)}), but an item is {found}",
             _item_span(node, index),
-            hint="give each item as a list: in: [[a, 1.0], [b, 2.0]]",
+            hint="write each item as a list: in: [[a, 1.0], [b, 2.0]]",
         )
     return values
 
@@ -212,7 +212,7 @@ def _item_span(node: ForNode, index: int) -> Span:
     iterable = node.iterable
     if isinstance(iterable, PythonCode):
         return iterable.span()
-    assert not isinstance(iterable, list), "a range gives single numbers"
+    assert not isinstance(iterable, list), "a range has single numbers"
     return span_of(iterable.items[index] if isinstance(iterable, ListValue) else iterable)
 
 

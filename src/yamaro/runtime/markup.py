@@ -114,7 +114,7 @@ def _fill(interpreter: Interpreter, element: Element, content: Content, scope: S
                 "list-as-text",
                 f"a list of plain values cannot be the content of <{element.name}>",
                 content.span,
-                hint="write the values as a text: 0 0 1; or elements as `- name: value`",
+                hint="write the values as a text, 0 0 1, or elements as `- name: value`",
             )
         items = interpreter.values.spelled_list(content.value, scope)
         element.children.append(Text(LiteralList(items), content.span))
@@ -180,9 +180,9 @@ def run_comment(
     if not is_comment_text(text):
         raise failure(
             "bad-comment",
-            "an XML comment cannot hold '--' or end with '-'",
+            "an XML comment cannot contain '--' or end with '-'",
             node.span,
-            hint="use a single dash, or another sign",
+            hint="use a single dash, or another character",
         )
     out.append(Comment(text, node.span))
 
@@ -217,10 +217,10 @@ def run_dynamic(
     if text in STATEMENTS:
         raise failure(
             "computed-statement",
-            f"this key gives '{text}', and a statement cannot be computed",
+            f"this key results in '{text}', but a statement cannot be computed",
             node.span,
-            hint="write the statement as it is, inside an `if`; "
-            f"for an XML element of that name write <{text}>:",
+            hint="write the statement itself, inside an `if`; "
+            f"for an XML element of that name, write <{text}>:",
         )
     if node.faults:
         raise YamaroError(fault.copy() for fault in node.faults)
@@ -230,7 +230,7 @@ def run_dynamic(
             "bad-name",
             fault,
             node.span,
-            hint="attributes are written behind the $(…): $(name)/attribute=value"
+            hint="write attributes after the $(…): $(name)/attribute=value"
             if "/" in text
             else NAME_RULE,
         )

@@ -129,10 +129,10 @@ def import_names(node: ImportNode, local: LocalModules) -> dict[str, Any]:
             raise
         raise InputFault(
             "unknown-module",
-            f"there is no Python module '{error.name}'",
+            f"the Python module '{error.name}' is not found",
             node.hint
-            or "modules are looked for beside this file, and then where Python finds them; "
-            "is it installed?",
+            or "modules are searched for beside this file and among "
+            "the installed modules; is it installed?",
         ) from None
     if node.names is None:
         if node.alias is not None:

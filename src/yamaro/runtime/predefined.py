@@ -100,14 +100,14 @@ class Helpers:
             return self._unknown_package(rest.partition("/")[0])
         return InputFault(
             "missing-file",
-            f"'{scheme}://' cannot be read: nothing is fetched",
-            "save the file beside this one; files and package:// can be read",
+            f"'{scheme}://' cannot be read: files are not downloaded",
+            "save the file locally and read it with a path or package://",
         )
 
     def _hint_for(self, path: str) -> str:
         """Return what to say of a path that leads to no file."""
         neighbours = self._library.loader.neighbours(path)
-        return did_you_mean(os.path.basename(path), neighbours) or f"looked for {path}"
+        return did_you_mean(os.path.basename(path), neighbours) or f"searched for {path}"
 
     def find(self, package: str) -> str:
         """Return the folder of a ROS package."""
@@ -122,7 +122,7 @@ class Helpers:
         return InputFault(
             "unknown-package",
             f"the package '{package}' is not found",
-            (f"looked in {', '.join(places)}; " if places else "") + package_hint(package),
+            (f"searched in {', '.join(places)}; " if places else "") + package_hint(package),
         )
 
     def env(self, name: str, default: Any = _REQUIRED) -> Any:

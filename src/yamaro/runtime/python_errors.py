@@ -15,13 +15,12 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping, Sequence
 
-TIME_IS_OVER = "the time is over, and this is where it was spent"
+TIME_IS_OVER = "timed out while evaluating this"
 JAIL_HINT = (
-    "in a jail a file reads its own folder, its packages and what --allow-path adds, "
-    "writes nothing, and reaches no network and no other process; --trust runs it with all "
-    "your rights"
+    "in a jail, a file can read its folder, its packages and the paths of --allow-path, but cannot "
+    "write files or access the network and other processes; --trust runs it with all your rights"
 )
-TIME_HINT = "--timeout SECONDS gives it more time"
+TIME_HINT = "--timeout SECONDS sets a longer time"
 YAML_1_1_BOOLEANS = {
     **dict.fromkeys(("yes", "on", "y", "true"), "true"),
     **dict.fromkeys(("no", "off", "n", "false"), "false"),
@@ -127,7 +126,7 @@ class Explainer:
         hint = None if notes else did_you_mean(name, variable_names(scope))
         if name.lower() in YAML_1_1_BOOLEANS and len(name) > 1:  # n is the name of a number
             meant = YAML_1_1_BOOLEANS[name.lower()]
-            hint = f"write {meant}: in YAML 1.2 '{name}' is a word like any other"
+            hint = f"write {meant}: in YAML 1.2 '{name}' is an ordinary word"
         return failure(
             "undefined-name",
             f"name '{name}' is not defined",
@@ -147,15 +146,15 @@ def _told_without_notes(
     if isinstance(error, RecursionError):
         return failure(
             "too-deep",
-            "this calls itself without end",
+            "this calls itself endlessly",
             span,
-            hint="a function that calls itself needs a condition under which it stops",
+            hint="a function that calls itself needs a condition that ends the recursion",
             trace=frame,
         )
     if isinstance(error, ValueError) and str(error).startswith(TOO_MANY_DIGITS):
         return failure(
             "number-too-long",
-            "this integer has too many digits to be written",
+            "this integer has too many digits",
             span,
             trace=frame,
         )
@@ -167,12 +166,12 @@ def _told_without_notes(
 def _describe(error: BaseException) -> str:
     kind = type(error).__name__
     if isinstance(error, SystemExit):
-        return "the program may not be ended from here"
+        return "code in a file cannot end the program"
     if isinstance(error, KeyError) and error.args:
         return f"there is no key {error.args[0]!r} ({kind})"
     text = _text_of(error)
     if isinstance(error, AssertionError) and not text:
-        text = "this does not hold"
+        text = "this assertion is false"
     return f"{text} ({kind})" if text else kind
 
 
@@ -187,20 +186,20 @@ def _text_of(error: BaseException) -> str:
 def _hint(error: BaseException) -> str | None:
     text = _text_of(error)
     if isinstance(error, AttributeError) and isinstance(error.obj, dict):
-        return f"an entry of a mapping is read as d['{error.name}']"
+        return f"read an entry of a mapping as d['{error.name}']"
     if isinstance(error, AttributeError) and error.name and error.obj is not None:
         return did_you_mean(error.name, [name for name in dir(error.obj) if name[:1] != "_"])
     if isinstance(error, KeyError) and error.args:
         return None
     if isinstance(error, TypeError) and "concatenate str" in text:
-        return "a text and a number do not add up: write str(…) around the number"
+        return "a text and a number cannot be added: write str(…) around the number"
     is_operation = "operand" in text or "not supported between" in text
     if isinstance(error, TypeError) and "'str'" in text and is_operation:
         return "one side is a text; is a number quoted where it is declared?"
     if isinstance(error, TypeError) and "'NoneType'" in text:
         return "one of the values is empty (null)"
     if isinstance(error, SystemExit):
-        return "leave out exit(); to stop with an error, raise an exception"
+        return "remove exit(); to stop with an error, raise an exception"
     return None
 
 

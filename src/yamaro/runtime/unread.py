@@ -23,7 +23,7 @@ _ALWAYS_KNOWN = frozenset((*dir(builtins), *CONSTANTS, "load_yaml", "file_dir"))
 _READS_ANY = frozenset(("globals", "locals", "vars", "eval", "exec", "dir", "__import__"))
 """Functions of Python through which variables are read, or made, by names that are computed."""
 PREFIX_HINT = (
-    "'prefix' renames what is in a URDF; a YAML file uses it where it says so: name: $(prefix)arm"
+    "'prefix' renames the elements of a URDF; in a YAML file, use it explicitly: name: $(prefix)arm"
 )
 
 

@@ -54,7 +54,7 @@ class XacroHost:
                 f"the file '{os.path.basename(path)}' cannot be included: {error}",
                 span,
                 hint=error.hint or did_you_mean(os.path.basename(absolute), near),
-                notes=[f"looked for {absolute}"],
+                notes=[f"searched for {absolute}"],
             ) from None
 
     def glob(self, pattern: str) -> list[str]:

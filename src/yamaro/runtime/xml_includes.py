@@ -67,17 +67,18 @@ def check_xml_include(node: IncludeNode, *, is_xacro: bool) -> None:
         if argument.name != "prefix" and not is_xacro:
             raise failure(
                 "unknown-argument",
-                f"an XML file takes no variable '{argument.name}'",
+                f"an XML file does not accept the variable '{argument.name}'",
                 argument.span,
                 hint=did_you_mean(argument.name or "", ["prefix"])
-                or "prefix: left_ renames its links and joints; nothing else can be set in it",
+                or "prefix: left_ renames its links and joints; an "
+                "XML file accepts no other variables",
             )
     if node.namespace is not None and not is_xacro:
         raise failure(
             "bad-namespace",
-            "an XML file has no functions or variables to put into a namespace",
+            "an XML file has no functions or variables for a namespace",
             node.path_span,
-            hint="leave 'namespace' out",
+            hint="remove 'namespace'",
         )
 
 
@@ -85,9 +86,9 @@ def xacro_in_safe_mode(span: Span) -> YamaroError:
     """Return the error for xacro where no jail confines its Python."""
     return failure(
         "unsafe-code",
-        "xacro's expressions are Python, which safe mode lets run in a jail only",
+        "xacro expressions are Python, which safe mode runs only in a jail",
         span,
-        hint="there is no jail on this system; use --trust if you know where the file comes from",
+        hint="this system has no jail; use --trust if you trust the source of the file",
     )
 
 

@@ -314,7 +314,7 @@ def _print(
     flush: Any = False,
 ) -> None:
     if file is not None:
-        raise refused("printing to a file", hint="what is printed goes to standard error")
+        raise refused("printing to a file", hint="printed text goes to standard error")
     between, after = " " if sep is None else sep, "\n" if end is None else end
     if type(between) is not str or type(after) is not str:
         raise TypeError("sep and end must be None or a string")

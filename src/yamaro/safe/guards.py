@@ -221,7 +221,7 @@ class Guards(OperatorGuards):
         if self.steps > self._most_steps:
             raise self.out_of_steps()
         if self.calls >= self.limits.calls:
-            raise self.limits.passed("calls", "this function calls itself too deep")
+            raise self.limits.passed("calls", "this function calls itself too deeply")
         self.calls += 1
         try:
             return made(*args, **named)
@@ -247,10 +247,10 @@ class Guards(OperatorGuards):
         if kind in ITERABLES or kind in SCALARS or kind in self.foreign:
             return iter(source)
         if kind is Function or kind is Module or kind is Namespace or id(source) in self.own:
-            raise TypeError(f"{a_type(source)} cannot be gone through")
+            raise TypeError(f"{a_type(source)} cannot be iterated over")
         if kind is _GENERATOR:
             return source  # type: ignore[no-any-return]
-        raise refused(f"going through {a_type(source)}")
+        raise refused(f"iterating over {a_type(source)}")
 
     def items(self, source: Any) -> Any:
         """Return a collection, or else a list of what an iterator gives, having counted it."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 from ..diagnostics import InputFault
 from ..policy import SAFE, UNSAFE, Limits
 
-RUN_IT = "--jail runs the file where it can do no harm (on Linux), --trust with all your rights"
+RUN_IT = "--jail runs the file confined (on Linux), --trust with all your rights"
 
 
 class SafetyError(InputFault):

@@ -66,8 +66,8 @@ def arrays(guards: Guards) -> Module:
             raise
         raise SafetyError(
             "unknown-module",
-            "there is no Python module 'numpy'",
-            "modules are looked for where Python finds them; is it installed?",
+            "the Python module 'numpy' is not found",
+            "is it installed?",
         ) from None
     return numpy_of(guards).module
 
@@ -87,7 +87,7 @@ def module(guards: Guards, name: str) -> Module:
     """
     if name not in MODULES:
         known = ", ".join(sorted(MODULES))
-        raise refused(f"the module `{name}`", hint=f"safe mode has {known}; {RUN_IT}")
+        raise refused(f"the module `{name}`", hint=f"safe mode supports {known}; {RUN_IT}")
     return MODULES[name](guards)
 
 

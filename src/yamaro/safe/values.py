@@ -291,7 +291,7 @@ class Meter:
                 raise self.limits.passed(
                     "depth",
                     "lists are nested too deep here",
-                    "a list may not hold itself",
+                    "a list cannot contain itself",
                 )
         self.charge(count)
         return count

@@ -79,7 +79,7 @@ def _refuse_variable(name: str, span: Span, places: dict[str, Span]) -> None:
         "given-twice",
         f"'{name}' is an argument and a variable of this file",
         span,
-        hint="keep the argument, and write its default there",
+        hint="keep only the argument, and write its default there",
         notes=[f"the argument is declared at {places[name].place()}"],
     )
 
@@ -142,10 +142,12 @@ def _name_of(key: ScalarNode) -> str:
         return python_name(name)
     hint = name_hint(name)
     if "$(" in name:
-        hint = "arguments are read without running the file, so their names are plain"
+        hint = "arguments are read without running the file, so their names cannot be computed"
     before, slash, scope = name.partition("/")
     if slash and is_identifier(before):
-        hint = f"an argument has no scope; hand it on by `variables: {{NAME/{scope}: $({before})}}`"
+        hint = (
+            f"an argument has no scope; pass it on with `variables: {{NAME/{scope}: $({before})}}`"
+        )
     raise failure("bad-variable-name", bad_variable_name(name), key.span(), hint=hint)
 
 
@@ -168,7 +170,7 @@ def _parse_long(entry: ArgumentEntry, node: MappingNode, context: ParseContext) 
                 f"`{name}` is only for an argument that is {needs}, and '{entry.name}' is "
                 f"{'of any type' if entry.kind == ANY else f'of the type {entry.kind}'}",
                 found[name][0].span(),
-                hint="write type: number, or leave it out",
+                hint="write type: number, or remove it",
             )
     if "unit" in literal:
         _parse_unit(entry, literal["unit"], found["unit"][1])
@@ -313,29 +315,29 @@ def _parse_unit(entry: ArgumentEntry, value: Value, node: YamlNode) -> None:
 def _parse_range(entry: ArgumentEntry, value: Value, node: YamlNode) -> None:
     if not isinstance(value, ListValue) or len(value.items) != 2:
         raise _bad(
-            "`range` takes a list of two numbers, the least and the greatest",
+            "`range` needs a list of two numbers, the minimum and the maximum",
             node.span(),
-            hint="write range: [0.3, 1.3]; null at one end leaves it open",
+            hint="write range: [0.3, 1.3]; write null for an open end",
         )
     ends = [None if _is_null(item) else _number(entry, item) for item in value.items]
     entry.low, entry.high = ends
     if entry.low is not None and entry.high is not None and entry.low > entry.high:
-        raise _bad("the range ends below its start", node.span(), hint="exchange the two numbers")
+        raise _bad("the range ends below its start", node.span(), hint="swap the two numbers")
 
 
 def _parse_step(entry: ArgumentEntry, value: Value, node: YamlNode) -> None:
     entry.step = _number(entry, value)
     if entry.step <= 0:
-        raise _bad("`step` takes a number above zero", node.span())
+        raise _bad("`step` needs a number greater than 0", node.span())
 
 
 def _parse_log(entry: ArgumentEntry, value: Value, node: YamlNode) -> None:
     if not isinstance(value, Constant) or not isinstance(value.value, bool):
-        raise _bad("`log` takes true or false", node.span())
+        raise _bad("`log` needs true or false", node.span())
     entry.is_log = value.value
     if entry.is_log and (entry.low is None or entry.high is None or entry.low <= 0):
         raise _bad(
-            "`log` needs a `range` between two numbers above zero",
+            "`log` needs a `range` between two numbers greater than 0",
             node.span(),
             hint="write range: [0.01, 100]",
         )
@@ -353,7 +355,7 @@ def _number(entry: ArgumentEntry, value: Value) -> float:
 def _parse_choices(entry: ArgumentEntry, value: Value, node: YamlNode) -> None:
     if not isinstance(value, ListValue) or not value.items:
         raise _bad(
-            "`choices` takes a list of values",
+            "`choices` needs a list of values",
             node.span(),
             hint="write choices: [none, two_finger, vacuum]",
         )

@@ -34,7 +34,7 @@ _WANTED = {
     PATH: "a path",
 }
 _EXAMPLES = {
-    LIST: "write [a, b], or one item a line after a dash",
+    LIST: "write [a, b], or one item per line after a dash",
     MAPPING: "write {name: value}",
     BOOLEAN: "write true or false",
 }

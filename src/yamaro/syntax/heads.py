@@ -112,7 +112,7 @@ def _refuse_twice(pairs: Pairs, in_head: tuple[str, ...]) -> None:
         if own.text == "body":
             raise failure(
                 "given-twice",
-                "`body` stands beside other statements below a short head",
+                "`body` cannot be used beside other statements below a short head",
                 own.span(),
                 hint="write the statements directly below the head, without `body`",
             )
@@ -140,7 +140,7 @@ def refuse_other_heads(key: ScalarNode) -> None:
 
 def _refuse(key: ScalarNode, word: str, hint: str) -> NoReturn:
     raise failure(
-        "unknown-statement", f"there is no statement `{word}`", key.span(0, len(word)), hint=hint
+        "unknown-statement", f"unknown statement `{word}`", key.span(0, len(word)), hint=hint
     )
 
 
@@ -200,7 +200,7 @@ def _check_parameter(parameters: ScalarPiece, start: int, end: int) -> None:
         first = parameters.text.index(word, start)
         raise failure(
             "bad-parameter",
-            f"'{word}' has no meaning among the parameters of a function",
+            f"'{word}' is not allowed among the parameters of a function",
             parameters.span(first, first + len(word)),
             hint="parameters are names, name=default, and blocks such as **Foot, whose names begin "
             "with a capital letter",

@@ -1,6 +1,6 @@
 """Writes the paths of meshes and textures so that they lead to the same files from the output.
 
-In a source a relative path starts at the folder of the file it is written in. Whoever reads the
+In a source a relative path starts at the folder of the file that contains it. Whoever reads the
 output starts at the folder of that, or at the folder of a package.
 """
 

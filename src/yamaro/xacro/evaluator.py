@@ -196,7 +196,7 @@ class XacroEvaluator:
                 if column is not None and offset is not None:
                     start, end = offset + column, offset + column + 1
         elif isinstance(error, RecursionError):
-            code, message = "too-deep", "this calls itself without end"
+            code, message = "too-deep", "this calls itself endlessly"
         elif isinstance(error, KeyError) and type(part) is Substitution:
             code, message = "xacro-undefined", f"there is no argument {error}"
         raise Fault(code, message, hint, start=start, end=end) from None

@@ -85,7 +85,7 @@ def expand(
 
 def _list_of(arguments: Iterable[str]) -> str:
     names = ", ".join(sorted(arguments))
-    return f"its arguments are {names}" if names else "it has none"
+    return f"it takes {names}" if names else "it has none"
 
 
 class Expansion:
@@ -236,7 +236,8 @@ class Expansion:
         """Return the error for calls and includes without end."""
         return failure(
             "too-deep",
-            f"calls and includes are nested {self.depth:,} deep here, which is taken as endless",
+            f"calls and includes are nested {self.depth:,} levels "
+            "deep here, which is probably endless",
             span,
             hint="a macro or file that uses itself needs a condition under which it stops; "
             + self.limits.hint("nesting"),

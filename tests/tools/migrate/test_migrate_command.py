@@ -192,7 +192,7 @@ def test_a_file_may_be_too_large(
 
 @pytest.mark.parametrize(
     ("path", "problem"),
-    [("leg.urdf", "there is no such file"), (".", "it is a folder")],
+    [("leg.urdf", "the file does not exist"), (".", "it is a folder")],
 )
 def test_what_cannot_be_read_is_wrong_usage(
     path: str, problem: str, capsys: pytest.CaptureFixture[str]

@@ -372,7 +372,7 @@ def test_a_missing_mesh_is_a_box_and_a_warning(
     image = pixels(picture(tmp_path, content, "--view", "front"))
     error = capsys.readouterr().err
     assert error.count("warning[missing-mesh-file]") == 1
-    assert f"looked for {tmp_path / 'no.stl'}" in error
+    assert f"searched for {tmp_path / 'no.stl'}" in error
     left, top, right, bottom = box_of(like(image, 235, 130, 120))  # it is seen through
     assert right - left == pytest.approx(bottom - top, abs=2)
 

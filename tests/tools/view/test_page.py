@@ -302,7 +302,7 @@ def test_a_warning_leads_to_its_link(page: Page, view: Start, tmp_path: Path) ->
     assert "'meshes/left.stl' of link 'left_link' is not there" in page.text("#warnings")
     page.press("#warnings .title")
     assert page.text("#origin-title") == "left_link"
-    assert f"looked for {tmp_path / 'meshes' / 'left.stl'}" in page.text("#warnings .more")
+    assert f"searched for {tmp_path / 'meshes' / 'left.stl'}" in page.text("#warnings .more")
     assert page.run("yamaro.robot.highlighted.selected") == "left_link"
     boxes = "yamaro.robot.shapes.filter(s => s.group.getObjectByName('missing')).map(s => s.kind)"
     assert page.run(boxes) == ["collision", "collision"]

@@ -473,7 +473,7 @@ def test_wrong_usage_is_told_at_once(view: Callable[..., Viewer], tmp_path: Path
         assert said in viewer.said
     viewer = view(tmp_path / "nothing.yaml")
     assert viewer.process.wait(PATIENCE) == 2
-    assert "cannot read" in viewer.said and "there is no such file" in viewer.said
+    assert "cannot read" in viewer.said and "the file does not exist" in viewer.said
 
 
 def test_a_port_that_is_taken_is_told(view: Callable[..., Viewer], tmp_path: Path) -> None:

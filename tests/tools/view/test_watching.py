@@ -109,7 +109,7 @@ def test_a_main_file_that_is_gone_is_a_fault_later_on_and_wrong_usage_at_first(
     tmp_path: Path,
 ) -> None:
     path = tmp_path / "robot.yaml"
-    with pytest.raises(UsageError, match="there is no such file"):
+    with pytest.raises(UsageError, match="the file does not exist"):
         rebuilder_of(path).build()
     path.write_text("robot: one\nmodel:\n  link/name=base:\n")
     rebuilder = rebuilder_of(path)
@@ -117,7 +117,7 @@ def test_a_main_file_that_is_gone_is_a_fault_later_on_and_wrong_usage_at_first(
     path.unlink()
     assert rebuilder.has_changed()
     gone = rebuilder.build()
-    assert gone.build is None and "there is no such file" in gone.fault
+    assert gone.build is None and "the file does not exist" in gone.fault
     path.write_text("robot: two\nmodel:\n  link/name=base:\n")
     assert rebuilder.has_changed()
     assert 'name="two"' in rebuilder.build().build.xml()  # type: ignore[union-attr]
@@ -169,7 +169,7 @@ def test_watch_writes_on_each_save_and_tells_in_a_line(tmp_path: Path) -> None:
         (["robot.yaml", "-o", "-"], "needs a file to write, as in '-o robot.urdf'"),
         (["-", "-o", "out.urdf"], "needs a FILE with a name, to see it change"),
         (["robot.yaml", "-o", "robot.yaml"], "is one of the input files"),
-        (["nothing.yaml", "-o", "out.urdf"], "there is no such file"),
+        (["nothing.yaml", "-o", "out.urdf"], "the file does not exist"),
     ],
 )
 def test_watch_tells_wrong_usage_at_once(tmp_path: Path, arguments: list[str], said: str) -> None:

@@ -66,7 +66,7 @@ class DiskHost:
                 f"the file '{os.path.basename(path)}' cannot be included: {error}",
                 span,
                 hint=error.hint or near,
-                notes=[f"looked for {absolute}"],
+                notes=[f"searched for {absolute}"],
             ) from None
 
     def glob(self, pattern: str) -> list[str]:
@@ -85,7 +85,9 @@ class DiskHost:
                 f"the package '{name}' is not found",
                 span,
                 hint=f"say where it is: --package {name}:=…/{name}",
-                notes=[f"looked in {place}" for place in self._packages.looked_at(name, start)[:6]],
+                notes=[
+                    f"searched in {place}" for place in self._packages.looked_at(name, start)[:6]
+                ],
             )
         self.found[name] = folder
         return folder
