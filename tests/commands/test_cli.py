@@ -211,6 +211,16 @@ def test_standard_input_may_be_a_python_stream(
     assert outcome(capsys, "-") == (0, PLAIN_XML, "")
 
 
+@pytest.mark.parametrize("words", [["-"], ["check", "-"], ["-", "--safe"], ["-", "--jail"]])
+def test_standard_input_is_read_in_each_mode(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, words: list[str]
+) -> None:
+    if "--jail" in words and jail.check_available() is not None:
+        pytest.skip("no jail here")
+    monkeypatch.setattr(sys, "stdin", io.StringIO(PLAIN))
+    assert outcome(capsys, *words) == (0, "" if "check" in words else PLAIN_XML, "")
+
+
 def test_standard_input_that_is_no_utf8_is_an_error() -> None:
     result = run("-", input=b"robot: \xff\xfe\n")
     assert (result.returncode, result.stdout) == (1, b"")

@@ -12,7 +12,7 @@ import os
 
 from ..diagnostics import ERROR, FRAME_KINDS, WARNING, Diagnostic, Frame, YamaroError
 from ..policy import Limits
-from ..source import Source, Span
+from ..source import STANDARD_INPUT_NAME, Source, Span
 from ..xml.names import bad_name_character
 from ..xml.tree import Comment, Element, Text
 from ..xml.values import format_value, is_comment_text
@@ -111,7 +111,7 @@ def from_bytes(data: bytes, limits: Limits | None = None) -> Outcome:
         outcome = Outcome(
             messages=_read_messages(messages, limits),
             diagnostics=[unpacker.diagnostic(each) for each in unpack(diagnostics)],
-            files=[_read_path(each) for each in unpack(files)],
+            files=[_read_file(each) for each in unpack(files)],
             meshes=[_read_name(each) for each in unpack(meshes)],
             root=unpacker.tree(nodes) if nodes else None,
         )
@@ -177,6 +177,11 @@ def _read_name(data: bytes) -> str:
         raise ValueError("a file cannot have such a name")
     os.fsencode(name)
     return name
+
+
+def _read_file(data: bytes) -> str:
+    """Return the path of a file that was read, or what standard input is called."""
+    return STANDARD_INPUT_NAME if data == STANDARD_INPUT_NAME.encode() else _read_path(data)
 
 
 def _read_path(data: bytes) -> str:
