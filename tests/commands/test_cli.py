@@ -218,7 +218,8 @@ def test_standard_input_is_read_in_each_mode(
     if "--jail" in words and jail.check_available() is not None:
         pytest.skip("no jail here")
     monkeypatch.setattr(sys, "stdin", io.StringIO(PLAIN))
-    assert outcome(capsys, *words) == (0, "" if "check" in words else PLAIN_XML, "")
+    expected = "<standard input>: ok\n" if "check" in words else PLAIN_XML
+    assert outcome(capsys, *words) == (0, expected, "")
 
 
 def test_standard_input_that_is_no_utf8_is_an_error() -> None:
