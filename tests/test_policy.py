@@ -40,7 +40,7 @@ def codes(path: str, policy: Policy) -> list[str]:
 @pytest.mark.parametrize(
     ("arguments", "options", "message"),
     [
-        (["trust"], {}, "there is no mode 'trust'; the modes are trusted, jail, safe"),
+        (["trust"], {}, "unknown mode 'trust'; the modes are trusted, jail, safe"),
         (["safe"], {"limits": {"step": 1}}, "unknown limit 'step'"),
         (
             ["safe"],
@@ -53,7 +53,7 @@ def codes(path: str, policy: Policy) -> list[str]:
             "the limit 'steps' is a whole number from 1 to 1,125,899,906,842,624",
         ),
         (["safe"], {"limits": {"xml_depth": 2.5}}, "the limit 'xml-depth' is a whole number"),
-        (["trusted"], {"limits": {"steps": 9}}, "the limit 'steps' has a meaning in safe mode"),
+        (["trusted"], {"limits": {"steps": 9}}, "the limit 'steps' applies only in safe mode"),
         (["jail"], {"timeout": 0}, "a time-out is a number of seconds greater than 0"),
         (["jail"], {"timeout": float("nan")}, "a time-out is a number of seconds greater than 0"),
         (["jail"], {"timeout": float("inf")}, "a time-out is a number of seconds greater than 0"),
@@ -330,7 +330,7 @@ def test_without_a_jail_looking_is_safe_mode(
     (found,) = caught.value.diagnostics
     assert found.code == "unsafe-code"
     assert found.hint is not None
-    assert "--jail runs the file where it can do no harm" in found.hint
+    assert "--jail runs the file confined" in found.hint
 
 
 @needs_jail
@@ -346,7 +346,7 @@ def test_what_a_jail_refuses_is_told_at_its_place(tmp_path: Path, attempt: str) 
     assert found.span.location()[0] == 3
     assert "PermissionError" in found.message
     assert found.hint is not None
-    assert found.hint.startswith("in a jail a file reads its own folder")
+    assert found.hint.startswith("in a jail, a file can read its folder")
     assert os.listdir(tmp_path) == ["robot.yaml"]
 
 
@@ -416,7 +416,7 @@ def test_a_fault_of_ours_in_a_jail_is_reported_as_ours(
     assert told.out == ""
     first, second = told.err.splitlines()
     assert first.startswith("yamaro: internal error: AttributeError: no \\x1b[2J such thing (test_")
-    assert second.startswith("this is a fault in Yamaro")
+    assert second.startswith("this is a bug in Yamaro")
     with pytest.raises(confined.FaultInJail, match="such thing"):
         yamaro.build(path, policy=Policy("jail"))
 

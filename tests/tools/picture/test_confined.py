@@ -87,7 +87,7 @@ def test_reading_that_does_not_end_is_ended(
             pass
 
     end_reading_of("a.stl", hang, monkeypatch)
-    with pytest.raises(YamaroError, match="the time is over"):
+    with pytest.raises(YamaroError, match="timed out"):
         read_meshes(boxes, lambda path: True, reader_of(tmp_path, until=monotonic() + 0.5))
 
 

@@ -299,7 +299,7 @@ def test_a_warning_leads_to_its_link(page: Page, view: Start, tmp_path: Path) ->
     path = tmp_path / "lamp.yaml"
     path.write_text(text, encoding="utf-8")
     page.show(view(path))
-    assert "'meshes/left.stl' of link 'left_link' is not there" in page.text("#warnings")
+    assert "'meshes/left.stl' of link 'left_link' does not exist" in page.text("#warnings")
     page.press("#warnings .title")
     assert page.text("#origin-title") == "left_link"
     assert f"searched for {tmp_path / 'meshes' / 'left.stl'}" in page.text("#warnings .more")
