@@ -15,13 +15,13 @@ ADJUSTABLE = frozenset(
     bad-mass bad-mesh bad-name bad-size bad-version capsule-needs-urdf-1.1 comment-entry
     dollar-in-string duplicate-joint duplicate-link duplicate-material far-center fixed-mimic
     function-replaced gimbal-rpy hidden-value ignored-limit joint-cycle large-mesh
-    leftover-expression limit-order long-chain massless-moving mimic-cycle mirror-axis
-    mirror-raw misplaced-key misplaced-part missing-attribute missing-element missing-extra
-    missing-limit missing-mesh-file misspelt-statement needs-version negative-value no-link
-    no-range not-a-number not-urdf odd-density odd-inertia odd-mass prefix-not-passed
-    quaternion-not-unit
-    repeated-element root-inertia several-roots several-shapes slash-in-name soft-limit-outside
-    two-parents two-rotations unknown-attribute unknown-child unknown-element unknown-joint
+    leftover-expression limit-order long-chain lost-in-urdf massless-moving mimic-cycle
+    mirror-axis mirror-raw misplaced-key misplaced-part missing-attribute missing-element
+    missing-extra missing-limit missing-mesh-file misspelt-statement needs-version
+    negative-value no-link no-range not-a-number not-urdf odd-density odd-inertia odd-mass
+    prefix-not-passed quaternion-not-unit repeated-element root-inertia several-roots
+    several-shapes slash-in-name soft-limit-outside state-outside-limit two-parents
+    two-rotations unknown-attribute unknown-child unknown-element unknown-joint
     unknown-joint-type unknown-key unknown-material unknown-mimic unknown-package unknown-parent
     unknown-reference unknown-variable unused-geometry wrong-count xacro-deprecated
     xacro-ignored xacro-lost xacro-message xacro-name xacro-no-files xacro-prefix

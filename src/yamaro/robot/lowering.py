@@ -25,6 +25,7 @@ if TYPE_CHECKING:
         list[Element],
         list[Mirror],
         list[tuple[RobotNote, str]],
+        list[RobotNote],
         dict[str, str],
         dict[str, str],
     ]
@@ -36,6 +37,7 @@ class Lowering:
     """One run of `part.lower`.
 
     Attributes:
+        has_words: whether there is anything that `finish.py` has to do.
         has_capsule: whether the robot's URDF version knows capsules.
         moments: the volume integrals of the mesh files read so far, by path.
         near_keys: what a key in a place was found to be a misspelling of.
@@ -48,6 +50,7 @@ class Lowering:
             part.
         told: how often something was reported so far.
         trace: the calls and includes that led to the part that is being lowered.
+        controls: the notes of `control` whose joints are not chosen yet.
         references: notes with the attribute that may yet be the name of a part.
         pending: the mirrors whose image is made once names are resolved, inner ones first.
         part_links: the link of each part, by the part's name.
@@ -56,8 +59,10 @@ class Lowering:
 
     __slots__ = (
         "_reported",
+        "controls",
         "errors",
         "has_capsule",
+        "has_words",
         "inertias",
         "may_read",
         "mimics",
@@ -89,6 +94,7 @@ class Lowering:
         self.resolve_mesh = resolve_mesh
         self.may_read = may_read
         self.has_capsule = has_capsule
+        self.has_words = False
         self.errors: list[Diagnostic] = []
         self.numbers: dict[str, Numbers] = {}
         self.inertias: dict[Inertia, tuple[str, ...]] = {}
@@ -101,6 +107,7 @@ class Lowering:
         self.part_joints: dict[str, str] = {}
         self.pending: list[Mirror] = []
         self.references: list[tuple[RobotNote, str]] = []
+        self.controls: list[RobotNote] = []
         self._reported: set[object] = set()
         self.told = 0
         self.trace: Frame | None = None
@@ -148,10 +155,12 @@ class Lowering:
             self.mimics,
             self.pending,
             self.references,
+            self.controls,
             self.part_links,
             self.part_joints,
         )
         self.parents, self.mimics, self.pending, self.references = [], [], [], []
+        self.controls = []
         self.part_links, self.part_joints = {}, {}
         return outside
 
@@ -162,8 +171,8 @@ class Lowering:
             The link and the joint of each part in that robot.
         """
         own = self.part_links, self.part_joints
-        self.parents, self.mimics, self.pending, self.references = outside[:4]
-        self.part_links, self.part_joints = outside[4:]
+        self.parents, self.mimics, self.pending, self.references, self.controls = outside[:5]
+        self.part_links, self.part_joints = outside[5:]
         return own
 
     def absorb(self, error: YamaroError) -> None:

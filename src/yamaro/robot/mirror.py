@@ -8,6 +8,7 @@ from ..xml.tree import Element, Text
 from ..xml.values import format_value
 from .mirror_image import (
     PLANES,
+    change_text,
     copy_of,
     holds_pose,
     meshes_of,
@@ -15,6 +16,7 @@ from .mirror_image import (
     mirror_origin,
     mirrored_axis,
     mirrored_pose,
+    negated,
     reverse,
     reverse_mimic,
     set_axis,
@@ -237,6 +239,8 @@ class _Image:
                 self._mirror_mimic(copy)
             elif copy.name == "link":
                 self._mirror_link(copy)
+            elif copy.name == "state":
+                self._mirror_state(copy)
             else:
                 self._warn_of_poses(copy)
         RobotNames(kept).rename(copies, self.mirror.renaming.apply)
@@ -369,6 +373,11 @@ class _Image:
                 leader = format_value(mimic.attributes.get("joint"))
                 sign = self.signs.get(leader, 1)
                 reverse_mimic(joint, follower=self.signs[name_of(joint)], leader=sign)
+
+    def _mirror_state(self, state: Element) -> None:
+        for joint in state.elements():
+            if self.signs.get(format_value(joint.attributes.get("joint"))) == -1:
+                change_text(joint, "value", negated)
 
     # --- what cannot be mirrored ---
 

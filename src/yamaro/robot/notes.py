@@ -8,13 +8,14 @@ change the names in it with all others. At the end the notes are taken out.
 from __future__ import annotations
 
 from ..diagnostics import did_you_mean, failure
-from ..xml.tree import Element
-from ..xml.values import format_value
+from ..xml.tree import Element, Text
+from ..xml.values import LiteralList, format_value
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Collection
 
+    from ..source import Span
     from ..xml.tree import Node
     from .lowering import Lowering
 
@@ -45,6 +46,18 @@ def check_keys(word: Element, known: Collection[str]) -> None:
                 hint=did_you_mean(key.name, known) or f"its entries are {', '.join(sorted(known))}",
                 trace=word.trace,
             )
+
+
+def names_in(key: Element) -> list[tuple[str, Span]]:
+    """Return the names in a list or a text, each with a place."""
+    found: list[tuple[str, Span]] = []
+    for child in key.children:
+        if isinstance(child, Text):
+            items = child.value if isinstance(child.value, (list, tuple)) else [child.value]
+            if not isinstance(child.value, LiteralList) and len(items) == 1:
+                items = format_value(items[0]).replace(",", " ").split()
+            found += [(format_value(item).strip(), child.span) for item in items]
+    return found
 
 
 def take_words(key: Element, words: frozenset[str]) -> tuple[Element, list[Element]]:

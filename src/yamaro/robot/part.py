@@ -29,7 +29,6 @@ from .notes import (
     LINK_WORDS,
     lower_joint_words,
     lower_link_words,
-    take_notes,
     take_words,
 )
 from .places import PART
@@ -93,13 +92,20 @@ def lower(
     if lowering.errors:
         raise YamaroError(lowering.errors)
     resolve_names(lowering, robot)
-    if lowering.pending:
-        from .words import finish_words
+    return _finished(lowering, robot) if lowering.has_words else robot
 
-        finish_words(lowering, robot)
-        if lowering.errors:
-            raise YamaroError(lowering.errors)
-    robot, _ = take_notes(robot)
+
+def _finished(lowering: Lowering, robot: Element) -> Element:
+    """Return a robot in which the words beside `part` are worked out."""
+    from .finish import finish_notes
+    from .words import finish_words
+
+    finish_words(lowering, robot)
+    robot, _ = finish_notes(lowering, robot)
+    settle(lowering.reporter.diagnostics, None)
+    settle(lowering.errors, None)
+    if lowering.errors:
+        raise YamaroError(lowering.errors)
     return robot
 
 
@@ -216,6 +222,7 @@ def _lower_part(lowering: Lowering, part: PartElement, out: list[Node]) -> None:
         return
     entered = lowering.enter(part)
     if type(part) is RobotWord:
+        lowering.has_words = True
         from .words import lower_word
 
         lower_word(lowering, part, out)
@@ -250,12 +257,14 @@ def _lower_each(lowering: Lowering, part: Element, out: list[Node]) -> None:
             lowered = lower_joint(lowering, joint, names.joint, child=names.link)
             out.append(lowered)
             if words:
+                lowering.has_words = True
                 lower_joint_words(lowering, words, lowered, beside)
         else:
             link, words = take_words(node, LINK_WORDS)
             lowered = lower_link(lowering, link, names.link)
             out.append(lowered)
             if words:
+                lowering.has_words = True
                 lower_link_words(lowering, words, lowered, beside)
     if "link" not in fields.keys:
         out.append(_empty_link(lowering, part, fields, names))

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from ..diagnostics import failure
-
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from ..xml.tree import Element, Node, RobotWord
@@ -12,25 +10,23 @@ if TYPE_CHECKING:
 
 def lower_word(lowering: Lowering, word: RobotWord, out: list[Node]) -> None:
     """Append what a word makes; record what is wrong, and go on."""
-    if word.name == "mirror":
-        from .mirror import lower_mirror
+    match word.name:
+        case "mirror":
+            from .mirror import lower_mirror
 
-        lower_mirror(lowering, word, out)
-        return
-    if word.name == "attach":
-        from .attach import lower_attach
+            lower_mirror(lowering, word, out)
+        case "attach":
+            from .attach import lower_attach
 
-        lower_attach(lowering, word, out)
-        return
-    lowering.absorb(
-        failure(
-            "misplaced-statement",
-            f"`{word.name}` is not known to this version",
-            word.span,
-            hint=f"write <{word.name}>: for an XML element of that name",
-            trace=word.trace,
-        )
-    )
+            lower_attach(lowering, word, out)
+        case "control":
+            from .control import lower_control
+
+            lower_control(lowering, word, out)
+        case _:
+            from .sections import lower_section
+
+            lower_section(lowering, word, out)
 
 
 def finish_words(lowering: Lowering, robot: Element) -> None:
@@ -39,3 +35,7 @@ def finish_words(lowering: Lowering, robot: Element) -> None:
         from .mirror import make_images
 
         make_images(lowering, robot)
+    if lowering.controls:
+        from .control import choose_members
+
+        choose_members(lowering, robot, lowering.controls)

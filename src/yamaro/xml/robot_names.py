@@ -14,7 +14,10 @@ if TYPE_CHECKING:
 _BODIES = ("link", "joint")
 _REFERS = re.compile("link|joint|frame|body|reference|parent|child|mimic", re.IGNORECASE)
 """Tags and attributes that name links and joints, in extensions of URDF that no schema tells of."""
-_DEVICES = ("transmission", "actuator", "sensor", "ros2_control", "gpio")
+_DEVICES = (
+    *("transmission", "actuator", "sensor", "ros2_control", "gpio"),
+    *("robot-group", "robot-loop"),
+)
 """What else is named once in a robot, whatever it is in."""
 _REFERS_TO_DEVICE = re.compile("transmission|actuator|sensor|gpio", re.IGNORECASE)
 
