@@ -7,9 +7,9 @@ from __future__ import annotations
 
 from math import fabs, pi, remainder, sqrt
 
-from ..model.shapes import Box, Capsule, Cylinder, Sphere
-from ..model.values import attribute_text, child_named
-from ..xml.tree import Element
+from ..model.joint import FIXED, FLOATING, REVOLUTE
+from ..model.link import Inertial
+from ..model.shapes import Mesh
 from .center import advise_on_center
 from .context import CheckContext, label, shown
 from .leftovers import advise_on_leftovers
@@ -20,9 +20,12 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
 
     from ..diagnostics import Reporter
-    from ..model.shapes import Solid
+    from ..model.joint import Joint
+    from ..model.link import Collision, Link, Visual
+    from ..model.pose import Pose
+    from ..model.robot import Robot
     from ..source import Span
-    from .tree import Tree
+    from ..xml.tree import Element
 
 DENSEST = 25_000.0
 """kg/m³; osmium, the densest metal, has 22,590."""
@@ -41,53 +44,57 @@ MOST_TURNS = 4 * pi
 
 
 def check_advice(
-    root: Element,
-    tree: Tree,
+    robot: Robot,
     context: CheckContext,
     *,
     advice: Reporter,
     resolve_mesh: Callable[[str, Span], str | None] | None,
 ) -> None:
     """Report to `advice` what is legal but seldom meant."""
-    told = CheckContext(root, advice, version=context.version)
-    children = {
-        attribute_text(child_named(joint, "child"), "link") for joint in tree.joints.values()
-    }
-    sizes: dict[tuple[str, str], float | None] = {}
-    _advise_on_names(tree, told)
-    for name, link in tree.links.items():
-        told.outermost = link
+    told = CheckContext(robot.element, advice, version=context.version)
+    links, joints = robot.links, robot.joints
+    children = {joint.child for joint in joints.values()}
+    sizes: dict[Mesh, float | None] = {}
+    _advise_on_names([*links.values(), *joints.values()], told)
+    for name, link in links.items():
+        told.outermost = link.element
         if name not in children:
             _advise_on_root(link, told)
         _advise_on_mass(link, told)
         advise_on_center(link, told)
         for section in _sections(link):
-            _advise_on_pose(section, link, told)
-            if resolve_mesh is not None:
-                _advise_on_mesh(section, link, told, resolve_mesh, sizes)
-    for joint in tree.joints.values():
-        told.outermost = joint
-        _advise_on_pose(joint, joint, told)
+            _advise_on_pose(section.pose, link.element, told)
+            shape = None if isinstance(section, Inertial) else section.shape
+            if resolve_mesh is not None and isinstance(shape, Mesh):
+                _advise_on_mesh(shape, link, told, resolve_mesh, sizes)
+    for joint in joints.values():
+        told.outermost = joint.element
+        _advise_on_pose(joint.origin, joint.element, told)
         _advise_on_limit(joint, told)
     told.outermost = None
-    advise_on_motion(tree, told)
-    advise_on_leftovers(root, told)
+    advise_on_motion(links, joints, told)
+    advise_on_leftovers(robot.element, told)
     told.flush()
 
 
-def _sections(link: Element) -> Iterator[Element]:
-    for child in link.children:
-        if isinstance(child, Element) and child.name in ("visual", "collision", "inertial"):
-            yield child
+def _sections(link: Link) -> Iterator[Inertial | Visual | Collision]:
+    """Yield the inertial, visuals and collisions in the order written."""
+    sections: list[Inertial | Visual | Collision] = [*link.visuals, *link.collisions]
+    if link.inertial is not None:
+        sections.append(link.inertial)
+    by_element = {id(section.element): section for section in sections}
+    for child in link.element.children:
+        section = by_element.get(id(child))
+        if section is not None:
+            yield section
 
 
-def _advise_on_names(tree: Tree, context: CheckContext) -> None:
+def _advise_on_names(named: list[Link | Joint], context: CheckContext) -> None:
     """Report, once, that names have slashes: where one has, most have."""
-    elements = [*tree.links.items(), *tree.joints.items()]
-    found = [(name, element) for name, element in elements if "/" in name]
+    found = [each for each in named if "/" in each.name]
     if not found:
         return
-    name, element = found[0]
+    name, element = found[0].name, found[0].element
     more = len(found) - 1
     context.warn(
         "slash-in-name",
@@ -103,148 +110,117 @@ def _advise_on_names(tree: Tree, context: CheckContext) -> None:
 # --- mass -------------------------------------------------------------------------------------
 
 
-def _advise_on_root(link: Element, context: CheckContext) -> None:
-    inertial = child_named(link, "inertial")
-    if inertial is None:
+def _advise_on_root(link: Link, context: CheckContext) -> None:
+    if link.inertial is None:
         return
     context.warn(
         "root-inertia",
-        f"the root, {label(link)}, has an inertia, which KDL does not support",
-        inertial,
+        f"the root, {label(link.element)}, has an inertia, which KDL does not support",
+        link.inertial.element,
         hint="robot_state_publisher warns of it; a root link without inertial, joined to this one "
         "by a fixed joint, avoids that",
     )
 
 
-def _advise_on_mass(link: Element, context: CheckContext) -> None:
-    inertial = child_named(link, "inertial")
-    if inertial is None:
-        return
-    element = child_named(inertial, "mass")
-    mass = context.number(element, "value")
-    if element is None or mass is None or mass <= 0:
+def _advise_on_mass(link: Link, context: CheckContext) -> None:
+    inertial = link.inertial
+    element = inertial.inner("mass") if inertial is not None else None
+    mass = link.mass
+    if inertial is None or element is None or mass <= 0:
         return
     if mass > HEAVIEST:
         context.warn(
             "odd-mass",
-            f"{label(link)} weighs {shown(mass)} kg",
+            f"{label(link.element)} weighs {shown(mass)} kg",
             element,
             attribute="value",
             hint="masses are in kilograms; was this in grams?",
         )
         return
-    volume = _volume(link, context)
+    volume = _volume(link)
     density = mass / volume if volume else None
     if density is not None and not LIGHTEST <= density <= DENSEST:
         context.warn(
             "odd-density",
-            f"{label(link)} has the density {shown(density)} kg/m³: {shown(mass)} kg in "
+            f"{label(link.element)} has the density {shown(density)} kg/m³: {shown(mass)} kg in "
             f"{shown(volume)} m³",
             element,
             attribute="value",
             hint="check the units, kilograms and metres; water has 1000, steel 7850 kg/m³",
         )
-    _advise_on_inertia(inertial, mass, link, context)
+    _advise_on_inertia(inertial, link, context)
 
 
-def _advise_on_inertia(
-    inertial: Element, mass: float, link: Element, context: CheckContext
-) -> None:
-    inertia = child_named(inertial, "inertia")
-    moments = [context.number(inertia, name) for name in ("ixx", "iyy", "izz")]
-    numbers = [moment for moment in moments if moment is not None]
-    if inertia is None or len(numbers) < 3:
+def _advise_on_inertia(inertial: Inertial, link: Link, context: CheckContext) -> None:
+    element = inertial.inner("inertia")
+    if element is None:
         return
-    gyration = sqrt(fabs(max(numbers)) / mass)
+    ixx, _, _, iyy, _, izz = inertial.inertia
+    gyration = sqrt(fabs(max(ixx, iyy, izz)) / inertial.mass)
     if gyration > WIDEST_GYRATION:
         context.warn(
             "odd-inertia",
-            f"the inertia of {label(link)} is that of {shown(mass)} kg at a "
+            f"the inertia of {label(link.element)} is that of {shown(inertial.mass)} kg at a "
             f"distance of {shown(gyration)} m from its centre",
-            inertia,
+            element,
             hint="check the units, kg·m²; in a part, omit `inertia` to compute it",
         )
 
 
-def _volume(link: Element, context: CheckContext) -> float:
+def _volume(link: Link) -> float:
     """Return the volume of the link's collisions, or visuals, in m³; 0 if a mesh is among them."""
-    for name in ("collision", "visual"):
-        sections = [section for section in _sections(link) if section.name == name]
-        volumes = [_shape_volume(child_named(s, "geometry"), context) for s in sections]
-        if volumes and all(volumes):
+    for sections in (link.collisions, link.visuals):
+        shapes = [section.shape for section in sections]
+        volumes = [
+            shape.volume() for shape in shapes if shape is not None and not isinstance(shape, Mesh)
+        ]
+        if volumes and len(volumes) == len(shapes) and all(volumes):
             return sum(volumes)
     return 0.0
-
-
-def _shape_volume(geometry: Element | None, context: CheckContext) -> float:
-    shapes = geometry.elements() if geometry is not None else []
-    if len(shapes) != 1:
-        return 0.0
-    shape = shapes[0]
-    solid = _solid_of(shape, context)
-    return solid.volume() if solid is not None else 0.0
-
-
-def _solid_of(shape: Element, context: CheckContext) -> Solid | None:
-    """Return the solid that an element of a geometry describes; None for a mesh or a faulty one."""
-    if shape.name == "box":
-        size = context.numbers(shape, "size", 3)
-        return Box(*size) if len(size) == 3 else None
-    radius = context.number(shape, "radius") or 0.0
-    length = context.number(shape, "length") or 0.0
-    solids: dict[str, Solid] = {
-        "sphere": Sphere(radius),
-        "cylinder": Cylinder(radius, length),
-        "capsule": Capsule(radius, length),
-    }
-    return solids.get(shape.name)
 
 
 # --- joints and poses -------------------------------------------------------------------------
 
 
-def _advise_on_limit(joint: Element, context: CheckContext) -> None:
-    limit = child_named(joint, "limit")
-    kind = attribute_text(joint, "type")
-    if limit is None or kind in ("fixed", "floating"):
+def _advise_on_limit(joint: Joint, context: CheckContext) -> None:
+    limit = joint.limit
+    if limit is None or joint.type in (FIXED, FLOATING):
         return
-    name = attribute_text(joint, "name")
-    for attribute in ("effort", "velocity"):
-        if context.number(limit, attribute) == 0:
+    for attribute, most in (("effort", limit.effort), ("velocity", limit.velocity)):
+        if most == 0:
             context.warn(
                 "zero-limit",
-                f"the {attribute} limit of joint '{name}' is 0, so it cannot be moved",
-                limit,
+                f"the {attribute} limit of joint '{joint.name}' is 0, so it cannot be moved",
+                limit.element,
                 attribute=attribute,
                 hint="planners and simulators use it literally; write the limit of the motor",
             )
-    for attribute in ("lower", "upper"):
-        bound = context.number(limit, attribute)
-        if kind == "revolute" and bound is not None and MOST_TURNS < fabs(bound) <= 720:
+    for attribute, bound in (("lower", limit.lower), ("upper", limit.upper)):
+        if joint.type == REVOLUTE and MOST_TURNS < fabs(bound) <= 720:
             context.warn(
                 "angle-too-large",
-                f"'{attribute}' of joint '{name}' is {shown(bound)} radians, "
+                f"'{attribute}' of joint '{joint.name}' is {shown(bound)} radians, "
                 f"{shown(fabs(bound) / (2 * pi))} turns",
-                limit,
+                limit.element,
                 attribute=attribute,
                 hint=f"angles are in radians; for degrees write `$(radians({shown(bound)}))`",
             )
     if context.version == "1.2":
         return
     for attribute in ("acceleration", "deceleration", "jerk"):
-        if attribute_text(limit, attribute) is not None:
+        if limit.written(attribute) is not None:
             context.warn(
                 "needs-version",
-                f"'{attribute}' of joint '{name}' is ignored before URDF 1.2",
-                limit,
+                f"'{attribute}' of joint '{joint.name}' is ignored before URDF 1.2",
+                limit.element,
                 attribute=attribute,
                 hint="write `version=1.2` on the robot, if all "
                 "programs that read it support URDF 1.2",
             )
 
 
-def _advise_on_pose(element: Element, owner: Element, context: CheckContext) -> None:
-    origin = child_named(element, "origin")
+def _advise_on_pose(pose: Pose, owner: Element, context: CheckContext) -> None:
+    origin = pose.element
     rpy = context.numbers(origin, "rpy", 3)
     if origin is None or not rpy:
         return
@@ -271,30 +247,24 @@ def _is_quarter(angle: float) -> bool:
 
 
 def _advise_on_mesh(
-    section: Element,
-    link: Element,
+    mesh: Mesh,
+    link: Link,
     context: CheckContext,
     resolve_mesh: Callable[[str, Span], str | None],
-    sizes: dict[tuple[str, str], float | None],
+    sizes: dict[Mesh, float | None],
 ) -> None:
-    geometry = child_named(section, "geometry")
-    mesh = child_named(geometry, "mesh") if geometry is not None else None
-    filename = attribute_text(mesh, "filename")
-    if mesh is None or not filename:
-        return
-    key = (filename, attribute_text(mesh, "scale") or "")
-    if key in sizes:
+    element = mesh.element
+    if element is None or not mesh.filename or mesh in sizes:
         return
     from ..meshes.triangles import stl_extent
 
-    scale = context.numbers(mesh, "scale", 3) or (1.0, 1.0, 1.0)
-    path = resolve_mesh(filename, mesh.value_span("filename"))
-    sizes[key] = size = None if path is None else stl_extent(path, scale)
+    path = resolve_mesh(mesh.filename, element.value_span("filename"))
+    sizes[mesh] = size = None if path is None else stl_extent(path, mesh.scale)
     if size is not None and size > LARGEST_MESH:
         context.warn(
             "large-mesh",
-            f"the mesh '{filename}' of {label(link)} is {shown(size)} m in size",
-            mesh,
+            f"the mesh '{mesh.filename}' of {label(link.element)} is {shown(size)} m in size",
+            element,
             attribute="filename",
             hint="if it is in millimetres, write `scale=0.001 0.001 0.001`",
         )

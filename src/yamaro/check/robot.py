@@ -70,9 +70,10 @@ def check(
         )
     context.flush()
     if advice is not None:
+        from ..model.reading import read_robot
         from .advice import check_advice
 
-        check_advice(root, tree, context, advice=advice, resolve_mesh=resolve_mesh)
+        check_advice(read_robot(root), context, advice=advice, resolve_mesh=resolve_mesh)
     return bool(context.file_owners)
 
 
