@@ -8,8 +8,6 @@ from __future__ import annotations
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterable
-
     Dimension = tuple[int, int, int, int]
     """The exponents of metre, kilogram, second and radian."""
 
@@ -24,6 +22,9 @@ ANGULAR_SPEED: Dimension = (0, 0, -1, 1)
 FORCE: Dimension = (1, 1, -2, 0)
 TORQUE: Dimension = (2, 1, -2, 0)
 DENSITY: Dimension = (-3, 1, 0, 0)
+ACCELERATION: Dimension = (1, 0, -2, 0)
+ANGULAR_ACCELERATION: Dimension = (0, 0, -2, 1)
+INERTIA: Dimension = (2, 1, 0, 0)
 
 _NAMES: dict[Dimension, tuple[str, str]] = {
     NUMBER: ("a number", "numbers"),
@@ -36,14 +37,21 @@ _NAMES: dict[Dimension, tuple[str, str]] = {
     RATE: ("a rate", "rates"),
     SPEED: ("a speed", "speeds"),
     ANGULAR_SPEED: ("an angular speed", "angular speeds"),
-    (1, 0, -2, 0): ("an acceleration", "accelerations"),
-    (0, 0, -2, 1): ("an angular acceleration", "angular accelerations"),
+    ACCELERATION: ("an acceleration", "accelerations"),
+    ANGULAR_ACCELERATION: ("an angular acceleration", "angular accelerations"),
     FORCE: ("a force", "forces"),
     TORQUE: ("a torque", "torques"),
     DENSITY: ("a density", "densities"),
-    (2, 1, 0, 0): ("a moment of inertia", "moments of inertia"),
+    INERTIA: ("a moment of inertia", "moments of inertia"),
 }
-_SYMBOLS = ("m", "kg", "s", "rad")
+_SYMBOLS = ("kg", "m", "rad", "s")
+_COMPOSED: dict[Dimension, str] = {
+    (2, 1, -1, -1): "N*m*s/rad",
+    (0, 1, -1, 0): "N*s/m",
+    (2, 1, -2, -1): "N*m/rad",
+    (0, 1, -2, 0): "N/m",
+}
+"""The SI units of dimensions that nobody writes in kilograms."""
 
 
 class Unit:
@@ -165,6 +173,38 @@ UNITS: dict[str, Unit] = {
     "Hz": Unit(RATE),
 }
 
+IN_PYTHON = {
+    "deg": "deg",
+    "mm": "mm",
+    "cm": "cm",
+    "in": "inch",
+    "g": "gram",
+    "lb": "lb",
+    "rpm": "rpm",
+    "Nm": "Nm",
+}
+"""The units that have a name in expressions, where it is their factor."""
+
+_MEANT = {
+    **dict.fromkeys(("degree", "degrees", "degs", "°"), "deg"),
+    **dict.fromkeys(("radian", "radians", "rads"), "rad"),
+    **dict.fromkeys(("meter", "meters", "metre", "metres"), "m"),
+    **dict.fromkeys(("millimeter", "millimeters", "millimetre", "millimetres"), "mm"),
+    **dict.fromkeys(("inch", "inches"), "in"),
+    **dict.fromkeys(("foot", "feet"), "ft"),
+    **dict.fromkeys(("\u00b5m", "\u03bcm", "micron", "microns"), "um"),
+    **dict.fromkeys(("gram", "grams", "gr"), "g"),
+    **dict.fromkeys(("kilogram", "kilograms", "kgs"), "kg"),
+    **dict.fromkeys(("pound", "pounds", "lbs"), "lb"),
+    **dict.fromkeys(("ton", "tons", "tonne", "tonnes"), "t"),
+    **dict.fromkeys(("sec", "secs", "second", "seconds"), "s"),
+    **dict.fromkeys(("minute", "minutes"), "min"),
+    **dict.fromkeys(("hour", "hours", "hr"), "h"),
+    **dict.fromkeys(("newton", "newtons"), "N"),
+    **dict.fromkeys(("turn", "turns", "revolution", "revolutions"), "rev"),
+}
+"""What units are called elsewhere."""
+
 MOST_FACTORS = 8
 """Units that one quantity may be composed of."""
 LARGEST_POWER = 9
@@ -258,14 +298,14 @@ def fits(dimension: Dimension, wanted: Dimension) -> bool:
 
 def name_of(dimension: Dimension) -> str:
     """Return what a quantity of that dimension is called: "a length"."""
-    return _NAMES[dimension][0] if dimension in _NAMES else f"in {_symbols(dimension)}"
+    return _NAMES[dimension][0] if dimension in _NAMES else f"in {si_of(dimension)}"
 
 
 def plural_of(dimension: Dimension) -> str:
     """Return what quantities of that dimension are called: "lengths"."""
     if dimension in _NAMES:
         return _NAMES[dimension][1]
-    return f"quantities in {_symbols(dimension)}"
+    return f"numbers in {si_of(dimension)}"
 
 
 def units_of(dimension: Dimension) -> list[str]:
@@ -273,11 +313,36 @@ def units_of(dimension: Dimension) -> list[str]:
     return [word for word, unit in UNITS.items() if fits(unit.dimension, dimension)]
 
 
-def _symbols(dimension: Iterable[int]) -> str:
-    parts = zip(_SYMBOLS, dimension, strict=True)
-    return "*".join(
-        symbol if power == 1 else f"{symbol}^{power}" for symbol, power in parts if power
-    )
+def meant_by(word: str) -> str | None:
+    """Return the unit that a word means elsewhere, or None: `lb` for `lbs`, `mm` for `MM`."""
+    if word in _MEANT:
+        return _MEANT[word]
+    small = word.lower()
+    near = [unit for unit in UNITS if unit.lower() == small and unit != word]
+    return near[0] if near else _MEANT.get(small)
+
+
+def factor_of(word: str) -> str:
+    """Return what to write in an expression for a unit: the name of its factor, or a number."""
+    if word in IN_PYTHON:
+        return IN_PYTHON[word]
+    unit = UNITS[word]
+    return "2 * pi" if word == "rev" else f"{unit.to_si(1.0):.15g}"
+
+
+def si_of(dimension: Dimension) -> str:
+    """Return the SI unit of a dimension: "m/s"."""
+    if dimension in _COMPOSED:
+        return _COMPOSED[dimension]
+    length, mass, time, angle = dimension
+    powers = list(zip(_SYMBOLS, (mass, length, angle, time), strict=True))
+    above = "*".join(_symbol(symbol, power) for symbol, power in powers if power > 0)
+    below = "".join(f"/{_symbol(symbol, -power)}" for symbol, power in powers if power < 0)
+    return (above or "1") + below
+
+
+def _symbol(symbol: str, power: int) -> str:
+    return symbol if power == 1 else f"{symbol}^{power}"
 
 
 def _end_of_number(text: str) -> int:

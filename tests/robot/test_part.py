@@ -611,7 +611,7 @@ def test_numbers_in_every_form(value, expected):
         ("1 2 -.Inf", "bad-number", "-.Inf"),
         ("0 0 1e400", "bad-number", "1e400"),
         ("0 0 0x", "bad-number", "0x"),
-        ("'0 0 10mm'", "bad-number", "10mm"),
+        ("'0 0 10°'", "bad-number", "10°"),
         ("[1, two, 3]", "bad-number", "two"),
         ("[[1, 2, 3]]", "bad-number", "[[1, 2, 3]]"),
         ("[1, '', 3]", "bad-number", "[1, '', 3]"),
@@ -639,7 +639,7 @@ def test_faulty_numbers_are_underlined(value, code, underlined):
     ("value", "hint"),
     [
         ("length 0 0", "to use a variable or an expression, write $(length)"),
-        ("10mm 0 0", "numbers are in SI units and radians, written without the unit: 0.01"),
+        ("90° 0 0", "write 90deg"),
         ("pi/2 0 0", "write an expression in $(…): $(pi/2)"),
         ("1,,x 0", "to use a variable or an expression, write $(x)"),
         ("nan 0 0", "URDF parsers reject NaN and infinities; write a number"),

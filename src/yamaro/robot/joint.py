@@ -44,6 +44,16 @@ NUMBERS: dict[str, dict[str, int]] = {
 
 REQUIRED = {"axis": "xyz", "mimic": "joint"}
 
+AXES = {
+    "x": "1 0 0",
+    "y": "0 1 0",
+    "z": "0 0 1",
+    "-x": "-1 0 0",
+    "-y": "0 -1 0",
+    "-z": "0 0 -1",
+}
+"""The axes that have a word."""
+
 
 class JointType:
     """The type of a joint, and where it is written."""
@@ -71,6 +81,7 @@ def lower_joint(lowering: Lowering, key: Element, name: str, *, child: str) -> E
     if fields.has_text:
         return _joint_element(key, name, None, children)
     joint_type = _absorbed_type(lowering, key, fields)
+    lowering.joint_type = joint_type.name if joint_type is not None else None
     for make in (_parent_element, _child_element, _origin_element):
         try:
             generated = make(lowering, key, fields, child)
@@ -225,7 +236,9 @@ def _lower_record(lowering: Lowering, key: Element) -> Element:
     for attribute, value in record.values.items():
         count = numbers.get(attribute)
         label = name if attribute == SCALARS.get(name) else attribute
-        if count is not None:
+        if name == "axis" and type(value) is str and value in AXES:
+            record.values[attribute] = AXES[value]
+        elif count is not None:
             row = read_attribute(lowering, record, attribute, count=count, name=label)
             record.values[attribute] = row.text
         else:

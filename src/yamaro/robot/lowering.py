@@ -48,6 +48,9 @@ class Lowering:
             be the name of a part.
         mimics: the joints with a `<mimic>` made here, of which the joint may yet be the name of a
             part.
+        joint_type: the type of the joint that is being lowered, or None where it is missing.
+        is_bound_to_joint: whether what is being lowered depends on that type, so that it is not the
+            same wherever it is.
         told: how often something was reported so far.
         trace: the calls and includes that led to the part that is being lowered.
         controls: the notes of `control` whose joints are not chosen yet.
@@ -64,6 +67,8 @@ class Lowering:
         "has_capsule",
         "has_words",
         "inertias",
+        "is_bound_to_joint",
+        "joint_type",
         "may_read",
         "mimics",
         "moments",
@@ -108,6 +113,8 @@ class Lowering:
         self.pending: list[Mirror] = []
         self.references: list[tuple[RobotNote, str]] = []
         self.controls: list[RobotNote] = []
+        self.joint_type: str | None = None
+        self.is_bound_to_joint = False
         self._reported: set[object] = set()
         self.told = 0
         self.trace: Frame | None = None
@@ -205,9 +212,9 @@ class Lowering:
             return lower(self, key)
         made: Element | None = memo.lowered
         if made is None:
-            told = self.told
+            told, self.is_bound_to_joint = self.told, False
             made = lower(self, key)
-            if told == self.told:
+            if told == self.told and not self.is_bound_to_joint:
                 memo.lowered = made
                 made.memo = made.memo or Memo()
         return made

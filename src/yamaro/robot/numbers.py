@@ -43,13 +43,6 @@ LAYOUTS = {
 """What the numbers of a key are, for hints."""
 
 
-UNITS = {"mm": 1e-3, "cm": 1e-2, "dm": 0.1, "km": 1e3, "g": 1e-3, "t": 1e3}
-"""What the units that people write are in SI units."""
-
-_WORDS_OF_UNITS = frozenset(("m", "kg", "rad", "deg", "degree", "degrees", "°", "n", "nm", *UNITS))
-"""Words that are units when they stand behind a number."""
-
-
 class Numbers:
     """A row of numbers: values, and the words they are written as in XML; it never changes.
 
@@ -85,33 +78,47 @@ def read_numbers(
     count: int,
     name: str,
     trace: Frame | None,
+    kind: str | None = None,
 ) -> Numbers:
-    """Return `count` numbers from a text, a list, or what an expression gave.
+    """Return `count` numbers in SI from a text, a list, or what an expression gave.
 
     Args:
         lowering: the run.
-        value: `1.0 0 0`, `1.0, 0, 0`, a number, or a list, tuple or array of numbers.
+        value: `1.0 0 0`, `1.0, 0, 0`, `1.0 0 350mm`, a number, or a list, tuple or array of
+            numbers.
         span: where the value is written.
         count: how many numbers it takes.
         name: what takes them, for messages: a key, or one of LAYOUTS.
         trace: the calls and includes that led here.
+        kind: what the numbers are: a word of the tables in `quantities.py`, which also say it for
+            the keys of parts; by default plain numbers, which take no unit.
 
     Raises:
-        YamaroError: a word, NaN, an infinity, or a wrong count.
+        YamaroError: a word, NaN, an infinity, a wrong count, or a unit that does not fit.
     """
     if type(value) is str:
         numbers = _numbers_of(lowering, value)
         if numbers is None:
-            raise _bad_text(value, span, name, trace)
+            from .quantities import read_quantities
+
+            numbers = read_quantities(
+                lowering, value, span, is_one=count == 1, name=name, kind=kind, trace=trace
+            )
     else:
-        numbers = Numbers(*_read_object(lowering, value, span, name, trace))
+        numbers = _read_object(lowering, value, span, name=name, kind=kind, trace=trace)
     if len(numbers.words) != count:
         raise _wrong_count(span, numbers.words, count=count, name=name, trace=trace)
     return numbers
 
 
 def read_attribute(
-    lowering: Lowering, record: Record, attribute: str, *, count: int, name: str
+    lowering: Lowering,
+    record: Record,
+    attribute: str,
+    *,
+    count: int,
+    name: str,
+    kind: str | None = None,
 ) -> Numbers:
     """Return the numbers that an attribute has; see `read_numbers`.
 
@@ -122,7 +129,7 @@ def read_attribute(
     if numbers is not None and len(numbers.words) == count:
         return numbers
     span, trace = record.span(attribute), record.key.trace
-    return read_numbers(lowering, value, span, count=count, name=name, trace=trace)
+    return read_numbers(lowering, value, span, count=count, name=name, trace=trace, kind=kind)
 
 
 def _numbers_of(lowering: Lowering, text: str) -> Numbers | None:
@@ -136,7 +143,7 @@ def _numbers_of(lowering: Lowering, text: str) -> Numbers | None:
 
 
 def _read(text: str) -> Numbers | None:
-    words = _split(text)
+    words = split_row(text)
     if text.isascii() and "_" not in text:  # as nearly always: Python reads the rest alike
         try:
             values = tuple(map(float, words))
@@ -144,18 +151,19 @@ def _read(text: str) -> Numbers | None:
             pass
         else:
             return Numbers(tuple(words), values) if all(map(isfinite, values)) else None
-    read = [value for word in words if (value := _parse(word)) is not None]
+    read = [value for word in words if (value := parse_number(word)) is not None]
     if len(read) < len(words) or not all(map(isfinite, read)):
         return None
     spelled = [str(int(word, 0)) if word[1:2] in ("x", "o") else word for word in words]
     return Numbers(tuple(spelled), tuple(read))
 
 
-def _split(text: str) -> list[str]:
+def split_row(text: str) -> list[str]:
+    """Return the words of a row of numbers."""
     return text.replace(",", " ").split()
 
 
-def _parse(word: str) -> float | None:
+def parse_number(word: str) -> float | None:
     """Return the value of a number as YAML 1.2 spells it, or None for a word."""
     if not word.isascii() or "_" in word:
         return None
@@ -174,10 +182,16 @@ def _parse(word: str) -> float | None:
 
 
 def _read_object(
-    lowering: Lowering, value: object, span: Span, name: str, trace: Frame | None
-) -> tuple[tuple[str, ...], tuple[float, ...]]:
+    lowering: Lowering,
+    value: object,
+    span: Span,
+    *,
+    name: str,
+    kind: str | None,
+    trace: Frame | None,
+) -> Numbers:
     if type(value) is float and value - value == 0:
-        return (format_number(value),), (value,)
+        return Numbers((format_number(value),), (value,))
     plain = plain_value(value)
     items = plain if isinstance(plain, (list, tuple, range)) else (plain,)
     is_literal = isinstance(value, LiteralList)
@@ -188,9 +202,13 @@ def _read_object(
             place = _item_place(item, span) if is_literal else span
             numbers = _numbers_of(lowering, item)
             if numbers is None:
-                raise _bad_text(item, place, name, trace)
+                from .quantities import read_quantities
+
+                numbers = read_quantities(
+                    lowering, item, place, is_one=True, name=name, kind=kind, trace=trace
+                )
             if not numbers.words:
-                raise _bad_word(item, place, name, trace)
+                raise bad_word(item, place, name, trace)
             words += numbers.words
             values += numbers.values
             continue
@@ -199,7 +217,7 @@ def _read_object(
             raise _bad_item(item, number, span, name, trace)
         words.append(_spell(item, number))
         values.append(number)
-    return tuple(words), tuple(values)
+    return Numbers(tuple(words), tuple(values))
 
 
 def _as_float(item: object) -> float | None:
@@ -228,22 +246,9 @@ def _shown(item: object) -> str:
     return text if len(text) <= MAX_SHOWN else text[: MAX_SHOWN - 1] + "…"
 
 
-def _bad_text(text: str, span: Span, name: str, trace: Frame | None) -> YamaroError:
-    """Return the error of the first word in a text that is no finite number."""
-    words = _split(text)
-    for index, word in enumerate(words):
-        value = _parse(word)
-        if value is None or not isfinite(value):
-            place = _place(span, words, index)
-            if index and word.lower() in _WORDS_OF_UNITS and _parse(words[index - 1]) is not None:
-                number = _in_base_unit(words[index - 1], word)
-                return _not_a_number(word, place, name, trace, hint=_hint_for_units(number))
-            return _bad_word(word, place, name, trace)
-    raise AssertionError(text)
-
-
-def _bad_word(word: str, span: Span, name: str, trace: Frame | None) -> YamaroError:
-    value = _parse(word)
+def bad_word(word: str, span: Span, name: str, trace: Frame | None) -> YamaroError:
+    """Return the error of a word that is no finite number."""
+    value = parse_number(word)
     if value is not None and value - value != 0:
         return _not_finite(word, span, name, trace)
     return _not_a_number(word, span, name, trace, hint=_word_hint(word, name, span))
@@ -259,7 +264,7 @@ def _bad_item(
     word = "a list within a list" if is_list else f"'{_shown(item)}'"
     return failure(
         "bad-number",
-        f"{word} in {_label(name)} is not a number",
+        f"{word} in {label_of(name)} is not a number",
         span,
         hint=_general_hint(name),
         trace=trace,
@@ -269,7 +274,7 @@ def _bad_item(
 def _not_finite(word: str, span: Span, name: str, trace: Frame | None) -> YamaroError:
     return failure(
         "bad-number",
-        f"'{word}' in {_label(name)} is not a finite number",
+        f"'{word}' in {label_of(name)} is not a finite number",
         span,
         hint="URDF parsers reject NaN and infinities; write a number",
         trace=trace,
@@ -281,7 +286,7 @@ def _not_a_number(
 ) -> YamaroError:
     return failure(
         "bad-number",
-        f"'{word}' in {_label(name)} is not a number",
+        f"'{word}' in {label_of(name)} is not a number",
         span,
         hint=hint,
         trace=trace,
@@ -289,38 +294,27 @@ def _not_a_number(
 
 
 def _general_hint(name: str) -> str:
-    return f"{_label(name)} takes {LAYOUTS.get(name, 'a number, such as 1.0')}"
-
-
-def _hint_for_units(number: str) -> str:
-    return f"numbers are in SI units and radians, written without the unit: {number}"
+    return f"{label_of(name)} takes {LAYOUTS.get(name, 'a number, such as 1.0')}"
 
 
 def _word_hint(word: str, name: str, span: Span) -> str:
     if name == "rgba":
         return "write red green blue alpha, each from 0 to 1: 0.8 0.1 0.1 1"
+    if name == "axis":
+        return "write x, y, z, -x, -y or -z, or three numbers"
     is_computed = word not in span.written()
     is_name = word.isidentifier() and word.lower() not in ("none", "true", "false", "null")
     if is_name and not is_computed:
         return f"to use a variable or an expression, write $({word})"
-    number = word.rstrip("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ°%")
-    if number and number != word and _parse(number) is not None:
-        return _hint_for_units(_in_base_unit(number, word[len(number) :]))
+    if word.endswith("°") and parse_number(word[:-1]) is not None:
+        return f"write {word[:-1]}deg"
     if any(sign in word for sign in "*/()") or word.strip("0123456789.+-") == "":
         return f"write an expression in $(…): $({word})"
     return _general_hint(name)
 
 
-def _in_base_unit(number: str, unit: str) -> str:
-    """Return how to write a number that people give in another unit."""
-    if unit.lower() in ("°", "deg", "degree", "degrees"):
-        return f"$(radians({number}))"
-    if unit not in UNITS:
-        return number
-    return f"{float(number) * UNITS[unit]:.12g}"
-
-
-def _label(name: str) -> str:
+def label_of(name: str) -> str:
+    """Return what takes numbers as messages call it."""
     return f"the {name}" if " " in name else f"'{name}'"
 
 
@@ -337,14 +331,14 @@ def _wrong_count(
         hint = f"write a factor for each axis: {' '.join(words * 3)}"
     return failure(
         "wrong-count",
-        f"{_label(name)} takes {count} {plural}, but {given or 'none'} {verb} given",
+        f"{label_of(name)} takes {count} {plural}, but {given or 'none'} {verb} given",
         span,
         hint=hint,
         trace=trace,
     )
 
 
-def _place(span: Span, words: list[str], index: int) -> Span:
+def place_of_word(span: Span, words: list[str], index: int) -> Span:
     """Return where word number `index` stands, if the span covers the words as they are written."""
     written = span.written()
     # The first line of a block scalar is its header: `|-`.

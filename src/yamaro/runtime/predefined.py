@@ -10,6 +10,7 @@ from ..diagnostics import InputFault, Reporter, did_you_mean
 from ..files.loader import LoadError, decode
 from ..files.packages import package_hint
 from ..syntax.context import ParseContext
+from ..syntax.names import FACTORS
 from ..syntax.nodes import Constant, DictValue, ListValue
 from ..syntax.values import parse_value
 from ..yaml.reader import read
@@ -32,6 +33,7 @@ CONSTANTS = {
     "false": False,
     "null": None,
     **{name: getattr(math, name) for name in MATHEMATICS},
+    **FACTORS,
 }
 _REQUIRED: Any = object()
 

@@ -127,6 +127,8 @@ class Explainer:
         if name.lower() in YAML_1_1_BOOLEANS and len(name) > 1:  # n is the name of a number
             meant = YAML_1_1_BOOLEANS[name.lower()]
             hint = f"write {meant}: in YAML 1.2 '{name}' is an ordinary word"
+        if not notes and (hint is None or name[1:]):
+            hint = _hint_for_unit(name, span) or hint
         return failure(
             "undefined-name",
             f"name '{name}' is not defined",
@@ -135,6 +137,28 @@ class Explainer:
             notes=notes,
             trace=frame,
         )
+
+
+def _hint_for_unit(name: str, span: Span) -> str | None:
+    """Return what to write for a unit in an expression, or None if the name is probably none.
+
+    A word of one letter is a unit only as a factor: `350 * m`.
+    """
+    from ..units import UNITS, factor_of, meant_by
+
+    unit = name if name in UNITS else meant_by(name) if len(name) > 1 else None
+    if unit is None:
+        return None
+    text = span.source.text
+    is_factor = text[: span.start].rstrip(" ")[-1:] in ("*", "/")
+    is_factor = is_factor or text[span.end :].lstrip(" ")[:1] in ("*", "/")
+    if len(name) == 1 and not is_factor:
+        return None
+    factor = factor_of(unit)
+    doubt = f"if '{name}' is a unit: " if len(name) == 1 else ""
+    if factor == "1":
+        return f"{doubt}expressions are in SI units, so leave '{name}' out"
+    return f"{doubt}in expressions units are factors: write {factor} for '{name}'"
 
 
 def _told_without_notes(

@@ -6,6 +6,7 @@ eval(code, scope, scope)          # with runtime.names() among the names of the 
 
 from __future__ import annotations
 
+from ..syntax.names import FACTORS
 from .builtins import BARE, permitted, refusal
 from .guards import Guards
 from .limits import SafeLimits, SafetyError, refused
@@ -55,7 +56,7 @@ class SafeRuntime(Guards):
         self.own = frozenset(map(id, self._own))
         mathematics = self.module("math").members
         self._names.update({name: mathematics[name] for name in PREDEFINED})
-        self._names.update({"true": True, "false": False, "null": None})
+        self._names.update({"true": True, "false": False, "null": None, **FACTORS})
         self._names["env"] = self._names["__env__"] = refusal("env")
         self._names["cwd"] = refusal("cwd")
 

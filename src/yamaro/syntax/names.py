@@ -32,6 +32,20 @@ ROBOT_STATEMENTS = ("attach", "mirror", "loop")
 """Statements where a part may stand, and elements elsewhere."""
 ROBOT_SECTIONS = ("control", "states", "groups", "collisions", "naming", "base")
 """Sections of a file that describes a robot."""
+FACTORS = {
+    "deg": 0.017453292519943295,
+    "mm": 1e-3,
+    "cm": 1e-2,
+    "inch": 0.0254,
+    "gram": 1e-3,
+    "lb": 0.45359237,
+    "rpm": 0.10471975511965977,
+    "Nm": 1,
+}
+"""Units that have a name in expressions, where it is their factor to SI: `350 * mm`.
+
+The table of all units is in `units.py`, which is loaded only where a unit is read.
+"""
 _KEYWORDS = frozenset(
     """False None True and as assert async await break class continue def del elif else except
     finally for from global if import in is lambda nonlocal not or pass raise return try while

@@ -239,6 +239,28 @@ def _syntax_hint(python: PythonCode, reason: str) -> str | None:
         return "remove the colon at the end"
     if "=" in reason and "==" in reason:
         return "compare with =="
+    return _hint_for_units(text)
+
+
+def _hint_for_units(text: str) -> str | None:
+    """Return what to write for a number with a unit in an expression."""
+    from ..units import UNITS, factor_of, meant_by
+
+    at = 0
+    while at < len(text):
+        start = at
+        while at < len(text) and (text[at].isalnum() or text[at] in "._°"):
+            at += 1
+        word = text[start:at]
+        number = word.rstrip("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ°\u00b5\u03bc")
+        unit = word[len(number) :]
+        if number[:1].isdigit() and unit:
+            known = unit if unit in UNITS else meant_by(unit)
+            if known is not None:
+                factor = factor_of(known)
+                short = number if factor == "1" else f"{number} * {factor}"
+                return f"in expressions units are factors: write {short}"
+        at += 1
     return None
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ....runtime.predefined import CONSTANTS
-from ....syntax.names import is_identifier
+from ....syntax.names import FACTORS, is_identifier
 from ....xml.tree import Element
 from ....xml.values import format_value
 from ..document import Body, Entry, Quoted, Row, without_expressions
@@ -15,7 +15,14 @@ from .names import names_in
 from .python import CannotMigrate, is_typed
 from .surroundings import body_of_last, move_opening, names_of
 
-PREDEFINED = frozenset(CONSTANTS) | {"load_yaml", "find", "math", "xacro", "python", "arg"}
+PREDEFINED = frozenset(CONSTANTS.keys() - FACTORS) | {
+    "load_yaml",
+    "find",
+    "math",
+    "xacro",
+    "python",
+    "arg",
+}
 SCOPES = {"global": "/global", "parent": "/parent"}
 
 TYPE_CHECKING = False

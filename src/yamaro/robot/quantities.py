@@ -1,0 +1,314 @@
+"""Numbers with units in a part: `350mm 0 1in`, `20 N*m`; which dimension each key takes.
+
+Loaded for the first text that is not a row of plain numbers.
+"""
+
+from __future__ import annotations
+
+from ..diagnostics import YamaroError, did_you_mean, failure
+from ..source import Span
+from ..units import (
+    ACCELERATION,
+    ANGLE,
+    ANGULAR_ACCELERATION,
+    ANGULAR_SPEED,
+    DENSITY,
+    FORCE,
+    INERTIA,
+    LENGTH,
+    MASS,
+    NUMBER,
+    RATE,
+    SPEED,
+    TIME,
+    TORQUE,
+    UNITS,
+    UnknownUnit,
+    fits,
+    meant_by,
+    name_of,
+    parse_quantity,
+    parse_unit,
+    plural_of,
+    si_of,
+    units_of,
+)
+from ..xml.values import format_value
+from .numbers import Numbers, bad_word, label_of, parse_number, place_of_word, split_row
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from ..diagnostics import Frame
+    from ..units import Dimension
+    from .lowering import Lowering
+
+DIMENSIONS: dict[str, Dimension] = {
+    "number": NUMBER,
+    "length": LENGTH,
+    "angle": ANGLE,
+    "mass": MASS,
+    "time": TIME,
+    "rate": RATE,
+    "speed": SPEED,
+    "angular speed": ANGULAR_SPEED,
+    "acceleration": ACCELERATION,
+    "angular acceleration": ANGULAR_ACCELERATION,
+    "force": FORCE,
+    "torque": TORQUE,
+    "density": DENSITY,
+    "inertia": INERTIA,
+}
+"""The kinds of numbers that are the same wherever they are."""
+
+BY_JOINT: dict[str, tuple[tuple[Dimension, ...], tuple[Dimension, ...]]] = {
+    "position": ((ANGLE,), (LENGTH,)),
+    "velocity": ((ANGULAR_SPEED,), (SPEED,)),
+    "acceleration of a joint": ((ANGULAR_ACCELERATION,), (ACCELERATION,)),
+    "jerk": (((0, 0, -3, 1),), ((1, 0, -3, 0),)),
+    "effort": ((TORQUE,), (FORCE,)),
+    "damping": (((2, 1, -1, -1),), ((0, 1, -1, 0),)),
+    "stiffness": (((2, 1, -2, -1),), ((0, 1, -2, 0),)),
+    "ratio": ((NUMBER, (-1, 0, 0, 1)), (NUMBER, (1, 0, 0, -1))),
+}
+"""The kinds of numbers that depend on the joint: for one that turns, and for one that slides.
+
+A ratio is between two joints, of which the other may turn or slide.
+"""
+
+KINDS = {
+    **dict.fromkeys(("xyz", "pivot", "radius", "length", "size"), "length"),
+    **{f"scale of a {shape}": "length" for shape in ("box", "cylinder", "sphere", "capsule")},
+    "rpy": "angle",
+    "mass": "mass",
+    "density": "density",
+    **dict.fromkeys(("inertia", "ixx", "ixy", "ixz", "iyy", "iyz", "izz"), "inertia"),
+    **dict.fromkeys(("lower", "upper", "soft_lower_limit", "soft_upper_limit"), "position"),
+    **dict.fromkeys(("rising", "falling", "reference_position", "offset"), "position"),
+    "velocity": "velocity",
+    **dict.fromkeys(("acceleration", "deceleration"), "acceleration of a joint"),
+    "jerk": "jerk",
+    **dict.fromkeys(("effort", "friction"), "effort"),
+    **dict.fromkeys(("damping", "k_velocity"), "damping"),
+    "k_position": "rate",
+    "multiplier": "ratio",
+}
+"""The kind of the numbers of a key; those of any other key are plain numbers."""
+
+_TURNING = ("revolute", "continuous")
+_NAMES_IN_PYTHON = ("pi", "tau", "e")
+
+
+class Wanted:
+    """What the numbers of a key are.
+
+    Attributes:
+        dimensions: those that fit; None if all do, as where the joint's type is missing.
+        taker: what takes them, in words.
+    """
+
+    __slots__ = ("dimensions", "taker")
+
+    def __init__(self, lowering: Lowering, name: str, kind: str | None) -> None:
+        """Find out what a key takes, in the joint that is being lowered."""
+        kind = kind or KINDS.get(name, "number")
+        self.taker = label_of(name)
+        self.dimensions: tuple[Dimension, ...] | None
+        if kind not in BY_JOINT:
+            self.dimensions = (DIMENSIONS[kind],)
+            return
+        joint_type = lowering.joint_type
+        lowering.is_bound_to_joint = True
+        turning, sliding = BY_JOINT[kind]
+        if joint_type is None:
+            self.dimensions = None
+            return
+        self.taker += f" of a {joint_type} joint"
+        if joint_type in _TURNING:
+            self.dimensions = turning
+        elif joint_type == "prismatic":
+            self.dimensions = sliding
+        elif joint_type == "fixed":  # in place of any other, for a moment
+            self.dimensions = turning + sliding
+        else:
+            self.dimensions = (NUMBER,)
+
+    def takes(self, dimension: Dimension) -> bool:
+        """Tell whether a quantity of a dimension fits."""
+        if self.dimensions is None:
+            return True
+        return any(fits(dimension, wanted) for wanted in self.dimensions)
+
+
+def read_quantities(
+    lowering: Lowering,
+    text: str,
+    span: Span,
+    *,
+    is_one: bool,
+    name: str,
+    kind: str | None,
+    trace: Frame | None,
+) -> Numbers:
+    """Return the numbers in a text that is not a row of plain numbers, in SI.
+
+    Args:
+        lowering: the run.
+        text: `350mm 0 1in`; or `20 N*m`, where one number is expected.
+        span: where the text is written.
+        is_one: whether one number is expected.
+        name: what takes the numbers, for messages.
+        kind: what they are, of DIMENSIONS or BY_JOINT; by default what KINDS says of the name.
+        trace: the calls and includes that led here.
+
+    Raises:
+        YamaroError: a word that is not a number, or a unit that is not known or does not fit.
+    """
+    words = split_row(text)
+    wanted = Wanted(lowering, name, kind)
+    row = [text.strip()] if is_one and len(words) == 2 and _is_quantity(text) else words
+    values: list[float] = []
+    spelled: list[str] = []
+    for index, word in enumerate(row):
+        number = parse_number(word)
+        if number is not None and number - number == 0:
+            values.append(number)
+            spelled.append(str(int(word, 0)) if word[1:2] in ("x", "o") else word)
+            continue
+        place = span if len(row) < len(words) else place_of_word(span, words, index)
+        before = row[index - 1] if index else ""
+        if _is_unit(word) and parse_number(before) is not None:
+            raise _unit_in_row(before, word, place, name, trace)
+        value = _value(wanted, word, place, name, trace)
+        values.append(value)
+        spelled.append(format_value(value))
+    return Numbers(tuple(spelled), tuple(values))
+
+
+def _is_quantity(text: str) -> bool:
+    """Tell whether a text is one number with a unit, known or not, on one line."""
+    if "\n" in text.strip():
+        return False
+    try:
+        return parse_quantity(text)[1] is not None
+    except (UnknownUnit, OverflowError):
+        return True
+    except ValueError:
+        return False
+
+
+def _is_unit(word: str) -> bool:
+    try:
+        parse_unit(word)
+    except ValueError:
+        return False
+    return True
+
+
+def _value(wanted: Wanted, word: str, place: Span, name: str, trace: Frame | None) -> float:
+    """Return the value of a number with a unit."""
+    is_plain = parse_number(word) is not None or word[:2] in ("0x", "0o")
+    try:
+        value, dimension = parse_quantity("" if is_plain else word)
+    except UnknownUnit as fault:
+        raise _unknown_unit(wanted, word, fault, place, trace) from None
+    except OverflowError:
+        raise failure(
+            "bad-number",
+            f"'{word}' in {label_of(name)} is too large for a number",
+            place,
+            trace=trace,
+        ) from None
+    except ValueError:
+        raise bad_word(word, place, name, trace) from None
+    assert dimension is not None, "all that is plain has been read"
+    if not wanted.takes(dimension):
+        raise _wrong_dimension(wanted, word, dimension, place, trace)
+    return value
+
+
+# --- errors -----------------------------------------------------------------------------------
+
+
+def _unit_in_row(
+    number: str, unit: str, place: Span, name: str, trace: Frame | None
+) -> YamaroError:
+    return failure(
+        "unit-in-row",
+        f"the unit '{unit}' in {label_of(name)} is apart from its number",
+        place,
+        hint=f"write {number}{unit}",
+        trace=trace,
+    )
+
+
+def _unknown_unit(
+    wanted: Wanted, word: str, fault: UnknownUnit, place: Span, trace: Frame | None
+) -> YamaroError:
+    fitting = [unit for each in wanted.dimensions or () for unit in units_of(each)]
+    meant = meant_by(fault.unit)
+    if fault.unit in _NAMES_IN_PYTHON:
+        number = word[: fault.start].strip()
+        hint = f"an expression is written as $(…): $({number} * {fault.unit})"
+    elif meant is not None:
+        hint = f"write {meant}"
+    else:
+        hint = (
+            did_you_mean(fault.unit, fitting)
+            or did_you_mean(fault.unit, UNITS)
+            or _units_hint(wanted.dimensions or ())
+            or f"units are {', '.join(UNITS)}"
+        )
+    return failure(
+        "unknown-unit",
+        f"'{fault.unit}' is not a unit",
+        _within(place, word, fault.start, fault.start + len(fault.unit)),
+        hint=hint,
+        trace=trace,
+    )
+
+
+def _wrong_dimension(
+    wanted: Wanted, word: str, dimension: Dimension, place: Span, trace: Frame | None
+) -> YamaroError:
+    unit = word.lstrip("+-.0123456789")
+    if unit[:1] in ("e", "E") and unit[1:2] in tuple("+-0123456789"):
+        unit = unit[2:].lstrip("0123456789")
+    unit = unit.strip()
+    dimensions = wanted.dimensions or ()
+    takes = " or ".join(dict.fromkeys(map(_plural, dimensions)))
+    is_named = not name_of(dimension).startswith("in ")
+    what = f"is {name_of(dimension)};" if is_named else "does not fit:"
+    return failure(
+        "unit-dimension",
+        f"'{unit}' {what} {wanted.taker} takes {takes}",
+        _within(place, word, len(word) - len(unit), len(word)),
+        hint=_units_hint(dimensions) or "leave the unit out",
+        trace=trace,
+    )
+
+
+def _units_hint(dimensions: tuple[Dimension, ...]) -> str | None:
+    """Return which units fit, or None where none does."""
+    units = [unit for each in dimensions if each != NUMBER for unit in _units_for(each)]
+    if len(units) == 1:
+        return f"write it in {units[0]}"
+    return f"units are {', '.join(units)}" if units else None
+
+
+def _units_for(dimension: Dimension) -> list[str]:
+    """Return the units of the table that fit, and the one of SI if it is not among them."""
+    listed = units_of(dimension)
+    if any(UNITS[unit].is_si for unit in listed):
+        return listed
+    return [*listed, si_of(dimension)]
+
+
+def _plural(dimension: Dimension) -> str:
+    return "plain numbers" if dimension == NUMBER else plural_of(dimension)
+
+
+def _within(place: Span, word: str, start: int, end: int) -> Span:
+    """Return the place of `word[start:end]`, if `word` is what is written at the place."""
+    if place.written() != word:
+        return place
+    return Span(place.source, place.start + start, place.start + end)
