@@ -10,7 +10,6 @@ from .diagnostics import YamaroError, failure_of_all
 from .files.packages import MODEL_PATHS
 from .policy import JAIL, NO_JAIL, USUAL_SECONDS, Limits, Policy
 from .runtime.messages import Messages
-from .runtime.python_errors import TIME_HINT
 from .sandbox.deadline import TimeOver, run_within
 from .sandbox.deep_stack import run_on_deep_stack
 from .xml.writer import write_pieces
@@ -264,6 +263,8 @@ class Reader:
 
 def time_is_over(name: str, policy: Policy) -> YamaroError:
     """Return the error for a conversion that was ended by force, of a file of that name."""
+    from .runtime.python_errors import TIME_HINT
+
     message = f"timed out: this takes more than {_seconds(policy):g} s"
     return failure_of_all("limit-time", message, name, TIME_HINT)
 

@@ -169,6 +169,13 @@ def failure(
     return YamaroError([Diagnostic(code, message, span, hint=hint, notes=notes, trace=trace)])
 
 
+def add_trace(error: YamaroError, frame: Frame | None) -> None:
+    """Note how the run came to an error, unless a step further in has told already."""
+    for diagnostic in error.diagnostics:
+        if diagnostic.trace is None:
+            diagnostic.trace = frame
+
+
 def failure_of_all(code: str, message: str, name: str, hint: str | None) -> YamaroError:
     """Return an error about a conversion as a whole, which is at no place of the file."""
     return failure(code, message, Span(Source("", name=name), 0, 0), hint=hint)

@@ -6,17 +6,17 @@ A room is imported when a file needs it: a document without parts loads nothing 
 from __future__ import annotations
 
 from .diagnostics import Reporter
-from .runtime.unread import warn_of_unread, warn_of_unread_includes
 from .runtime.yaml_main import run_yaml_main
 from .xml.tree import Element
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Mapping
 
     from .files.mesh_files import MeshFinder
     from .request import Request
     from .runtime.interpreter import Interpreter
+    from .source import Span
 
 
 def evaluate(request: Request, interpreter: Interpreter) -> Element:
@@ -28,14 +28,25 @@ def evaluate(request: Request, interpreter: Interpreter) -> Element:
         texts = {name: str(text) for name, text in variables.items()}  # they are texts already
         root, is_xacro = run_xml_main(request.source, interpreter, texts, places, reporter)
         if not is_xacro:
-            warn_of_unread(places, interpreter.files, reporter)
+            _warn_of_unread(interpreter, places, reporter)
         return root
     root = run_yaml_main(
         interpreter, request.source, stem=request.stem, variables=variables, places=places
     )
+    _warn_of_unread(interpreter, places, reporter)
+    return root
+
+
+def _warn_of_unread(
+    interpreter: Interpreter, places: Mapping[str, Span], reporter: Reporter
+) -> None:
+    """Warn of variables that were passed to files which have no use for them."""
+    if not places and not interpreter.passed:
+        return
+    from .runtime.unread import warn_of_unread, warn_of_unread_includes
+
     warn_of_unread(places, interpreter.files, reporter)
     warn_of_unread_includes(interpreter.passed.values(), interpreter.files, reporter)
-    return root
 
 
 def lower(

@@ -107,7 +107,7 @@ def attack(mode: str, text: str, steps: int | None = None) -> dict[str, Any]:
     node = ScalarNode(text, "|", source, 0, len(text))
     python = SafePython(text, node, 0, Rules(), opening="(" if mode == "eval" else "")
     python.runtime = runtime
-    evaluator = Evaluator(WatchedExplainer({}, lambda name: [], limits))
+    evaluator = Evaluator(lambda: WatchedExplainer({}, lambda name: [], limits), limits)
     before = world()
     watched.clear()
     is_watching = True

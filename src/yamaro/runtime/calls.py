@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ..diagnostics import Frame, YamaroError, did_you_mean, failure
+from ..diagnostics import Frame, YamaroError, add_trace, did_you_mean, failure
 from ..safe.namespace import MISSING, Namespace
 from ..source import Span
 from ..syntax.names import STATEMENTS
@@ -22,7 +22,6 @@ from ..syntax.template import Template
 from ..yaml.nodes import MappingNode, SequenceNode
 from .declared import Declaration, notes_on
 from .late import Late
-from .python_errors import add_trace
 from .scope import BlockScope, Scope, function_key, function_names
 from .values import Values
 from .words import count

@@ -6,7 +6,6 @@ from ..diagnostics import failure
 from ..syntax.nodes import Constant
 from ..syntax.python import PythonCode
 from .expressions import Evaluator, evaluate_bare
-from .python_errors import YAML_1_1_BOOLEANS
 from .scope import Scope
 from .words import a_kind_of
 
@@ -62,6 +61,8 @@ def _means_false(value: Any) -> bool:
     """Tell whether a value is a text that means false, which Python takes for true."""
     if not isinstance(value, str):
         return False
+    from .python_errors import YAML_1_1_BOOLEANS
+
     word = value.strip().lower()
     return word == "0" or YAML_1_1_BOOLEANS.get(word) == "false"
 
@@ -90,6 +91,8 @@ def _refusal(value: Any, condition: PythonCode, scope: Scope, evaluator: Evaluat
 
 def _hint(text: str, asked: str) -> str:
     """Return what to write for a text, or for what `asked` names, whose value it is."""
+    from .python_errors import YAML_1_1_BOOLEANS
+
     word = text.strip()
     meant = YAML_1_1_BOOLEANS.get(word.lower())
     if word.isdigit() or word.lower() in ("true", "false"):

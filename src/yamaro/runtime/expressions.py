@@ -10,7 +10,6 @@ from ..diagnostics import Frame, InputFault, YamaroError, failure
 from ..safe.namespace import MISSING
 from ..source import Span
 from ..syntax.python import PythonCode
-from .python_errors import Explainer
 from .scope import Scope
 
 TYPE_CHECKING = False
@@ -19,7 +18,9 @@ if TYPE_CHECKING:
     from types import CodeType
     from typing import Any
 
+    from ..policy import Limits
     from ..safe.runtime import SafeRuntime
+    from .python_errors import Explainer
 
 _CONTAINERS = frozenset((list, tuple, dict))
 
@@ -32,13 +33,18 @@ def run_module(code: CodeType, names: dict[str, Any]) -> None:
 class Evaluator:
     """Evaluates expressions and runs statements in scopes."""
 
-    __slots__ = ("explainer", "frame", "limits")
+    __slots__ = ("_make_explainer", "frame", "limits")
 
-    def __init__(self, explainer: Explainer) -> None:
-        """Begin outside of all calls; what goes wrong is for the explainer."""
-        self.explainer = explainer
-        self.limits = explainer.limits
+    def __init__(self, make_explainer: Callable[[], Explainer], limits: Limits) -> None:
+        """Begin outside of all calls; the explainer is created when something goes wrong."""
+        self._make_explainer = make_explainer
+        self.limits = limits
         self.frame: Frame | None = None
+
+    @property
+    def explainer(self) -> Explainer:
+        """Makes diagnostics of exceptions."""
+        return self._make_explainer()
 
     def evaluate(self, python: PythonCode, scope: Scope) -> Any:
         """Return the value of an expression.
@@ -151,9 +157,11 @@ class SafeEvaluator(Evaluator):
 
     __slots__ = ("_bound", "_runtime")
 
-    def __init__(self, explainer: Explainer, runtime: SafeRuntime) -> None:
+    def __init__(
+        self, make_explainer: Callable[[], Explainer], limits: Limits, runtime: SafeRuntime
+    ) -> None:
         """Begin; the runtime counts the steps of this one conversion."""
-        super().__init__(explainer)
+        super().__init__(make_explainer, limits)
         self._runtime = runtime
         self._bound: dict[PythonCode, CodeType] = {}
 

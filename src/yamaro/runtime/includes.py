@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ..diagnostics import INHERITED, Frame, YamaroError, failure
+from ..diagnostics import INHERITED, Frame, YamaroError, add_trace, failure
 from ..safe.namespace import MISSING, Namespace
 from ..source import Span
 from ..syntax.document import Document
@@ -17,9 +17,7 @@ from ..syntax.nodes import (
 from ..xml.tree import Element, PartElement, with_trace
 from ..xml.values import format_value
 from .markup import run_element
-from .python_errors import add_trace
 from .scope import Scope
-from .unread import Passed
 from .values import Values
 
 TYPE_CHECKING = False
@@ -101,6 +99,8 @@ def run_include(
         document = interpreter.files.parse(source)
         if node.arguments:
             frame.places = {each.name: each.span for each in node.arguments if each.name}
+            from .unread import Passed
+
             passed_to = Passed(node, document, frame.parent)
             interpreter.passed.setdefault((id(node), id(document)), passed_to)
         before = len(interpreter.shared_names.declared)

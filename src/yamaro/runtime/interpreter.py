@@ -25,9 +25,7 @@ from .elements import Builder
 from .expressions import Evaluator, SafeEvaluator
 from .files import Files
 from .messages import Messages
-from .python_errors import Explainer
 from .scope import Scope, SharedNames
-from .unread import Passed
 from .values import Values
 
 TYPE_CHECKING = False
@@ -38,6 +36,8 @@ if TYPE_CHECKING:
     from ..safe.runtime import SafeRuntime
     from ..xml.tree import Node
     from .library import Library
+    from .python_errors import Explainer
+    from .unread import Passed
 
     Handlers = Mapping[type, Callable[["Interpreter", Any, Scope, list[Node], Body | None], None]]
 
@@ -258,5 +258,12 @@ def _safety_of(policy: Policy, messages: Messages) -> SafeRuntime | None:
 
 def _evaluator_of(policy: Policy, files: Files, safety: SafeRuntime | None) -> Evaluator:
     is_jailed = policy.mode == JAIL
-    explainer = Explainer(files.codes, files.where_declared, policy.limits, is_jailed=is_jailed)
-    return Evaluator(explainer) if safety is None else SafeEvaluator(explainer, safety)
+
+    def make_explainer() -> Explainer:
+        from .python_errors import Explainer
+
+        return Explainer(files.codes, files.where_declared, policy.limits, is_jailed=is_jailed)
+
+    if safety is None:
+        return Evaluator(make_explainer, policy.limits)
+    return SafeEvaluator(make_explainer, policy.limits, safety)

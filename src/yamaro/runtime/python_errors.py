@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ..diagnostics import Frame, InputFault, YamaroError, did_you_mean, failure
+from ..diagnostics import Frame, InputFault, YamaroError, add_trace, did_you_mean, failure
 from ..policy import Limits
 from ..sandbox.deadline import TimeOver
 from ..source import Span
@@ -225,10 +225,3 @@ def _hint(error: BaseException) -> str | None:
     if isinstance(error, SystemExit):
         return "remove exit(); to stop with an error, raise an exception"
     return None
-
-
-def add_trace(error: YamaroError, frame: Frame | None) -> None:
-    """Note how the run came to an error, unless a step further in has told already."""
-    for diagnostic in error.diagnostics:
-        if diagnostic.trace is None:
-            diagnostic.trace = frame

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ..diagnostics import INHERITED, Frame, YamaroError, did_you_mean, failure
+from ..diagnostics import INHERITED, Frame, YamaroError, add_trace, did_you_mean, failure
 from ..source import Source, Span
 from ..syntax.nodes import (
     IncludeNode,
@@ -11,7 +11,6 @@ from ..xml.reader import CData, read_xml
 from ..xml.robot_names import rename
 from ..xml.tree import Element, IncludedRobot, Text
 from ..xml.values import format_value
-from .python_errors import add_trace
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

@@ -28,16 +28,6 @@ _IN_HEAD = {
 """Entries of the long forms that a short head already gives."""
 
 
-def head_of(text: str) -> str | None:
-    """Return the statement that a key is a short head of: `if`, `elif`, `for`, or None."""
-    if text[:1] not in ("i", "e", "f"):
-        return None
-    for word in ("if", "elif", "for"):
-        if text.startswith(word) and text[len(word) : len(word) + 1] in (" ", "\t", "\n", "("):
-            return word
-    return None
-
-
 def parse_head_condition(
     key: ScalarNode, word: str, context: ParseContext
 ) -> PythonCode | Constant:

@@ -5,8 +5,7 @@ from __future__ import annotations
 from ..diagnostics import did_you_mean, failure, suggest
 from ..yaml.nodes import MappingNode, ScalarNode, SequenceNode
 from .context import ParseContext
-from .heads import head_of
-from .names import ROBOT_SECTIONS, ROOT_STATEMENTS, STATEMENTS, is_function_name
+from .names import ROBOT_SECTIONS, ROOT_STATEMENTS, STATEMENTS, head_of, is_function_name
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

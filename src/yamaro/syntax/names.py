@@ -116,3 +116,13 @@ def is_function_name(text: str) -> bool:
     if not name.isidentifier() or not name[0].isupper() or name in _KEYWORDS:
         return False
     return not dot or all(part.isidentifier() for part in namespace.split("."))
+
+
+def head_of(text: str) -> str | None:
+    """Return the statement that a key is a short head of: `if`, `elif`, `for`, or None."""
+    if text[:1] not in ("i", "e", "f"):
+        return None
+    for word in ("if", "elif", "for"):
+        if text.startswith(word) and text[len(word) : len(word) + 1] in (" ", "\t", "\n", "("):
+            return word
+    return None

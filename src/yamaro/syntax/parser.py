@@ -8,7 +8,6 @@ from ..yaml.nodes import MappingNode, ScalarNode, SequenceNode
 from ..yaml.reader import read_on
 from .context import ParseContext
 from .document import Document, ImportNode
-from .heads import head_of
 from .mappings import Pairs, pairs_of
 from .names import (
     ARGUMENTS,
@@ -16,6 +15,7 @@ from .names import (
     ROBOT_STATEMENTS,
     SECTIONS,
     STATEMENTS,
+    head_of,
     is_function_name,
     is_identifier,
 )

@@ -5,7 +5,6 @@ from __future__ import annotations
 from ..diagnostics import YamaroError, failure
 from ..yaml.nodes import MappingNode, ScalarNode
 from .context import ParseContext
-from .heads import scope_behind
 from .keys import find_outside
 from .names import is_function_name, is_identifier, name_hint, python_name
 from .nodes import Argument, FunctionNode, Parameter, Value
@@ -233,6 +232,8 @@ def parse_function_name(key: ScalarNode, *, has_signature: bool) -> tuple[str, s
         YamaroError: it cannot name a function.
     """
     if has_signature:
+        from .heads import scope_behind
+
         name, scope = key.text.partition("(")[0].strip(), scope_behind(key)
     else:
         end, scope = split_scope(key, "function")

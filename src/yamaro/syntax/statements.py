@@ -6,15 +6,6 @@ from ..diagnostics import INHERITED, YamaroError, failure
 from ..xml.tree import Element
 from ..yaml.nodes import MappingNode, ScalarNode, SequenceNode
 from .context import ParseContext
-from .heads import (
-    body_pairs,
-    head_of,
-    parse_head_condition,
-    parse_head_iteration,
-    refuse_other_heads,
-    signature_of,
-    wrapped_body,
-)
 from .includes import parse_include
 from .iterations import parse_iterable, parse_iterator, refuse_text_of_for
 from .keys import PlainKeyPlaces, find_outside, parse_attributes, parse_name, parse_plain_key
@@ -25,6 +16,7 @@ from .names import (
     ROBOT_SECTIONS,
     ROBOT_STATEMENTS,
     STATEMENTS,
+    head_of,
     is_function_name,
 )
 from .nodes import (
@@ -122,6 +114,8 @@ def parse_statement(key: ScalarNode, node: YamlNode, context: ParseContext) -> S
     if parse is None and (" " in word or "(" in word):
         parse = _PARSERS.get(head_of(word) or "")
         if parse is None:
+            from .heads import refuse_other_heads
+
             refuse_other_heads(key)
     if parse is not None:
         return parse(key, node, context)
@@ -339,6 +333,8 @@ def _parse_branch(
     word = key.text
     head = head_of(word)
     if head is not None:
+        from .heads import body_pairs, parse_head_condition
+
         pairs = body_pairs(head, node, context)
         inside = context.attempt(parse_pairs, pairs, context) or Body()
         return parse_head_condition(key, head, context), inside
@@ -409,6 +405,8 @@ def _parse_for(key: ScalarNode, node: YamlNode, context: ParseContext) -> ForNod
 
 
 def _parse_short_for(key: ScalarNode, node: YamlNode, context: ParseContext) -> ForNode:
+    from .heads import body_pairs, parse_head_iteration
+
     pairs = body_pairs("for", node, context)
     body = context.attempt(parse_pairs, pairs, context) or Body()
     names, items = parse_head_iteration(key, context)
@@ -436,7 +434,11 @@ def _parse_functions(key: ScalarNode, node: YamlNode, context: ParseContext) -> 
 
 
 def _parse_function(key: ScalarNode, node: YamlNode, context: ParseContext) -> FunctionNode:
-    signature = signature_of(key)
+    signature = None
+    if "(" in key.text:
+        from .heads import signature_of
+
+        signature = signature_of(key)
     name, scope = parse_function_name(key, has_signature=signature is not None)
     input_node: YamlNode | None
     body_node: YamlNode | None
@@ -445,6 +447,8 @@ def _parse_function(key: ScalarNode, node: YamlNode, context: ParseContext) -> F
         entries = Entries(name, pairs, ("input", "body"), key.span())
         input_node, body_node = entries.get("input"), entries.get("body")
     else:
+        from .heads import wrapped_body
+
         input_node, body_node = signature, wrapped_body(node, context)
     parameters = []
     if input_node is not None:
