@@ -15,6 +15,8 @@ if TYPE_CHECKING:
 
 COMMANDS = ("position", "velocity", "effort")
 KEYS = ("command", "kp", "kd", "armature", "gear")
+KINDS = {"kp": "stiffness", "kd": "damping", "armature": "armature", "gear": "number"}
+"""What the number of a key is, by the joint's type."""
 """What is commanded; the gains; the inertia and the ratio of the gear."""
 
 
@@ -38,6 +40,7 @@ def _read(lowering: Lowering, word: Element, joint: Element) -> RobotNote:
         )
     check_keys(word, KEYS)
     _check_joint(word, joint)
+    lowering.joint_type = format_value(joint.attributes.get("type"))
     note = RobotNote(
         "actuator",
         word.span,
@@ -58,7 +61,9 @@ def _read(lowering: Lowering, word: Element, joint: Element) -> RobotNote:
                 )
             note.attributes["command"] = command
         else:
-            numbers = read_numbers(lowering, value, span, count=1, name=key.name, trace=key.trace)
+            numbers = read_numbers(
+                lowering, value, span, count=1, name=key.name, trace=key.trace, kind=KINDS[key.name]
+            )
             note.attributes[key.name] = numbers.text
     return note
 

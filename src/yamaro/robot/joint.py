@@ -44,16 +44,6 @@ NUMBERS: dict[str, dict[str, int]] = {
 
 REQUIRED = {"axis": "xyz", "mimic": "joint"}
 
-AXES = {
-    "x": "1 0 0",
-    "y": "0 1 0",
-    "z": "0 0 1",
-    "-x": "-1 0 0",
-    "-y": "0 -1 0",
-    "-z": "0 0 -1",
-}
-"""The axes that have a word."""
-
 
 class JointType:
     """The type of a joint, and where it is written."""
@@ -236,9 +226,7 @@ def _lower_record(lowering: Lowering, key: Element) -> Element:
     for attribute, value in record.values.items():
         count = numbers.get(attribute)
         label = name if attribute == SCALARS.get(name) else attribute
-        if name == "axis" and type(value) is str and value in AXES:
-            record.values[attribute] = AXES[value]
-        elif count is not None:
+        if count is not None:
             row = read_attribute(lowering, record, attribute, count=count, name=label)
             record.values[attribute] = row.text
         else:

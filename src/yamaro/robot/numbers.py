@@ -98,6 +98,8 @@ def read_numbers(
     """
     if type(value) is str:
         numbers = _numbers_of(lowering, value)
+        if numbers is None and name == "axis":
+            numbers = _axis(value)
         if numbers is None:
             from .quantities import read_quantities
 
@@ -156,6 +158,15 @@ def _read(text: str) -> Numbers | None:
         return None
     spelled = [str(int(word, 0)) if word[1:2] in ("x", "o") else word for word in words]
     return Numbers(tuple(spelled), tuple(read))
+
+
+def _axis(text: str) -> Numbers | None:
+    """Return the axis that a word names, `z` or `-y`, or None."""
+    sign, name = ("-", text[1:]) if text[:1] == "-" else ("", text)
+    if name not in ("x", "y", "z"):
+        return None
+    words = tuple(f"{sign}1" if axis == name else "0" for axis in "xyz")
+    return Numbers(words, tuple(map(float, words)))
 
 
 def split_row(text: str) -> list[str]:

@@ -68,6 +68,7 @@ BY_JOINT: dict[str, tuple[tuple[Dimension, ...], tuple[Dimension, ...]]] = {
     "effort": ((TORQUE,), (FORCE,)),
     "damping": (((2, 1, -1, -1),), ((0, 1, -1, 0),)),
     "stiffness": (((2, 1, -2, -1),), ((0, 1, -2, 0),)),
+    "armature": ((INERTIA,), (MASS,)),
     "ratio": ((NUMBER, (-1, 0, 0, 1)), (NUMBER, (1, 0, 0, -1))),
 }
 """The kinds of numbers that depend on the joint: for one that turns, and for one that slides.
@@ -94,6 +95,8 @@ KINDS = {
 }
 """The kind of the numbers of a key; those of any other key are plain numbers."""
 
+ANY_POSITION = "position of a joint"
+"""The kind of a position in a joint whose type is not known yet."""
 _TURNING = ("revolute", "continuous")
 _NAMES_IN_PYTHON = ("pi", "tau", "e")
 
@@ -113,6 +116,9 @@ class Wanted:
         kind = kind or KINDS.get(name, "number")
         self.taker = label_of(name)
         self.dimensions: tuple[Dimension, ...] | None
+        if kind == ANY_POSITION:
+            self.dimensions = (ANGLE, LENGTH)
+            return
         if kind not in BY_JOINT:
             self.dimensions = (DIMENSIONS[kind],)
             return

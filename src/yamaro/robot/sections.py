@@ -59,7 +59,13 @@ def _states(lowering: Lowering, word: RobotWord, out: list[Node]) -> None:
             try:
                 value, span = read_value(key)
                 numbers = read_numbers(
-                    lowering, value, span, count=1, name=key.name, trace=word.trace
+                    lowering,
+                    value,
+                    span,
+                    count=1,
+                    name=key.name,
+                    trace=word.trace,
+                    kind="position of a joint",
                 )
             except YamaroError as error:
                 lowering.absorb(error)
@@ -126,7 +132,9 @@ def _collisions(lowering: Lowering, word: RobotWord, out: list[Node]) -> None:
                 note.children.append(kept)
             continue
         value, span = read_value(key)
-        numbers = read_numbers(lowering, value, span, count=1, name=key.name, trace=word.trace)
+        numbers = read_numbers(
+            lowering, value, span, count=1, name=key.name, trace=word.trace, kind="number"
+        )
         if numbers.values[0] != int(numbers.values[0]) or numbers.values[0] < 0:
             raise failure(
                 "bad-number",

@@ -21,6 +21,12 @@ POSE_KEYS = ("xyz", "rpy", "pivot")
 COMMON_KEYS = ("type", "rate", "noise", "topic")
 NUMBERS = {"rays": 1, "rows": 1, "angle": 1, "tilt": 1, "range": 2, "size": 2, "fov": 1, "clip": 2}
 """How many numbers each key takes: counts, radians, metres, pixels, radians, metres."""
+KINDS = {
+    "rate": "rate",
+    **dict.fromkeys(("angle", "tilt", "fov"), "angle"),
+    **dict.fromkeys(("range", "clip"), "length"),
+}
+"""What the numbers of a key are; those of the others take no unit."""
 LINK_SENSORS: dict[str, tuple[str, ...]] = {
     "imu": (),
     "lidar": ("rays", "angle", "range", "rows", "tilt"),
@@ -215,7 +221,10 @@ def _value(lowering: Lowering, name: str, key: Element) -> str | None:
     if name == "topic":
         return word_of(name, value, span, owner=key)
     count = NUMBERS.get(name, 1)
-    numbers = read_numbers(lowering, value, span, count=count, name=name, trace=key.trace)
+    kind = KINDS.get(name, "number")
+    numbers = read_numbers(
+        lowering, value, span, count=count, name=name, trace=key.trace, kind=kind
+    )
     for number in numbers.values:
         if number < 0 or (name in WHOLE and (number < 1 or number != int(number))):
             raise failure(
