@@ -9,17 +9,19 @@ from ..model.shapes import COUNTS, SIMPLE_SHAPES, SIZES, MeshSolid
 from ..xml.tree import Element, Text
 from ..xml.values import format_value
 from .fields import read_record, read_value, word_of
-from .numbers import read_numbers
+from .numbers import Numbers, read_numbers
+from .places import SIZE_KEYS
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from ..meshes.triangles import TriangleMesh
     from ..model.mesh_integrals import SolidMoments
     from ..model.shapes import Solid
     from ..source import Span
     from .fields import Fields
     from .lowering import Lowering
-    from .numbers import Numbers
 
 SMALLEST_VOLUME = 1e-9
 """Part of the cube of a mesh's size below which its volume is only rounding."""
@@ -33,12 +35,12 @@ class Geometry:
         kind: `box`, `cylinder`, `sphere`, `capsule` or `mesh`.
         word: the shape or the mesh file as written.
         span: where the word is written.
-        scale: the scale; None for a mesh without one.
-        scale_span: where the scale is written, if there is one.
+        scale: the scale, or the sizes as one; None for a mesh without one.
+        spans: where each of the shape's attributes is written; a scale is that of all.
         element: the `<geometry>` element.
     """
 
-    __slots__ = ("element", "key", "kind", "scale", "scale_span", "span", "word")
+    __slots__ = ("element", "key", "kind", "scale", "span", "spans", "word")
 
     def __init__(
         self,
@@ -48,7 +50,7 @@ class Geometry:
         word: str,
         span: Span,
         scale: Numbers | None,
-        scale_span: Span,
+        spans: dict[str, Span],
     ) -> None:
         """Hold a geometry and make its element."""
         self.key = key
@@ -56,20 +58,25 @@ class Geometry:
         self.word = word
         self.span = span
         self.scale = scale
-        self.scale_span = scale_span
+        self.spans = spans
         self.element = _element(self)
+
+    @property
+    def scale_span(self) -> Span:
+        """Return where the scale is written, or the first of the sizes."""
+        return next(iter(self.spans.values()), self.span)
 
 
 class LinkGeometry:
-    """The geometry and scale written in a link, which its sections inherit when they use them."""
+    """The geometry and sizes written in a link, which its sections inherit when they use them."""
 
-    __slots__ = ("_made", "fields", "is_used", "key", "scale_key")
+    __slots__ = ("_made", "fields", "is_used", "key", "sizes")
 
     def __init__(self, fields: Fields) -> None:
         """Hold the keys; they are read when a section first uses them."""
         self.fields = fields
         self.key = fields.keys.get("geometry")
-        self.scale_key = fields.keys.get("scale")
+        self.sizes = sizes_in(fields)
         self.is_used = False
         self._made: Geometry | None = None
 
@@ -81,58 +88,61 @@ class LinkGeometry:
         """
         if self._made is None and self.key is not None:
             self.is_used = True
-            self._made = read_geometry(lowering, self.key, self.scale_key)
+            self._made = read_geometry(lowering, self.key, self.sizes)
         return self._made
+
+
+def sizes_in(fields: Fields) -> list[Element]:
+    """Return the keys of a link or section that give its shape a size."""
+    return [key for name, key in fields.keys.items() if name in SIZE_KEYS]
 
 
 def section_geometry(lowering: Lowering, fields: Fields, link: LinkGeometry) -> Geometry | None:
     """Return the geometry a section has or inherits, or None if there is none.
 
-    Geometry and scale are inherited together: with its own geometry a section takes only its own
-    scale; with only a scale it is the link's shape in another size.
+    Geometry and sizes are inherited together: with its own geometry a section takes only its own
+    sizes; with only sizes it is the link's shape in another size.
 
     Raises:
-        YamaroError: the geometry or its scale is faulty.
+        YamaroError: the geometry or its sizes are faulty.
     """
     key = fields.keys.get("geometry")
-    scale_key = fields.keys.get("scale")
+    sizes = sizes_in(fields)
     if key is not None:
-        return read_geometry(lowering, key, scale_key, link_scale=link.scale_key)
-    if scale_key is None or link.key is None:
+        return read_geometry(lowering, key, sizes, link_sizes=link.sizes)
+    if not sizes or link.key is None:
         return link.geometry(lowering)
     link.is_used = True
-    return read_geometry(lowering, link.key, scale_key)
+    return read_geometry(lowering, link.key, sizes)
 
 
 def read_geometry(
     lowering: Lowering,
     key: Element,
-    scale_key: Element | None,
+    sizes: list[Element],
     *,
-    link_scale: Element | None = None,
+    link_sizes: Sequence[Element] = (),
 ) -> Geometry:
-    """Return the geometry of a `geometry` key and a `scale` key.
+    """Return the geometry of a `geometry` key and of `scale`, or of `radius`, `length` and `size`.
 
     Raises:
-        YamaroError: a misspelt shape, URDF's own form of a geometry, or a faulty scale.
+        YamaroError: a misspelt shape, URDF's own form of a geometry, or faulty sizes.
     """
     kind, word, span = _read_shape_word(lowering, key)
-    scale, scale_span = None, span
-    if scale_key is not None:
-        value, scale_span = read_value(scale_key)
-        scale = read_numbers(
-            lowering,
-            value,
-            scale_span,
-            count=COUNTS.get(kind, 3),
-            name=f"scale of a {kind}",
-            trace=scale_key.trace,
-        )
+    scale = None
+    spans: dict[str, Span] = {}
+    first = sizes[0] if sizes else None
+    if first is not None and first.name == "scale" and len(sizes) == 1:
+        scale = _read_scale(lowering, first, kind, spans)
+    elif sizes:
+        scale = _read_sizes(lowering, kind, sizes, spans)
     elif kind != "mesh":
         notes = []
-        if link_scale is not None:
-            place = link_scale.span.place()
-            notes.append(f"the link's scale at {place} belongs to the link's own geometry")
+        if link_sizes:
+            own = link_sizes[0]
+            notes.append(
+                f"the link's {own.name} at {own.span.place()} belongs to the link's own geometry"
+            )
         raise failure(
             "missing-scale",
             f"the geometry '{word}' has no scale",
@@ -143,7 +153,79 @@ def read_geometry(
         )
     if kind == "capsule" and not lowering.has_capsule:
         _warn_of_capsule(lowering, key, span)
-    return Geometry(key, kind=kind, word=word, span=span, scale=scale, scale_span=scale_span)
+    return Geometry(key, kind=kind, word=word, span=span, scale=scale, spans=spans)
+
+
+def _read_scale(lowering: Lowering, key: Element, kind: str, spans: dict[str, Span]) -> Numbers:
+    """Return the numbers of `scale`, and note where they are written."""
+    value, span = read_value(key)
+    spans.update(dict.fromkeys(SIZES.get(kind, ("scale",)), span))
+    return read_numbers(
+        lowering,
+        value,
+        span,
+        count=COUNTS.get(kind, 3),
+        name=f"scale of a {kind}",
+        trace=key.trace,
+    )
+
+
+def _read_sizes(
+    lowering: Lowering, kind: str, sizes: list[Element], spans: dict[str, Span]
+) -> Numbers:
+    """Return the numbers of `radius`, `length` or `size` as those of a scale; note their places."""
+    given = {size.name: size for size in sizes}
+    _check_sizes(kind, given)
+    words: list[str] = []
+    values: list[float] = []
+    for name in SIZES[kind]:
+        size = given[name]
+        value, spans[name] = read_value(size)
+        numbers = read_numbers(
+            lowering,
+            value,
+            spans[name],
+            count=COUNTS[kind] if len(given) == 1 else 1,
+            name="size of a box" if name == "size" else name,
+            trace=size.trace,
+        )
+        words += numbers.words
+        values += numbers.values
+    return Numbers(tuple(words), tuple(values))
+
+
+def _check_sizes(kind: str, given: dict[str, Element]) -> None:
+    """Raise YamaroError unless each size of a shape is given, and no other."""
+    wanted = SIZES.get(kind, ())
+    first = next(iter(given.values()))
+    for name, size in given.items():
+        if "scale" in given and name != "scale":
+            raise failure(
+                "given-twice",
+                f"the size is given twice, by 'scale' and by '{name}'",
+                size.span,
+                hint="remove one of the two",
+                notes=(f"'scale' is given at {given['scale'].span.place()}",),
+                trace=size.trace,
+            )
+        if name not in wanted and name != "scale":
+            listed = " and ".join(f"'{each}'" for each in wanted)
+            raise failure(
+                "unknown-key",
+                f"a {kind} has no '{name}'",
+                size.span,
+                hint=f"a {kind} has {listed}" if wanted else "a mesh is scaled by 'scale'",
+                trace=size.trace,
+            )
+    for name in wanted:
+        if name not in given:
+            raise failure(
+                "missing-scale",
+                f"the geometry '{kind}' has no '{name}'",
+                first.span,
+                hint=f"write {name}: beside {first.name}:",
+                trace=first.trace,
+            )
 
 
 def _read_shape_word(lowering: Lowering, key: Element) -> tuple[str, str, Span]:
@@ -227,20 +309,18 @@ def _warn_of_capsule(lowering: Lowering, key: Element, span: Span) -> None:
 
 def _element(geometry: Geometry) -> Element:
     """Return `<geometry>` with the shape in it."""
-    key, scale, scale_span = geometry.key, geometry.scale, geometry.scale_span
+    key, scale = geometry.key, geometry.scale
     attributes: dict[str, object]
     if geometry.kind == "mesh":
         attributes = {"filename": geometry.word}
-        spans = {"filename": geometry.span}
+        spans = {"filename": geometry.span, **geometry.spans}
         if scale is not None:
             attributes["scale"] = scale.text
-            spans["scale"] = scale_span
     else:
         assert scale is not None
-        names = SIZES[geometry.kind]
+        names, spans = SIZES[geometry.kind], geometry.spans
         words = scale.words if len(names) > 1 else (scale.text,)
         attributes = dict(zip(names, words, strict=True))
-        spans = dict.fromkeys(names, scale_span)
     shape = Element(geometry.kind, key.span, attributes, [], key.trace, spans)
     return Element("geometry", key.span, {}, [shape], key.trace)
 

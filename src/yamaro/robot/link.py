@@ -8,7 +8,7 @@ from ..xml.tree import Element
 from .fields import Fields, sort_fields
 from .geometry import LinkGeometry, section_geometry
 from .inertial import LinkMass, lower_inertial
-from .material import lower_material
+from .material import lower_color_material, lower_material
 from .places import COLLISION, INERTIAL, LINK, VISUAL
 from .pose import NO_POSE, Pose, compose_poses, origin_element, read_pose
 
@@ -32,6 +32,7 @@ class LinkFrame:
 
 def lower_link(lowering: Lowering, key: Element, name: str) -> Element:
     """Return `<link>` with its sections in the order written; record errors and go on."""
+    lowering.link_name = name
     common = lowering.once(key, _lower_common)
     link = common.with_children(common.children)
     link.attributes = {"name": name}
@@ -118,9 +119,32 @@ def _lower_section(lowering: Lowering, key: Element, frame: LinkFrame) -> Elemen
     for child in fields.rest:
         if type(child) is Element and child.name == "material" and not child.verbatim:
             children.append(lowering.once(child, lower_material))
+        elif type(child) is Element and child.name == "color" and key.name == "visual":
+            children.append(_material_of_color(lowering, child, fields))
         else:
             children.append(child)
     return key.with_children(children)
+
+
+def _material_of_color(lowering: Lowering, key: Element, fields: Fields) -> Element:
+    """Return the `<material>` of a `color` key, or an element in angle brackets as it is.
+
+    Raises:
+        YamaroError: there is a `material` as well, or the colour is faulty.
+    """
+    if key.verbatim:
+        return key
+    material = fields.keys.get("material")
+    if material is not None:
+        raise failure(
+            "given-twice",
+            "this visual has a 'color' and a 'material'",
+            key.span,
+            hint="write the color in the material, or remove one of the two",
+            notes=(f"'material' is given at {material.span.place()}",),
+            trace=key.trace,
+        )
+    return lowering.once(key, lower_color_material)
 
 
 def _section_shape(lowering: Lowering, key: Element, fields: Fields, link: LinkGeometry) -> Element:
@@ -140,7 +164,7 @@ def _warn_of_unused(lowering: Lowering, geometry: LinkGeometry) -> None:
     """Warn of a geometry or scale in a link that no section uses."""
     if geometry.is_used:
         return
-    key = geometry.key or geometry.scale_key
+    key = geometry.key or next(iter(geometry.sizes), None)
     if key is None:
         return
     lowering.warn(

@@ -48,6 +48,8 @@ class Lowering:
             be the name of a part.
         mimics: the joints with a `<mimic>` made here, of which the joint may yet be the name of a
             part.
+        link_name: the name of the link that is being lowered.
+        colors: the names of the materials that were made of a `color`, by its numbers.
         joint_type: the type of the joint that is being lowered, or None where it is missing.
         is_bound_to_joint: whether what is being lowered depends on that type, so that it is not the
             same wherever it is.
@@ -62,6 +64,7 @@ class Lowering:
 
     __slots__ = (
         "_reported",
+        "colors",
         "controls",
         "errors",
         "has_capsule",
@@ -69,6 +72,7 @@ class Lowering:
         "inertias",
         "is_bound_to_joint",
         "joint_type",
+        "link_name",
         "may_read",
         "mimics",
         "moments",
@@ -113,6 +117,8 @@ class Lowering:
         self.pending: list[Mirror] = []
         self.references: list[tuple[RobotNote, str]] = []
         self.controls: list[RobotNote] = []
+        self.link_name = ""
+        self.colors: dict[tuple[float, ...], str] = {}
         self.joint_type: str | None = None
         self.is_bound_to_joint = False
         self._reported: set[object] = set()

@@ -109,6 +109,28 @@ def _lower_detail(lowering: Lowering, detail: Node) -> Node:
     return detail
 
 
+def lower_color_material(lowering: Lowering, key: Element) -> Element:
+    """Return the `<material>` of a `color` in a visual, named after the first link that has it.
+
+    Raises:
+        YamaroError: the colour is faulty.
+    """
+    color = _lower_color(lowering, key)
+    text = color.attributes["rgba"]
+    assert isinstance(text, str)
+    rgba = tuple(map(float, text.split()))
+    name = lowering.colors.get(rgba)
+    if name is None:
+        stem = name = f"{lowering.link_name}_color"
+        taken = lowering.colors.values()
+        number = 1
+        while name in taken:
+            number += 1
+            name = f"{stem}_{number}"
+        lowering.colors[rgba] = name
+    return Element("material", key.span, {"name": name}, [color], key.trace)
+
+
 def _lower_color(lowering: Lowering, key: Element) -> Element:
     record = read_record(lowering, key, "rgba")
     _require(record, "rgba", "four numbers: color: 0.8 0.1 0.1 1")

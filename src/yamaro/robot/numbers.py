@@ -38,6 +38,7 @@ LAYOUTS = {
         if len(shape.sizes) > 1
     },
     "scale of a sphere": "its radius, in metres",
+    "size of a box": "x y z, in metres",
     "scale of a mesh": "a factor for x, y and z",
 }
 """What the numbers of a key are, for hints."""

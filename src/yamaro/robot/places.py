@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 POSE_KEYS = frozenset(("xyz", "rpy", "pivot", "origin"))
-SHAPE_KEYS = frozenset(("geometry", "scale"))
+SIZE_KEYS = frozenset(("scale", "radius", "length", "size"))
+SHAPE_KEYS = SIZE_KEYS | {"geometry"}
 MASS_KEYS = frozenset(("mass", "density"))
 RECORD_KEYS = frozenset(("axis", "limit", "dynamics", "mimic", "safety_controller", "calibration"))
 
@@ -98,7 +99,7 @@ LINK = Place(
 VISUAL = Place(
     "visual",
     keys=POSE_KEYS | SHAPE_KEYS,
-    ordered=frozenset(("material",)),
+    ordered=frozenset(("material", "color")),
     stand_ins=frozenset(("origin", "geometry")),
     elements=COMMON_ELEMENTS - {"visual", "collision"},
     example="geometry: box",
@@ -138,14 +139,14 @@ _LINK_HINT = "it belongs under 'link:'"
 _JOINT_HINT = "it belongs under 'joint:'"
 _HOMES: dict[str, dict[str, str]] = {
     "part": {
-        **dict.fromkeys(("geometry", "scale", "mass", "density"), _LINK_HINT),
+        **dict.fromkeys((*sorted(SHAPE_KEYS), "mass", "density"), _LINK_HINT),
         **dict.fromkeys(("visual", "collision", "inertial"), _LINK_HINT),
         **dict.fromkeys(("type", "parent", "child", *sorted(RECORD_KEYS)), _JOINT_HINT),
         **dict.fromkeys(sorted(POSE_KEYS), "it belongs under 'joint:' or under 'link:'"),
         "inertia": "it belongs under 'link:', in 'inertial:'",
     },
     "joint": {
-        **dict.fromkeys(("geometry", "scale", "mass", "density"), _LINK_HINT),
+        **dict.fromkeys((*sorted(SHAPE_KEYS), "mass", "density"), _LINK_HINT),
         **dict.fromkeys(("visual", "collision", "inertial", "inertia"), _LINK_HINT),
         "name": "write the name beside 'joint:', or as joint/name=…",
         "link": "'link:' belongs beside 'joint:', not in it",
@@ -163,7 +164,7 @@ _HOMES: dict[str, dict[str, str]] = {
         **dict.fromkeys(("type", "parent", "child", *sorted(RECORD_KEYS)), _JOINT_HINT),
         "name": "write the name beside 'link:', or as link/name=…",
         "material": "it belongs in 'visual:'",
-        "color": "it belongs in 'visual:', in 'material:'",
+        "color": "it belongs in 'visual:'",
         "texture": "it belongs in 'visual:', in 'material:'",
         "inertia": "it belongs in 'inertial:'",
         "joint": "'joint:' belongs beside 'link:', not in it",
@@ -175,7 +176,7 @@ _HOMES: dict[str, dict[str, str]] = {
         **dict.fromkeys(("visual", "collision", "inertial"), "it belongs directly in 'link:'"),
         "inertia": "it belongs in 'inertial:'",
         "material": "it belongs in 'visual:'",
-        "color": "it belongs in 'material:'",
+        "color": "it belongs in 'visual:'",
         "texture": "it belongs in 'material:'",
         "name": "write it as an attribute: visual/name=…",
     },

@@ -77,7 +77,7 @@ A ratio is between two joints, of which the other may turn or slide.
 """
 
 KINDS = {
-    **dict.fromkeys(("xyz", "pivot", "radius", "length", "size"), "length"),
+    **dict.fromkeys(("xyz", "pivot", "radius", "length", "size of a box"), "length"),
     **{f"scale of a {shape}": "length" for shape in ("box", "cylinder", "sphere", "capsule")},
     "rpy": "angle",
     "mass": "mass",
