@@ -216,6 +216,26 @@ def test_what_is_half_written_takes_defaults_and_is_listed() -> None:
     assert robot.findings[3].message == "'size' of 'box' takes three numbers, not '1 x 3'"
 
 
+def test_findings_are_in_the_order_written_whatever_was_used_before() -> None:
+    text = (
+        '<robot name="r"><link name="a"><inertial><mass value="x"/></inertial></link>'
+        '<joint name="j" type="hinge"/></robot>'
+    )
+    robot = Robot.from_xml(text)
+    assert robot.joints["j"].type == "hinge"
+    assert robot.links["a"].mass == 0
+    codes = [found.code for found in robot.findings]
+    assert codes == ["not-a-number", "unknown-joint-type"]
+    assert codes == [found.code for found in Robot.from_xml(text).findings]
+
+
+def test_a_link_and_a_joint_have_only_what_is_documented() -> None:
+    robot = Robot.from_xml(JOINTS)
+    assert not hasattr(robot.links["base"], "masses")
+    with pytest.raises(AttributeError, match="orgin"):
+        _ = robot.joints["turn"].orgin  # type: ignore[attr-defined]
+
+
 def test_of_two_links_of_a_name_the_first_counts() -> None:
     robot = Robot.from_xml(
         '<robot name="r"><link name="a"><inertial><mass value="1"/></inertial></link>'

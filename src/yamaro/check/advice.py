@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     from ..model.robot import Robot
     from ..source import Span
     from ..xml.tree import Element
+    from .tree import Tree
 
 DENSEST = 25_000.0
 """kg/m³; osmium, the densest metal, has 22,590."""
@@ -45,6 +46,7 @@ MOST_TURNS = 4 * pi
 
 def check_advice(
     robot: Robot,
+    tree: Tree,
     context: CheckContext,
     *,
     advice: Reporter,
@@ -52,7 +54,7 @@ def check_advice(
 ) -> None:
     """Report to `advice` what is legal but seldom meant."""
     told = CheckContext(robot.element, advice, version=context.version)
-    links, joints = robot.links, robot.joints
+    links, joints = tree.links, tree.joints
     children = {joint.child for joint in joints.values()}
     sizes: dict[Mesh, float | None] = {}
     _advise_on_names([*links.values(), *joints.values()], told)
@@ -72,7 +74,7 @@ def check_advice(
         _advise_on_pose(joint.origin, joint.element, told)
         _advise_on_limit(joint, told)
     told.outermost = None
-    advise_on_motion(links, joints, told)
+    advise_on_motion(tree, told)
     advise_on_leftovers(robot.element, told)
     told.flush()
 

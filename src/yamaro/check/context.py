@@ -47,22 +47,6 @@ STRAY_CODES = ("unknown-element", "unknown-attribute")
 """What a stray key of a part comes out as; where the key was told of, this is not told again."""
 
 
-class Checked:
-    """What a memo holds of elements in which one run of the checks found nothing wrong.
-
-    Attributes:
-        context: the run.
-        first: the first child of each name that may be there once.
-    """
-
-    __slots__ = ("context", "first")
-
-    def __init__(self, context: CheckContext, first: Children) -> None:
-        """Hold what was found."""
-        self.context = context
-        self.first = first
-
-
 class CheckContext:
     """One run of the checks: where findings go, and what has been worked out so far."""
 

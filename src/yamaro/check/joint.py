@@ -24,7 +24,7 @@ WITH_AXIS = ("revolute", "continuous", "prismatic", "planar")
 def check_joint(joint: Element, children: Children, owner: Element, context: CheckContext) -> None:
     """Check the pose of a joint, and the values that its type gives a meaning to."""
     context.stage = JOINTS
-    check_pose(children, joint, context)
+    check_pose(children.get("origin"), joint, context)
     kind = attribute_text(joint, "type")
     if kind is None:
         return

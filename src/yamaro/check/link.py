@@ -30,7 +30,7 @@ def check_inertial(
 ) -> None:
     """Check the pose, the mass and the inertia of a link's inertial."""
     context.stage = LINKS
-    check_pose(children, link, context)
+    check_pose(children.get("origin"), link, context)
     mass_element = children.get("mass")
     mass = context.number(mass_element, "value")
     if mass_element is not None and mass is not None and mass <= 0:
@@ -147,7 +147,7 @@ def check_section(
 ) -> None:
     """Check the pose and the shape of a visual or collision."""
     context.stage = LINKS
-    check_pose(children, link, context)
+    check_pose(children.get("origin"), link, context)
     geometry = children.get("geometry")
     if geometry is not None:
         _check_geometry(geometry, section, link, context)
@@ -213,9 +213,8 @@ def _report_capsule(capsule: Element, where: str, context: CheckContext) -> None
 # --- poses ------------------------------------------------------------------------------------
 
 
-def check_pose(children: Children, owner: Element, context: CheckContext) -> None:
+def check_pose(origin: Element | None, owner: Element, context: CheckContext) -> None:
     """Check the origin of a joint, visual, collision or inertial: one rotation, in radians."""
-    origin = children.get("origin")
     if origin is None:
         return
     if "quat_xyzw" in origin.attributes and attribute_text(origin, "quat_xyzw") is not None:

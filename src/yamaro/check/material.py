@@ -8,15 +8,16 @@ from .context import COLORS, USES, CheckContext, label, shown
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from ..model.robot import Robot
     from .context import Children
 
 
-def check_materials(materials: list[Element], context: CheckContext) -> None:
+def check_materials(robot: Robot, context: CheckContext) -> None:
     """Check the robot's own materials, and that the materials of its visuals are defined."""
     known: dict[str, Element] = {}
-    for material in materials:
-        context.outermost = material
-        _check_global(material, known, context)
+    for each in robot.own_materials:
+        context.outermost = each.element
+        _check_global(each.element, known, context)
     context.stage = USES
     inside = context.materials_inside
     for name, (link, material) in context.material_uses.items():

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from ..model.joint import CONTINUOUS, LIMITED
 from .context import CheckContext, shown
+from .tree import is_fixed
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -11,6 +12,7 @@ if TYPE_CHECKING:
 
     from ..model.joint import Joint, Limit
     from ..model.link import Link
+    from .tree import Tree
 
     Joints = Mapping[str, Joint]
 
@@ -18,13 +20,13 @@ ROUNDING = 1e-6
 """How far beside 0 a bound may be that is meant to be 0, in m and rad."""
 
 
-def advise_on_motion(links: Mapping[str, Link], joints: Joints, context: CheckContext) -> None:
+def advise_on_motion(tree: Tree, context: CheckContext) -> None:
     """Report limits that say something else than they seem to, and links without mass that move."""
-    for joint in joints.values():
+    for joint in tree.joints.values():
         context.outermost = joint.element
-        _advise_on_joint(joint, joints, context)
+        _advise_on_joint(joint, tree.joints, context)
     context.outermost = None
-    _advise_on_massless(links, joints, context)
+    _advise_on_massless(tree.links, tree.joints, context)
 
 
 def _advise_on_joint(joint: Joint, joints: Joints, context: CheckContext) -> None:
@@ -59,9 +61,9 @@ def _advise_on_joint(joint: Joint, joints: Joints, context: CheckContext) -> Non
 
 def _advise_on_fixed_follower(joint: Joint, joints: Joints, context: CheckContext) -> None:
     """Report a fixed joint that mimics one that moves; a hand that is fixed as a whole is fine."""
-    mimic = joint.mimic if joint.is_fixed else None
+    mimic = joint.mimic if is_fixed(joint) else None
     master = joints.get(mimic.joint) if mimic is not None else None
-    if mimic is not None and master is not None and not master.is_fixed:
+    if mimic is not None and master is not None and not is_fixed(master):
         context.warn(
             "fixed-mimic",
             f"joint '{joint.name}' mimics '{master.name}', but is fixed",
@@ -133,7 +135,7 @@ def _advise_on_massless(links: Mapping[str, Link], joints: Joints, context: Chec
     moved = [
         joint
         for joint in joints.values()
-        if not joint.is_fixed and joint.child in links and joint.child not in heavy
+        if not is_fixed(joint) and joint.child in links and joint.child not in heavy
     ]
     if not moved:
         return
@@ -152,7 +154,7 @@ def _advise_on_massless(links: Mapping[str, Link], joints: Joints, context: Chec
 
 def _heavy_bodies(links: Mapping[str, Link], joints: Joints) -> set[str]:
     """Return the links of which they, or what is rigidly fixed below them, have an inertial."""
-    fixed_to = {joint.child: joint.parent for joint in joints.values() if joint.is_fixed}
+    fixed_to = {joint.child: joint.parent for joint in joints.values() if is_fixed(joint)}
     heavy: set[str] = set()
     for name, link in links.items():
         above: str | None = name if link.inertial is not None else None

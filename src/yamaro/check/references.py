@@ -14,15 +14,15 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
-    from .tree import JointParts, Tree
+    from ..model.joint import Joint
+    from ..model.robot import Robot
+    from .tree import Tree
 
 
-def check_references(
-    root: Element, joints: list[JointParts], tree: Tree, context: CheckContext
-) -> None:
+def check_references(robot: Robot, tree: Tree, context: CheckContext) -> None:
     """Check what `gazebo`, `transmission`, `ros2_control`, `sensor` and `mimic` refer to."""
     context.stage = REFERENCES
-    for element in root.children:
+    for element in robot.element.children:
         if not isinstance(element, Element):
             continue
         context.outermost = element
@@ -34,10 +34,10 @@ def check_references(
             _check_ros2_control(element, tree, context)
         elif element.name == "sensor":
             _check_sensor(element, tree, context)
-    for joint, _, _, mimic in joints:
-        if mimic is not None:
-            context.outermost = joint
-            _check_mimic(joint, mimic, tree, context)
+    for joint in robot.all_joints:
+        if joint.mimic is not None:
+            context.outermost = joint.element
+            _check_mimic(joint, tree, context)
     context.outermost = None
 
 
@@ -117,16 +117,16 @@ def _report_joint(
     )
 
 
-def _check_mimic(joint: Element, mimic: Element, tree: Tree, context: CheckContext) -> None:
+def _check_mimic(joint: Joint, tree: Tree, context: CheckContext) -> None:
     """Report a joint that mimics a fixed one: joint_state_publisher and MoveIt never move it."""
-    master = attribute_text(mimic, "joint")
-    if master not in tree.joints or is_fixed(joint) or not is_fixed(tree.joints[master]):
+    mimic = joint.mimic
+    master = tree.joints.get(mimic.joint) if mimic is not None else None
+    if mimic is None or master is None or is_fixed(joint) or not is_fixed(master):
         return
     context.warn(
         "fixed-mimic",
-        f"joint '{attribute_text(joint, 'name') or ''}' mimics '{master}', which is fixed, so it "
-        "never moves",
-        mimic,
+        f"joint '{joint.name}' mimics '{master.name}', which is fixed, so it never moves",
+        mimic.element,
         attribute="joint",
         hint="mimic a joint that moves",
     )

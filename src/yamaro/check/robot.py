@@ -5,8 +5,8 @@ Everything here is linear in the size of the robot and recurses no deeper than t
 
 from __future__ import annotations
 
+from ..model.reading import read_robot
 from ..model.urdf_schema import OTHER_FORMATS, SRDF_ELEMENTS, VERSIONS
-from ..model.values import attribute_text
 from ..xml.tree import Element
 from .context import FILES, MATERIALS, TREE, CheckContext
 from .files import check_files
@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
     from ..diagnostics import Reporter
+    from ..model.robot import Robot
     from ..source import Span
 
 
@@ -49,17 +50,15 @@ def check(
     Returns:
         Whether it has meshes or textures.
     """
-    children = root.elements()
-    links = [child for child in children if child.name == "link"]
-    materials = [child for child in children if child.name == "material"]
+    robot = read_robot(root)
     context = CheckContext(root, reporter)
-    context.version = _check_robot(root, links, context)
-    joints = check_elements(root, context)
+    context.version = _check_robot(robot, context)
+    check_elements(root, context)
     context.stage = TREE
-    tree = check_tree(links, joints, context)
+    tree = check_tree(robot, context)
     context.stage = MATERIALS
-    check_materials(materials, context)
-    check_references(root, joints, tree, context)
+    check_materials(robot, context)
+    check_references(robot, tree, context)
     if resolve_mesh is not None:
         context.stage = FILES
         check_files(
@@ -70,10 +69,9 @@ def check(
         )
     context.flush()
     if advice is not None:
-        from ..model.reading import read_robot
         from .advice import check_advice
 
-        check_advice(read_robot(root), context, advice=advice, resolve_mesh=resolve_mesh)
+        check_advice(robot, tree, context, advice=advice, resolve_mesh=resolve_mesh)
     return bool(context.file_owners)
 
 
@@ -95,19 +93,20 @@ def _is_srdf(root: Element) -> bool:
     return any(child.name in SRDF_ELEMENTS for child in root.elements())
 
 
-def _check_robot(root: Element, links: list[Element], context: CheckContext) -> str:
+def _check_robot(robot: Robot, context: CheckContext) -> str:
     """Check the robot's own attributes, and that it has a link; return its URDF version."""
-    name = attribute_text(root, "name")
+    root = robot.element
+    name = robot.written("name")
     if name is not None:
         check_spelling(root, name, context)
-    if not links and not _is_srdf(root):
+    if not robot.all_links and not _is_srdf(root):
         context.error(
             "no-link",
             "the robot has no link, so parsers reject it",
             root,
             hint="add one, as in `link/name=base_link:`",
         )
-    version = attribute_text(root, "version")
+    version = robot.version
     if version is None:
         return VERSIONS[0]
     if version not in VERSIONS:

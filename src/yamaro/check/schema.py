@@ -22,7 +22,7 @@ from ..model.urdf_schema import (
 from ..model.values import NOT_FINITE, SPACING, NumberFault, attribute_text
 from ..xml.memo import LONGEST_ROW_REMEMBERED, Memo, remember
 from ..xml.tree import Element
-from .context import JOINTS, SCHEMA, CheckContext, Checked, label, shown
+from .context import JOINTS, SCHEMA, CheckContext, label, shown
 from .files import note_file
 from .joint import check_joint
 from .link import check_inertial, check_pose, check_section
@@ -34,7 +34,6 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
     from .context import Children
-    from .tree import JointParts
 
     ValueCheck = Callable[[Element, Children, Element, CheckContext], None]
     """Takes an element, its first child of each name, the link or joint it is in, the context."""
@@ -98,13 +97,8 @@ GAZEBO_ONLY = frozenset(
 REPEATED_INERTIA = {"iyx": "ixy", "izx": "ixz", "izy": "iyz"}
 
 
-def check_elements(root: Element, context: CheckContext) -> list[JointParts]:
-    """Check every element that URDF defines; what others define is left alone.
-
-    Returns:
-        The joints, each with its first parent, child and mimic.
-    """
-    joints: list[JointParts] = []
+def check_elements(root: Element, context: CheckContext) -> None:
+    """Check every element that URDF defines; what others define is left alone."""
     _check_attributes(root, ELEMENTS["robot"], root, context)
     for child in root.children:
         if not isinstance(child, Element):
@@ -112,21 +106,17 @@ def check_elements(root: Element, context: CheckContext) -> list[JointParts]:
         context.outermost = child
         if child.name in ("link", "joint", "material"):
             if child.memo is not None:
-                children = _check_alike(child, child.memo, child, context)
+                _check_alike(child, child.memo, child, context)
             else:
-                children = _check_element(child, ELEMENTS[child.name], child, context)
-            if child.name == "joint":
-                get = children.get
-                joints.append((child, get("parent"), get("child"), get("mimic")))
+                _check_element(child, ELEMENTS[child.name], child, context)
         elif child.name not in OUTERMOST:
             check_outermost(child, context)
     context.outermost = None
-    return joints
 
 
 def _check_element(
     element: Element, rule: ElementRule, owner: Element, context: CheckContext
-) -> Children:
+) -> None:
     """Check an element and what is in it; the depth is bounded by the table."""
     _check_attributes(element, rule, owner, context)
     children = element.children
@@ -141,7 +131,6 @@ def _check_element(
     if check_values is not None:
         check_values(element, first, owner, context)
         context.stage = SCHEMA
-    return first
 
 
 def _check_children(
@@ -174,34 +163,30 @@ def _check_children(
     return first
 
 
-def _check_alike(element: Element, memo: Memo, owner: Element, context: CheckContext) -> Children:
+def _check_alike(element: Element, memo: Memo, owner: Element, context: CheckContext) -> None:
     """Check an element that others are equal to: what they have in common once, if all is right.
 
     Where it is not, each of them is checked: what is found is told with its number.
     """
-    checked: Checked | None = memo.checked
-    if checked is None or checked.context is not context:
+    if memo.checked is not context:
         count = context.count
-        first = _check_element(element, ELEMENTS[element.name], owner, context)
+        _check_element(element, ELEMENTS[element.name], owner, context)
         if context.count == count:
-            memo.checked = Checked(context, first)
-        return first
-    if not memo.own:
-        return checked.first
-    first = checked.first.copy()
-    for child in element.children[: memo.own]:  # a parent, a child and an origin
-        assert isinstance(child, Element)
-        first[child.name] = child
-    if "origin" in first:
-        origin = first["origin"]
-        if origin.memo is not None:
-            _check_alike(origin, origin.memo, owner, context)
-        else:
-            _check_attributes(origin, ELEMENTS["origin"], owner, context)
-        context.stage = JOINTS
-        check_pose(first, owner, context)
-        context.stage = SCHEMA
-    return first
+            memo.checked = context
+    elif memo.own:
+        for child in element.children[: memo.own]:  # a parent, a child and an origin
+            if isinstance(child, Element) and child.name == "origin":
+                _check_own_origin(child, owner, context)
+
+
+def _check_own_origin(origin: Element, joint: Element, context: CheckContext) -> None:
+    if origin.memo is not None:
+        _check_alike(origin, origin.memo, joint, context)
+    else:
+        _check_attributes(origin, ELEMENTS["origin"], joint, context)
+    context.stage = JOINTS
+    check_pose(origin, joint, context)
+    context.stage = SCHEMA
 
 
 # --- attributes -------------------------------------------------------------------------------

@@ -3,12 +3,21 @@
 from __future__ import annotations
 
 from ..diagnostics import INHERITED
-from ..model.values import attribute_text, child_named
+from ..model.joint import FIXED
+from ..model.values import attribute_text
 from ..xml.tree import Element
 from .context import CheckContext, listed
 
-JointParts = tuple[Element, Element | None, Element | None, Element | None]
-"""A joint with its first parent, child and mimic."""
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Mapping, Sequence
+    from typing import TypeVar
+
+    from ..model.joint import Joint
+    from ..model.link import Link
+    from ..model.robot import Robot
+
+    Named = TypeVar("Named", Link, Joint)
 
 LONG_CHAIN = 1000
 """Links on one path above which parsers that recurse run out of stack (pinocchio does at 5,000)."""
@@ -18,18 +27,20 @@ NOWHERE = "\0"
 
 
 class Tree:
-    """The links and joints of a robot by name, the first of each name, in the order written."""
+    """The links and joints of a robot by name, the first of each name, in the order written.
 
-    __slots__ = ("_parts", "joints", "links", "materials")
+    Those without a name are not among them.
+    """
 
-    def __init__(self) -> None:
-        """Start empty."""
-        self.links: dict[str, Element] = {}
-        self.joints: dict[str, Element] = {}
-        self.materials: dict[str, Element] = {}
+    __slots__ = ("_parts", "joints", "links")
+
+    def __init__(self, links: Mapping[str, Link], joints: Mapping[str, Joint]) -> None:
+        """Take the links and joints by name."""
+        self.links = links
+        self.joints = joints
         self._parts: dict[str, dict[str, str]] = {}
 
-    def named(self, ending: str) -> dict[str, Element]:
+    def named(self, ending: str) -> Mapping[str, Link] | Mapping[str, Joint]:
         """Return what has names that end so in a part: "_link" or "_joint"."""
         return self.links if ending == "_link" else self.joints
 
@@ -46,42 +57,46 @@ class Tree:
         return parts
 
 
-def check_tree(links: list[Element], joints: list[JointParts], context: CheckContext) -> Tree:
+def check_tree(robot: Robot, context: CheckContext) -> Tree:
     """Check names, references and the shape of the tree; return what goes by which name."""
-    tree = Tree()
-    _check_names(links, tree.links, context)
-    _check_names([parts[0] for parts in joints], tree.joints, context)
-    hanging, is_complete = _check_references(joints, tree, context)
+    tree = Tree(
+        _check_names(robot.all_links, robot.links, context),
+        _check_names(robot.all_joints, robot.joints, context),
+    )
+    hanging, is_complete = _check_references(robot, tree, context)
     in_circle = _check_circles(hanging, context)
     if is_complete and not in_circle:
         _check_roots(tree, hanging, context)
     if not in_circle:
         _check_depth(hanging, tree, context)
-    _check_mimics(joints, tree, context)
+    _check_mimics(robot, tree, context)
     return tree
 
 
 # --- names ------------------------------------------------------------------------------------
 
 
-def _check_names(elements: list[Element], known: dict[str, Element], context: CheckContext) -> None:
-    for element in elements:
-        name = element.attributes.get("name")
-        if type(name) is str and name.isidentifier() and name not in known:
-            known[name] = element  # as nearly all are
-        else:
-            _check_name(element, known, context)
+def _check_names(
+    things: Sequence[Named], by_name: Mapping[str, Named], context: CheckContext
+) -> Mapping[str, Named]:
+    """Check the names of links or joints; return the first of each name, of those that have one."""
+    if len(by_name) == len(things) and all(map(str.isidentifier, by_name)):
+        return by_name  # as with nearly all robots, the names have no fault
+    known: dict[str, Named] = {}
+    for thing in things:
+        _check_name(thing, known, context)
+    return known
 
 
-def _check_name(element: Element, known: dict[str, Element], context: CheckContext) -> None:
-    name = attribute_text(element, "name")
+def _check_name(thing: Named, known: dict[str, Named], context: CheckContext) -> None:
+    element, name = thing.element, thing.written("name")
     if name is None:
         return
     if not name.isidentifier():  # which has nothing odd in it
         check_spelling(element, name, context)
     first = known.get(name)
     if first is None:
-        known[name] = element
+        known[name] = thing
         return
     if not name:
         return
@@ -91,8 +106,8 @@ def _check_name(element: Element, known: dict[str, Element], context: CheckConte
         element,
         attribute="name",
         hint="give each its own name; in a function, build it from an argument: `$(side)_arm`",
-        notes=(_note_of_first(first, element),),
-        among=(first, element),
+        notes=(_note_of_first(first.element, element),),
+        among=(first.element, element),
     )
 
 
@@ -137,56 +152,44 @@ class Hanging:
 
     def __init__(self) -> None:
         """Start with links that hang on nothing."""
-        self.joints: dict[str, Element] = {}
+        self.joints: dict[str, Joint] = {}
         self.parents: dict[str, str] = {}
 
 
-def _check_references(
-    joints: list[JointParts], tree: Tree, context: CheckContext
-) -> tuple[Hanging, bool]:
+def _check_references(robot: Robot, tree: Tree, context: CheckContext) -> tuple[Hanging, bool]:
     """Return how each link hangs, and whether every joint says so and its links exist."""
     hanging, links = Hanging(), tree.links
+    above, parents = hanging.joints, hanging.parents
     is_complete = True
-    for joint, parent_element, child_element, _ in joints:
-        parent = _known_link(parent_element, links)
-        if parent is None:
-            parent = _reference(joint, parent_element, tree, context)
-        child = _known_link(child_element, links)
-        if child is None:
-            child = _reference(joint, child_element, tree, context)
+    for joint in robot.all_joints:
+        parent: str | None = joint.parent
+        if not parent or parent not in links:
+            parent = _reference(joint, "parent", tree, context)
+        child: str | None = joint.child
+        if not child or child not in links:
+            child = _reference(joint, "child", tree, context)
         if child is None:
             is_complete = False
-        elif child in hanging.joints:
-            context.outermost = joint
-            _report_two_parents(child, hanging.joints[child], joint, context)
+        elif child in above:
+            context.outermost = joint.element
+            _report_two_parents(child, above[child], joint, context)
         else:
-            hanging.joints[child] = joint
-            hanging.parents[child] = NOWHERE if parent is None else parent
+            above[child] = joint
+            parents[child] = NOWHERE if parent is None else parent
     context.outermost = None
     return hanging, is_complete
 
 
-def _known_link(element: Element | None, links: dict[str, Element]) -> str | None:
-    """Return the link that a parent or child names, as nearly all do; None if it may have none."""
-    name = None if element is None else element.attributes.get("link")
-    return name if type(name) is str and name in links else None
-
-
-def _reference(
-    joint: Element, element: Element | None, tree: Tree, context: CheckContext
-) -> str | None:
+def _reference(joint: Joint, role: str, tree: Tree, context: CheckContext) -> str | None:
     """Return the link that a parent or child names, if it exists, or None after a report."""
-    if element is None:
-        return None
+    element = joint.inner(role)
     name = attribute_text(element, "link")
-    if name is None or name in tree.links:
+    if element is None or name is None or name in tree.links:
         return name
-    context.outermost = joint
-    role = element.name
-    joint_name = attribute_text(joint, "name")
+    context.outermost = joint.element
     context.error(
         f"unknown-{role}",
-        f"the {role} '{name}' of joint '{joint_name}' is not a link of the robot",
+        f"the {role} '{name}' of joint '{joint.written('name')}' is not a link of the robot",
         element,
         attribute="link",
         hint=near_name(name, tree, "_link", context)
@@ -207,18 +210,18 @@ def near_name(name: str, tree: Tree, ending: str, context: CheckContext) -> str 
     return f"did you mean '{parts[part]}'?" if part is not None else None
 
 
-def _report_two_parents(child: str, first: Element, second: Element, context: CheckContext) -> None:
-    names = [attribute_text(joint, "name") or "" for joint in (first, second)]
+def _report_two_parents(child: str, first: Joint, second: Joint, context: CheckContext) -> None:
+    names = [first.name, second.name]
     if names[0] == names[1]:
         return  # Joints of one name are told of; most often all of a part is there twice.
     context.error(
         "two-parents",
         f"link '{child}' is the child of two joints, {listed(names)}",
-        child_named(second, "child") or second,
+        second.inner("child") or second.element,
         attribute="link",
         hint="a link has one parent joint: URDF is a tree and cannot contain closed loops",
         notes=(f"the first joint is at {first.span.place()}",),
-        among=(first, second),
+        among=(first.element, second.element),
     )
 
 
@@ -250,11 +253,12 @@ def _check_circles(hanging: Hanging, context: CheckContext) -> bool:
 
 def _report_circle(circle: list[str], hanging: Hanging, context: CheckContext) -> None:
     """Report a circle, given from child to parent, at the joint that was written last."""
-    context.outermost = joint = hanging.joints[circle[0]]
+    joint = hanging.joints[circle[0]]
+    context.outermost = joint.element
     way = [circle[0], *reversed(circle)]
     if len(way) > MAX_PATH_SHOWN:
         way = [*way[: MAX_PATH_SHOWN - 2], "…", way[-1]]
-    name = attribute_text(joint, "name")
+    name = joint.written("name")
     hint = "attach one of these links to a link outside the cycle, or make it the root"
     if len(circle) == 1:
         hint = "set the link to which it is attached as its parent"
@@ -264,10 +268,10 @@ def _report_circle(circle: list[str], hanging: Hanging, context: CheckContext) -
     context.error(
         "joint-cycle",
         message,
-        child_named(joint, "parent") or joint,
+        joint.inner("parent") or joint.element,
         attribute="link",
         hint=hint,
-        among=[hanging.joints[name] for name in circle],
+        among=[hanging.joints[name].element for name in circle],
     )
     context.outermost = None
 
@@ -279,11 +283,11 @@ def _check_roots(tree: Tree, hanging: Hanging, context: CheckContext) -> None:
     context.error(
         "several-roots",
         f"the robot has {len(roots)} separate trees: {listed(roots)} are not the child of a joint",
-        tree.links[roots[1]],
+        tree.links[roots[1]].element,
         attribute="name",
         hint=f"make '{roots[1]}' the child of a joint, for example a fixed one",
         notes=(f"the first root link is at {tree.links[roots[0]].span.place()}",),
-        among=[tree.links[name] for name in roots],
+        among=[tree.links[name].element for name in roots],
     )
 
 
@@ -313,35 +317,34 @@ def _check_depth(hanging: Hanging, tree: Tree, context: CheckContext) -> None:
     context.warn(
         "long-chain",
         f"link '{deepest}' has {longest} joints above it",
-        tree.links[deepest],
+        tree.links[deepest].element,
         attribute="name",
         hint=f"keep chains under {LONG_CHAIN}: some parsers crash on longer ones (pinocchio)",
     )
 
 
-def is_fixed(joint: Element) -> bool:
-    """Tell whether a joint holds its child still."""
-    return attribute_text(joint, "type") == "fixed"
+def is_fixed(joint: Joint) -> bool:
+    """Tell whether a joint is written as fixed; one without a type is reported elsewhere."""
+    return joint.written("type") == FIXED
 
 
 # --- mimic ------------------------------------------------------------------------------------
 
 
-def _check_mimics(joints: list[JointParts], tree: Tree, context: CheckContext) -> None:
+def _check_mimics(robot: Robot, tree: Tree, context: CheckContext) -> None:
     masters: dict[str, str] = {}
-    for joint, _, _, mimic in joints:
-        if mimic is None:
+    for joint in robot.all_joints:
+        mimic = joint.mimic
+        master = None if mimic is None else mimic.written("joint")
+        if mimic is None or master is None:
             continue
-        master = attribute_text(mimic, "joint")
-        if master is None:
-            continue
-        name = attribute_text(joint, "name") or ""
-        context.outermost = joint
+        name = joint.name
+        context.outermost = joint.element
         if master not in tree.joints:
             context.error(
                 "unknown-mimic",
                 f"joint '{name}' mimics '{master}', which is not a joint of the robot",
-                mimic,
+                mimic.element,
                 attribute="joint",
                 hint=near_name(master, tree, "_joint", context) or "refer to an existing joint",
             )
@@ -366,7 +369,8 @@ def _check_mimic_circles(masters: dict[str, str], tree: Tree, context: CheckCont
 
 
 def _report_mimic_circle(circle: list[str], tree: Tree, context: CheckContext) -> None:
-    context.outermost = joint = tree.joints[circle[0]]
+    joint = tree.joints[circle[0]]
+    context.outermost = joint.element
     hint = "remove the mimic from one of them"
     if len(circle) == 1:
         hint = "refer to another joint, or remove the mimic"
@@ -377,8 +381,8 @@ def _report_mimic_circle(circle: list[str], tree: Tree, context: CheckContext) -
     context.error(
         "mimic-cycle",
         message,
-        child_named(joint, "mimic") or joint,
+        joint.inner("mimic") or joint.element,
         attribute="joint",
         hint=hint,
-        among=[tree.joints[name] for name in circle],
+        among=[tree.joints[name].element for name in circle],
     )

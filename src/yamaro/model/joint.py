@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from math import pi
 
-from .written import Written
+from .written import ReadLater, Written
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -91,7 +91,7 @@ class Calibration(Written):
     falling: float | None
 
 
-class Joint(Written):
+class Joint(ReadLater):
     """A joint.
 
     Attributes:

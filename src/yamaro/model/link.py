@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from .written import Written
+from .written import ReadLater, Written
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -111,7 +111,7 @@ class Visual(Written):
         self.material = material
 
 
-class Link(Written):
+class Link(ReadLater):
     """A link.
 
     Attributes:
@@ -124,22 +124,11 @@ class Link(Written):
 
     __slots__ = ("collisions", "inertial", "name", "trace", "visuals")
 
-    def __init__(
-        self,
-        element: Element,
-        name: str,
-        trace: Step | None,
-        *,
-        inertial: Inertial | None,
-        visuals: tuple[Visual, ...],
-        collisions: tuple[Collision, ...],
-    ) -> None:
-        self.element = element
-        self.name = name
-        self.trace = trace
-        self.inertial = inertial
-        self.visuals = visuals
-        self.collisions = collisions
+    name: str
+    inertial: Inertial | None
+    visuals: tuple[Visual, ...]
+    collisions: tuple[Collision, ...]
+    trace: Step | None
 
     @property
     def mass(self) -> float:

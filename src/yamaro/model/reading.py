@@ -29,7 +29,6 @@ from .values import NumberFault, attribute_text, child_named, read_numbers
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     import os
-    from collections.abc import Iterable
 
     from ..diagnostics import Frame as Step
     from .rotations import Vector
@@ -65,6 +64,8 @@ def read_text(text: str, *, name: str) -> Robot:
 
 def read_robot(root: Element, *, largest: float = inf) -> Robot:
     """Return the robot of a finished tree, which must not be changed afterwards.
+
+    Most of a link or joint is read when it is first used.
 
     Args:
         root: a `<robot>` without parts; elements may stand in several places of it.
@@ -104,9 +105,10 @@ class _Reader:
         self._dynamics: dict[int, Dynamics] = {}
         self._visuals: dict[int, Visual] = {}
         self._collisions: dict[int, Collision] = {}
+        self._link_reader, self._joint_reader = self._read_link, self._read_joint  # bound once
 
-    def robot(self) -> Robot:
-        """Return the robot."""
+    def robot(self, *, whole: bool = False) -> Robot:
+        """Return the robot; `whole` reads all of it now."""
         links: list[Link] = []
         joints: list[Joint] = []
         materials: list[Material] = []
@@ -119,34 +121,44 @@ class _Reader:
             name = element.name
             if name == "link":
                 links.append(self._link(element))
+                if whole:
+                    self._read_link(links[-1])
             elif name == "joint":
                 joints.append(self._joint(element))
+                if whole:
+                    self._read_joint(joints[-1])
             elif name == "material":
                 materials.append(self._material(element))
         return Robot(
             self._root,
             links=links,
             joints=joints,
-            materials=_definitions(materials, links),
-            findings=self._findings,
+            materials=materials,
+            find=self._find_all,
         )
+
+    def _find_all(self) -> list[Diagnostic]:
+        """Return what cannot be read, in the order written, by reading all once more."""
+        reader = _Reader(self._root, self._largest)
+        reader.robot(whole=True)
+        return reader._findings
 
     # --- links ---
 
     def _link(self, element: Element) -> Link:
-        children = element.children
+        link = Link()
+        link.element = element
+        link.trace = self._trace
+        link.name = self._name(element)
+        link.read_rest = self._link_reader
+        return link
+
+    def _read_link(self, link: Link) -> None:
+        children = link.element.children
         contents = self._contents.get(id(children))
         if contents is None:
-            contents = self._contents[id(children)] = self._read_contents(element)
-        inertial, visuals, collisions = contents
-        return Link(
-            element,
-            self._name(element),
-            self._trace,
-            inertial=inertial,
-            visuals=visuals,
-            collisions=collisions,
-        )
+            contents = self._contents[id(children)] = self._read_contents(link.element)
+        link.inertial, link.visuals, link.collisions = contents
 
     def _read_contents(self, link: Element) -> Contents:
         inertial: Inertial | None = None
@@ -254,28 +266,45 @@ class _Reader:
     # --- joints ---
 
     def _joint(self, element: Element) -> Joint:
-        first: dict[str, Element] = {}
-        for child in element.children:
-            if isinstance(child, Element) and child.name not in first:
-                first[child.name] = child
         joint = Joint()
         joint.element = element
         joint.trace = self._trace
         joint.name = self._name(element)
-        joint.type = self._joint_type(element)
+        joint.read_rest = self._joint_reader
+        parent: Element | None = None
+        child: Element | None = None
+        mimic: Element | None = None
+        for inner in element.children:
+            if isinstance(inner, Element):
+                name = inner.name
+                if name == "parent":
+                    parent = parent or inner
+                elif name == "child":
+                    child = child or inner
+                elif name == "mimic":
+                    mimic = mimic or inner
+        joint.parent = attribute_text(parent, "link") or ""
+        joint.child = attribute_text(child, "link") or ""
+        joint.mimic = None
+        if mimic is not None:
+            joint.mimic = self._mimics.get(id(mimic)) or self._mimic(mimic)
+        return joint
+
+    def _read_joint(self, joint: Joint) -> None:
+        first: dict[str, Element] = {}
+        for child in joint.element.children:
+            if isinstance(child, Element) and child.name not in first:
+                first[child.name] = child
         get = first.get
-        joint.parent = attribute_text(get("parent"), "link") or ""
-        joint.child = attribute_text(get("child"), "link") or ""
+        joint.type = self._joint_type(joint.element)
         origin = get("origin")
         joint.origin = self._origin(origin) if origin is not None else IDENTITY
-        joint.limit = joint.mimic = joint.dynamics = None
+        joint.limit = joint.dynamics = None
         joint.safety_controller = joint.calibration = None
-        axis, limit, mimic, dynamics = get("axis"), get("limit"), get("mimic"), get("dynamics")
+        axis, limit, dynamics = get("axis"), get("limit"), get("dynamics")
         joint.axis = X_AXIS if axis is None else self._axes.get(id(axis)) or self._axis(axis)
         if limit is not None:
             joint.limit = self._limits.get(id(limit)) or self._limit(limit)
-        if mimic is not None:
-            joint.mimic = self._mimics.get(id(mimic)) or self._mimic(mimic)
         if dynamics is not None:
             joint.dynamics = self._dynamics.get(id(dynamics)) or self._dynamics_of(dynamics)
         safety, calibration = get("safety_controller"), get("calibration")
@@ -283,7 +312,6 @@ class _Reader:
             joint.safety_controller = self._safety_controller(safety)
         if calibration is not None:
             joint.calibration = self._calibration(calibration)
-        return joint
 
     def _joint_type(self, joint: Element) -> str:
         kind = attribute_text(joint, "type")
@@ -429,22 +457,3 @@ def _despite_spelling(text: str, largest: float) -> Numbers:
     except ValueError:
         return ()
     return numbers if all(isfinite(n) and abs(n) <= largest for n in numbers) else ()
-
-
-def _definitions(materials: list[Material], links: Iterable[Link]) -> dict[str, Material]:
-    """Return the definition of each material's name: the robot's own, then those in visuals."""
-    found: dict[str, Material] = {}
-    for material in materials:
-        if material.name and material.is_defined:
-            found.setdefault(material.name, material)
-    seen: set[int] = set()
-    for link in links:
-        visuals = link.visuals
-        if not visuals or id(visuals) in seen:
-            continue
-        seen.add(id(visuals))
-        for visual in visuals:
-            inner = visual.material
-            if inner is not None and inner.name and inner.is_defined:
-                found.setdefault(inner.name, inner)
-    return found

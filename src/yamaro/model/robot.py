@@ -13,7 +13,9 @@ inside of a link or joint, such as `Limit` and `Visual`, are one object wherever
 is used again, so a check can keep by `id` what it found sound. Such an object does not know its
 calls and includes; those are the `trace` of its link or joint, which `trace_in(owner)` gives.
 
-The objects are not to be changed, since they are shared.
+The objects are not to be changed, since they are shared. The names, and the links and the mimic of
+a joint, are read at once; the rest of a link or joint is read when it is first used. Checks that
+run in every build should avoid it where they can: reading the origins of all joints takes time.
 """
 
 from __future__ import annotations
@@ -26,7 +28,7 @@ from .written import Written
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     import os
-    from collections.abc import Iterator, Mapping
+    from collections.abc import Callable, Iterator, Mapping
     from typing import TypeVar
 
     from ..diagnostics import Diagnostic
@@ -75,15 +77,13 @@ class Robot(Written):
         version: its version of URDF as written, or None.
         links: by name, in the order written; the first of each name.
         joints: by name, in the order written; the first of each name.
-        materials: the definition that counts of each name, as in urdfdom: the first that belongs
-            to the robot, or else the first in a visual.
         all_links, all_joints: all that are written, those of a repeated or missing name too.
-        findings: what could not be read, as warnings.
+        own_materials: those written directly under the robot; see `materials`.
     """
 
     __slots__ = (
-        "_joints_below", "_parent_joints", "all_joints", "all_links", "findings", "joints",
-        "links", "materials", "name", "version",
+        "_find", "_findings", "_joints_below", "_materials", "_parent_joints",
+        "all_joints", "all_links", "joints", "links", "name", "own_materials", "version",
     )  # fmt: skip
 
     def __init__(
@@ -92,10 +92,18 @@ class Robot(Written):
         *,
         links: list[Link],
         joints: list[Joint],
-        materials: Mapping[str, Material],
-        findings: list[Diagnostic],
+        materials: list[Material],
+        find: Callable[[], list[Diagnostic]],
     ) -> None:
-        """Put together what was read; see `reading.read_robot`."""
+        """Put together what was read; see `reading.read_robot`.
+
+        Args:
+            element: the `<robot>`.
+            links: all links.
+            joints: all joints.
+            materials: its own, which are not those of visuals.
+            find: reads the whole robot, and returns what could not be read.
+        """
         self.element = element
         self.name = attribute_text(element, "name") or ""
         self.version = attribute_text(element, "version")
@@ -103,8 +111,10 @@ class Robot(Written):
         self.all_joints = tuple(joints)
         self.links: Mapping[str, Link] = _by_name(links)
         self.joints: Mapping[str, Joint] = _by_name(joints)
-        self.materials = materials
-        self.findings = tuple(findings)
+        self.own_materials = tuple(materials)
+        self._materials: dict[str, Material] | None = None
+        self._find = find
+        self._findings: tuple[Diagnostic, ...] | None = None
         self._parent_joints: dict[str, Joint] | None = None
         self._joints_below: dict[str, list[Joint]] | None = None
 
@@ -135,7 +145,24 @@ class Robot(Written):
 
         return read_text(text, name=name)
 
+    @property
+    def findings(self) -> tuple[Diagnostic, ...]:
+        """Return what could not be read, as warnings, in the order written."""
+        if self._findings is None:
+            self._findings = tuple(self._find())
+        return self._findings
+
     # --- structure ---
+
+    @property
+    def materials(self) -> Mapping[str, Material]:
+        """Return the definition that counts of each name, as in urdfdom.
+
+        It is the first that belongs to the robot, or else the first in a visual.
+        """
+        if self._materials is None:
+            self._materials = _definitions(self.own_materials, self.all_links)
+        return self._materials
 
     @property
     def roots(self) -> list[Link]:
@@ -277,6 +304,25 @@ def _by_name(things: list[Named]) -> dict[str, Named]:
         found = {}
         for thing in things:
             found.setdefault(thing.name, thing)
+    return found
+
+
+def _definitions(materials: tuple[Material, ...], links: tuple[Link, ...]) -> dict[str, Material]:
+    """Return the definition of each material's name: the robot's own, then those in visuals."""
+    found: dict[str, Material] = {}
+    for material in materials:
+        if material.name and material.is_defined:
+            found.setdefault(material.name, material)
+    seen: set[int] = set()
+    for link in links:
+        visuals = link.visuals
+        if not visuals or id(visuals) in seen:
+            continue
+        seen.add(id(visuals))
+        for visual in visuals:
+            inner = visual.material
+            if inner is not None and inner.name and inner.is_defined:
+                found.setdefault(inner.name, inner)
     return found
 
 

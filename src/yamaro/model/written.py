@@ -7,6 +7,9 @@ from .values import attribute_text, child_named, number_in
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Callable
+    from typing import Any
+
     from ..diagnostics import Frame as Step
     from ..source import Span
     from ..xml.tree import Element
@@ -49,3 +52,25 @@ class Written:
     def trace_in(self, owner: Link | Joint) -> Step | None:
         """Return the calls and includes that led to it, as part of a link or joint."""
         return owner.trace if self.element.trace is INHERITED else self.element.trace
+
+
+class ReadLater(Written):
+    """Something whose values are read, all at once, when one of them is first used.
+
+    The slots of a subclass that are empty have not been read.
+
+    Attributes:
+        read_rest: reads the values, and fills the slots.
+    """
+
+    __slots__ = ("read_rest",)
+
+    read_rest: Callable[[Any], None]
+
+    if not TYPE_CHECKING:  # a type checker would accept any name
+
+        def __getattr__(self, name: str) -> object:
+            """Return a value that has not been read before."""
+            if name in type(self).__slots__:
+                self.read_rest(self)
+            return object.__getattribute__(self, name)

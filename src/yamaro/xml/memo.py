@@ -29,7 +29,7 @@ class Memo:
             first children.
         lowered: what the element is lowered to.
         resolved: the element with the name that a reference in it means.
-        checked: what the check has found right in it, if all was.
+        checked: the run of the checks that found nothing wrong in it, if one did.
         written: the text of it, or of what is in it but for the children of its own.
         renamed: what it becomes where meshes are named in another way.
     """
