@@ -33,6 +33,7 @@ def build(
     meshes: str = RELATIVE,
     allow: Iterable[str] = (),
     deny: Iterable[str] = (),
+    records: bool = False,
 ) -> Build:
     """Compile a file.
 
@@ -56,6 +57,8 @@ def build(
             "package://NAME", or "none", without shapes that are meshes.
         allow: codes of diagnostics that are warnings, also with `strict`.
         deny: codes of diagnostics that are errors.
+        records: let the places in the tree hold which variables were read there, for
+            `yamaro why`; slower.
 
     Raises:
         YamaroError: the input has errors; it holds them, and the warnings found before.
@@ -80,6 +83,7 @@ def build(
         has_root=has_root,
         output=output,
         meshes=meshes,
+        records=records,
     )
 
 

@@ -10,7 +10,7 @@ from .terminal import BLUE, BOLD, RED, YELLOW, painted, printable, shortened, wi
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Collection, Iterable, Mapping, Sequence
+    from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 
 ERROR = "error"
 WARNING = "warning"
@@ -323,17 +323,31 @@ def render(diagnostic: Diagnostic, *, color: bool = False) -> str:
     style = _STYLES[diagnostic.severity]
     head = f"{diagnostic.severity}[{printable(diagnostic.code)}]"
     lines = [f"{paint(head, style)}{paint(': ' + shortened(diagnostic.message), BOLD)}"]
-    lines.append(f" {paint('-->', BLUE)} {shortened(diagnostic.span.place())}")
-    line_number, excerpt, underline = _excerpt(diagnostic.span)
+    return "\n".join(lines + excerpt_lines(diagnostic.span, _remarks(diagnostic), style, paint))
+
+
+def excerpt_lines(
+    span: Span, remarks: Iterable[tuple[str, str]], style: str, paint: Callable[[str, str], str]
+) -> list[str]:
+    """Return the lines that show a place: where it is, its text underlined, and remarks.
+
+    Args:
+        span: the place.
+        remarks: label and text of each line below the excerpt.
+        style: that of the underline.
+        paint: gives a text a style; see `terminal.painted`.
+    """
+    lines = [f" {paint('-->', BLUE)} {shortened(span.place())}"]
+    line_number, excerpt, underline = _excerpt(span)
     gutter = " " * (len(str(line_number)) + 1)
     if excerpt.strip():
         bar = paint("|", BLUE)
         lines.append(f"{gutter}{bar}")
         lines.append(f"{paint(f'{line_number} |', BLUE)} {excerpt}")
         lines.append(f"{gutter}{bar} {paint(underline, style)}")
-    for label, text in _remarks(diagnostic):
+    for label, text in remarks:
         lines.append(f"{gutter}{paint('=', BLUE)} {paint(label, BOLD)}{shortened(text)}")
-    return "\n".join(lines)
+    return lines
 
 
 def render_all(diagnostics: Sequence[Diagnostic], *, color: bool = False) -> list[str]:

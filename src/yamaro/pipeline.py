@@ -15,6 +15,7 @@ if TYPE_CHECKING:
 
     from .policy import Policy
     from .request import Request
+    from .runtime.interpreter import Handlers
     from .runtime.library import Library
     from .xml.tree import Element
 
@@ -35,12 +36,13 @@ def compile_request(
     """
     reporter, finder = request.reporter, request.paths.finder
     interpreter = Interpreter(
-        HANDLERS,
+        _handlers(request),
         library=library,
         reporter=reporter,
         on_message=say,
         policy=policy,
         packages=request.packages,
+        shares=not request.records,
     )
     evaluated = evaluate(request, interpreter)
     document = _lower_check_emit(evaluated, request, interpreter)
@@ -64,6 +66,14 @@ def compile_request(
         warnings=reporter.diagnostics,
         files=list(interpreter.files.read),
     )
+
+
+def _handlers(request: Request) -> Handlers:
+    if not request.records:
+        return HANDLERS
+    from .runtime.recording import RECORDING_HANDLERS
+
+    return RECORDING_HANDLERS
 
 
 def _lower_check_emit(root: Element, request: Request, interpreter: Interpreter) -> Finished:

@@ -138,6 +138,7 @@ class Program:
         has_root: bool = True,
         output: str | os.PathLike[str] | None = None,
         meshes: str = RELATIVE,
+        records: bool = False,
     ) -> Build:
         """Compile the file; see `yamaro.build`.
 
@@ -146,7 +147,13 @@ class Program:
             UsageError: a `name:=value` or `meshes` is malformed.
         """
         request = self._request(
-            command_line, variables, strict=strict, advice=advice, output=output, meshes=meshes
+            command_line,
+            variables,
+            strict=strict,
+            advice=advice,
+            output=output,
+            meshes=meshes,
+            records=records,
         )
         return self._compile(request, lambda build: build, say=on_message, has_root=has_root)
 
@@ -171,6 +178,7 @@ class Program:
         advice: bool = False,
         output: str | os.PathLike[str] | None = None,
         meshes: str = RELATIVE,
+        records: bool = False,
     ) -> Request:
         """Return what a build is asked for with; raise UsageError if it makes no sense."""
         source = self._main_file()
@@ -189,6 +197,7 @@ class Program:
             reporter=Reporter(),
             adjustment=adjustment,
             has_advice=advice,
+            records=records,
         )
 
     def _compile(

@@ -25,6 +25,7 @@ class Request:
         reporter: takes the warnings.
         adjustment: which codes are allowed and denied.
         has_advice: whether all advice is wanted, and not only that of codes which are denied.
+        records: whether places hold which variables were read there; see `RecordedSpan`.
     """
 
     __slots__ = (
@@ -33,6 +34,7 @@ class Request:
         "packages",
         "paths",
         "places",
+        "records",
         "reporter",
         "source",
         "stem",
@@ -51,6 +53,7 @@ class Request:
         reporter: Reporter,
         adjustment: Adjustment,
         has_advice: bool,
+        records: bool = False,
     ) -> None:
         self.source = source
         self.stem = stem
@@ -61,6 +64,7 @@ class Request:
         self.reporter = reporter
         self.adjustment = adjustment
         self.has_advice = has_advice
+        self.records = records
 
     def wanted_advice(self) -> Callable[[str], bool] | None:
         """Return what tells which codes of advice to report, or None if no advice is wanted."""

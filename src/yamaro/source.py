@@ -92,3 +92,55 @@ class Span:
 
     def __repr__(self) -> str:
         return f"Span({self.place()}, {self.written()!r})"
+
+
+class Reading:
+    """A variable that an expression read.
+
+    Attributes:
+        name: the variable.
+        value: its value then, as text.
+        span: where it was set; None if that is not known.
+    """
+
+    __slots__ = ("name", "span", "value")
+
+    def __init__(self, name: str, value: str, span: Span | None) -> None:
+        self.name = name
+        self.value = value
+        self.span = span
+
+
+class RecordedSpan(Span):
+    """A span that also holds how its text got its value; see `runtime/recording.py`.
+
+    Attributes:
+        readings: the variables that its expressions read, in order.
+        name_span: for a joint or link of a part, where the part's name is written.
+        others: further places that the value is computed from, such as a link's pose.
+    """
+
+    __slots__ = ("name_span", "others", "readings")
+
+    def __init__(
+        self,
+        span: Span,
+        readings: tuple[Reading, ...] = (),
+        *,
+        name_span: Span | None = None,
+        others: tuple[Span, ...] = (),
+    ) -> None:
+        """Mark the same stretch as another span."""
+        super().__init__(span.source, span.start, span.end)
+        self.readings = readings
+        self.name_span = name_span
+        self.others = others
+
+
+def joined(first: Span, second: Span) -> Span:
+    """Return the place of a value that is computed from two: the first, noting the other."""
+    if type(first) is not RecordedSpan:
+        return first
+    inner = second.others if isinstance(second, RecordedSpan) else ()
+    others = (*first.others, second, *inner)
+    return RecordedSpan(first, first.readings, name_span=first.name_span, others=others)

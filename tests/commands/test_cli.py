@@ -1243,7 +1243,7 @@ def on_path() -> dict[str, str]:
             ["yamaro", ""],
             (
                 "a.urdf args bin check completion help migrate picture robot.yaml tree two.yml "
-                "view watch"
+                "view watch why"
             ),
         ),
         ("yamaro ro", ["yamaro", "ro"], "robot.yaml"),

@@ -20,7 +20,7 @@ class Arguments:
 
     Attributes:
         command: a name of `COMMANDS`.
-        words: what is neither an option nor a variable: the file.
+        words: what is neither an option nor a variable: the file, and with `why` the address.
         assignments: what has the form `name:=value`.
         options: the values of options by name, "" for those that have none.
         lists: all values of the options that may be given several times.
@@ -147,8 +147,11 @@ def _check_arguments(arguments: Arguments) -> None:
         return
     if not arguments.words:
         raise WrongUsage(_missing_file(command))
-    if len(arguments.words) > 1:
-        raise WrongUsage(_second_file(*arguments.words[:2]))
+    most = 2 if command == "why" else 1
+    if len(arguments.words) < most:
+        raise WrongUsage("'yamaro why' needs an ADDRESS after the file: elbow_joint/limit@upper")
+    if len(arguments.words) > most:
+        raise WrongUsage(_second_file(*arguments.words[most - 1 : most + 1]))
 
 
 def _missing_file(command: str) -> str:

@@ -35,6 +35,7 @@ def convert_file(
     conclude: Callable[[Build], object] | None = None,
     advice: bool = False,
     has_root: bool = False,
+    records: bool = False,
 ) -> int:
     """Build the file and write what is taken of the result; return the exit status.
 
@@ -49,6 +50,7 @@ def convert_file(
         advice: also warn of what is legal but seldom meant; any warning that is not allowed then
             makes the command fail.
         has_root: whether `take` needs the tree.
+        records: whether it needs to know which variables were read; see `api.build`.
     """
     from ..diagnostics import YamaroError
 
@@ -63,7 +65,9 @@ def convert_file(
             prepare()
         if streams.owns_process:
             _bound_process(arguments, streams, policy)
-        build, chunks = _build(arguments, streams, policy, take, advice=advice, has_root=has_root)
+        build, chunks = _build(
+            arguments, streams, policy, take, advice=advice, has_root=has_root, records=records
+        )
     except YamaroError as error:
         show(error.diagnostics, arguments, streams)
         return INPUT_ERROR
@@ -117,6 +121,7 @@ def _build(
     *,
     advice: bool,
     has_root: bool,
+    records: bool,
 ) -> tuple[Build, Iterable[bytes | str]]:
     """Build the file; return the build and what to write."""
     import warnings
@@ -124,15 +129,13 @@ def _build(
     from .. import api
     from ..arguments import UsageError
 
-    path = arguments.words[0]
-    text = read_pipe(path, policy.limits)
     try:
         with warnings.catch_warnings():
             if not sys.warnoptions:  # user code's warnings, unless asked for with -W
                 warnings.simplefilter("ignore")
             build = api.build(
-                path,
-                text=text,
+                arguments.words[0],
+                text=read_pipe(arguments.words[0], policy.limits),
                 policy=policy,
                 packages=read_packages(arguments),
                 command_line=arguments.assignments,
@@ -144,6 +147,7 @@ def _build(
                 has_root=has_root,
                 output=output_of(arguments),
                 meshes=arguments.options.get("meshes", "relative"),
+                records=records,
             )
             return build, take(build)
     except UsageError as error:

@@ -102,6 +102,8 @@ def _command(name: str) -> Run:
         from .migrate import run
     elif name == "args":
         from .args import run
+    elif name == "why":
+        from .why import run
     elif name == "completion":
         from .completion import run
     else:

@@ -17,6 +17,7 @@ FILE_WORDS = (
         "set a variable, n:=3, sides:=[left, right], or an argument of xacro",
     ),
 )
+ADDRESS_WORD = ("ADDRESS", "elbow_joint/limit@upper, link:arm/visual[2], /gazebo[3] from the root")
 ENDINGS = ("yaml", "yml", "urdf", "xacro")
 
 
@@ -213,6 +214,23 @@ COMMANDS = {
             endings=ENDINGS,
         ),
         Command(
+            "why",
+            ("FILE ADDRESS [name:=value ...]",),
+            "show where a value in the output comes from",
+            "Show where in the YAML an element or attribute of the output comes from.",
+            words=(
+                FILE_WORDS[0],
+                (
+                    "ADDRESS",
+                    "elbow_joint/limit@upper, link:arm/visual[2], /gazebo[3] from the root",
+                ),
+                FILE_WORDS[1],
+            ),
+            looks=True,
+            endings=ENDINGS,
+            examples=("yamaro why robot.yaml elbow_joint/limit@upper",),
+        ),
+        Command(
             "completion",
             ("bash|zsh|fish",),
             "print a completion script for a shell",
@@ -229,7 +247,7 @@ COMMANDS = {
 }
 
 ALL = tuple(COMMANDS)
-BUILDING = ("build", "check", "tree", "view", "watch", "picture")
+BUILDING = ("build", "check", "tree", "view", "watch", "picture", "why")
 """The commands that build a file of the user's."""
 WORKING = (*BUILDING, "migrate")
 """The commands that run a file."""
@@ -276,7 +294,8 @@ OPTIONS = {
         Option(
             "json",
             "write a JSON Schema (2020-12) of the arguments",
-            ("args",),
+            ("args", "why"),
+            help_in={"why": "write the answer as JSON"},
         ),
         Option(
             "help-args",
@@ -367,13 +386,7 @@ OPTIONS = {
             wants="names of joints, all or each",
             completes="all each",
         ),
-        Option(
-            "seconds",
-            "length of a film",
-            PICTURE,
-            value="N",
-            wants="a number of seconds",
-        ),
+        Option("seconds", "length of a film", PICTURE, value="N", wants="a number of seconds"),
         Option(
             "frames-per-second",
             "frame rate of a film; 20 for a .gif and 25 for an .mp4 by default",

@@ -10,6 +10,7 @@ from operator import add
 
 from ..diagnostics import failure
 from ..model.rotations import ZERO, multiply, rotate, rotation_from_rpy, rpy_from_rotation
+from ..source import joined
 from ..xml.tree import Element, Text
 from .fields import empty_value, read_record, read_value
 from .numbers import NEGLIGIBLE, Numbers, format_component, read_numbers
@@ -205,7 +206,8 @@ def _place(
         x, y, z = pivot.values
         back = (-x, -y, -z)
         pose.xyz = _sum(pose.xyz, _rotated(pose, back), None)
-        spans.setdefault("xyz", pivot_span)
+        spans["xyz"] = joined(spans["xyz"], pivot_span) if "xyz" in spans else pivot_span
+        _note_turn(spans, spans)
     return pose
 
 
@@ -222,7 +224,18 @@ def compose_poses(outer: Pose, inner: Pose) -> Pose:
     moved = _rotated(outer, inner.xyz.values)
     xyz = _sum(outer.xyz, moved, None if is_turned else inner.xyz.words)
     spans = {**(outer.spans or {}), **(inner.spans or {})}
+    for name, span in (outer.spans or {}).items():
+        if spans[name] is not span:
+            spans[name] = joined(spans[name], span)
+    if not inner.xyz.is_zero():
+        _note_turn(spans, outer.spans or {})
     return Pose(xyz, rpy, inner.span or outer.span, spans, rotation)
+
+
+def _note_turn(spans: dict[str, Span], outer: dict[str, Span]) -> None:
+    """Note at the place of a position that the rotation around it is part of it."""
+    if "rpy" in outer and "xyz" in spans:
+        spans["xyz"] = joined(spans["xyz"], outer["rpy"])
 
 
 def _composed_rotation(outer: Pose, inner: Pose) -> tuple[Rotation | None, Numbers]:

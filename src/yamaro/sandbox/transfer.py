@@ -12,7 +12,7 @@ import os
 
 from ..diagnostics import ERROR, FRAME_KINDS, WARNING, Diagnostic, Frame, YamaroError
 from ..policy import Limits
-from ..source import STANDARD_INPUT_NAME, Source, Span
+from ..source import STANDARD_INPUT_NAME, Reading, RecordedSpan, Source, Span
 from ..xml.names import bad_name_character
 from ..xml.tree import Comment, Element, Text
 from ..xml.values import format_value, is_comment_text
@@ -28,6 +28,8 @@ if TYPE_CHECKING:
     from ..xml.tree import Node
 
 _ELEMENT, _TEXT, _COMMENT = b"e", b"t", b"c"
+_RECORDED = b"r"
+"""Begins a place that holds more than the stretch of text; those that do not begin with a digit."""
 LONGEST_CODE = 60
 LONGEST_PATH = 4096
 """Bytes of a path, and of a name that files are shown under: PATH_MAX of Linux."""
@@ -224,6 +226,28 @@ class _Packer:
         length = len(source.text)
         return _numbers(index, min(span.start, length), min(span.end, length))
 
+    def recorded(self, span: Span) -> bytes:
+        """Pack a place in the tree, with the variables that were read there if it has them."""
+        if not isinstance(span, RecordedSpan):
+            return self.span(span)
+        readings = [
+            pack([_text(each.name), _text(each.value), self._optional(each.span)])
+            for each in span.readings
+        ]
+        others = [self.recorded(each) for each in span.others]
+        return pack(
+            [
+                _RECORDED,
+                self.span(span),
+                b"" if span.name_span is None else self.recorded(span.name_span),
+                pack(readings),
+                pack(others),
+            ]
+        )
+
+    def _optional(self, span: Span | None) -> bytes:
+        return b"" if span is None else self.span(span)
+
     def frame(self, frame: Frame | None) -> int:
         """Return the number of a frame, from 1; those it refers to come before it."""
         pending = [] if frame is None else [frame]
@@ -272,19 +296,19 @@ class _Packer:
     def _node(self, node: Node, parent: int) -> bytes:
         if isinstance(node, Text):
             text = _text(format_value(node.value))
-            return pack([_TEXT, _numbers(parent), self.span(node.span), text])
+            return pack([_TEXT, _numbers(parent), self.recorded(node.span), text])
         if isinstance(node, Comment):
             return pack([_COMMENT, _numbers(parent), self.span(node.span), _text(node.text)])
         attributes = []
         for name, value in node.attributes.items():
             if value is not None:
-                place = self.span(node.value_span(name))
+                place = self.recorded(node.value_span(name))
                 attributes.append(pack([_text(name), _text(format_value(value)), place]))
         return pack(
             [
                 _ELEMENT,
                 _numbers(parent),
-                self.span(node.span),
+                self.recorded(node.span),
                 _text(node.name),
                 _numbers(self.frame(node.trace), node.verbatim),
                 pack(attributes),
@@ -321,6 +345,27 @@ class _Unpacker:
             raise ValueError("a place lies outside of its file")
         return Span(source, start, end)
 
+    def recorded(self, data: bytes) -> Span:
+        """Return a place in the tree."""
+        if data[:1].isdigit():
+            return self.span(data)
+        mark, place, name_place, packed, others = unpack(data)
+        if mark != _RECORDED:
+            raise ValueError("there is no such kind of place")
+        readings = []
+        for each in unpack(packed):
+            name, value, span = unpack(each)
+            readings.append(Reading(_read_text(name), _read_text(value), self._optional(span)))
+        return RecordedSpan(
+            self.span(place),
+            tuple(readings),
+            name_span=self.recorded(name_place) if name_place else None,
+            others=tuple(self.recorded(each) for each in unpack(others)),
+        )
+
+    def _optional(self, data: bytes) -> Span | None:
+        return self.span(data) if data else None
+
     def frame(self, number: int) -> Frame | None:
         """Return a frame by its number, from 1; one that came before."""
         return self._frames[_checked(number - 1, len(self._frames))] if number else None
@@ -343,7 +388,7 @@ class _Unpacker:
         nodes: list[Node] = []
         for each in unpack(data):
             kind, parent, place, *rest = unpack(each)
-            node = self._node(kind, self.span(place), rest)
+            node = self._node(kind, self.recorded(place), rest)
             if nodes:
                 (number,) = _read_numbers(parent, 1)
                 around = nodes[_checked(number, len(nodes))]
@@ -376,7 +421,7 @@ class _Unpacker:
             key, value, place = unpack(each)
             attribute = self._name(key)
             element.attributes[attribute] = _read_text(value)
-            places[attribute] = self.span(place)
+            places[attribute] = self.recorded(place)
         return element
 
     def _name(self, data: bytes) -> str:

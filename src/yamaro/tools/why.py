@@ -1,0 +1,343 @@
+"""Explains where a value in a finished document comes from: `yamaro why FILE ADDRESS`.
+
+An address names an element, and perhaps an attribute of it: `rod_joint/limit@upper`,
+`link:base/visual[2]/origin@xyz`, `/gazebo[3]`, `/@name`. It is looked up in the finished tree, in
+which each element knows where it was made, and what the expressions there read: `RecordedSpan`.
+"""
+
+from __future__ import annotations
+
+from ..diagnostics import INHERITED, Frame, excerpt_lines, suggest, trace_lines
+from ..source import RecordedSpan, Span
+from ..terminal import BOLD, CYAN, painted, shortened
+from ..xml.tree import Element, Text
+from ..xml.values import escaped_attribute, format_value
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Iterator, Sequence
+
+    from ..source import Reading
+
+MAX_STEPS = 200
+"""Calls and includes that an answer names at most."""
+
+
+class UnknownAddress(Exception):
+    """An address that leads nowhere; the text says what is wrong, and what may be meant."""
+
+
+class Answer:
+    """Where an element, or the value of an attribute, comes from.
+
+    Attributes:
+        address: as it was asked.
+        element: the element.
+        attribute: the name of the attribute, or None for the element itself.
+        value: the attribute's value, or the text of the element; None for an element without text.
+        span: where the value is written, or the key that made the element.
+        name_span: where the name is written that the value contains, for names of parts.
+        is_derived: whether no text gives the value: it follows from the key at `span`.
+        trace: the calls and includes that led there.
+        path: the elements around the element, from a child of the root to the element itself.
+    """
+
+    __slots__ = (
+        "address",
+        "attribute",
+        "element",
+        "is_derived",
+        "name_span",
+        "path",
+        "span",
+        "trace",
+        "value",
+    )
+
+    def __init__(self, address: str, path: Sequence[Element], attribute: str | None) -> None:
+        """Answer for the last element of a path from the root, or for one of its attributes."""
+        element = path[-1]
+        self.address = address
+        self.element = element
+        self.attribute = attribute
+        self.path = path
+        self.trace = _trace_of(path)
+        self.span: Span = element.span
+        self.value: str | None = None
+        self.is_derived = False
+        self.name_span: Span | None = None
+        if attribute is not None:
+            self._answer_for(attribute)
+            return
+        texts = [child for child in element.children if isinstance(child, Text)]
+        if texts and format_value(texts[0].value).strip():
+            self.value, self.span = element.text(), texts[0].span
+
+    def _answer_for(self, attribute: str) -> None:
+        element = self.element
+        self.value = format_value(element.attributes[attribute])
+        self.span = element.value_span(attribute)
+        if isinstance(self.span, RecordedSpan) and attribute in ("name", "link"):
+            self.name_span = self.span.name_span
+        text = self.span.written()
+        if self.span.key() == element.span.key() and text != self.value and "$" not in text:
+            self.is_derived = self.name_span is None
+
+    @property
+    def readings(self) -> Sequence[Reading]:
+        """Return the variables that expressions in the value read."""
+        span = self.span
+        return span.readings if isinstance(span, RecordedSpan) else ()
+
+    @property
+    def others(self) -> Sequence[Span]:
+        """Return further places that the value is computed from."""
+        return self.span.others if isinstance(self.span, RecordedSpan) else ()
+
+    def in_formats(self) -> dict[str, str]:
+        """Return what each output format makes of it, by the name of the format."""
+        return {"urdf": _in_urdf(self.path, self.attribute)}
+
+
+def answer(root: Element, address: str) -> Answer:
+    """Return where what an address names comes from.
+
+    Raises:
+        UnknownAddress: it leads nowhere.
+    """
+    if address.startswith("/"):
+        path, rest = [root], address if not address.startswith("/@") else address[1:]
+    else:
+        path, rest = _named(root, address)
+    steps, at, attribute = rest.partition("@")
+    for step in steps.split("/"):
+        if step:
+            path.append(_child(path[-1], step))
+    element = path[-1]
+    if at and element.attributes.get(attribute) is None:
+        known = [name for name, value in element.attributes.items() if value is not None]
+        raise UnknownAddress(
+            f"<{element.name}> has no attribute '{attribute}'{_likely(attribute, known)}"
+        )
+    return Answer(address, path, attribute if at else None)
+
+
+def addresses(root: Element) -> Iterator[str]:
+    """Yield an address for each element of a tree and for each attribute, in order."""
+    pending = [(root, "")]
+    while pending:
+        element, address = pending.pop()
+        yield address or "/"
+        for name, value in element.attributes.items():
+            if value is not None:
+                yield f"{address or '/'}@{name}"
+        counts: dict[str, int] = {}
+        inner = []
+        for child in element.elements():
+            counts[child.name] = counts.get(child.name, 0) + 1
+            inner.append((child, f"{address}/{child.name}[{counts[child.name]}]"))
+        pending += reversed(inner)
+
+
+def _named(root: Element, address: str) -> tuple[list[Element], str]:
+    """Return the path to the child of the root that an address begins with, and the rest of it."""
+    kind, colon, rest = address.partition(":")
+    elements = root.elements()
+    kinds = {element.name for element in elements}
+    if not colon or kind not in kinds | {"link", "joint"}:
+        kind, rest = "", address
+    among = [element for element in elements if element.name == kind] if kind else elements
+    found: dict[str, list[Element]] = {}
+    for element in among:
+        name = _name_of(element)
+        if name and (rest == name or rest.startswith((f"{name}/", f"{name}@"))):
+            found.setdefault(name, []).append(element)
+    if not found:
+        raise _unknown_name(kind, rest, among)
+    name = max(found, key=len)
+    matches = found[name]
+    if not kind and len({element.name for element in matches}) > 1:
+        matches = [each for each in matches if each.name in ("link", "joint")] or matches
+    if not kind and len({element.name for element in matches}) > 1:
+        choices = " or ".join(dict.fromkeys(f"'{each.name}:{name}'" for each in matches))
+        raise UnknownAddress(f"'{name}' is ambiguous; write {choices}")
+    return [root, matches[0]], rest[len(name) :]
+
+
+def _unknown_name(kind: str, rest: str, among: Sequence[Element]) -> UnknownAddress:
+    name = rest.partition("@")[0].partition("/")[0]
+    known = [known for element in among if (known := _name_of(element))]
+    begun = [each for each in (f"{name}_joint", f"{name}_link") if each in known]
+    near = "; did you mean " + " or ".join(map(repr, begun)) + "?" if begun else ""
+    return UnknownAddress(
+        f"there is no {kind or 'link or joint'} '{name}'{near or _likely(name, known)}"
+    )
+
+
+def _name_of(element: Element) -> str:
+    value = element.attributes.get("name", element.attributes.get("reference"))
+    return "" if value is None else format_value(value)
+
+
+def _child(element: Element, step: str) -> Element:
+    """Return the child that a step names: `limit`, `visual[2]`, `visual[NAME]`."""
+    name, bracket, which = step.partition("[")
+    which = which.removesuffix("]")
+    children = [child for child in element.elements() if child.name == name]
+    if not children:
+        known = [child.name for child in element.elements()]
+        raise UnknownAddress(f"<{element.name}> has no child '{name}'{_likely(name, known)}")
+    if not bracket:
+        return children[0]
+    named = [child for child in children if _name_of(child) == which]
+    if named:
+        return named[0]
+    if which.isdecimal() and 1 <= int(which) <= len(children):
+        return children[int(which) - 1]
+    count = f"{len(children)} '{name}'"
+    raise UnknownAddress(f"<{element.name}> has {count}, and '{which}' is not one of them")
+
+
+def _likely(word: str, known: Sequence[str]) -> str:
+    near = suggest(word, known)
+    if near is not None:
+        return f"; did you mean '{near}'?"
+    listed = list(dict.fromkeys(known))
+    return f"; it has {', '.join(listed)}" if 0 < len(listed) <= 8 else ""
+
+
+def _trace_of(path: Sequence[Element]) -> Frame | None:
+    for element in reversed(path):
+        if element.trace is not INHERITED:
+            return element.trace
+    return None
+
+
+# --- what formats make of it ------------------------------------------------------------------
+
+
+def _in_urdf(path: Sequence[Element], attribute: str | None) -> str:
+    """Return the tags around an element in URDF, and its own with the attribute asked for."""
+    inner = path[1:] if len(path) > 1 else path
+    tags = []
+    for element in inner:
+        name = "name" if "name" in element.attributes else "reference"
+        shown = attribute if element is path[-1] and attribute is not None else name
+        value = element.attributes.get(shown)
+        text = "" if value is None else f' {shown}="{escaped_attribute(format_value(value))}"'
+        tags.append(f"<{element.name}{text}>")
+    return " ".join(tags)
+
+
+# --- as text and as data ----------------------------------------------------------------------
+
+
+def answer_text(answer: Answer, *, color: bool = False) -> str:
+    """Return an answer for people, which ends in a line break."""
+    paint = painted if color else _plain
+    value = "" if answer.value is None else f" = {answer.value}"
+    lines = [paint(shortened(answer.address + value), BOLD)]
+    lines += excerpt_lines(answer.span, list(_remarks(answer)), CYAN, paint)
+    if answer.attribute is None:
+        lines += _attribute_lines(answer.element)
+    return "\n".join(lines) + "\n"
+
+
+def _plain(text: str, style: str) -> str:
+    return text
+
+
+def _remarks(answer: Answer) -> Iterator[tuple[str, str]]:
+    if answer.is_derived:
+        yield "", f"not written in the file; it follows from '{answer.span.written()}' here"
+    if answer.name_span is not None:
+        written = answer.name_span.written()
+        yield "name: ", f"{written}, at {answer.name_span.place()}"
+    for span in answer.others:
+        yield "and: ", f"{span.written()}, at {span.place()}"
+    for reading in _all_readings(answer):
+        yield f"{reading.name} = ", f"{reading.value}{_set_at(reading)}"
+    for line in trace_lines(answer.trace):
+        yield "", line
+    for name, text in answer.in_formats().items():
+        yield f"{name}: ", text
+
+
+def _all_readings(answer: Answer) -> list[Reading]:
+    """Return the variables of the value, of the part's name in it and of other places."""
+    readings = list(answer.readings)
+    if isinstance(answer.name_span, RecordedSpan):
+        readings += answer.name_span.readings
+    for span in answer.others:
+        readings += span.readings if isinstance(span, RecordedSpan) else ()
+    return readings
+
+
+def _set_at(reading: Reading) -> str:
+    return "" if reading.span is None else f", set at {reading.span.place()}"
+
+
+def _attribute_lines(element: Element) -> list[str]:
+    rows = []
+    for name, value in element.attributes.items():
+        if value is not None:
+            text = shortened(f"{name} = {format_value(value)}")
+            rows.append((text, element.value_span(name).place()))
+    width = max((len(text) for text, _ in rows), default=0)
+    return [f"  @{text.ljust(width)}  {place}" for text, place in rows]
+
+
+def answer_data(answer: Answer) -> dict[str, object]:
+    """Return an answer as data for JSON. Lines and columns count from 1."""
+    return {
+        "address": answer.address,
+        "element": answer.element.name,
+        "attribute": answer.attribute,
+        "value": answer.value,
+        "derived": answer.is_derived,
+        "place": _place(answer.span),
+        "name_place": None if answer.name_span is None else _place(answer.name_span),
+        "other_places": [_place(span) for span in answer.others],
+        "variables": [
+            {
+                "name": each.name,
+                "value": each.value,
+                "place": None if each.span is None else _place(each.span),
+            }
+            for each in _all_readings(answer)
+        ],
+        "steps": [
+            {"kind": step.kind, "name": step.name, "place": _place(step.span)}
+            for step in _steps(answer.trace)
+        ],
+        "formats": answer.in_formats(),
+        "attributes": {}
+        if answer.attribute is not None
+        else {
+            name: {"value": format_value(value), "place": _place(answer.element.value_span(name))}
+            for name, value in answer.element.attributes.items()
+            if value is not None
+        },
+    }
+
+
+def _steps(trace: Frame | None) -> Iterator[Frame]:
+    """Yield the calls and includes that led to a place, innermost first."""
+    count = 0
+    while trace is not None and count < MAX_STEPS:
+        yield trace
+        trace, count = trace.parent, count + 1
+
+
+def _place(span: Span) -> dict[str, object]:
+    source = span.source
+    line, column = span.location()
+    end_line, end_column = source.location(span.end)
+    return {
+        "file": source.path or source.name,
+        "line": line,
+        "column": column,
+        "end_line": end_line,
+        "end_column": end_column,
+        "text": span.written(),
+    }

@@ -1,0 +1,306 @@
+"""`yamaro why`: the place, calls and variables that a value in the output comes from."""
+
+from __future__ import annotations
+
+import ast
+import json
+import math
+from itertools import product
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+from trimesh.transformations import euler_matrix
+
+from yamaro import build
+from yamaro.commands.main import main
+from yamaro.source import Span
+from yamaro.tools.why import Answer, addresses, answer
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
+ROBOTS = sorted(
+    path
+    for path in EXAMPLES.glob("*/*.yaml")
+    if path.stem in (path.parent.name, "robot")  # the others are included by these
+)
+Row = NDArray[np.float64]
+WORDS = {"true": True, "false": False, "null": None}
+
+ROBOT = """\
+robot: crane
+variables:
+  reach: 0.8
+functions:
+  Arm(side, length):
+  - part:
+      name: $(side)_arm
+      joint:
+        type: revolute
+        parent: base
+        axis: 0 0 1
+        limit: {lower: -1, upper: $(length * 2), effort: 1, velocity: 1}
+      link:
+        geometry: box
+        scale: 1 1 $(length)
+        mass: 2
+model:
+- part:
+    name: base
+    joint: {type: fixed, parent: root_link}
+    link:
+- for side in ['left', 'right']:
+  - Arm: {side: $(side), length: "$(reach if side == 'left' else 0.5)"}
+- gazebo/reference=base_link:
+  - mu1: $(reach)
+  - mu2: 0.4
+"""
+
+
+@pytest.fixture(autouse=True)
+def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    monkeypatch.chdir(tmp_path)
+    Path("robot.yaml").write_text(ROBOT)
+    return tmp_path
+
+
+def outcome(capsys: pytest.CaptureFixture[str], *words: str) -> tuple[int, str, str]:
+    status = main(list(words))
+    captured = capsys.readouterr()
+    return status, captured.out, captured.err
+
+
+# --- the text of the place gives the value ----------------------------------------------------
+
+
+def evaluated(text: str, variables: dict[str, Any]) -> str:
+    """Return a text with each `$(…)` replaced, by Python and the variables of the answer alone."""
+    start = text.find("$(")
+    if start < 0:
+        return text
+    depth, end = 1, start + 2
+    while depth:
+        depth += {"(": 1, ")": -1}.get(text[end], 0)
+        end += 1
+    value = eval(text[start + 2 : end - 1], {**vars(math), **variables})
+    return f"{text[:start]}{value}{evaluated(text[end:], variables)}"
+
+
+def as_value(text: str) -> Any:
+    try:
+        return ast.literal_eval(text)
+    except (ValueError, SyntaxError):
+        return WORDS.get(text, text)
+
+
+def number(word: str) -> float | None:
+    try:
+        return float(word)
+    except ValueError:
+        return None
+
+
+def is_given(word: str, words: list[str]) -> bool:
+    """Tell whether the words of a place give one: as it is, as a number, or as a part's name.
+
+    The sign of a number may be another one: a pivot moves the shape the other way.
+    """
+    value = number(word)
+    if value is not None:
+        known = [0.0, *(abs(each) for each in map(number, words) if each is not None)]
+        return any(math.isclose(abs(value), each, abs_tol=1e-12) for each in known)
+    return any(word in (each, f"{each}_link", f"{each}_joint") for each in words)
+
+
+def text_at(span: Span) -> str:
+    readings = getattr(span, "readings", ())
+    return evaluated(span.written(), {each.name: as_value(each.value) for each in readings})
+
+
+def words_at(span: Span) -> list[str]:
+    return text_at(span).replace(",", " ").replace("[", " ").replace("]", " ").split()
+
+
+def gives(found: Answer) -> bool:
+    """Tell whether the texts at the places of an answer give the value."""
+    assert found.value is not None
+    span = found.name_span or found.span
+    words = words_at(span)
+    if text_at(span) == found.value or all(is_given(word, words) for word in found.value.split()):
+        return True
+    return bool(found.others) and is_composed(
+        np.array(found.value.split(), float), [span, *found.others]
+    )
+
+
+def is_composed(value: Row, spans: list[Span]) -> bool:
+    """Tell whether a position is a sum of positions, some of which are turned by an `rpy`."""
+    rows = {True: [], False: []}  # type: dict[bool, list[Row]]
+    for span in spans:
+        key = span.source.line_text(span.location()[0])[: span.location()[1] - 1]
+        rows[key.rstrip().endswith("rpy:")].append(np.array(words_at(span), float))
+    turns = [np.eye(3), *(euler_matrix(*row, "sxyz")[:3, :3] for row in rows[True])]
+    terms = [[sign * turn @ row for turn in turns for sign in (1, -1)] for row in rows[False]]
+    return any(np.allclose(value, sum(chosen), atol=1e-12) for chosen in product(*terms))
+
+
+@pytest.mark.parametrize("path", ROBOTS, ids=lambda path: path.parent.name)
+def test_every_value_of_an_example_has_a_place_whose_text_gives_it(path: Path) -> None:
+    root = build(path, records=True, on_message=lambda line: None).root
+    count = 0
+    for address in addresses(root):
+        found = answer(root, address)
+        assert found.span.written(), address
+        if found.is_derived:  # from the key at that place, which is in this file
+            assert found.span.written() in found.span.source.text
+            assert (found.element.name, found.attribute) not in (
+                ("mass", "value"),
+                ("joint", "type"),
+            )
+        elif found.value is not None:
+            count += 1
+            assert gives(found), (address, found.value, found.span)
+    assert count > 10
+
+
+def test_only_computed_values_have_no_text_of_their_own() -> None:
+    derived = set()
+    for path in ROBOTS:
+        root = build(path, records=True, on_message=lambda line: None).root
+        answers = [answer(root, address) for address in addresses(root)]
+        derived |= {(one.element.name, one.attribute) for one in answers if one.is_derived}
+    moments = {("inertia", name) for name in ("ixx", "ixy", "ixz", "iyy", "iyz", "izz")}
+    assumed = {("limit", name) for name in ("lower", "upper", "effort", "velocity")}
+    assert derived <= moments | assumed | {("origin", "xyz"), ("origin", "rpy"), ("robot", "name")}
+
+
+def test_recording_changes_nothing_in_the_document() -> None:
+    for path in ROBOTS:
+        recorded = build(path, records=True, on_message=lambda line: None).xml()
+        assert recorded == build(path, on_message=lambda line: None).xml()
+
+
+# --- the command ------------------------------------------------------------------------------
+
+
+def test_the_answer_names_place_variables_calls_and_urdf(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    status, out, err = outcome(capsys, "why", "robot.yaml", "left_arm_joint/limit@upper")
+    assert (status, err) == (0, "")
+    assert out == (
+        "left_arm_joint/limit@upper = 1.6\n"
+        " --> robot.yaml:12:35\n"
+        "   |\n"
+        "12 |         limit: {lower: -1, upper: $(length * 2), effort: 1, velocity: 1}\n"
+        "   |                                   ^^^^^^^^^^^^^\n"
+        "   = length = 0.8, set at robot.yaml:23:26\n"
+        "   = in Arm, called at robot.yaml:23:5\n"
+        '   = urdf: <joint name="left_arm_joint"> <limit upper="1.6">\n'
+    )
+
+
+def test_each_turn_of_a_loop_has_its_own_variables(capsys: pytest.CaptureFixture[str]) -> None:
+    out = outcome(capsys, "why", "robot.yaml", "right_arm_joint/limit@upper")[1]
+    assert "length = 0.5" in out
+
+
+def test_a_variable_of_the_command_line_is_named(capsys: pytest.CaptureFixture[str]) -> None:
+    out = outcome(capsys, "why", "robot.yaml", "/gazebo/mu1", "reach:=3")[1]
+    assert "reach = 3, set at <command line>" in out
+
+
+def test_the_name_of_a_part_is_shown_where_it_is_written(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    out = outcome(capsys, "why", "robot.yaml", "left_arm_joint@name")[1]
+    assert "name: $(side)_arm, at robot.yaml:7:13" in out
+    assert "side = 'left', set at" in out
+
+
+def test_a_value_that_is_not_written_leads_to_the_key_that_it_follows_from(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    out = outcome(capsys, "why", "robot.yaml", "left_arm_link/inertial/inertia@ixx")[1]
+    assert "not written in the file; it follows from 'mass' here" in out
+
+
+def test_an_element_is_answered_with_its_attributes(capsys: pytest.CaptureFixture[str]) -> None:
+    out = outcome(capsys, "why", "robot.yaml", "joint:left_arm_joint/limit")[1]
+    assert out.startswith("joint:left_arm_joint/limit\n --> robot.yaml:12:9\n")
+    assert "  @upper = 1.6   robot.yaml:12:35\n" in out
+
+
+@pytest.mark.parametrize("trust", [[], ["--jail"], ["--safe"]])
+def test_json_is_the_same_however_far_the_file_is_trusted(
+    capsys: pytest.CaptureFixture[str], trust: list[str]
+) -> None:
+    words = ["why", "robot.yaml", "left_arm_joint/limit@upper", "--json", *trust]
+    status, out, err = outcome(capsys, *words)
+    if "jail is not available" in err:
+        pytest.skip("there is no jail here")
+    assert (status, err) == (0, "")
+    data = json.loads(out)
+    assert data["value"] == "1.6"
+    assert data["place"] == {
+        "file": str(Path("robot.yaml").resolve()),
+        "line": 12,
+        "column": 35,
+        "end_line": 12,
+        "end_column": 48,
+        "text": "$(length * 2)",
+    }
+    assert [(each["name"], each["value"]) for each in data["variables"]] == [("length", "0.8")]
+    assert [(each["kind"], each["name"]) for each in data["steps"]] == [("called", "Arm")]
+    assert data["formats"] == {"urdf": '<joint name="left_arm_joint"> <limit upper="1.6">'}
+    trusted = outcome(capsys, *words[:4], "--trust")[1]
+    assert out == trusted
+
+
+@pytest.mark.parametrize(
+    ("address", "message"),
+    [
+        ("left_arm_jiont", "there is no link or joint 'left_arm_jiont'; did you mean"),
+        ("base", "there is no link or joint 'base'; did you mean 'base_joint' or 'base_link'?"),
+        ("link:base_joint", "there is no link 'base_joint'; did you mean 'base_link'?"),
+        ("base_joint/limits", "<joint> has no child 'limits'; it has parent, child, origin"),
+        ("left_arm_joint/limit@uper", "<limit> has no attribute 'uper'; did you mean 'upper'?"),
+        ("/joint[9]", "<robot> has 3 'joint', and '9' is not one of them"),
+    ],
+)
+def test_an_unknown_address_is_wrong_usage(
+    capsys: pytest.CaptureFixture[str], address: str, message: str
+) -> None:
+    status, out, err = outcome(capsys, "why", "robot.yaml", address)
+    assert (status, out) == (2, "")
+    assert message in err
+
+
+def test_a_name_of_a_link_and_a_joint_has_to_be_told_apart(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    Path("x.urdf").write_text(
+        '<robot name="x"><link name="a"/><link name="b"/>\n'
+        '<joint name="b" type="fixed"><parent link="a"/><child link="b"/></joint></robot>'
+    )
+    status, _, err = outcome(capsys, "why", "x.urdf", "b")
+    assert status == 2
+    assert "'b' is ambiguous; write 'link:b' or 'joint:b'" in err
+    assert outcome(capsys, "why", "x.urdf", "joint:b@type")[1].startswith("joint:b@type = fixed\n")
+
+
+def test_the_address_is_needed(capsys: pytest.CaptureFixture[str]) -> None:
+    status, _, err = outcome(capsys, "why", "robot.yaml")
+    assert status == 2
+    assert "'yamaro why' needs an ADDRESS after the file" in err
+    status, _, err = outcome(capsys, "why", "robot.yaml", "base_link", "more")
+    assert status == 2
+    assert "unexpected argument 'more' after 'base_link'" in err
+
+
+def test_a_faulty_robot_is_reported_as_by_a_build(capsys: pytest.CaptureFixture[str]) -> None:
+    Path("robot.yaml").write_text("model: {part: {name: $(nowhere)}}")
+    status, out, err = outcome(capsys, "why", "robot.yaml", "base_link")
+    assert (status, out) == (1, "")
+    assert "error[undefined-name]" in err
