@@ -430,7 +430,7 @@ def test_a_module_that_is_not_allowed_is_refused_with_those_that_are() -> None:
     with pytest.raises(SafetyError) as caught:
         SafeRuntime().module("os")
     assert caught.value.construct == "the module `os`"
-    assert caught.value.hint == f"safe mode has math, numpy, statistics; {RUN_IT}"
+    assert caught.value.hint == f"safe mode supports math, numpy, statistics; {RUN_IT}"
 
 
 def test_a_module_is_refused_for_a_reason() -> None:
