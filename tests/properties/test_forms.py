@@ -46,6 +46,10 @@ def node_is_flow(node: YamlNode) -> bool:
     return isinstance(node, (MappingNode, SequenceNode)) and node.is_flow
 
 
+# What holds data: a list in it is a list.
+DATA = ("arguments", "loop", "control", "states", "groups", "collisions", "naming", "base")
+
+
 class Rewriter:
     """Walks the mappings of the language, by the shape that the manual gives to each statement."""
 
@@ -72,6 +76,10 @@ class Rewriter:
         return self.entries(node, self.statement)
 
     def statement(self, key: str, node: YamlNode) -> YamlNode:
+        if key in DATA:
+            return node
+        if key in ("attach", "mirror"):
+            return self.entries(node, lambda own, v: self.body(v) if own == "body" else v)
         if key in ("variables", "include"):
             return self.entries(node)
         if key in ("if", "elif", "for"):

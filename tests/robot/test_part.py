@@ -1151,7 +1151,7 @@ def test_faulty_materials(written, code, hint):
 
 
 def test_other_keys_are_xml_elements_where_they_stand():
-    lowered = link(f"{BOX}visual: {{plugin/name=p: {{a: 1}}, material: m, <xyz>: 1}}\nsensor:")
+    lowered = link(f"{BOX}visual: {{plugin/name=p: {{a: 1}}, material: m, <xyz>: 1}}\n<sensor>:")
     assert names(lowered.find("link").children) == ["visual", "sensor"]
     assert names(lowered.find("link/visual").children) == [
         *("origin", "geometry", "plugin", "material", "xyz")
@@ -1269,7 +1269,7 @@ def test_misspelt_and_misplaced_keys_are_warned_of_and_come_out_as_elements(
 
 
 @pytest.mark.parametrize(
-    "name", ["gazebo", "sensor", "plugin", "transmission", "drake:proximity", "mujoco", "contact"]
+    "name", ["gazebo", "plugin", "transmission", "drake:proximity", "mujoco", "contact"]
 )
 def test_elements_that_robots_hold_are_not_warned_of(name):
     tree = build("part: {name: a, x: , link: {x: }}")
