@@ -27,10 +27,10 @@ if TYPE_CHECKING:
     T = TypeVar("T")
 
 GRACE = 2.0
-"""Seconds that a conversion in a jail has to tell that its time is over, before it is ended."""
+"""Seconds that a conversion in a jail has to report that its time is over, before it is ended."""
 
 MOST_READ = 1 << 30
-"""Bytes that may come out of reading files."""
+"""Bytes that reading files may give."""
 
 
 class FaultInJail(Exception):
@@ -49,10 +49,10 @@ class FaultInJail(Exception):
 
 
 def has_jail(policy: Policy, name: str) -> bool:
-    """Tell whether a file is run in a jail: that is asked for, or is to be had for a safe file.
+    """Return whether a file is run in a jail: that is asked for, or available for a safe file.
 
     Raises:
-        YamaroError: it is asked for and not to be had; `name` is that of the file.
+        YamaroError: it is asked for and not available; `name` is that of the file.
     """
     if policy.is_trusted:
         return False
@@ -73,7 +73,7 @@ def run_confined(
     has_root: bool,
     has_document: bool = True,
 ) -> Outcome:
-    """Return what comes of a conversion in a jail.
+    """Return the result of a conversion in a jail.
 
     Args:
         work: does it; it is given a function that takes what is printed.
@@ -270,7 +270,7 @@ def time_is_over(name: str, policy: Policy) -> YamaroError:
 
 
 class _Printed(io.TextIOBase):
-    """Stands for the standard streams, which in a jail lead nowhere."""
+    """Replaces the standard streams, which in a jail are discarded."""
 
     def __init__(self, messages: Messages) -> None:
         self._messages = messages
@@ -304,7 +304,7 @@ def _jail_limits(policy: Policy) -> JailLimits:
     limits: Limits = policy.limits
     seconds = _seconds(policy)
     return JailLimits(
-        seconds=seconds + GRACE,  # the conversion itself can tell where it spends its time
+        seconds=seconds + GRACE,  # the conversion itself can report where it spends its time
         cpu_seconds=int(seconds + GRACE) + 1,
         memory=limits.memory,
         answer=4 * limits.output + (64 << 20),

@@ -25,7 +25,7 @@ MAX_EXCERPT_COLUMNS = 160
 MAX_NOTES = 20
 """Notes of a diagnostic to show."""
 MAX_ALIKE = {ERROR: 10, WARNING: 4}
-"""Diagnostics of one kind to show; of more of them, so many less one."""
+"""Diagnostics of one kind to show; of more of them, one less."""
 MAX_SHOWN = {ERROR: 20, WARNING: 100}
 """Diagnostics to show of all kinds together, by severity."""
 MAX_PLACES = 8
@@ -66,7 +66,7 @@ element can be in many places. Walks give their findings the trace of the place,
 
 
 class Diagnostic:
-    """One thing to tell about an input."""
+    """One thing to report about an input."""
 
     __slots__ = ("code", "hint", "message", "notes", "severity", "span", "trace")
 
@@ -148,7 +148,7 @@ class InputFault(Exception):
         *,
         position: tuple[int, int, int, int] | None = None,
     ) -> None:
-        """Hold what a diagnostic needs, but for the place."""
+        """Hold what a diagnostic needs, except for the place."""
         super().__init__(message)
         self.code = code
         self.message = message
@@ -202,7 +202,7 @@ class Adjustment:
         self.is_strict = is_strict
 
     def allow(self, diagnostics: Iterable[Diagnostic]) -> None:
-        """Turn errors that are allowed into warnings; for those that a document can be had with."""
+        """Turn errors that are allowed into warnings; for those that do not prevent a document."""
         for diagnostic in diagnostics:
             if diagnostic.code in self.allowed:
                 diagnostic.severity = WARNING
@@ -353,7 +353,7 @@ def excerpt_lines(
 def render_all(diagnostics: Sequence[Diagnostic], *, color: bool = False) -> list[str]:
     """Return all diagnostics as texts; of many that are alike, the first and where the others are.
 
-    Those are alike that have the same severity, code and hint, but for what is quoted in it.
+    Those are alike that have the same severity, code and hint, except for what is quoted in it.
     """
     groups: dict[tuple[str, str, str], list[Diagnostic]] = {}
     for diagnostic in diagnostics:
@@ -389,16 +389,16 @@ def _kind_of(diagnostic: Diagnostic) -> tuple[str, str, str]:
 
 
 def _places_of(alike: Sequence[Diagnostic]) -> str:
-    """Return a line that tells where diagnostics of a kind are."""
+    """Return a line that shows where diagnostics of a kind are."""
     first = alike[0]
     places = dict.fromkeys((one.span.source.name, one.span.location()[0]) for one in alike)
     lines: dict[str, list[str]] = {}
     for name, line in list(places)[:MAX_PLACES]:
         lines.setdefault(shortened(name), []).append(str(line))
-    told = "; ".join(f"{name}:{', '.join(numbers)}" for name, numbers in lines.items())
+    listed = "; ".join(f"{name}:{', '.join(numbers)}" for name, numbers in lines.items())
     more = ", …" if len(places) > MAX_PLACES else ""
     count = f"{len(alike):,} more {first.severity}{'s' if len(alike) > 1 else ''}"
-    return f"… {count} like this [{printable(first.code)}]: {told}{more}"
+    return f"… {count} like this [{printable(first.code)}]: {listed}{more}"
 
 
 def _plain(text: str, style: str) -> str:

@@ -25,11 +25,11 @@ def write_file(path: str, chunks: Iterable[bytes]) -> None:
     The content goes to a temporary file in the same folder, which then takes the name of the
     target. A symbolic link stays, and its target is replaced; the mode of an old file is kept, and
     as far as the system allows its owner and extended attributes; folders on the way are made.
-    What is no regular file, such as a pipe or `/dev/null`, is written to directly.
+    What is not a regular file, such as a pipe or `/dev/null`, is written to directly.
 
     The temporary file is removed on any failure, an interrupt included, and in the main thread a
     termination signal. Nothing can do so after `kill -9` or a loss of power: a file named
-    `.yamaro-….tmp` is left then. Later writes let it be, since nothing tells it from the file of
+    `.yamaro-….tmp` is left then. Later writes keep it, since it may be the file of
     another that writes at the same time, perhaps from another machine.
 
     Raises:
@@ -54,7 +54,7 @@ def write_file(path: str, chunks: Iterable[bytes]) -> None:
 
 
 def is_input(path: str, inputs: Iterable[str]) -> bool:
-    """Tell whether writing to `path` would overwrite one of the regular files `inputs`."""
+    """Return whether writing to `path` would overwrite one of the regular files `inputs`."""
     try:
         output = os.stat(path)
     except OSError:
@@ -86,7 +86,7 @@ def _write_chunk(descriptor: int, chunk: bytes) -> None:
 
             select.select([], [descriptor], [])
             continue
-        if not count:  # rather than try for ever
+        if not count:  # rather than try forever
             raise OSError(5, os.strerror(5))
         rest = rest[count:]
 

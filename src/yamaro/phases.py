@@ -83,7 +83,7 @@ def check(
     reporter: Reporter,
     wants: Callable[[str], bool] | None,
 ) -> bool:
-    """Check a robot, and report advice with the codes wanted; tell whether it refers to files."""
+    """Check a robot, and report advice with the codes wanted; return whether it refers to files."""
     if root.name != "robot":
         if root.span.source.is_xml:
             from .check.robot import check_format

@@ -201,12 +201,12 @@ class Policy:
 
     @property
     def is_safe(self) -> bool:
-        """Tell whether expressions are held to the safe part of Python."""
+        """Return whether expressions are held to the safe part of Python."""
         return self.mode == SAFE
 
     @property
     def is_trusted(self) -> bool:
-        """Tell whether a file may do whatever Python can."""
+        """Return whether a file may do whatever Python can."""
         return self.mode == TRUSTED
 
 

@@ -41,7 +41,7 @@ class Program:
     """A file that can be converted again and again, with other variables.
 
     It and the files it includes are read and parsed once, when they are first needed, as are the
-    Python modules beside them; changes on the disk are not seen. All else begins anew in each
+    Python modules beside them; changes on the disk are not seen. All else starts again in each
     conversion. Conversions may run in several threads at once.
     """
 
@@ -287,7 +287,7 @@ class Program:
         return self._source
 
     def _has_jail(self, source: Source) -> bool:
-        """Tell whether to run the file in a jail; raise YamaroError if that is asked in vain."""
+        """Return whether to run the file in a jail; raise YamaroError if that is asked in vain."""
         if self._policy.is_trusted:
             return False
         from .confined import has_jail
@@ -324,7 +324,7 @@ class Program:
         has_root: bool,
         has_document: bool = True,
     ) -> Outcome:
-        """Return what comes of a conversion that is run in a jail, in safe mode if that will do."""
+        """Return the result of a conversion that is run in a jail, in safe mode if that will do."""
 
         def run(program: Program) -> Outcome:
             return program._confined(
@@ -357,7 +357,7 @@ class Program:
         has_root: bool,
         has_document: bool,
     ) -> Outcome:
-        """Return what comes of a conversion that is run in a jail, under the policy of this one."""
+        """Return the result of a conversion that is run in a jail, under the policy of this one."""
         from .confined import run_confined
         from .sandbox.transfer import Outcome
 
@@ -379,7 +379,7 @@ class Program:
 
 
 def converted(program: Program, assignments: Sequence[str], variables: Mapping[str, object]) -> str:
-    """Return the XML; issue the warnings in the name of whoever called our caller."""
+    """Return the XML; issue the warnings at the line that called our caller."""
     try:
         xml, found = program.xml_and_warnings(assignments, variables)
     except UsageError as error:

@@ -21,7 +21,7 @@ class Request:
         variables: the variables passed, by name.
         places: where the name of each of them is written.
         packages: finds packages.
-        paths: tells where the files of meshes are, and how they are named.
+        paths: finds the files of meshes, and how they are named.
         reporter: takes the warnings.
         adjustment: which codes are allowed and denied.
         has_advice: whether all advice is wanted, and not only that of codes which are denied.
@@ -67,7 +67,7 @@ class Request:
         self.records = records
 
     def wanted_advice(self) -> Callable[[str], bool] | None:
-        """Return what tells which codes of advice to report, or None if no advice is wanted."""
+        """Return what decides which codes of advice to report, or None if no advice is wanted."""
         if self.has_advice:
             return lambda code: True
         return self.adjustment.denied.__contains__ if self.adjustment.denied else None

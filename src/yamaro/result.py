@@ -66,9 +66,9 @@ class Build:
 
         Args:
             find_meshes: gives the meshes referred to.
-            finished: the finished tree, in which an element may stand in several places; None if
+            finished: the finished tree, in which an element may be in several places; None if
                 it stayed in a jail.
-            paths: tells where the file of a mesh is, and how it is named.
+            paths: knows where the file of a mesh is, and how it is named.
             pieces: the document, in pieces.
             warnings: what was noticed, in order.
             files: the absolute path of every file read, in order.
@@ -99,7 +99,7 @@ class Build:
 
     @property
     def root(self) -> Element:
-        """Return the root element; every element tells where in the YAML it was made."""
+        """Return the root element; every element knows where in the YAML it was made."""
         if self._root is None:
             self._root = unshared(self._tree())
         return self._root

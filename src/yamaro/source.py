@@ -7,7 +7,7 @@ a diagnostic is shown, so carrying a span costs next to nothing.
 from __future__ import annotations
 
 STANDARD_INPUT = "-"
-"""The path that stands for standard input."""
+"""The path that means standard input."""
 STANDARD_INPUT_NAME = "<standard input>"
 """What standard input is called in messages."""
 COMMAND_LINE = "<command line>"

@@ -1,7 +1,7 @@
 """The command's standard streams: the one place that all its output passes.
 
 Standard output is kept for the result alone. All that is said to people goes to standard error
-with what steers a terminal escaped, wherever it comes from: messages, file names, what a program
+with what controls a terminal escaped, wherever it comes from: messages, file names, what a program
 prints, the logs of libraries. A result is escaped only if standard output is a terminal.
 """
 
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from typing import Any, TextIO
 
 XML, NAMES, BINARY = "xml", "names", "binary"
-"""The forms of a result in bytes: on a terminal what steers it becomes a character reference in
+"""The forms of a result in bytes: on a terminal what controls it becomes a character reference in
 XML, and is escaped in names of files; binary data is not for terminals."""
 
 
@@ -31,7 +31,7 @@ class Streams:
     """Standard output, for the result alone, and standard error, for all that is said.
 
     While it is set up, what Python code prints goes to standard error, escaped; in a quiet run it
-    goes nowhere. This class works on `sys.stdout` and `sys.stderr`, for callers inside Python.
+    is discarded. This class works on `sys.stdout` and `sys.stderr`, for callers inside Python.
 
     Attributes:
         kept: what has to live as long as the streams do.
@@ -116,7 +116,7 @@ class Streams:
     def say(self, text: str, *, colored: bool = False) -> None:
         """Write text and a line break to standard error, if anyone can still hear it.
 
-        What steers a terminal is escaped; `colored` lets the styles of `terminal.py` pass.
+        What controls a terminal is escaped; `colored` lets the styles of `terminal.py` pass.
         """
         self._put(harmless(text, colored=colored) + "\n")
 
@@ -131,7 +131,7 @@ class Streams:
             return
 
     def is_terminal(self, *, result: bool = False) -> bool:
-        """Tell whether standard error, or standard output for `result`, is a terminal."""
+        """Return whether standard error, or standard output for `result`, is a terminal."""
         stream = self._out if result else self._err
         try:
             return stream is not None and stream.isatty()
@@ -186,7 +186,7 @@ class ProcessStreams(Streams):
         os.close(null)
 
     def restore(self) -> None:
-        """Leave all as it is, see the class, but for text that still waits in a buffer."""
+        """Leave all as it is, see the class, except for text that still waits in a buffer."""
         try:
             if self._out is not None:
                 self._out.flush()
@@ -211,12 +211,12 @@ class ProcessStreams(Streams):
             return
 
     def is_terminal(self, *, result: bool = False) -> bool:
-        """Tell whether standard error, or standard output for `result`, is a terminal."""
+        """Return whether standard error, or standard output for `result`, is a terminal."""
         return os.isatty(self._out_fd if result else self._err_fd)
 
 
 class _Escaping:
-    """Stands for a text stream: what is written is escaped, all else is the stream's own."""
+    """Wraps a text stream: what is written is escaped, all else is the stream's own."""
 
     __slots__ = ("_put", "_stream")
 

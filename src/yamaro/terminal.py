@@ -1,6 +1,6 @@
 """Text that a terminal shows and does not obey.
 
-Files, their names and what programs print may hold characters that steer a terminal (ESC, C0 and
+Files, their names and what programs print may hold characters that control a terminal (ESC, C0 and
 C1 controls) or hide what a line says (bidirectional and invisible ones). All of them are escaped,
 together with what Python does not count as printable.
 """
@@ -49,7 +49,7 @@ def harmless(text: str, *, colored: bool = False) -> str:
 
 
 def harmless_xml(text: str) -> str:
-    """Return XML in which what steers a terminal is written as character references."""
+    """Return XML in which what controls a terminal is written as character references."""
     return "\n".join(map(_harmless_xml_line, text.split("\n")))
 
 

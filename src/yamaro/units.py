@@ -103,7 +103,7 @@ class Unit:
 
     @property
     def is_si(self) -> bool:
-        """Tell whether a number in this unit is the same in SI."""
+        """Return whether a number in this unit is the same in SI."""
         return self.numerator == self.denominator and not self.pi
 
     def to_si(self, number: float) -> float:
@@ -232,7 +232,7 @@ def parse_quantity(text: str) -> tuple[float, Dimension | None]:
     The dimension is None without a unit. An integer that no factor changes stays an integer.
 
     Raises:
-        UnknownUnit: what follows the number is written like a unit, and is none of the table.
+        UnknownUnit: what follows the number is written like a unit, and is not in the table.
         ValueError: the text is not a quantity.
         OverflowError: the value is larger than any float.
     """
@@ -256,7 +256,7 @@ def parse_unit(text: str, offset: int = 0) -> Unit:
 
     Args:
         text: the unit, without spaces around.
-        offset: where it begins, for the place that UnknownUnit tells.
+        offset: where it begins, for the place in UnknownUnit.
 
     Raises:
         UnknownUnit: a word is not in the table.
@@ -287,7 +287,7 @@ def parse_unit(text: str, offset: int = 0) -> Unit:
 
 
 def fits(dimension: Dimension, wanted: Dimension) -> bool:
-    """Tell whether a quantity can stand where one of another dimension is wanted.
+    """Return whether a quantity can stand where one of another dimension is wanted.
 
     Angles count for nothing in what has to do with force: N·m/rad is as good as N·m.
     """

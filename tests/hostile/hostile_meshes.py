@@ -74,7 +74,7 @@ refuse("a document type in UTF-16.dae", WIDE.encode("utf-16"), DOCTYPE)
 for encoding in ("utf-7", "cp037", "shift_jis", "x-none"):
     text = OK_DAE.replace('version="1.0"?', f'version="1.0" encoding="{encoding}"?')
     refuse(f"the encoding {encoding}.dae", text, "encoding")
-refuse("another root.dae", "<html/>", "its root is no <COLLADA>")
+refuse("another root.dae", "<html/>", "its root is not <COLLADA>")
 refuse("an index below 0.dae", OK_DAE.replace("<p>0 1 2", "<p>0 1 -5"), "trimesh cannot read it")
 refuse("a unit beyond all numbers.dae", OK_DAE.replace('meter="1"', 'meter="1e308"'), "coordinate")
 refuse("a unit that is none.dae", OK_DAE.replace('meter="1"', 'meter="nan"'), "coordinate")
@@ -131,12 +131,12 @@ refuse("components in a circle.3mf",
        threemf(model(components(2, 3) + components(3, 2), "2")), "in a circle")  # fmt: skip
 refuse("an object built often.3mf", threemf(model("", *["1"] * 20_000)), "10,000 bodies")
 refuse("gigabytes in an archive.3mf", with_size(OK_3MF, 1 << 30), "unpacked it is larger")
-refuse("a size that lies.3mf", with_size(OK_3MF, 10), "no ZIP archive")
+refuse("a size that lies.3mf", with_size(OK_3MF, 10), "not a ZIP archive")
 refuse("thousands of files.3mf", threemf(model("", "1"), {f"{i}": b"" for i in range(2_000)}),
        "1,000 files")  # fmt: skip
 refuse("a document type.3mf", threemf(model("", "1", head="<!DOCTYPE m>")), DOCTYPE)
 refuse("nothing in it.3mf", threemf(""), "its XML is broken")
-refuse("an archive cut off.3mf", OK_3MF[:-30], "no ZIP archive")
+refuse("an archive cut off.3mf", OK_3MF[:-30], "not a ZIP archive")
 HARMLESS["names that lead outside.3mf"] = threemf(model("", "1"), {"../../x": b"x", "/x": b"x"})
 
 # --- glTF -----------------------------------------------------------------------------------------
@@ -166,7 +166,7 @@ def accessor(**others: Any) -> dict[str, Any]:
     return {"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3", **others}
 
 
-TREE = "its nodes are no tree"
+TREE = "its nodes are not a tree"
 ODD = "its parts are not as glTF has them"
 DOUBLING = [*({"children": [i + 1, i + 1]} for i in range(40)), {"mesh": 0}]
 refuse("nodes that double.gltf", gltf(nodes=DOUBLING), TREE)
@@ -187,8 +187,8 @@ for wrong in (-1, 3.5, "3", None, True):
     refuse(f"the count {wrong}.gltf", gltf(accessors=[accessor(count=wrong)]), ODD)
 refuse("a place beyond the buffer.gltf", gltf(accessors=[accessor(byteOffset=10**12)]), "trimesh")
 refuse("lists in lists.gltf", b'{"asset":' + b"[" * 10**6, "its JSON is broken")
-refuse("JSON of another kind.gltf", b'{"a": 1}', "it is no glTF")
-refuse("a chunk of another kind.glb", b"glTF" + bytes(16), "its first chunk is no JSON")
+refuse("JSON of another kind.gltf", b'{"a": 1}', "it is not glTF")
+refuse("a chunk of another kind.glb", b"glTF" + bytes(16), "its first chunk is not JSON")
 for uri in (
     "file:///etc/passwd",
     "/etc/passwd",
@@ -231,7 +231,9 @@ HARMLESS["a texture elsewhere.ply"] = (
 refuse("billions of corners.off", "OFF\n4000000000 4000000000 0\n0 0 0\n", MORE)
 refuse("fewer than no corners.off", "OFF\n-3 1 0\n0 0 0\n", MORE)
 refuse("a corner that is not there.off", f"OFF\n3 1 0\n{CORNERS}3 0 1 9999\n", "")
-refuse("a header that lies.stl", bytes(80) + b"\xff\xff\xff\xff" + bytes(50), "no STL file")
+refuse(
+    "a header that lies.stl", bytes(80) + b"\xff\xff\xff\xff" + bytes(50), "not a valid STL file"
+)
 refuse(
     "no numbers.stl", bytes(80) + struct.pack("<I12fH", 1, *[float("nan")] * 12, 0), "coordinate"
 )

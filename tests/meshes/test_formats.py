@@ -68,5 +68,5 @@ def test_no_other_file_is_a_mesh(data: bytes, tmp_path: Path) -> None:
     assert mesh_format(data) is None
     path = tmp_path / "a.obj"
     path.write_bytes(data)
-    with pytest.raises(MeshFileError, match="it is no OBJ file"):
+    with pytest.raises(MeshFileError, match="it is not a valid OBJ file"):
         read_mesh(str(path))

@@ -39,7 +39,7 @@ SAME = {
 }
 
 DIFFERENT = {
-    "another root": ("<a/>", "<b/>", ["a: <b> stands in its place"]),
+    "another root": ("<a/>", "<b/>", ["a: <b> is in its place"]),
     "a value": ('<a b="1"/>', '<a b="2"/>', ["a: 'b' is '2', not '1'"]),
     "a little more than rounding": (
         '<a b="1000000000"/>',
@@ -65,7 +65,7 @@ DIFFERENT = {
     "the order of elements": (
         "<gazebo><b/><c/></gazebo>",
         "<gazebo><c/><b/></gazebo>",
-        ["gazebo, b: <c> stands in its place", "gazebo, c: <b> stands in its place"],
+        ["gazebo, b: <c> is in its place", "gazebo, c: <b> is in its place"],
     ),
     "the order of links": (
         '<robot><link name="a"/><link name="b"/></robot>',

@@ -209,8 +209,8 @@ def test_a_gltf_scene_puts_every_body_at_its_place(tmp_path):
 @pytest.mark.parametrize(
     ("name", "content", "reason"),
     [
-        ("a.stl", b"", "it is no STL file, or it is cut off"),
-        ("a.stl", binary_stl()[:-1], "it is no STL file, or it is cut off"),
+        ("a.stl", b"", "it is not a valid STL file, or it is cut off"),
+        ("a.stl", binary_stl()[:-1], "it is not a valid STL file, or it is cut off"),
         ("a.stl", b"solid empty\nendsolid", "it has no triangles"),
         ("a.stl", b"solid a\nvertex 0 zero 0", "a vertex of the ASCII STL is not three numbers"),
         ("a.stl", b"solid a\nvertex 0 0", "a vertex of the ASCII STL is not three numbers"),
@@ -234,7 +234,7 @@ def test_a_faulty_mesh_file_says_why(tmp_path, name, content, reason):
 def test_a_file_that_is_not_what_its_ending_says(tmp_path):
     path = tmp_path / "a.glb"
     path.write_bytes(b"this is no glTF")
-    with pytest.raises(MeshFileError, match="it is no glTF file"):
+    with pytest.raises(MeshFileError, match="it is not a valid glTF file"):
         read_mesh(str(path))
 
 

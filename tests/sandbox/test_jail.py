@@ -663,13 +663,13 @@ ENDINGS: dict[str, tuple[Callable[[], bytes], dict[str, Any], type[jail.JailErro
         forge(HEADER.pack(b"?", 0)),
         {},
         jail.JailAnswerBroken,
-        "the answer is none",
+        "the answer is not valid",
     ),
     "a lie that there is no jail": (
         forge(HEADER.pack(protocol.NO_JAIL, 0)),
         {},
         jail.JailAnswerBroken,
-        "the answer is none",
+        "the answer is not valid",
     ),
     "leaving": (
         lambda: os._exit(0),  # type: ignore[arg-type, return-value]

@@ -201,7 +201,7 @@ def test_a_file_outside_of_the_package_is_named_by_its_path(robot: Path, tmp_pat
     [
         ("package://nowhere", "the package 'nowhere' is not found"),
         ("package://", "the package '' is not found"),
-        ("relativ", "'relativ' is none of relative, keep, absolute, copy, package://NAME, none"),
+        ("relativ", "'relativ' is not one of relative, keep, absolute, copy, package://NAME, none"),
     ],
 )
 def test_an_unknown_way_to_name_meshes_is_wrong_usage(

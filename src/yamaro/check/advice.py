@@ -241,7 +241,7 @@ def _advise_on_pose(pose: Pose, owner: Element, context: CheckContext) -> None:
 
 
 def _is_quarter(angle: float) -> bool:
-    """Tell whether an angle is 0 or a number of quarter turns."""
+    """Return whether an angle is 0 or a number of quarter turns."""
     return fabs(remainder(angle, pi / 2)) < QUARTER_TOLERANCE
 
 

@@ -271,7 +271,7 @@ class CheckContext:
 
 
 def _are_taken_as_they_are(elements: Sequence[Element]) -> bool:
-    """Tell whether elements are all of XML, the main file or one include of it."""
+    """Return whether elements are all of XML, the main file or one include of it."""
     if not all(element.span.source.is_xml for element in elements):
         return False
     if len(elements) == 1:

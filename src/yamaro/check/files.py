@@ -84,7 +84,7 @@ def _files_of(section: Element) -> Iterator[Element]:
 
 
 def is_local(filename: str) -> bool:
-    """Tell whether a file can be looked up here: no http:// and no model:// of a simulator."""
+    """Return whether a file can be looked up here: no http:// and no model:// of a simulator."""
     return "://" not in filename or filename.startswith(LOCAL_SCHEMES)
 
 

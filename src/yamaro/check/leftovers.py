@@ -58,6 +58,6 @@ def _is_leftover(text: str) -> bool:
 
 
 def _is_number(element: str, attribute: str) -> bool:
-    """Tell whether URDF reads numbers there, so that the check tells of it anyway."""
+    """Return whether URDF reads numbers there, so that the check tells of it anyway."""
     rule = ELEMENTS[element].attributes.get(attribute) if element in ELEMENTS else None
     return rule is not None and rule.count != TEXT

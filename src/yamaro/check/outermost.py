@@ -78,7 +78,7 @@ def _near_outermost(child: Element) -> str | None:
 
 
 def is_one_slip_away(word: str, known: str) -> bool:
-    """Tell whether one letter too many, too few, wrong, swapped or in the wrong case separates."""
+    """Return whether one letter too many, too few, wrong, swapped or of another case separates."""
     if word.lower() == known.lower():
         return word != known
     if abs(len(word) - len(known)) > 1:

@@ -89,7 +89,7 @@ def check_format(root: Element, reporter: Reporter) -> None:
 
 
 def _is_srdf(root: Element) -> bool:
-    """Tell whether a `<robot>` is MoveIt's semantic description, which has no links."""
+    """Return whether a `<robot>` is MoveIt's semantic description, which has no links."""
     return any(child.name in SRDF_ELEMENTS for child in root.elements())
 
 

@@ -324,7 +324,7 @@ def _check_depth(hanging: Hanging, tree: Tree, context: CheckContext) -> None:
 
 
 def is_fixed(joint: Joint) -> bool:
-    """Tell whether a joint is written as fixed; one without a type is reported elsewhere."""
+    """Return whether a joint is written as fixed; one without a type is reported elsewhere."""
     return joint.written("type") == FIXED
 
 

@@ -39,7 +39,7 @@ class Arguments:
         self.output_path = ""
 
     def has(self, option: str) -> bool:
-        """Tell whether an option is given."""
+        """Return whether an option is given."""
         return option in self.options
 
     def resolve_output(self) -> None:

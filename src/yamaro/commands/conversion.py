@@ -103,7 +103,7 @@ def _bound_process(arguments: Arguments, streams: Streams, policy: Policy) -> No
 def end_process(
     arguments: Arguments, streams: Streams, policy: Policy, seconds: float
 ) -> Callable[[], None]:
-    """End this process after so many seconds, with the reason; return what calls that off."""
+    """End this process after `seconds`, with the reason; return a function that cancels that."""
     from ..confined import time_is_over
     from ..sandbox import process
 

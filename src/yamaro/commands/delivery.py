@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 
 def goes_to_standard_output(arguments: Arguments) -> bool:
-    """Tell whether no output file is named."""
+    """Return whether no output file is named."""
     return arguments.options.get("output", "-") in STANDARD_OUTPUT
 
 
@@ -90,7 +90,7 @@ def deliver_assets(
 
 
 def _is_written(path: str, data: bytes) -> bool:
-    """Tell whether a file is there with this content; raise OSError if it has another."""
+    """Return whether a file is there with this content; raise OSError if it has another."""
     if not os.path.lexists(path):
         return False
     if os.path.isfile(path) and read_start(path, len(data) + 1) == data:

@@ -34,7 +34,7 @@ def read_pipe(path: str, limits: Limits) -> str | None:
 
 
 def read_bytes(path: str, most: int) -> bytes | None:
-    """Return so many bytes of standard input or a named pipe, None for what can be read by name."""
+    """Return `most` bytes of standard input or a pipe, None for what can be read by name."""
     if path == STANDARD_INPUT:
         if sys.stdin is None:
             raise WrongUsage("standard input is closed")

@@ -70,7 +70,7 @@ def _job(arguments: Arguments) -> Job:
 
 
 def _wants_file(arguments: Arguments) -> bool:
-    """Tell whether the output that is named is a file, and not a folder of files."""
+    """Return whether the output that is named is a file, and not a folder of files."""
     path = arguments.output_path
     if _is_folder(path):
         return False
@@ -79,7 +79,7 @@ def _wants_file(arguments: Arguments) -> bool:
 
 
 def _is_folder(path: str) -> bool:
-    """Tell whether a path is that of a folder, which need not be there if a slash ends it."""
+    """Return whether a path is that of a folder, which may be missing if a slash ends it."""
     return path.endswith(os.sep) or os.path.isdir(path)
 
 

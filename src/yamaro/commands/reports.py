@@ -29,8 +29,8 @@ def show(diagnostics: Sequence[Diagnostic], arguments: Arguments, streams: Strea
     if arguments.command == "check":
         errors = sum(one.severity == ERROR for one in diagnostics)
         counts = [(errors, "error"), (len(diagnostics) - errors, "warning")]
-        told = [f"{count} {word}{'s' if count > 1 else ''}" for count, word in counts if count]
-        streams.say(f"\n{display_name(arguments)}: {', '.join(told)}")
+        counted = [f"{count} {word}{'s' if count > 1 else ''}" for count, word in counts if count]
+        streams.say(f"\n{display_name(arguments)}: {', '.join(counted)}")
 
 
 def display_name(arguments: Arguments) -> str:
@@ -51,7 +51,7 @@ def _drop(message: str) -> None:
 
 
 def has_color(arguments: Arguments, *, is_terminal: bool) -> bool:
-    """Tell whether to colour: the option, then NO_COLOR, FORCE_COLOR, TERM, then the terminal."""
+    """Return whether to colour: the option, then NO_COLOR, FORCE_COLOR, TERM, then the terminal."""
     when = arguments.options.get("color", "auto")
     if when != "auto":
         return when == "always"
@@ -72,13 +72,13 @@ def report_usage(message: str, streams: Streams | None) -> int:
 
 
 def report_fault(error: Exception, streams: Streams) -> int:
-    """Tell a fault of Yamaro's apart from a fault of the input; return the exit status."""
+    """Report a fault of Yamaro, not of the input; return the exit status."""
     from ..terminal import shortened
 
     kind, place = _kind_and_place(error)
-    told = f"{kind}: {error}" + (f" ({place})" if place else "")
+    text = f"{kind}: {error}" + (f" ({place})" if place else "")
     streams.say(
-        f"yamaro: internal error: {shortened(told)}\n"
+        f"yamaro: internal error: {shortened(text)}\n"
         "this is a bug in Yamaro, not in your file; please report it and the command you ran"
     )
     if os.environ.get("YAMARO_TRACEBACK"):

@@ -74,7 +74,7 @@ class Option:
         is_repeatable: whether it may be given several times; `Arguments.lists` holds the values.
         choices: the values it can have; any if empty.
         completes: what a shell offers for the value: "files", "commands", or words with spaces in
-            between; "limits", "views", "shown" and "codes" stand for the words of those tables.
+            between; "limits", "views", "shown" and "codes" mean the words of those tables.
         excludes: names of the options that may not be given with it.
     """
 

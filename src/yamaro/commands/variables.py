@@ -61,8 +61,8 @@ def _line(declared: Declared) -> str:
     from ..tools.declared_arguments import about
 
     default = "" if declared.default_text is None else _shortened(declared.default_text)
-    told = ", ".join(text for text in (default, about(declared)) if text)
-    return f"{declared.name}:=\t{printable(told).replace(chr(9), ' ')}\n"
+    notes = ", ".join(text for text in (default, about(declared)) if text)
+    return f"{declared.name}:=\t{printable(notes).replace(chr(9), ' ')}\n"
 
 
 def _shortened(text: str) -> str:

@@ -35,7 +35,7 @@ class LoadError(Exception):
     """
 
     def __init__(self, reason: str, *, code: str = "missing-file", hint: str | None = None) -> None:
-        """Hold what a diagnostic needs, but for the path and the place."""
+        """Hold what a diagnostic needs, except for the path and the place."""
         super().__init__(reason)
         self.code = code
         self.hint = hint

@@ -22,7 +22,7 @@ class MeshFinder:
     """Finds the files that meshes and textures refer to, and remembers where they are.
 
     A name is `package://name/path`, `model://name/path`, `file:///path`, or a path, absolute or
-    relative to the file in which it is written. `PackageFinder.find` tells where packages are.
+    relative to the file in which it is written. `PackageFinder.find` finds packages.
     """
 
     __slots__ = ("_found", "_packages", "_reach", "_start")
@@ -87,7 +87,7 @@ class MeshFinder:
             raise failure(error.code, message, span, hint=error.hint) from None
 
     def path_meant(self, filename: str, span: Span) -> str | None:
-        """Return the absolute path that a name stands for, whether or not a file is there.
+        """Return the absolute path that a name means, whether or not a file is there.
 
         None is for a package that is nowhere, and for what is on no disk, such as `https://`.
         """
@@ -96,7 +96,7 @@ class MeshFinder:
         return self._packages.resolve_uri(filename, _directory(span))
 
     def allows(self, path: str) -> bool:
-        """Tell whether a file may be read, such as a texture that a mesh names."""
+        """Return whether a file may be read, such as a texture that a mesh names."""
         return self._reach is None or self._reach.allows(path)
 
     @property
@@ -118,7 +118,7 @@ class MeshFinder:
         """
         files: dict[str, None] = {}
         pending = [root]
-        seen: set[int] = set()  # an element may stand in several places
+        seen: set[int] = set()  # an element may be in several places
         while pending:
             element = pending.pop()
             if id(element) in seen:

@@ -1,4 +1,4 @@
-"""Finds ROS packages and the files that `package://` and other URIs stand for; needs no ROS.
+"""Finds ROS packages and the files that `package://` and other URIs name; needs no ROS.
 
 The order is that of a sourced ROS set-up: the ament index (ROS 2), ROS_PACKAGE_PATH (ROS 1), and
 then, so that a checkout works without any set-up, the folders around the file itself.
@@ -40,7 +40,7 @@ class PackageFinder:
         """Use the search paths of `environ`, or else of the process, after the folders given."""
         self._given = {name: os.path.abspath(path) for name, path in (given or {}).items()}
         self._environ = os.environ if environ is None else environ
-        self._home = os.path.expanduser("~")  # a jail hides what tells it
+        self._home = os.path.expanduser("~")  # a jail hides where it is
         self._found: dict[tuple[str, str], str | None] = {}
         self._scans: dict[tuple[str, int], dict[str, str]] = {}
 
@@ -49,7 +49,7 @@ class PackageFinder:
 
         Looked at, in this order: the folders given by name, each prefix of AMENT_PREFIX_PATH (its
         share folder counts), each folder of ROS_PACKAGE_PATH, and then the surroundings of `start`:
-        the folders it lies in, what stands beside the package it belongs to, its repository and
+        the folders it lies in, what is beside the package it belongs to, its repository and
         its workspace.
 
         Args:
@@ -126,7 +126,7 @@ class PackageFinder:
         return folders
 
     def resolve_uri(self, uri: str, base_dir: str) -> str | None:
-        """Return the absolute path that a mesh, texture or file name stands for.
+        """Return the absolute path that a mesh, texture or file name means.
 
         Args:
             uri: `package://name/path`, `model://name/path`, `file:///path`, or a plain path,
@@ -134,7 +134,7 @@ class PackageFinder:
             base_dir: the folder of the file in which the name is written.
 
         Returns:
-            The path, which need not exist; None for a package or model that is nowhere, and for
+            The path, which may be missing; None for a package or model that is nowhere, and for
             other schemes such as `https://`.
         """
         scheme, separator, rest = uri.partition("://")
@@ -186,7 +186,7 @@ class PackageFinder:
 
 
 def is_package_name(name: str) -> bool:
-    """Tell whether a package may have the name (REP 149, and what older packages use)."""
+    """Return whether a package may have the name (REP 149, and what older packages use)."""
     return name.isascii() and name.replace("_", "a").replace("-", "a").isalnum()
 
 
@@ -284,7 +284,7 @@ def _package_folders(root: str, max_depth: int) -> Iterator[str]:
 
 
 def _is_searched(entry: os.DirEntry[str], links: set[str]) -> bool:
-    """Tell whether to look below an entry; a linked folder is looked at once."""
+    """Return whether to look below an entry; a linked folder is looked at once."""
     if entry.name.startswith(".") or entry.name in SKIPPED_FOLDERS:
         return False
     try:
@@ -314,7 +314,7 @@ def _without_host(rest: str) -> str:
 
 
 def _unquoted(path: str, base_dir: str) -> str:
-    """Return the path with `%20` and the like decoded, unless it exists as it is written."""
+    """Return the path with escapes such as `%20` decoded, unless it exists as it is written."""
     if "%" not in path or os.path.exists(os.path.join(base_dir, path)):
         return path
     from urllib.parse import unquote

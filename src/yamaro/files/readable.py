@@ -26,7 +26,7 @@ class Reach:
         self.roots = list(dict.fromkeys(os.path.realpath(root) for root in roots))
 
     def allows(self, path: str) -> bool:
-        """Tell whether a path, having followed its links, lies where files may be read."""
+        """Return whether a path, having followed its links, lies where files may be read."""
         real = os.path.realpath(path)
         return any(
             real == root or real.startswith(root.rstrip(os.sep) + os.sep) for root in self.roots
@@ -43,7 +43,7 @@ class Reach:
             )
 
     def is_of(self, path: str, descriptor: int) -> bool:
-        """Tell whether an open file is what a path that is allowed leads to."""
+        """Return whether an open file is what a path that is allowed leads to."""
         real = os.path.realpath(path)
         try:
             return self.allows(real) and os.path.samestat(os.stat(real), os.fstat(descriptor))
@@ -56,7 +56,7 @@ def roots_of(path: str, allowed: Sequence[str], packages: PackageFinder) -> list
 
     These are its own folder; where the environment says that packages are; the packages it lies in,
     and those beside them; its repository and the `src` folder of its workspace. A folder that holds
-    the user's home is none of these, whatever lies in it: many keep their settings in a repository.
+    the user's home is never one of them, whatever is in it: many keep settings in a repository.
 
     Args:
         path: the main file, absolute.

@@ -1,4 +1,4 @@
-"""Opens files that somebody else has named: regular files only, and never one that blocks.
+"""Opens files with untrusted names: regular files only, and never one that blocks.
 
 A name may lead to a FIFO that nobody writes to, or to a device whose mere opening has effects. So
 each is looked at before it is opened, and again afterwards.
@@ -63,7 +63,7 @@ def open_regular(path: str) -> BufferedReader:
 
 
 def read_start(path: str, most: int) -> bytes:
-    """Return the first bytes of a regular file, at most so many; see `open_regular` for errors."""
+    """Return the first bytes of a regular file, at most `most`; see `open_regular` for errors."""
     with open_regular(path) as file:
         return file.read(most)
 

@@ -63,7 +63,7 @@ def unpacked(data: bytes) -> MeshSurfaces:
         refused = parts[0][:_LONGEST_REASON].decode("utf-8", "replace").splitlines()
         return MeshSurfaces(map(_unpacked, parts[1:]), refused[:MOST_REFUSED])
     except (ValueError, IndexError) as error:
-        raise JailAnswerBroken(f"the answer is none: {error}") from None
+        raise JailAnswerBroken(f"the answer is not valid: {error}") from None
 
 
 def _reason(kind: bytes, text: str) -> bytes:

@@ -1,4 +1,4 @@
-"""The formats of meshes and images that are read, told by their bytes and not their names."""
+"""The formats of meshes and images that are read, recognized by their bytes and not their names."""
 
 from __future__ import annotations
 
@@ -78,7 +78,7 @@ def mesh_format(data: bytes) -> str | None:
 
 
 def is_binary_stl(data: bytes) -> bool:
-    """Tell whether there are as many facets as the header of a binary STL says."""
+    """Return whether there are as many facets as the header of a binary STL says."""
     if len(data) < STL_HEADER_BYTES:
         return False
     count = int.from_bytes(data[80:84], "little")
@@ -114,7 +114,7 @@ def image_format(start: bytes) -> str | None:
 
 
 def _is_tga(start: bytes) -> bool:
-    """Tell whether bytes may be the header of a TGA, which begins with no sign of its own."""
+    """Return whether bytes may be the header of a TGA, which begins with no sign of its own."""
     if len(start) < 18:
         return False
     has_map, kind, depth, flags = start[1], start[2], start[16], start[17]
@@ -142,4 +142,4 @@ def unreadable(path: str) -> MeshFileError:
     if name is None:
         return MeshFileError(f"no reader for '.{ending}' files")
     cut = ", or it is cut off" if ending == STL else ""
-    return MeshFileError(f"it is no {name} file{cut}")
+    return MeshFileError(f"it is not a valid {name} file{cut}")

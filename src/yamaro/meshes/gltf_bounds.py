@@ -18,7 +18,7 @@ _CHUNK = b"JSON"
 def check_glb(data: bytes) -> list[str]:
     """Return the names of other files in a binary glTF."""
     if data[16:20] != _CHUNK:
-        raise MeshFileError("its first chunk is no JSON")
+        raise MeshFileError("its first chunk is not JSON")
     return check_gltf(data[20 : 20 + int.from_bytes(data[12:16], "little")])
 
 
@@ -33,7 +33,7 @@ def check_gltf(data: bytes) -> list[str]:
     except (ValueError, RecursionError) as error:
         raise MeshFileError(f"its JSON is broken: {error}") from None
     if not isinstance(document, dict) or not isinstance(document.get("asset"), dict):
-        raise MeshFileError("it is no glTF")
+        raise MeshFileError("it is not glTF")
     try:
         _check_tree(_list(document, "nodes"))
         _check_numbers(document)
@@ -65,13 +65,13 @@ def _check_tree(nodes: list[Any]) -> None:
         for child in node.get("children", ()):
             _index(child, nodes)
             if child in above:
-                raise MeshFileError("its nodes are no tree")
+                raise MeshFileError("its nodes are not a tree")
             above[child] = number
     reached = [number for number in range(len(nodes)) if number not in above]
     for number in reached:  # grows meanwhile
         reached += nodes[number].get("children", ())
     if len(reached) != len(nodes):
-        raise MeshFileError("its nodes are no tree")
+        raise MeshFileError("its nodes are not a tree")
 
 
 def _check_numbers(document: dict[str, Any]) -> None:

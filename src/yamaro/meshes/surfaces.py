@@ -59,7 +59,7 @@ class Surface:
 
     @property
     def has_look(self) -> bool:
-        """Tell whether the file gives it colours or a texture."""
+        """Return whether the file gives it colours or a texture."""
         return any(each is not None for each in (self.color, self.point_colors, self.texture))
 
 
@@ -108,9 +108,9 @@ def check_surface(surface: Surface) -> None:
     count = len(surface.points)
     triangles = surface.triangles
     if surface.points.shape != (count, 3) or triangles.shape != (len(triangles), 3):
-        raise MeshFileError("its corners are no points")
+        raise MeshFileError("its corners are not points")
     if not (abs(surface.points) <= LARGEST_COORDINATE).all():
-        raise MeshFileError("a coordinate is no number, or too large for one")
+        raise MeshFileError("a coordinate is not a number, or too large for one")
     check_corners(triangles, count)
     for numbers, width in (
         (surface.point_colors, 4), (surface.texture_points, 2), (surface.normals, 3)
@@ -122,7 +122,7 @@ def check_surface(surface: Surface) -> None:
     if surface.color is not None and not (
         len(surface.color) == 4 and all(0 <= part <= 1 for part in surface.color)
     ):
-        raise MeshFileError("its colour is none")
+        raise MeshFileError("its colour is not valid")
     texture = surface.texture
     if texture is not None and not (
         texture.ndim == 3
@@ -130,7 +130,7 @@ def check_surface(surface: Surface) -> None:
         and min(texture.shape) > 0
         and max(texture.shape) <= WIDEST_TEXTURE
     ):
-        raise MeshFileError("its texture is no image")
+        raise MeshFileError("its texture is not an image")
 
 
 def _of_stl(data: bytes) -> list[Surface]:

@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     T = TypeVar("T")
 
 LARGEST_MESH_MEASURED = 100 << 20
-"""Bytes of a mesh that is read only to tell its size."""
+"""Bytes of a mesh that is read only to measure its size."""
 
 MERGE_FRACTION = 1e-7
 """Vertices nearer than this part of the mesh's size are the same one: the step of a float32."""
@@ -47,7 +47,7 @@ class TriangleMesh:
 
 
 def is_closed(mesh: TriangleMesh) -> bool:
-    """Tell whether the surface has no border, so that it encloses a body.
+    """Return whether the surface has no border, so that it encloses a body.
 
     That is so when every edge is run along as often one way as the other: then, and only then,
     the volume integrals do not depend on where the origin is.

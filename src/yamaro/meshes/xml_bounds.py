@@ -59,7 +59,7 @@ class _Reader:
     def _start(self, name: str, attributes: dict[str, str]) -> None:
         local = name.rpartition(":")[2]
         if self.depth == 0 and local != self.root:
-            raise MeshFileError(f"its root is no <{self.root}>")
+            raise MeshFileError(f"its root is not <{self.root}>")
         self.depth += 1
         if self.depth > DEEPEST:
             raise MeshFileError(f"it has more than {DEEPEST} elements in one another")
@@ -194,7 +194,7 @@ def check_threemf(data: bytes) -> list[str]:
             check_placed([reader.build for reader in readers], objects)
             check_placed((each for found in objects.values() for each in found), objects)
     except (BadZipFile, LargeZipFile, NotImplementedError, RuntimeError, EOFError) as error:
-        raise MeshFileError(f"it is no ZIP archive: {error}") from None
+        raise MeshFileError(f"it is not a ZIP archive: {error}") from None
     except (KeyError, ValueError, OSError) as error:
         raise MeshFileError(f"its archive is broken: {error}") from None
     if not models:

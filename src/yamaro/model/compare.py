@@ -79,7 +79,7 @@ class _Comparison:
         """Note the differences between two elements and what is in them."""
         path = (*path, label(expected))
         if expected.name != actual.name:
-            self._note(path, f"<{actual.name}> stands in its place")
+            self._note(path, f"<{actual.name}> is in its place")
             return
         first, second = values_of(expected), values_of(actual)
         children, others = expected.elements(), actual.elements()
@@ -97,7 +97,7 @@ class _Comparison:
         self._around.pop()
 
     def _is_posed(self) -> bool:
-        """Tell whether the innermost open element has a pose, which is zero by default."""
+        """Return whether the innermost open element has a pose, which is zero by default."""
         match self._around:
             case ["robot", "joint"] | ["robot", "link", "visual" | "collision" | "inertial"]:
                 return True
@@ -187,7 +187,7 @@ def prefixes_in(root: Element) -> set[str]:
 
 
 def is_used(attribute: str, prefixes: set[str] | None) -> bool:
-    """Tell whether an attribute does more than declare a prefix of XML that no name has.
+    """Return whether an attribute does more than declare a prefix of XML that no name has.
 
     If it is not known which prefixes names have, it does.
     """
@@ -197,7 +197,7 @@ def is_used(attribute: str, prefixes: set[str] | None) -> bool:
 
 
 def same_words(first: str, second: str) -> bool:
-    """Tell whether two texts have the same words, numbers compared as such."""
+    """Return whether two texts have the same words, numbers compared as such."""
     if first == second:
         return True
     words, others = first.split(), second.split()

@@ -125,12 +125,12 @@ class Joint(ReadLater):
 
     @property
     def is_fixed(self) -> bool:
-        """Tell whether it holds its child still."""
+        """Return whether it holds its child still."""
         return self.type == FIXED
 
     @property
     def is_free(self) -> bool:
-        """Tell whether its position is one number, and its own."""
+        """Return whether its position is one number, and its own."""
         return self.mimic is None and self.type in SINGLE
 
     @property

@@ -61,7 +61,7 @@ class Material(Written):
 
     @property
     def is_defined(self) -> bool:
-        """Tell whether it says how the material looks."""
+        """Return whether it says how the material looks."""
         return self.color is not None or self.texture is not None
 
 
@@ -137,7 +137,7 @@ class Link(ReadLater):
 
     @property
     def is_empty(self) -> bool:
-        """Tell whether it has neither mass nor shapes."""
+        """Return whether it has neither mass nor shapes."""
         return self.inertial is None and not self.visuals and not self.collisions
 
     def __repr__(self) -> str:

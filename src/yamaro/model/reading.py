@@ -1,7 +1,7 @@
 """Reads a robot from the elements of a finished `<robot>`, as leniently as it can.
 
 What is missing or cannot be read takes its default, since a robot is looked at while it is being
-written. An element that stands in several places is read once; what it gives is shared.
+written. An element that is in several places is read once; what it gives is shared.
 """
 
 from __future__ import annotations
@@ -68,7 +68,7 @@ def read_robot(root: Element, *, largest: float = inf) -> Robot:
     Most of a link or joint is read when it is first used.
 
     Args:
-        root: a `<robot>` without parts; elements may stand in several places of it.
+        root: a `<robot>` without parts; elements may be in several places of it.
         largest: numbers beyond it are treated like those that cannot be read.
 
     Raises:

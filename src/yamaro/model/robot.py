@@ -6,7 +6,7 @@ whatever is wrong with it: what is missing or cannot be read takes its default, 
 
 **How a check reads it.** `robot.all_links` and `robot.all_joints` are all that are written, those
 of a repeated or missing name too; `robot.links` and `robot.joints` hold the first of each name. A
-default is not told from a value that says the same: where that matters, ask for what is written.
+default looks like the same value written out: where that matters, ask for what is written.
 Everything that is read is `Written`: `written("upper")` is the text of an attribute or None,
 `inner("mass")` the element of that name inside, `span_of("upper")` the place of a value. Values
 inside of a link or joint, such as `Limit` and `Visual`, are one object wherever the same element
@@ -166,13 +166,13 @@ class Robot(Written):
 
     @property
     def roots(self) -> list[Link]:
-        """Return the links that are no joint's child, in order; a robot without faults has one."""
+        """Return the links that are not a child, in order; a valid robot has exactly one."""
         parent_joints = self._parents()
         return [link for name, link in self.links.items() if name not in parent_joints]
 
     @property
     def frames(self) -> dict[str, Frame]:
-        """Return the frames by name, in order: the empty links that hang on fixed joints."""
+        """Return the frames by name, in order: the empty links at fixed joints."""
         return {
             name: Frame(joint)
             for name, joint in self._parents().items()
@@ -180,11 +180,11 @@ class Robot(Written):
         }
 
     def parent_joint(self, link: str) -> Joint | None:
-        """Return the joint that a link hangs on, the first one written; None for a root."""
+        """Return the joint whose child a link is, the first one written; None for a root."""
         return self._parents().get(link)
 
     def joints_below(self, link: str) -> list[Joint]:
-        """Return the joints that hang on a link, in order."""
+        """Return the joints whose parent is a link, in order."""
         if self._joints_below is None:
             below: dict[str, list[Joint]] = {}
             for joint in self._parents().values():
@@ -244,7 +244,7 @@ class Robot(Written):
         """Return T_root_link of every link by name, in order; see `pose`.
 
         A robot with faults may have several roots, or links in a circle. Each pose is then
-        relative to the root that the link hangs on, or to one link of the circle.
+        relative to the root that the link is below, or to one link of the circle.
         """
         from .kinematics import link_poses
 

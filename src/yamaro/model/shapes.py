@@ -25,7 +25,7 @@ Inertia = tuple[float, float, float, float, float, float]
 """The inertia matrix as ixx, ixy, ixz, iyy, iyz, izz, in the order of URDF."""
 
 NEGLIGIBLE = 1e-12
-"""Products of inertia below this part of the moments are rounding, and come out as 0."""
+"""Products of inertia below this part of the moments are rounding, and become 0."""
 
 UNSCALED: Vector = (1.0, 1.0, 1.0)
 

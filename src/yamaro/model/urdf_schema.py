@@ -73,7 +73,7 @@ class ElementRule:
 
         Args:
             attributes: the attributes by name.
-            children: the elements that may stand in it, each ONCE or OFTEN.
+            children: the elements that may be in it, each ONCE or OFTEN.
             required_children: those it must have.
             extensions: further elements and attributes that known tools read there; their content
                 is theirs.
@@ -202,7 +202,7 @@ OUTERMOST = ("link", "joint", "material", "gazebo", "transmission", "ros2_contro
 
 
 def joint_type_hint(word: str) -> str:
-    """Return which type of joint `word`, which is none, may stand for."""
+    """Return the hint for `word`, which is not a type of joint: which type may be meant."""
     other = OTHER_JOINT_TYPES.get(word.lower())
     if other is not None:
         return f"URDF calls it '{other}'"

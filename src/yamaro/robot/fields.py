@@ -99,7 +99,7 @@ def _sort_element(lowering: Lowering, child: Element, place: Place, fields: Fiel
 
 
 def is_left_out(key: Element) -> bool:
-    """Tell whether a key's value is None, which leaves it out as it does an attribute."""
+    """Return whether a key's value is None, which leaves it out as it does an attribute."""
     children = key.children
     if len(children) != 1:
         return False
@@ -399,7 +399,7 @@ def _read_children(lowering: Lowering, key: Element, scalar: str | None, record:
 
 
 def _is_attribute(child: Element) -> bool:
-    """Tell whether a child is a key with a value, and not an XML element."""
+    """Return whether a child is a key with a value, and not an XML element."""
     if child.verbatim or child.attributes:
         return False
     children = child.children

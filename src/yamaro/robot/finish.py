@@ -67,7 +67,7 @@ class _Names:
                 self.parents[ends["child"]] = ends["parent"]
 
     def has_chain(self, base: str, tip: str) -> bool:
-        """Tell whether one link is above another."""
+        """Return whether one link is above another."""
         seen: set[str] = set()
         while tip != base:
             if tip not in self.parents or tip in seen:
@@ -150,7 +150,7 @@ def _check_state(lowering: Lowering, names: _Names, value: Element) -> None:
 
 
 def _check_joint(lowering: Lowering, names: _Names, note: Element) -> bool:
-    """Tell whether a note names a joint that can have a position of its own."""
+    """Return whether a note names a joint that can have a position of its own."""
     name = str(note.attributes["joint"])
     joint = names.joints.get(name)
     if joint is None:

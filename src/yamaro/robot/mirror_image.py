@@ -190,7 +190,7 @@ def change_text(element: Element, attribute: str, change: Callable[[str], str]) 
 
 
 def holds_pose(element: Element) -> bool:
-    """Tell whether some XML may hold a pose, which is not mirrored."""
+    """Return whether some XML may hold a pose, which is not mirrored."""
     words = ("pose", "origin", "xyz", "rpy")
     pending: list[Node] = [element]
     while pending:

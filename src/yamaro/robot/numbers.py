@@ -62,7 +62,7 @@ class Numbers:
         self.text = " ".join(words)
 
     def is_zero(self) -> bool:
-        """Tell whether all the numbers are exactly 0."""
+        """Return whether all the numbers are exactly 0."""
         return not any(self.values)
 
 

@@ -54,7 +54,7 @@ def lower(
     resolve_mesh: Callable[[str, Span], str | None],
     may_read: Callable[[str], bool] | None = None,
 ) -> Element:
-    """Return the tree with every part replaced by its joint, its link and what stands beside them.
+    """Return the tree with every part replaced by its joint, its link and what is beside them.
 
     Elements without a part inside are shared with the input, which is not changed.
 
@@ -147,7 +147,7 @@ def _trace_of_part(root: Element, part: Element, holders: dict[int, Element]) ->
 
 
 def _has_capsule(root: Element) -> bool:
-    """Tell whether the root says that it is URDF 1.1 or newer."""
+    """Return whether the root says that it is URDF 1.1 or newer."""
     major, _, minor = format_value(root.attributes.get("version")).strip().partition(".")
     if not (major.isdecimal() and minor.isdecimal()):
         return False
@@ -217,7 +217,7 @@ class PartNames:
 
 
 def _lower_part(lowering: Lowering, part: PartElement, out: list[Node]) -> None:
-    """Append the joint and link of a part, in the order written, and then what stands beside."""
+    """Append the joint and link of a part, in the order written, and then what is beside."""
     if part.form is not None and take_over(lowering, part, out):
         return
     entered = lowering.enter(part)
@@ -278,7 +278,7 @@ def _empty_link(lowering: Lowering, part: Element, fields: Fields, names: PartNa
 
 
 def _lower_beside(lowering: Lowering, node: Element, out: list[Node]) -> None:
-    """Append what stands beside a part's joint and link: an element, a material, or a part."""
+    """Append what is beside a part's joint and link: an element, a material, or a part."""
     if isinstance(node, PartElement):
         _lower_part(lowering, node, out)
         return

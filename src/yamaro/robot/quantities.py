@@ -139,7 +139,7 @@ class Wanted:
             self.dimensions = (NUMBER,)
 
     def takes(self, dimension: Dimension) -> bool:
-        """Tell whether a quantity of a dimension fits."""
+        """Return whether a quantity of a dimension fits."""
         if self.dimensions is None:
             return True
         return any(fits(dimension, wanted) for wanted in self.dimensions)
@@ -191,7 +191,7 @@ def read_quantities(
 
 
 def _is_quantity(text: str) -> bool:
-    """Tell whether a text is one number with a unit, known or not, on one line."""
+    """Return whether a text is one number with a unit, known or not, on one line."""
     if "\n" in text.strip():
         return False
     try:

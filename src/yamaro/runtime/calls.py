@@ -288,7 +288,7 @@ def run_call(
 def run_insert(
     interpreter: Interpreter, node: InsertNode, scope: Scope, out: list[Node], body: Body | None
 ) -> None:
-    """Put out what a block that was given holds, or the default."""
+    """Add what a block that was given contains, or the default."""
     block = scope.find(function_key(node.name))
     if isinstance(block, Block):
         interpreter.run_body(block.body, BlockScope(scope, block.written), out)
@@ -297,7 +297,7 @@ def run_insert(
 
 
 def _is_step(frame: Frame, parent: Frame | None, name: str, home: Frame | None) -> bool:
-    """Tell whether a frame is that of a call from `parent` of a function of that name and home."""
+    """Return whether a frame is that of `parent`'s call of a function of that name and home."""
     return frame.parent is parent and frame.home is home and frame.name == name
 
 

@@ -11,7 +11,7 @@ import gc
 import os
 
 THRESHOLD = 4_000_000
-"""New objects after which the collector looks all the same, since users' Python may leave cycles.
+"""New objects after which the collector runs anyway, since users' Python may leave cycles.
 
 A robot of 150,000 lines makes 3 million, in 400 MB.
 """

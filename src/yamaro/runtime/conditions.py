@@ -20,7 +20,7 @@ _TESTS = ("not ", "not(", "and ", "or ", "if ")
 
 
 def holds(condition: PythonCode | Constant, scope: Scope, evaluator: Evaluator) -> bool:
-    """Tell whether a condition is true, by Python's rules for the value it has.
+    """Return whether a condition is true, by Python's rules for the value it has.
 
     Raises:
         YamaroError: it is a text or a function, which Python would mostly take for true.
@@ -58,7 +58,7 @@ def _check_operands(condition: PythonCode, scope: Scope, evaluator: Evaluator) -
 
 
 def _means_false(value: Any) -> bool:
-    """Tell whether a value is a text that means false, which Python takes for true."""
+    """Return whether a value is a text that means false, which Python takes for true."""
     if not isinstance(value, str):
         return False
     from .python_errors import YAML_1_1_BOOLEANS
@@ -68,7 +68,7 @@ def _means_false(value: Any) -> bool:
 
 
 def _is_always_true(value: Any) -> bool:
-    """Tell whether a value is a function or class, which is true whatever it would return."""
+    """Return whether a value is a function or class, which is true whatever it would return."""
     kind = type(value)
     return callable(value) and not hasattr(kind, "__bool__") and not hasattr(kind, "__len__")
 

@@ -1,4 +1,4 @@
-"""Tells where a name that is not seen at some place is declared, and why it is not seen there."""
+"""Finds where a name that is not visible at a place is declared, and why it is not visible."""
 
 from __future__ import annotations
 
@@ -18,14 +18,14 @@ class Declaration:
         Args:
             scope: one of the five scopes, "import", or "passed" of what an include gives.
             span: its place.
-            extent: all of the innermost function or block it stands in, or None.
+            extent: all of the innermost function or block it is in, or None.
         """
         self.scope = scope
         self.span = span
         self.extent = extent
 
     def shares_context_with(self, span: Span) -> bool:
-        """Tell whether a place is in the file, and in the function or block, that this is in."""
+        """Return whether a place is in the file, and in the function or block, that this is in."""
         if self.span.source is not span.source:
             return False
         return self.extent is None or self.extent.start <= span.start < self.extent.end
@@ -35,7 +35,7 @@ def notes_on(subject: str, declarations: list[Declaration], span: Span) -> list[
     """Return notes on where a name that is not known at `span` is declared.
 
     Args:
-        subject: the name in quotes, and what it names if it is no variable.
+        subject: the name in quotes, and what it names if it is not a variable.
         declarations: all there are of that name.
         span: where it was looked up.
     """

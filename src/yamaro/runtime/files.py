@@ -63,7 +63,7 @@ class Files:
         Args:
             library: reads and parses files.
             reporter: takes the warnings of parsing.
-            print_function: stands in for Python's `print`.
+            print_function: replaces Python's `print`.
             safety: runs the expressions if they are to be safe.
             packages: finds ROS packages.
         """
@@ -118,7 +118,7 @@ class Files:
         ]
 
     def begin(self, document: Document, frame: Frame | None) -> Home:
-        """Return what expressions see in a run of a file, but for its imports."""
+        """Return what expressions see in a run of a file, except for its imports."""
         source = document.source
         directory = os.path.dirname(source.path) if source.path else os.getcwd()
         helpers = Helpers(directory, self._library, self.packages, self.note).names()
@@ -149,7 +149,7 @@ class Files:
     def _import_safely(
         self, document: Document, home: Home, evaluator: Evaluator, safety: SafeRuntime
     ) -> None:
-        """Bind what stands for the modules a file imports, if it may import them."""
+        """Bind the substitutes for the modules a file imports, if it may import them."""
         modules = self._modules_in(home.directory)
 
         def load(node: ImportNode) -> dict[str, Any]:

@@ -51,7 +51,7 @@ def namespace_of(node: IncludeNode, scope: Scope, values: Values) -> str | None:
     """Return the name of the namespace that takes what the file hands back, if there is one.
 
     Raises:
-        YamaroError: it is no name.
+        YamaroError: it is not a name.
     """
     if node.namespace is None or isinstance(node.namespace, str):
         return node.namespace
@@ -150,7 +150,7 @@ def _run_included_model(
 
 
 def _traced(interpreter: Interpreter, node: Node) -> Node:
-    """Return what stands in a root element that is left out, with the trace of its own."""
+    """Return what is in a root element that is left out, with the trace of its own."""
     if not isinstance(node, Element) or node.trace is not INHERITED:
         return node
     if isinstance(node, PartElement):  # each is made for its place

@@ -38,7 +38,7 @@ class Late:
         """Return a capitalised argument as a value, once its parameter turned out to be no block.
 
         Raises:
-            YamaroError: it is no value.
+            YamaroError: it is not a value.
         """
         value = self._values.get(argument)
         if value is None:

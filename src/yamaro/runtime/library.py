@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 
 class Library:
-    """Reads and parses files, and remembers what came of it.
+    """Reads and parses files, and remembers the result.
 
     Nothing in it changes once it is there, so that conversions may run one after the other or at
     once, in several threads: at worst two of them parse the same file. What could not be read or

@@ -111,7 +111,7 @@ def _written_numbers(node: ForNode, scope: Scope, evaluator: Evaluator) -> list[
 
 
 def _range_number(given: _RangeNumber, whole: list[Any] | None, node: ForNode, scope: Scope) -> int:
-    """Return a number of a `range`; raise YamaroError if it is none."""
+    """Return a number of a `range`; raise YamaroError if it is not a whole number."""
     number = _whole_number(given.value)
     if number is not None:
         return number

@@ -77,7 +77,7 @@ def run_element(
 def run_static(
     interpreter: Interpreter, element: Element, scope: Scope, out: list[Node], body: Body | None
 ) -> None:
-    """Put out an element that the parser has made."""
+    """Add an element that the parser has made."""
     if not interpreter.shares:
         element = unshared(element, interpreter.frame)
     elif interpreter.frame is interpreter.holder:
@@ -91,7 +91,7 @@ def run_static(
 def run_ready(
     interpreter: Interpreter, node: Text | Comment, scope: Scope, out: list[Node], body: Body | None
 ) -> None:
-    """Put out a text or comment that the parser has made."""
+    """Add a text or comment that the parser has made."""
     out.append(node)
 
 
@@ -162,7 +162,7 @@ def _name(interpreter: Interpreter, template: Template, scope: Scope, span: Span
 def run_text(
     interpreter: Interpreter, node: TextNode, scope: Scope, out: list[Node], body: Body | None
 ) -> None:
-    """Put out a text, unless it is None."""
+    """Add a text, unless it is None."""
     value = interpreter.values.written(node.value, scope)
     if value is not None:
         out.append(Text(value, node.span))
@@ -171,7 +171,7 @@ def run_text(
 def run_comment(
     interpreter: Interpreter, node: CommentNode, scope: Scope, out: list[Node], body: Body | None
 ) -> None:
-    """Put out a comment.
+    """Add a comment.
 
     Raises:
         YamaroError: XML cannot hold it.
@@ -190,7 +190,7 @@ def run_comment(
 def run_part(
     interpreter: Interpreter, node: PartNode, scope: Scope, out: list[Node], body: Body | None
 ) -> None:
-    """Put out a part, which is lowered later."""
+    """Add a part, which is lowered later."""
     interpreter.has_parts = True
     if node.form is not None and interpreter.shares:
         values = evaluate_holes(node.form, scope, interpreter.values)

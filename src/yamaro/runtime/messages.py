@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
 
 class Messages:
-    """Gathers printed text to whole lines for whoever takes messages."""
+    """Collects printed text into whole lines for the receiver of messages."""
 
     __slots__ = ("_left", "_limits", "_on_message", "_unfinished")
 
@@ -57,7 +57,7 @@ class Messages:
         file: Any = None,
         flush: bool = False,
     ) -> None:
-        """Stand in for Python's `print` in expressions and process blocks."""
+        """Replace Python's `print` in expressions and process blocks."""
         if file is not None:
             print(*values, sep=sep, end=end, file=file, flush=flush)
             return

@@ -1,8 +1,8 @@
-"""Imports Python modules for a file: those beside it first, loaded anew for each conversion.
+"""Imports Python modules for a file: those beside it first, loaded again for each conversion.
 
 Modules beside the YAML file never enter `sys.modules` under their own name, so two robots may each
 have their `helpers.py`, and a `random.py` beside a robot does no harm to anyone else's `random`.
-While a conversion runs they stand there under a private name, which dataclasses and the like need.
+While a conversion runs they are there under a private name, which dataclasses, for one, need.
 """
 
 from __future__ import annotations
@@ -97,7 +97,7 @@ class LocalModules:
         fromlist: Sequence[str] | None = (),
         level: int = 0,
     ) -> ModuleType:
-        """Stand in for `__import__` in code that sees the modules beside the YAML file."""
+        """Replace `__import__` in code that sees the modules beside the YAML file."""
         if level > 0:
             package = str((globals or {}).get("__package__") or "")
             parts = package.split(".")
@@ -153,7 +153,7 @@ def import_names(node: ImportNode, local: LocalModules) -> dict[str, Any]:
 
 
 def import_safe_names(node: ImportNode, local: LocalModules, safety: SafeRuntime) -> dict[str, Any]:
-    """Return the names that an import binds in safe mode, with what stands for their values.
+    """Return the names that an import binds in safe mode, with substitutes for their values.
 
     Raises:
         InputFault: the module, or what is asked of it, is not allowed.

@@ -1,4 +1,4 @@
-"""Tells where values come from that an expression or condition failed on."""
+"""Finds where values come from that an expression or condition failed on."""
 
 from __future__ import annotations
 
@@ -98,7 +98,7 @@ def names_tested(text: str) -> list[str]:
 
 
 def _nodes(text: str) -> Iterable[ast.AST]:
-    """Return the syntax of a piece of Python, or nothing if it is none."""
+    """Return the syntax of a piece of Python, or nothing if it is not Python."""
     import ast
 
     text = text.strip().replace("$(", "(")
@@ -148,7 +148,7 @@ def _is_number(value: Any) -> bool:
 def add_origins(diagnostic: Diagnostic, files: Files, passed: Mapping[str, Span]) -> None:
     """Note where the variables come from that are written at the place of an error in a part.
 
-    The value is not at hand any more, so this tells only what the text of the program says: a
+    The value is not at hand any more, so this reports only what the text of the program shows: a
     variable that is declared at one place, or given by the call or include that led there.
 
     Args:

@@ -50,7 +50,7 @@ class Helpers:
         packages: PackageFinder,
         note_file: Callable[[str], None],
     ) -> None:
-        """Serve a file in `directory`; `note_file` is told of every file read."""
+        """Serve a file in `directory`; `note_file` is called with every file read."""
         self._directory = directory
         self._library = library
         self._packages = packages

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from ..source import Source, Span
 
 # What every context begins with, and most end with. One is made for each call, so they share these;
-# whoever adds a first name takes a dict or set of its own.
+# the code that adds a first name creates its own dict or set.
 _NO_KINDS: dict[str, str] = {}
 _NONE_BRIDGED: set[str] = set()
 _NONE_PASSED: frozenset[str] = frozenset()
@@ -189,7 +189,7 @@ class Scope(dict[str, "Any"]):
         return holder.places[name] if name in holder.places else holder.given_at.get(name)
 
     def is_passed_in(self, name: str) -> bool:
-        """Tell whether a file's own `variables:` entry is only a default for this name."""
+        """Return whether a file's own `variables:` entry is only a default for this name."""
         if name in self.passed or self.find_child(name) is not MISSING:
             return True
         return name in self.shared_names.bridges and name not in self.bridged
@@ -308,7 +308,7 @@ class Scope(dict[str, "Any"]):
             raise KeyError(name)
 
     def exported(self) -> list[tuple[str, Any]]:
-        """Return the `parent` names with their values, for whoever called or included this."""
+        """Return the `parent` names with their values, for the caller or the including file."""
         if not self.kinds:
             return []
         return [
@@ -327,7 +327,7 @@ class BlockScope(Scope):
     Attributes:
         host: the call it runs in.
         hosts: the calls whose parameters and locals it sees, nearest first: the host and, where the
-            insertion itself stands in a block, the calls that one sees and the one it comes from.
+            insertion itself is in a block, the calls that one sees and the one it comes from.
     """
 
     __slots__ = ("host", "hosts")

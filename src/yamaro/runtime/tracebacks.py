@@ -54,7 +54,7 @@ def innermost(
 ) -> TracebackPlace:
     """Return the last place in the YAML that an error's traceback goes through.
 
-    As a line where the piece of it is a matter of chance or of the version of Python: where
+    As a line where the piece of it depends on chance or on the version of Python: where
     the stack ran out, or a statement `assert` failed.
 
     Args:
@@ -101,7 +101,7 @@ def _base_name(path: str) -> str:
 def _traceback_span(
     traceback: TracebackType, python: PythonCode, *, is_line: bool
 ) -> tuple[int | None, Span]:
-    """Return the failing piece of Python: exact where Python tells columns, else its line."""
+    """Return the failing piece of Python: exact where Python gives columns, else its line."""
     code = traceback.tb_frame.f_code
     if hasattr(code, "co_positions") and not is_line:
         from itertools import islice

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from .files import Files
 
 COMPUTED = ""
-"""What stands in the declarations of a file in place of a name that is known only at run time."""
+"""Replaces, in the declarations of a file, a name that is known only at run time."""
 _ALWAYS_KNOWN = frozenset((*dir(builtins), *CONSTANTS, "load_yaml", "file_dir"))
 _READS_ANY = frozenset(("globals", "locals", "vars", "eval", "exec", "dir", "__import__"))
 """Functions of Python through which variables are read, or made, by names that are computed."""
@@ -92,7 +92,7 @@ def warn_of_unread_includes(includes: Iterable[Passed], files: Files, reporter: 
 
 
 def _declared_in(documents: Iterable[Document]) -> set[str]:
-    """Return the names that files declare; what they pass on to others is none of theirs."""
+    """Return the names that files declare; what they pass on to others is not theirs."""
     return {
         name
         for document in documents

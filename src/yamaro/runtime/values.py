@@ -1,4 +1,4 @@
-"""Evaluates values: what stands behind a variable, an argument, an attribute or in a text."""
+"""Evaluates values: those of variables, arguments and attributes, and those in texts."""
 
 from __future__ import annotations
 
@@ -21,13 +21,13 @@ SHORT = 10**15
 
 
 def is_writable(value: Any) -> bool:
-    """Tell whether writing a value cannot fail."""
+    """Return whether writing a value cannot fail."""
     kind = type(value)
     return kind in ALWAYS_WRITABLE or (kind is int and -SHORT < value < SHORT)
 
 
 class Values:
-    """Gives the Python objects that the syntax tree's values stand for."""
+    """Gives the Python objects that the syntax tree's values describe."""
 
     __slots__ = ("evaluator",)
 
@@ -36,7 +36,7 @@ class Values:
         self.evaluator = evaluator
 
     def value(self, value: Value, scope: Scope) -> Any:
-        """Return the object a value stands for; lists and dicts are new each time."""
+        """Return the object a value describes; lists and dicts are new each time."""
         kind = type(value)
         if kind is Constant:
             return value.value  # type: ignore[union-attr]
@@ -137,7 +137,7 @@ def print_text(value: Any) -> str:
 
 
 def _is_number(value: Value) -> TypeGuard[Constant]:
-    """Tell whether a value is a number as the text has it."""
+    """Return whether a value is a number as the text has it."""
     return isinstance(value, Constant) and is_number(value.value)
 
 

@@ -25,6 +25,6 @@ def a_kind_of(value: Any) -> str:
     if isinstance(value, str):
         return f"the text '{value[:40]}'"
     name = type(value).__name__
-    if name in ("ndarray", "Array"):  # numpy's, and what stands for it in safe mode
+    if name in ("ndarray", "Array"):  # numpy's, and its substitute in safe mode
         return "an array"
     return f"{'an' if name[0] in 'AEIOUaeiou' else 'a'} {name}"

@@ -32,7 +32,7 @@ def read_included(source: Source, limits: Limits) -> tuple[Element, bool]:
     exactly, as its expansion needs it.
 
     Raises:
-        YamaroError: it is no XML.
+        YamaroError: it is not XML.
     """
     if source.path.lower().endswith(".xacro"):
         return read_xml(source, limits, exact=True).root, True
@@ -41,7 +41,7 @@ def read_included(source: Source, limits: Limits) -> tuple[Element, bool]:
 
 
 def is_xacro(root: Element) -> bool:
-    """Tell whether a document has xacro's tags, or declares them and has xacro's expressions."""
+    """Return whether a document has xacro's tags, or declares them and has xacro's expressions."""
     declares = "xmlns:xacro" in root.attributes
     pending = [root]
     while pending:
@@ -185,7 +185,7 @@ def include_xml(
     namespace: str | None,
     out: list[Node],
 ) -> None:
-    """Put out what an XML file holds: URDF as it is, or what a xacro file expands to.
+    """Add what an XML file contains: URDF as it is, or what a xacro file expands to.
 
     Args:
         interpreter: the conversion.

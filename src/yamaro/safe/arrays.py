@@ -2,7 +2,7 @@
 
 A file never holds an object of numpy's own: these reach files, memory and other modules by their
 attributes, and a product of two of them may fill the memory. All operators of the wrappers are
-here, and `Arithmetic` runs them. So this holds wherever Python computes or compares by itself, in
+here, and `Arithmetic` runs them. So this holds wherever Python computes or compares on its own, in
 lists within lists too.
 """
 

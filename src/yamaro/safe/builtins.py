@@ -332,7 +332,7 @@ def _is_instance(kinds: list[tuple[Any, type]], value: Any, wanted: Any, /) -> b
     found = [kind for item in islice(asked, 20) for named, kind in kinds if named is item]
     if isinstance(value, Foreign):
         value = value.data
-    if found and len(found) == len(asked):  # tuples in tuples could take for ever
+    if found and len(found) == len(asked):  # tuples in tuples could take forever
         return isinstance(value, tuple(found))
     raise refused("this use of `isinstance`", hint=f"it may ask for {', '.join(TYPES)}")
 

@@ -52,7 +52,7 @@ def compile_safe(text: str, filename: str, mode: str, limits: SafeLimits | None 
 
 
 def classify(node_class: type) -> str:
-    """Tell whether a class of syntax nodes is "allowed", "refused", "abstract" or "unknown"."""
+    """Return whether a class of syntax nodes is "allowed", "refused", "abstract" or "unknown"."""
     name = node_class.__name__
     if name in HANDLERS or name in SYMBOLS or name in OPERATORS:
         return "allowed"

@@ -67,7 +67,7 @@ def _slice_within(self: Rewriter, node: ast.Slice) -> ast.AST:
 
 
 def has_slice(node: ast.Subscript) -> bool:
-    """Tell whether the index is a slice, or several of which one is."""
+    """Return whether the index is a slice, or several of which one is."""
     parts = node.slice.elts if type(node.slice) is ast.Tuple else [node.slice]
     return any(type(part) is ast.Slice for part in parts)
 
@@ -122,7 +122,7 @@ def _binary(self: Rewriter, node: ast.BinOp) -> ast.AST:
 
 
 def _is_harmless(operator: str, left: ast.expr, right: ast.expr) -> bool:
-    """Tell whether an operation can neither grow nor take long, as a constant in it shows.
+    """Return whether an operation can neither grow nor take long, as a constant in it shows.
 
     A sum or product with a decimal is neither a text nor a list nor a whole number.
     """
@@ -140,7 +140,7 @@ def _is_decimal(node: ast.expr) -> bool:
 
 
 def _is_small(node: ast.expr) -> bool:
-    """Tell whether a node is a constant, or one with a sign, that is cheap to compare and hash."""
+    """Return whether a node is a constant, or a signed one, that is cheap to compare and hash."""
     if type(node) is ast.UnaryOp:
         node = node.operand
     if type(node) is not ast.Constant:

@@ -86,7 +86,7 @@ def _new(numpy: Arithmetic, given: Given) -> None:
 def _square(numpy: Arithmetic, given: Given) -> None:
     rows = given.get("N", given.get("n"))
     columns = given.get("M")
-    if rows is not None:  # else numpy tells that it is missing
+    if rows is not None:  # else numpy reports that it is missing
         numpy.charge(_shape_asked([rows, rows if columns is None else columns]))
 
 
@@ -95,7 +95,7 @@ def _steps(numpy: Arithmetic, given: Given) -> None:
     if stop is None:
         start, stop = 0, start
     if stop is None:
-        return  # numpy tells what is missing
+        return  # numpy reports what is missing
     start = 0 if start is None else start
     count = (float(stop) - float(start)) / (1.0 if step is None else float(step))
     if count > 0:

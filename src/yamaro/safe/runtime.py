@@ -46,7 +46,7 @@ class SafeRuntime(Guards):
 
         Args:
             limits: the usual ones if left out.
-            say: takes what `print` prints; else it goes nowhere.
+            say: takes what `print` prints; else it is discarded.
         """
         super().__init__(limits or SafeLimits())
         self._modules: dict[str, Module] = {}

@@ -15,7 +15,7 @@ RAISED = frozenset(("Exception", "NotImplementedError", "RuntimeError", "TypeErr
 """The errors that `raise` may end a run with."""
 
 LAZY = frozenset(("all", "any", "next"))
-"""Functions that need not go through all of a generator expression."""
+"""Functions that do not have to go through all of a generator expression."""
 
 ABSTRACT = frozenset(
     (

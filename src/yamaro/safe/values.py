@@ -120,7 +120,7 @@ def _has_fixed_hash(item: Any) -> bool:
 
 
 def _is_number(item: Any) -> bool:
-    """Tell whether a value is a number other than nan, whose hash differs from run to run."""
+    """Return whether a value is a number other than nan, whose hash differs from run to run."""
     return (type(item) in NUMBERS or isinstance(item, Foreign)) and bool(item == item)
 
 
@@ -421,7 +421,7 @@ def _not_plain(value: Any) -> SafetyError:
 
 
 def _is_tame(value: Any) -> bool:
-    """Tell whether a file cannot choose the hash of a value: of few whole numbers, or a text."""
+    """Return whether a file cannot choose the hash of a value: of few whole numbers, or a text."""
     kind = type(value)
     if kind is int:
         return bool(-_TAME_INTEGER < value < _TAME_INTEGER)

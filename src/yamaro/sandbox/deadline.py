@@ -24,7 +24,7 @@ class TimeOver(BaseException):
 
 
 def run_within(seconds: float | None, function: Callable[[], T]) -> T:
-    """Return what `function` returns; raise TimeOver in it if it takes longer than so many seconds.
+    """Return what `function` returns; raise TimeOver in it if it takes longer than `seconds`.
 
     Args:
         seconds: how long it may take; None for as long as it likes.
@@ -88,7 +88,7 @@ class _Watch:
 def _raise_in(thread: int, kind: type[BaseException]) -> None:
     """Raise an exception in a thread as soon as it runs Python code.
 
-    It cannot be taken back: Python 3.11 would then look for it for ever, and stand still where a
+    It cannot be taken back: Python 3.11 would then look for it forever, and stand still where a
     debugger or a coverage tool traces.
     """
     import ctypes

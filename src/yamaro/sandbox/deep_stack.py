@@ -60,7 +60,7 @@ def run_on_deep_stack(function: Callable[[], T]) -> T:
 
 
 class _Job:
-    """A function to run, and what came of it."""
+    """A function to run, and its result."""
 
     __slots__ = ("_done", "_error", "_function", "_value")
 
@@ -82,11 +82,11 @@ class _Job:
             _restore_recursion_limit()
 
     def end(self) -> None:
-        """Let whoever waits go on."""
+        """Let the waiting thread go on."""
         self._done.release()
 
     def wait(self, longest: float | None = None) -> None:
-        """Wait for the end, or for so many seconds."""
+        """Wait for the end, or for at most `longest` seconds."""
         if longest is not None:
             self._done.acquire(timeout=longest)
             return
@@ -137,7 +137,7 @@ class _Worker:
                 else:
                     self.is_stopped = True
                 job.end()
-                del job  # what came of it is not to be kept alive
+                del job  # its result is not to be kept alive
         except BaseException:  # an interruption that came after the job was done
             self.is_stopped = True
 
@@ -213,7 +213,7 @@ def _restore_recursion_limit() -> None:
 
 
 def _start(run: Callable[[], None]) -> bool:
-    """Start a thread with the deepest stack there is to have, and tell whether there is one."""
+    """Start a thread with the deepest stack there is to have, and return whether there is one."""
     with _lock:
         for size in STACK_SIZES:
             try:

@@ -23,7 +23,7 @@ GRACE = 1.0
 
 
 def bound_memory(size: int) -> None:
-    """Let this process have so many bytes of data, where the system can see to that.
+    """Let this process have at most `size` bytes of data, where the system can see to that.
 
     What asks for more gets a MemoryError in place of the machine's last page.
     """
@@ -41,7 +41,7 @@ def bound_memory(size: int) -> None:
 
 
 def end_after(seconds: float, say_why: Callable[[], None]) -> Callable[[], None]:
-    """End this process by force a second after so many seconds, where processes can be forked.
+    """End this process by force one second after `seconds`, where processes can be forked.
 
     Args:
         seconds: from now.
@@ -79,7 +79,7 @@ def _watch(
     for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
         signal.signal(number, signal.SIG_IGN)  # the parent decides what they mean
     null = os.open(os.devnull, os.O_RDWR)
-    os.dup2(null, 0)  # whoever waits for the end of the input or output need not wait for us
+    os.dup2(null, 0)  # a program that waits for the end of input or output does not wait for us
     os.dup2(null, 1)
     if select.select([reader], [], [], seconds)[0]:
         return

@@ -36,7 +36,7 @@ LONGEST_PATH = 4096
 
 
 class Outcome:
-    """What came of a conversion.
+    """The result of a conversion.
 
     Attributes:
         messages: what was printed, line by line.
@@ -69,7 +69,7 @@ class Outcome:
 
     @property
     def has_errors(self) -> bool:
-        """Tell whether the conversion has failed."""
+        """Return whether the conversion has failed."""
         return any(diagnostic.severity == ERROR for diagnostic in self.diagnostics)
 
 
@@ -282,7 +282,7 @@ class _Packer:
         )
 
     def tree(self, root: Element) -> bytes:
-        """Pack all nodes, each behind the one it stands in, whose number it tells."""
+        """Pack all nodes, each after the one it is in, with the number of that."""
         nodes: list[bytes] = []
         pending: list[tuple[Node, int]] = [(root, 0)]
         while pending:
@@ -398,7 +398,7 @@ class _Unpacker:
             nodes.append(node)
         root = nodes[0]
         if not isinstance(root, Element):
-            raise ValueError("the root is no element")
+            raise ValueError("the root is not an element")
         return root
 
     def _node(self, kind: bytes, span: Span, rest: list[bytes]) -> Node:

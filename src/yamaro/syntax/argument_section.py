@@ -66,7 +66,7 @@ def parse_arguments(node: YamlNode, document: Document, context: ParseContext) -
 
 
 def refuse_variables_of_same_name(document: Document, context: ParseContext) -> None:
-    """Keep an error for each name that stands in `arguments` and in the root's `variables`."""
+    """Keep an error for each name that is in `arguments` and in the root's `variables`."""
     places = {entry.name: entry.span for entry in document.arguments or ()}
     for section in document.sections:
         for variable in section.entries if isinstance(section, VariablesNode) else ():
@@ -386,7 +386,7 @@ def _checked(entry: ArgumentEntry, value: Value) -> object:
 
 
 def is_literal(value: Value) -> bool:
-    """Tell whether nothing in a value has to be evaluated."""
+    """Return whether nothing in a value has to be evaluated."""
     if isinstance(value, ListValue):
         return all(map(is_literal, value.items))
     if isinstance(value, DictValue):

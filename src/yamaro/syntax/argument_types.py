@@ -168,7 +168,7 @@ def quantity(entry: ArgumentEntry, value: object, *, is_si: bool = False) -> flo
 
 
 def same_value(one: object, other: object) -> bool:
-    """Tell whether two values are the same choice; numbers are compared to 15 digits."""
+    """Return whether two values are the same choice; numbers are compared to 15 digits."""
     if isinstance(one, bool) or isinstance(other, bool):
         return one is other
     if is_number(one) and is_number(other):

@@ -65,7 +65,7 @@ class ParseContext:
             return None
 
     def keep(self, error: YamaroError) -> None:
-        """Keep what an error tells."""
+        """Keep the diagnostics of an error."""
         self.errors.extend(error.diagnostics)
 
     def warn(self, code: str, message: str, span: Span, *, hint: str | None = None) -> None:

@@ -64,7 +64,7 @@ class Document:
             model_span: where `model:` stands first, or None without one.
             root: the root element written in place of `model`, if there is one.
             is_lone_section: whether the root element is a section of a robot in an included file.
-            robot_name: what stands behind `robot:`.
+            robot_name: what follows `robot:`.
             codes: Python code by its file name, to find the place of an error in a function.
             declarations: every name declared, with the scope and place.
             extents: the place of each function or block with its body; inner ones come first.

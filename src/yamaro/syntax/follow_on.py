@@ -1,4 +1,4 @@
-"""Tells which errors may be there only because lines with a fault in their YAML were hidden."""
+"""Finds the errors that may be there only because lines with a fault in their YAML were hidden."""
 
 from __future__ import annotations
 
@@ -13,22 +13,22 @@ _OF_WHAT_IS_AROUND = frozenset(
     """bad-root empty-file hidden-value lone-else misplaced-statement missing-key misspelt-statement
     mixed-list not-a-body not-a-text not-indented two-roots""".split()
 )
-"""Codes that tell of what stands around a place, or is missing there."""
+"""Codes about what is around a place, or is missing there."""
 _OF_CHARACTERS = frozenset(
     """attribute-twice bad-key empty-expression number-too-long python-syntax
     unclosed-expression""".split()
 )
-"""Codes that tell of the characters at a place, whatever they stand in."""
+"""Codes about the characters at a place, whatever they are in."""
 
 
 def without_follow_ons(
     found: Iterable[Diagnostic], source: Source, hidden: Sequence[Span]
 ) -> list[Diagnostic]:
-    """Return the diagnostics that would be there if nothing were hidden, as far as can be told.
+    """Return the diagnostics that would be there if nothing were hidden, as far as is known.
 
-    Nothing is told of lines of which something is hidden. What tells of the things around its
+    Nothing is reported of lines of which something is hidden. What is about the things around its
     place is left out if something is hidden beside its line, or below a line beside it; and below
-    a key whose value is hidden, only what tells of characters is kept.
+    a key whose value is hidden, only what is about characters is kept.
     """
     kept: list[Diagnostic] = []
     lines: _Lines | None = None

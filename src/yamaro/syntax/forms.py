@@ -29,7 +29,7 @@ class EvaluatedForm(Form):
         holes: the expressions in it and in what it holds, in the order in which they are
             evaluated, each with whether it is a piece of a longer text.
         joined: the texts of several pieces in it and in what it holds, each with its span.
-        letters: no more than so many characters are in those, but for texts in holes.
+        letters: at most this number of characters are in those, except for texts in holes.
     """
 
     __slots__ = ("holes", "joined", "letters")
@@ -98,7 +98,7 @@ class EvaluatedForm(Form):
 
 
 def form_of(node: ElementNode | PartNode, body: Body) -> EvaluatedForm | None:
-    """Return the form of a node that stands in `body`, or None if its shape is not fixed."""
+    """Return the form of a node that is in `body`, or None if its shape is not fixed."""
     if isinstance(node, PartNode):
         if not has_fixed_shape(node.body):
             return None
@@ -112,7 +112,7 @@ def form_of(node: ElementNode | PartNode, body: Body) -> EvaluatedForm | None:
 
 
 def has_fixed_shape(content: Content) -> bool:
-    """Tell whether what an element holds has the same shape each time it is run."""
+    """Return whether what an element holds has the same shape each time it is run."""
     if isinstance(content, Body):
         return all(
             isinstance(statement, (Element, Text, Comment))

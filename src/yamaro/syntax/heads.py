@@ -34,7 +34,7 @@ def parse_head_condition(
     """Return the condition of `if …:` or `elif …:`.
 
     Raises:
-        YamaroError: it is no expression.
+        YamaroError: it is not an expression.
     """
     return parse_condition(_piece(key, len(word), len(key.text)), context)
 
@@ -43,7 +43,7 @@ def parse_head_iteration(key: ScalarNode, context: ParseContext) -> tuple[list[s
     """Return the names of `for … in …:`, and what it runs over.
 
     Raises:
-        YamaroError: `in` is missing, a name is none, or what follows is no expression.
+        YamaroError: `in` is missing, a name is not valid, or what follows is not an expression.
     """
     text = key.text
     split = _find_in(text)

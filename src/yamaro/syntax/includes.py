@@ -30,14 +30,14 @@ YAML_ENDINGS = (".yaml", ".yml")
 
 
 def is_xml_file(path: str) -> bool:
-    """Tell whether a file holds XML by its name alone."""
+    """Return whether a file holds XML by its name alone."""
     return path.lower().endswith(XML_ENDINGS)
 
 
 def holds_xml(path: str, data: bytes | str) -> bool:
-    """Tell whether a file holds XML: by its name, or if that tells nothing, by how it begins.
+    """Return whether a file holds XML: by its name, or if that is not decisive, by how it begins.
 
-    `<arm>:` begins YAML all the same.
+    `<arm>:` begins YAML anyway.
     """
     if path.lower().endswith((*XML_ENDINGS, *YAML_ENDINGS)):
         return is_xml_file(path)
@@ -65,7 +65,7 @@ def parse_include(key: ScalarNode, node: YamlNode, context: ParseContext) -> Inc
 
 
 def parse_include_of(key: ScalarNode, pairs: Pairs, context: ParseContext) -> IncludeNode:
-    """Return the include that the entries of an `include` or `attach` stand for.
+    """Return the include that the entries of an `include` or `attach` describe.
 
     Raises:
         YamaroError: it has no path, or an argument has no proper name.
@@ -152,7 +152,7 @@ def _parse_path(node: YamlNode, key: ScalarNode, context: ParseContext) -> str |
 
 
 def is_computed(path: Template) -> bool:
-    """Tell whether it depends on variables which file a path means."""
+    """Return whether it depends on variables which file a path means."""
     return any(not _FOLDERS.issuperset(_names_read(part)) for part in path.parts)
 
 

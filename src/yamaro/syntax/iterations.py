@@ -60,7 +60,7 @@ def parse_range(node: YamlNode, context: ParseContext) -> list[PythonCode | Cons
     """Return the numbers of a `range`, as one expression or a list of them.
 
     Raises:
-        YamaroError: they are no expressions, or none, or more than three.
+        YamaroError: they are not expressions, are missing, or are more than three.
     """
     if isinstance(node, SequenceNode):
         check_range_count(len(node.items), node.span())
@@ -87,10 +87,10 @@ def check_range_count(count: int, span: Span) -> None:
 
 
 def parse_in(node: YamlNode, context: ParseContext) -> Value | PythonCode:
-    """Return what stands behind `in`: a YAML list or mapping, or an expression.
+    """Return what follows `in`: a YAML list or mapping, or an expression.
 
     Raises:
-        YamaroError: it is no expression.
+        YamaroError: it is not an expression.
     """
     if isinstance(node, ScalarNode):
         return parse_bare_expression(node, context)
@@ -112,7 +112,7 @@ def refuse_text_of_for(node: ScalarNode) -> NoReturn:
 
 
 def parse_iterable(entries: Entries, names: int, context: ParseContext) -> tuple[Iterable, bool]:
-    """Return what a `for` with so many names runs over, and whether that is a range.
+    """Return what a `for` with this number of names runs over, and whether that is a range.
 
     Raises:
         YamaroError: there is nothing to run over, or two things, or a range for several names.

@@ -47,7 +47,7 @@ def parse_name(
     """Return the element's or attribute's name in `key.text[start:end]`, checked if it is known.
 
     Raises:
-        YamaroError: it is no XML name.
+        YamaroError: it is not an XML name.
     """
     name = parse_template(key, start, end, context=context)
     if isinstance(name, str):
@@ -119,7 +119,7 @@ def attribute_twice(name: str, span: Span) -> YamaroError:
 def parse_attributes(
     key: ScalarNode, start: int, end: int, *, context: ParseContext
 ) -> list[Attribute]:
-    """Return the attributes in `key.text[start:end]`, what stands behind the slash.
+    """Return the attributes in `key.text[start:end]`, what follows the slash.
 
     Raises:
         YamaroError: an attribute has no `=`, no name, an open quote, or stands twice.
@@ -251,7 +251,7 @@ def parse_plain_key(text: str) -> PlainKey | None:
 
 
 class PlainKeyPlaces:
-    """Where the values of attributes stand in a key that `parse_plain_key` has read.
+    """Where the values of attributes are in a key that `parse_plain_key` has read.
 
     Finding them takes a while, and is seldom asked.
     """

@@ -21,7 +21,7 @@ def parse_text_or_comment(
     """Return the text or comment that stands under `<#text>` or `<#comment>`.
 
     Raises:
-        YamaroError: it is no text.
+        YamaroError: it is not a text.
     """
     if not isinstance(node, ScalarNode):
         raise failure(
@@ -48,7 +48,7 @@ def parse_process(key: ScalarNode, node: YamlNode, context: ParseContext) -> Pro
     """Return the Python statements of a `process`.
 
     Raises:
-        YamaroError: it is no text, or no Python.
+        YamaroError: it is not a text, or not Python.
     """
     if not isinstance(node, ScalarNode):
         raise failure(

@@ -52,7 +52,7 @@ def pairs_of(node: YamlNode, what: str, context: ParseContext) -> Pairs:
 
 
 def is_mapping(node: YamlNode) -> bool:
-    """Tell whether a node is a mapping, or a list of mappings, which means the same."""
+    """Return whether a node is a mapping, or a list of mappings, which means the same."""
     if isinstance(node, SequenceNode):
         return bool(node.items) and all(isinstance(item, MappingNode) for item in node.items)
     return isinstance(node, MappingNode)
@@ -69,7 +69,7 @@ _OWN_ENTRIES = {
 
 
 def refuse_not_indented(node: YamlNode, *, functions: bool = False) -> None:
-    """Refuse a list item such as `- part:` whose entries stand beside it instead of below it.
+    """Refuse a list item such as `- part:` whose entries are beside it instead of below it.
 
     With `functions`, the items are definitions of functions, not statements.
 
@@ -100,7 +100,7 @@ def item_hint(item: YamlNode) -> str:
 
 
 def body_hint(text: str) -> str:
-    """Return how to write the entry that a text stands for."""
+    """Return how to write the entry that a text means."""
     name, colon, value = text.partition(":")
     if is_function_name(text):
         return f"write `{text}:` with a colon to call a function"

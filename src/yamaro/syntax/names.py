@@ -27,7 +27,7 @@ SECTIONS = (
     "for",
 )
 ARGUMENTS = "arguments"
-"""Another section. Words like it are no misspelt sections: `fragment:` may be a root element."""
+"""Another section. Words like it are not misspelt sections: `fragment:` may be a root element."""
 ROBOT_STATEMENTS = ("attach", "mirror", "loop")
 """Statements where a part may stand, and elements elsewhere."""
 ROBOT_SECTIONS = ("control", "states", "groups", "collisions", "naming", "base")
@@ -54,7 +54,7 @@ _KEYWORDS = frozenset(
 
 
 def is_identifier(text: str) -> bool:
-    """Tell whether a text can name a variable: a Python identifier, no keyword, and not __this__.
+    """Return whether a text can name a variable: a Python identifier, no keyword, and not __this__.
 
     Names in double underscores are Python's own: one of them is where code finds its builtins.
     """
@@ -62,7 +62,7 @@ def is_identifier(text: str) -> bool:
 
 
 def is_dunder(text: str) -> bool:
-    """Tell whether a name begins and ends with two underscores, as Python spells it."""
+    """Return whether a name begins and ends with two underscores, as Python spells it."""
     name = python_name(text)
     return name[:2] == "__" == name[-2:]
 
@@ -77,7 +77,7 @@ def python_name(identifier: str) -> str:
 
 
 def is_keyword(text: str) -> bool:
-    """Tell whether a text is a Python keyword."""
+    """Return whether a text is a Python keyword."""
     return text in _KEYWORDS
 
 
@@ -94,7 +94,7 @@ def bad_variable_name(name: str) -> str:
 
 
 def name_hint(name: str) -> str:
-    """Return how to spell a name that is no identifier."""
+    """Return how to spell a name that is not an identifier."""
     fixed = "".join(char if char.isalnum() or char == "_" else "_" for char in name)
     if fixed and fixed[0].isdigit():
         fixed = f"_{fixed}"
@@ -111,7 +111,7 @@ def name_hint(name: str) -> str:
 
 
 def is_function_name(text: str) -> bool:
-    """Tell whether a bare key calls a function: `Name` or `ns.Name`, with a capital N."""
+    """Return whether a bare key calls a function: `Name` or `ns.Name`, with a capital N."""
     namespace, dot, name = text.rpartition(".")
     if not name.isidentifier() or not name[0].isupper() or name in _KEYWORDS:
         return False

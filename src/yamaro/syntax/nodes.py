@@ -44,7 +44,7 @@ class ListValue:
 
 
 class DictValue:
-    """A YAML mapping as a value; a repeated key stands for the list of its values."""
+    """A YAML mapping as a value; a repeated key means the list of its values."""
 
     __slots__ = ("pairs", "span")
 
@@ -60,10 +60,10 @@ Value = Constant | Template | ListValue | DictValue
 
 
 class Body:
-    """A sequence of statements; its identity tells which keys were written in one mapping.
+    """A sequence of statements; its identity shows which keys were written in one mapping.
 
     Attributes:
-        is_static: whether all statements are elements, texts and comments as they will be put out.
+        is_static: whether all statements are elements, texts and comments as they will be written.
     """
 
     __slots__ = ("is_static", "statements")
@@ -139,7 +139,7 @@ class ElementNode:
     """`name/attribute=value, …: content`: an XML element.
 
     Attributes:
-        form: its shape, if that is fixed and the element stands in a body; else None.
+        form: its shape, if that is fixed and the element is in a body; else None.
     """
 
     __slots__ = ("attributes", "content", "form", "name", "span", "verbatim")
@@ -292,7 +292,7 @@ class DynamicNode:
             key: the key.
             node: what stands under it, to be read as arguments if it is a call.
             content: what stands under it, read as an element's content.
-            faults: what is wrong with that reading, told if it is an element.
+            faults: what is wrong with that reading, reported if it is an element.
             span: the place of the key.
         """
         self.key = key
@@ -472,5 +472,5 @@ Statement = (
     | Text
     | Comment
 )
-"""What a body holds; elements, texts and comments in which nothing is evaluated stand in it as they
-will be put out."""
+"""What a body holds; elements, texts and comments in which nothing is evaluated are in it as they
+will be written."""

@@ -19,7 +19,7 @@ class Parsed:
 
     Attributes:
         document: the syntax tree, without what is faulty.
-        errors: what is no YAML comes first, since it hides other things; then in order of place.
+        errors: what is not YAML comes first, since it hides other things; then in order of place.
         warnings: in order of place.
         hidden: the stretches that were not read because of errors; what is missing may be there.
     """

@@ -1,6 +1,6 @@
 """Compiles Python in which `**` and `<<` make no numbers that fill the memory.
 
-`10**10**10` is a slip of the hand, or a bomb. Python works on it for days, and nothing can stop it
+`10**10**10` is a mistake, or a bomb. Python works on it for days, and nothing can stop it
 meanwhile. So where a text holds an operator that can do that, a call takes its place that looks at
 how large the result would be. All else is compiled as it is, `x**2` among it, unless a limit is set
 that is lower than the usual one.
@@ -35,7 +35,7 @@ def compile_bounded(text: str, filename: str, mode: str, limits: Limits) -> Code
 
 
 def _may_be_large(text: str) -> bool:
-    """Tell whether there is a `<<`, or a `**` whose exponent is not one small number."""
+    """Return whether there is a `<<`, or a `**` whose exponent is not one small number."""
     if "<<" in text:
         return True
     at = text.find("**")
@@ -103,7 +103,7 @@ def _call_in_place_of(node: Any) -> Any:
 
 
 def _mark(name: str) -> bytes:
-    """Return what stands for a function in code, until that is put there."""
+    """Return the placeholder of a function in code, until that is put there."""
     return b"\0" + name.encode()
 
 

@@ -1,4 +1,4 @@
-"""Elements, texts and comments in which nothing is evaluated, as they will be put out."""
+"""Elements, texts and comments in which nothing is evaluated, as they will be written."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 
 def as_put_out(statement: Statement, body: Body) -> Statement:
-    """Return an element, text or comment in which nothing is evaluated as it will be put out.
+    """Return an element, text or comment in which nothing is evaluated as it will be written.
 
     What is evaluated, or may fail when it is run, is returned as it is.
     """
@@ -40,7 +40,7 @@ def as_put_out(statement: Statement, body: Body) -> Statement:
 
 
 def element_put_out(node: ElementNode, body: Body) -> Element | ElementNode:
-    """Return an element as it will be put out, or as it is if something in it is evaluated."""
+    """Return an element as it will be written, or as it is if something in it is evaluated."""
     form = form_of(node, body)
     children = static_children(node.content)
     if form is None or form.holes or children is None:

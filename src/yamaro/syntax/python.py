@@ -38,7 +38,7 @@ class PythonCode:
 
         Args:
             text: the Python text, of the length it has in the scalar.
-            node: the scalar it stands in.
+            node: the scalar it is in.
             index: where in the scalar's text it begins.
             rules: say how it is compiled.
             opening: what was put before the text to compile it.
@@ -61,7 +61,7 @@ class PythonCode:
         return self._code
 
     def compile(self, text: str, mode: str) -> None:
-        """Compile what the text stands for; raise what `Rules.compile` raises."""
+        """Compile what the text means; raise what `Rules.compile` raises."""
         self._code = self.rules.compile(text, self.filename, mode)
 
     def span(self, start: int = 0, end: int | None = None) -> Span:
@@ -109,10 +109,10 @@ def compile_expression(
 
     Args:
         text: the expression as written.
-        node: the scalar it stands in.
+        node: the scalar it is in.
         index: where in the scalar's text it begins.
         rules: say which Python is allowed.
-        meaning: the Python it stands for, where that is not what is written.
+        meaning: the Python it means, where that is not what is written.
 
     Raises:
         YamaroError: it is empty or no Python expression.
@@ -143,7 +143,7 @@ def compile_statements(node: ScalarNode, rules: Rules) -> PythonCode:
     """Return the compiled Python statements that are the whole text of a scalar.
 
     Raises:
-        YamaroError: the text is no Python.
+        YamaroError: the text is not Python.
     """
     python = PythonCode(node.text, node, 0, rules, opening="")
     _compile(python, node.text, "exec", "this is not Python")
@@ -310,7 +310,7 @@ def _whole_value(node: ScalarNode, index: int) -> str:
 
 
 def ros_words(text: str) -> list[str] | None:
-    """Return the words of a ROS substitution such as `find pkg`, or None if it is none."""
+    """Return the words of a ROS substitution such as `find pkg`, or None if it is not one."""
     words = text.split()
     if len(words) < 2 or words[0] not in ROS_WORDS or words[1] in _OPERATOR_WORDS:
         return None
@@ -322,7 +322,7 @@ def ros_words(text: str) -> list[str] | None:
 
 
 def ros_call(words: list[str]) -> str:
-    """Return the Python call a ROS substitution stands for."""
+    """Return the Python call a ROS substitution means."""
     form, name = words[0], words[1]
     if form == "arg":
         return name

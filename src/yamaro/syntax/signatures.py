@@ -102,7 +102,7 @@ def _parse_parameter(node: ScalarNode, start: int, end: int, context: ParseConte
 
 
 def _parameter_hint(name: str) -> str:
-    """Return how to spell a parameter whose name is none, such as `length 0.5`."""
+    """Return how to spell a parameter whose name is not valid, such as `length 0.5`."""
     first, space, rest = name.partition(" ")
     if not space or not is_identifier(first):
         return name_hint(name)
@@ -183,7 +183,7 @@ def parse_argument_name(key: ScalarNode, context: ParseContext) -> str:
     """Return the name an argument is given under.
 
     Raises:
-        YamaroError: it is no name.
+        YamaroError: it is not a name.
     """
     name = parse_template(key, context=context)
     if isinstance(name, str) and is_identifier(name.strip()):

@@ -66,7 +66,7 @@ def parse_body(node: YamlNode, what: str, context: ParseContext) -> Body:
     """Return the statements of a body; what is wrong with one does not hide the others.
 
     Raises:
-        YamaroError: it is no mapping and no list of mappings.
+        YamaroError: it is neither a mapping nor a list of mappings.
     """
     pairs = pairs_of(node, what, context)
     refuse_not_indented(node)
@@ -74,7 +74,7 @@ def parse_body(node: YamlNode, what: str, context: ParseContext) -> Body:
 
 
 def parse_pairs(pairs: Pairs, context: ParseContext) -> Body:
-    """Return the statements that a body's pairs stand for."""
+    """Return the statements that a body's pairs describe."""
     body = Body()
     chain: IfNode | None = None  # the `if` that an `elif` or `else` may follow
     plain_keys = {} if context.at_root else context.plain_keys
@@ -102,7 +102,7 @@ def parse_pairs(pairs: Pairs, context: ParseContext) -> Body:
 
 
 def parse_statement(key: ScalarNode, node: YamlNode, context: ParseContext) -> Statement:
-    """Return the statement that one pair of a body stands for.
+    """Return the statement that one pair of a body describes.
 
     Raises:
         YamaroError: the statement is faulty.
@@ -178,7 +178,7 @@ def parse_element(key: ScalarNode, node: YamlNode, context: ParseContext) -> Ele
     """Return a pair as an element, whatever its key means elsewhere.
 
     Raises:
-        YamaroError: it is no element.
+        YamaroError: it is not an element.
     """
     return _parse_element(key, 0, len(key.text), node, context, verbatim=False)
 

@@ -172,7 +172,7 @@ def parse_condition(node: YamlNode, context: ParseContext) -> PythonCode | Const
     """Return a condition: a Python expression, or a YAML boolean, number or null.
 
     Raises:
-        YamaroError: it is no expression.
+        YamaroError: it is not an expression.
     """
     if not isinstance(node, ScalarNode):
         opening = "[" if isinstance(node, SequenceNode) else "{"
@@ -197,7 +197,7 @@ def parse_bare_expression(node: ScalarNode, context: ParseContext) -> PythonCode
     """Return a scalar that is a Python expression as a whole; `$(e)` in it means `(e)`.
 
     Raises:
-        YamaroError: it is no expression.
+        YamaroError: it is not an expression.
     """
     if node.anchor is not None:
         context.warn(
@@ -225,7 +225,7 @@ def parse_bare_expression(node: ScalarNode, context: ParseContext) -> PythonCode
 
 
 def is_empty(node: YamlNode) -> bool:
-    """Tell whether a node is null or an empty text."""
+    """Return whether a node is null or an empty text."""
     if not isinstance(node, ScalarNode):
         return False
     return not node.text or (node.style == PLAIN and is_null(node.text))

@@ -22,7 +22,7 @@ def split_scope(key: ScalarNode, what: str) -> tuple[int, str]:
     """Return where the name in `name/scope` ends, and the scope.
 
     Raises:
-        YamaroError: the scope is none.
+        YamaroError: the scope does not exist.
     """
     text = key.text
     slash = find_outside(text, "/", 0, len(text))

@@ -36,7 +36,7 @@ class Assets:
         """Copy files.
 
         Args:
-            finder: tells which files may be read.
+            finder: decides which files may be read.
             run: runs what parses files that others wrote, in a jail if they are not trusted.
         """
         self._finder = finder
@@ -108,7 +108,7 @@ class Assets:
         return [each for each in found[: 2 * MOST_NAMES] if self._is_companion(each, path)]
 
     def _is_companion(self, path: str, mesh: str) -> bool:
-        """Tell whether a file, as a jail may have named it, is one to copy."""
+        """Return whether a file, as a jail may have named it, is one to copy."""
         return (
             os.path.isabs(path)
             and "\0" not in path

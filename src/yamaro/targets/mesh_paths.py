@@ -1,6 +1,6 @@
 """Writes the paths of meshes and textures so that they lead to the same files from the output.
 
-In a source a relative path starts at the folder of the file that contains it. Whoever reads the
+In a source a relative path starts at the folder of the file that contains it. The reader of the
 output starts at the folder of that, or at the folder of a package.
 """
 
@@ -36,7 +36,7 @@ class MeshPaths:
 
     Attributes:
         assets: the copies of files, with the mode `COPY`.
-        finder: tells where files and packages are.
+        finder: finds files and packages.
     """
 
     __slots__ = ("_folder", "_mode", "_package", "assets", "finder")
@@ -50,7 +50,7 @@ class MeshPaths:
             mode: one of `MODES`: paths relative to the folder, as written, absolute, to copies, in
                 a package, or no meshes at all.
             folder: where the output is, absolute.
-            finder: tells where files and packages are.
+            finder: finds files and packages.
             assets: the copies, with the mode `COPY`.
 
         Raises:
@@ -67,7 +67,7 @@ class MeshPaths:
             if not self._package:
                 raise ValueError(f"the package '{name}' is not found")
         elif mode not in MODES:
-            raise ValueError(f"'{mode}' is none of {', '.join(MODES)}")
+            raise ValueError(f"'{mode}' is not one of {', '.join(MODES)}")
 
     def applied_to(self, root: Element) -> Element:
         """Return a robot with these paths; `root` stays as it is."""
@@ -114,7 +114,7 @@ class MeshPaths:
 
 
 def _is_mesh_shape(node: Node) -> bool:
-    """Tell whether a node is a visual or collision that shows a mesh."""
+    """Return whether a node is a visual or collision that shows a mesh."""
     return (
         isinstance(node, Element)
         and node.name in ("visual", "collision")

@@ -60,7 +60,7 @@ class Declared:
 
     @property
     def is_required(self) -> bool:
-        """Tell whether the file cannot be run without it."""
+        """Return whether the file cannot be run without it."""
         return self.default_text is None
 
 

@@ -45,7 +45,7 @@ class Turn:
         self.seconds = seconds
 
     def is_told_as(self, other: Turn | None) -> bool:
-        """Tell whether there is the same to tell of two builds."""
+        """Return whether there is the same to tell of two builds."""
         return (
             other is not None
             and self.fault == other.fault
@@ -53,7 +53,7 @@ class Turn:
         )
 
     def fails_as(self, other: Turn | None) -> bool:
-        """Tell whether two builds failed in the same way."""
+        """Return whether two builds failed in the same way."""
         is_failure = self.build is None and other is not None and other.build is None
         return is_failure and self.is_told_as(other)
 
@@ -147,7 +147,7 @@ class Rebuilder:
         return Turn(build, build.warnings)
 
     def has_changed(self) -> bool:
-        """Tell whether a file has changed since the last build; the next one reads all anew."""
+        """Return whether a file has changed since the last build; the next one reads all anew."""
         if not self._watch.changed():
             return False
         self._program = None

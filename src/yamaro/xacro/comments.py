@@ -64,7 +64,7 @@ class Comments:
 
 
 def is_gone(node: Node) -> bool:
-    """Tell whether a node is a mark that has moved on."""
+    """Return whether a node is a mark that has moved on."""
     return type(node) is Mark and not node.is_alive
 
 

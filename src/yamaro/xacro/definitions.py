@@ -124,7 +124,7 @@ def _name(expansion: Expansion, given: Property, scope: Scope) -> str:
     place = expansion.place(given.element, "name")
     name = expansion.evaluator.value(given.name, scope, place)
     if not isinstance(name, str) or not is_property_name(name):
-        problem = f"'{name}' is no name that an expression could use"
+        problem = f"'{name}' is not a name that an expression could use"
     elif name.startswith("__"):
         problem = f"the name '{name}' begins with '__', which xacro does not allow"
     else:
@@ -134,7 +134,7 @@ def _name(expansion: Expansion, given: Property, scope: Scope) -> str:
         problem,
         place.span(),
         hint="a name has letters, digits and _, does not begin with a digit, "
-        "and is no word of Python",
+        "and is not a keyword of Python",
         trace=expansion.frame,
     )
 

@@ -191,7 +191,7 @@ class XacroEvaluator:
         elif isinstance(error, SyntaxError):
             message = "there is no expression between the braces"
             if text.strip():
-                message = f"this is no Python expression: {error.msg}"
+                message = f"this is not a Python expression: {error.msg}"
                 column = _column(error, text)
                 if column is not None and offset is not None:
                     start, end = offset + column, offset + column + 1
@@ -267,13 +267,13 @@ class XacroEvaluator:
             start = min(mark.index if mark is not None else 0, len(source.text))
             raise failure(
                 "xacro-yaml",
-                f"this is no YAML: {getattr(error, 'problem', None) or error}",
+                f"this is not valid YAML: {getattr(error, 'problem', None) or error}",
                 Span(source, start, min(start + 1, len(source.text))),
                 trace=Frame("read", source.name, self._here(), parent=self.place.trace),
             ) from None
         except SyntaxError as error:
             raise Fault(
-                "xacro-yaml", f"a number with a unit in '{source.name}' is no Python: {error.msg}"
+                "xacro-yaml", f"a number with a unit in '{source.name}' is not Python: {error.msg}"
             ) from None
 
     def tell(self, kind: str, text: str) -> None:

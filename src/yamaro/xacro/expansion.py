@@ -315,7 +315,7 @@ def _attribute(expansion: Expansion, node: Element, site: Site) -> None:
     if holder.name.startswith(PREFIX):
         expansion.reporter.warn(
             "xacro-lost",
-            f"the attribute '{key}' goes nowhere, for <{holder.name}> stands around it",
+            f"the attribute '{key}' is discarded, since <{holder.name}> is around it",
             node.span,
             hint=f"put <{holder.name}> around all of the element, or a condition into the value",
             trace=expansion.frame,
@@ -331,7 +331,7 @@ def _checked_name(name: object, tag: str, place: XacroPlace) -> str:
     if name == "":
         problem = "is empty"
     elif not isinstance(name, str) or any(char in "<>&\"'/= \t\r\n" for char in name):
-        problem = f"is '{name}', which is no name"
+        problem = f"is '{name}', which is not a name"
     if problem:
         raise failure(
             "xacro-name", f"the name in <{tag}> {problem}", place.span(), trace=place.trace

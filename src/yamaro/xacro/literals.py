@@ -46,7 +46,7 @@ def truth(value: Any) -> bool:
 
 
 def is_property_name(name: str) -> bool:
-    """Tell whether an expression can use a name."""
+    """Return whether an expression can use a name."""
     from keyword import iskeyword
     from unicodedata import normalize
 

@@ -2,7 +2,7 @@
 
 A parameter is a name, `*name` for a block, `**name` for the content of a block; a default follows
 `:=` or `=`. A default that begins with `^` is the caller's property of that name, and what comes
-after `^|` is the default where there is none. It ends at white space, unless that stands in quotes,
+after `^|` is the default where there is none. It ends at white space, unless that is in quotes,
 in `${…}` or `$(…)`.
 """
 
@@ -39,7 +39,7 @@ class Parameter:
 
     @property
     def is_block(self) -> bool:
-        """Tell whether it takes an element, not a value."""
+        """Return whether it takes an element, not a value."""
         return self.name[0] == "*"
 
 

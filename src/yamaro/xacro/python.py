@@ -78,7 +78,7 @@ class Python:
 
 
 def is_plain_name(text: str) -> bool:
-    """Tell whether an expression is a name, and no word of Python."""
+    """Return whether an expression is a name, and no word of Python."""
     if not text.isidentifier() or not text.isascii() or text.startswith("__"):
         return False
     return text in _TRUTHS or not iskeyword(text)

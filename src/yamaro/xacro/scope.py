@@ -81,7 +81,7 @@ class Scope(dict[str, "Any"]):
         self.put(name, value)  # `:=` in an expression
 
     def has(self, name: str) -> bool:
-        """Tell whether the name has a meaning here."""
+        """Return whether the name has a meaning here."""
         scope: Any = self
         while isinstance(scope, Scope):
             if dict.__contains__(scope, name) or name in scope.lazy:

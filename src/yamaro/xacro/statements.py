@@ -99,7 +99,7 @@ class Statements:
         if element.elements():
             self._reporter.warn(
                 "xacro-ignored",
-                "what stands in <xacro:include> is ignored",
+                "what is in <xacro:include> is ignored",
                 element.elements()[0].span,
                 trace=self.trace,
             )

@@ -87,7 +87,7 @@ def _answer(command: str, words: list[str], answers: Answers) -> str:
     if command == "dirname":
         raise Fault(
             "xacro-substitution",
-            "$(dirname) is known to launch files only; xacro cannot tell it",
+            "$(dirname) is known to launch files only; xacro does not know it",
             "write $(find package), or a path relative to this file",
         )
     if len(words) != 1:
@@ -115,7 +115,7 @@ def _contents(text: str) -> list[str]:
             end = start
             while end < len(text) and text[end] != ")":
                 if text[end] in "$(":
-                    raise Fault("xacro-substitution", f"a '{text[end]}' cannot stand in $(…)")
+                    raise Fault("xacro-substitution", f"a '{text[end]}' cannot be in $(…)")
                 end += 1
             if end < len(text):
                 found.append(text[start:end])

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 def tidy(root: Element) -> None:
-    """Mend the children of an element, and of all in it."""
+    """Tidy the children of an element, and of all in it."""
     pending = [root]
     for element in pending:
         children = element.children

@@ -1,4 +1,4 @@
-"""Elements of fixed shape: a form with holes, which stand for values that are not known yet."""
+"""Elements of fixed shape: a form with holes, in place of values that are not known yet."""
 
 from __future__ import annotations
 
@@ -84,7 +84,7 @@ _PLAIN = frozenset((str, int, float, bool, type(None)))
 
 
 def key_of(values: tuple[Any, ...]) -> object:
-    """Return what tells values apart by all that can be seen of them, or None for what cannot be.
+    """Return a key that tells values apart by all that is visible of them, or None without one.
 
     In Python 1, 1.0 and True are equal, and so are 0.0 and -0.0.
     """

@@ -66,7 +66,7 @@ class XmlDocument:
 
 
 def decode_xml(data: bytes, *, name: str, path: str) -> Source:
-    """Return the bytes of an XML file as a source, in the encoding that its first bytes tell.
+    """Return the bytes of an XML file as a source, in the encoding that its first bytes show.
 
     Raises:
         YamaroError: `xml-encoding`: it is not in that encoding, or nobody knows it.
@@ -121,7 +121,7 @@ def read_xml(source: Source, limits: Limits | None = None, *, exact: bool = Fals
         exact: tell CDATA sections from other text, and refuse prefixes that are not declared.
 
     Raises:
-        YamaroError: `xml-syntax` at the place where the text is no XML, `xml-entity` where it
+        YamaroError: `xml-syntax` at the place where the text is not XML, `xml-entity` where it
             declares what other parsers would read from elsewhere, or a limit is passed.
     """
     source.is_xml = True
@@ -190,8 +190,8 @@ class _Reader:
         self._root: Element | None = None
         self._open: list[Element] = []
         self._text: list[str] = []
-        self._spaces: dict[str, Text] = {}  # each stands for all that are equal
-        self._token = 0  # where the tag, comment or the like begins that came last, in bytes
+        self._spaces: dict[str, Text] = {}  # each is used for all that are equal
+        self._token = 0  # where the tag, comment or similar begins that came last, in bytes
         self._is_ascii = source.text.isascii()
         self._bytes = b""
         self._starts = [0]  # how many characters are before each block of bytes
@@ -227,7 +227,7 @@ class _Reader:
             parser.EndCdataSectionHandler = self._end_cdata
         return parser
 
-    # --- what expat tells -------------------------------------------------------------------
+    # --- what expat reports-------------------------------------------------------------------
 
     def _start(self, name: str, attributes: dict[str, Any]) -> None:
         if self._text:
@@ -322,7 +322,7 @@ class _Reader:
             self._spaces[text] = made
 
     def _text_start(self) -> int:
-        """Return where the tag, comment or the like ends that came last."""
+        """Return where the last tag, comment or similar ends."""
         token = self._offset(self._token)
         found = _TOKEN.match(self._source.text, token)
         return found.end() if found else token

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 _BODIES = ("link", "joint")
 _REFERS = re.compile("link|joint|frame|body|reference|parent|child|mimic", re.IGNORECASE)
-"""Tags and attributes that name links and joints, in extensions of URDF that no schema tells of."""
+"""Tags and attributes that name links and joints, in extensions of URDF that are in no schema."""
 _DEVICES = (
     *("transmission", "actuator", "sensor", "ros2_control", "gpio"),
     *("robot-group", "robot-loop"),

@@ -81,13 +81,13 @@ class Element:
             children: elements, text and comments in order.
             trace: the calls and includes that led here; INHERITED where they are those of the part
                 or of the child of the root around it.
-            value_spans: where the attributes' values are written; `span` stands in for the rest.
+            value_spans: where the attributes' values are written; `span` is used for the rest.
             verbatim: written in angle brackets: plain XML, whatever its name.
             body: identity of the mapping the element's key was written in.
 
         Attributes:
             memo: what is worked out once for all elements that are equal to this one; None if there
-                are no others.
+                is none.
         """
         self.name = name
         self.span = span
@@ -198,7 +198,7 @@ class PartElement(Element):
 class RobotWord(PartElement):
     """A robot's statement or section as evaluated, before it is lowered: `mirror`, `states`.
 
-    Its children are its own keys, whose names are as they were written and need not be XML's. A
+    Its children are its own keys, whose names are as written and not always names in XML. A
     list under a key is one `LiteralList`; an item that is a mapping or list is an element `-`. The
     last child is an element `body` if it has one: what the body made, or the file it attaches.
     """
@@ -257,7 +257,7 @@ def unshared(root: Element, trace: Frame | None = None) -> Element:
 
 
 def with_trace(element: Element, trace: Frame | None) -> Element:
-    """Return an element that is the same but for its trace; its children are shared."""
+    """Return an element that is the same except for its trace; its children are shared."""
     copy = element.with_children(element.children)
     copy.trace = trace
     return copy

@@ -62,7 +62,7 @@ def _format_other(value: Any) -> str:
 
 
 def _refuse_without_text(value: Any) -> None:
-    """Raise InputFault for a function, an iterator and the like: their texts are chance."""
+    """Raise InputFault for objects such as functions and iterators: their texts vary by chance."""
     kind: Any = type(value)
     if kind.__str__ is not object.__str__:
         return
@@ -82,7 +82,7 @@ def _refuse_without_text(value: Any) -> None:
 
 
 def plain_value(value: Any) -> Any:
-    """Return a numpy scalar or array as the Python value it stands for, all else unchanged."""
+    """Return a numpy scalar or array as the equal Python value, all else unchanged."""
     if type(value).__module__ == "numpy" and hasattr(value, "tolist"):
         return value.tolist()
     if isinstance(value, float):
@@ -95,7 +95,7 @@ def plain_value(value: Any) -> Any:
 
 
 def is_number(value: object) -> bool:
-    """Tell whether a value is an int or a float (booleans are not numbers here)."""
+    """Return whether a value is an int or a float (booleans are not numbers here)."""
     return isinstance(value, (int, float)) and not isinstance(value, bool)
 
 
@@ -126,12 +126,12 @@ def escaped_attribute(text: str) -> str:
 
 
 def is_comment_text(text: str) -> bool:
-    """Tell whether a comment can hold the text (production 15, Comment)."""
+    """Return whether a comment can hold the text (production 15, Comment)."""
     return "--" not in text and not text.endswith("-")
 
 
 def is_xml_character(char: str) -> bool:
-    """Tell whether XML 1.0 allows the character (production 2, Char)."""
+    """Return whether XML 1.0 allows the character (production 2, Char)."""
     code = ord(char)
     return (
         code in (0x9, 0xA, 0xD)

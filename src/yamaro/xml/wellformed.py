@@ -1,4 +1,4 @@
-"""Tells whether a text is a document as Yamaro writes them, whoever wrote it."""
+"""Checks whether a text is a document as Yamaro writes them, even if it comes from elsewhere."""
 
 from __future__ import annotations
 

@@ -136,7 +136,7 @@ class _Writer:
         return escaped
 
     def _go_deeper(self, element: Element) -> None:
-        """Note that what stands in an element is written inline, where no margin tells how deep."""
+        """Note that what is in an element is written inline, where no margin shows how deep."""
         self._depth += 1
         if self._depth >= self._limits.xml_depth:
             raise self._too_deep(element)
@@ -280,10 +280,10 @@ class _Passage:
         self.stop = len(out)
         self.text = ""
         self.end = ""  # the end tag around, if this is what is in an element
-        self.before_name = self.after_name = ""  # and the start tag, but for the name in it
+        self.before_name = self.after_name = ""  # and the start tag, except for the name in it
 
     def fits(self, out: list[str], margin: str, prefixes: frozenset[str]) -> bool:
-        """Tell whether the same would be written at a place of a document."""
+        """Return whether the same would be written at a place of a document."""
         return self.out is out and self.margin == margin and self.prefixes == prefixes
 
     def put_together(self) -> str:

@@ -56,7 +56,7 @@ class NodeBuilder:
         Args:
             source: what to read.
             limits: how deep it may be, and how far its aliases expand.
-            owner: for a fragment, the source it stands in.
+            owner: for a fragment, the source it is in.
             places: for a fragment, the offsets of its characters in `owner`.
             units: convert numbers that have a tag of `UNITS`.
             text: what to read in place of the source's text; as long, with some of it hidden.
@@ -65,7 +65,7 @@ class NodeBuilder:
         self.units = units
         self.text = source.text if text is None else text
         self.errors = errors
-        self.absent: list[YamlNode] = []  # what stands for nodes that could not be read
+        self.absent: list[YamlNode] = []  # placeholders of nodes that could not be read
         self.open_flow: Any = None  # the outermost `[…]` or `{…}` that is open
         self.documents = 0
         self.limits = limits
@@ -253,7 +253,7 @@ class NodeBuilder:
         return node
 
     def _size(self, node: YamlNode) -> int:
-        """Return how many nodes stand in `node`, those behind aliases included."""
+        """Return how many nodes are in `node`, those behind aliases included."""
         pending: list[YamlNode] = [node]
         while pending:
             current = pending[-1]
@@ -319,7 +319,7 @@ class NodeBuilder:
         self.errors.extend(error.diagnostics)
 
     def _absence(self, code: str, message: str, span: Span, *, hint: str) -> ScalarNode:
-        """Note an error, or raise it; return what stands for the node that cannot be had."""
+        """Note an error, or raise it; return a placeholder for the missing node."""
         self._refuse(code, message, span, hint=hint)
         return self._absent(span)
 
@@ -361,7 +361,7 @@ class NodeBuilder:
         )
 
     def _is_second_document(self, event: Any) -> bool:
-        """Tell whether a second document begins, and refuse it."""
+        """Return whether a second document begins, and refuse it."""
         kind = type(event)
         if kind is not DocumentStartEvent:
             return False

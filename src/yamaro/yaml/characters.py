@@ -67,7 +67,7 @@ def _refuse_character(source: Source, at: int) -> NoReturn:
 
 
 def is_binary(text: str) -> bool:
-    """Tell whether so many NULs stand in what should be a text that it is none."""
+    """Return whether what should be a text has too many NULs to be one."""
     return text.count("\x00") >= _NULS_OF_A_TEXT
 
 

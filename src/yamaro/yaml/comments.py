@@ -1,4 +1,4 @@
-"""Finds the comments of a text: what stands between libyaml's tokens and is no white space."""
+"""Finds the comments of a text: the text between libyaml's tokens that is not white space."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ class Comment(Span):
 
     @property
     def has_line(self) -> bool:
-        """Tell whether nothing else stands in its line."""
+        """Return whether nothing else is in its line."""
         _, column = self.location()
         return not self.source.text[self.start - column + 1 : self.start].strip()
 
@@ -33,7 +33,7 @@ def find_comments(source: Source, text: str) -> list[Comment]:
 
     Args:
         source: what they are comments of.
-        text: its text, with blanks in place of what is no YAML.
+        text: its text, with blanks in place of what is not YAML.
     """
     comments: list[Comment] = []
     for start, end in _gaps(text):

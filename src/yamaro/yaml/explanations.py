@@ -1,4 +1,4 @@
-"""What was probably meant by text that is no YAML: a function for each way to get it wrong.
+"""What was probably meant by text that is not YAML: a function for each way to get it wrong.
 
 Each takes what the YAML parser said and returns the error to show, or None if the case is another.
 """
@@ -240,7 +240,7 @@ def _colon(given: GivenText, problem: str, context: str, begin: int, at: int) ->
 
 
 def _no_colon(given: GivenText, begin: int) -> Exception:
-    """Return the error for the line that begins at `begin` and is no `key: value`."""
+    """Return the error for the line that begins at `begin` and is not a `key: value`."""
     text = given.text
     _, end = _line_around(text, begin)
     key, colon, value = text[begin:end].partition(":")

@@ -1,4 +1,4 @@
-"""Explains text that is no YAML: where it went wrong and how to spell what was meant."""
+"""Explains text that is not YAML: where it went wrong and how to spell what was meant."""
 
 from __future__ import annotations
 

@@ -1,7 +1,7 @@
 """The YAML event stream: libyaml's event parser where PyYAML has it, PyYAML's own otherwise.
 
 Importing `yaml` costs ten times what the libyaml binding alone does, because the package loads
-constructors, representers and emitters that Yamaro never uses. So the binding is loaded by itself,
+constructors, representers and emitters that Yamaro never uses. So the binding is loaded alone,
 under a stand-in for the package that is removed again: a later `import yaml` gets the real one.
 """
 

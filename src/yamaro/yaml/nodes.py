@@ -198,7 +198,7 @@ def _align_flow(raw: str, style: str) -> list[int]:
                 at += 1
             if is_joined:
                 indices.extend(breaks)
-            elif breaks:  # one gives a space, more give themselves but for the first
+            elif breaks:  # one gives a space, more give themselves except for the first
                 indices.extend(breaks[1:] or breaks)
             else:
                 indices.extend(range(run, at))

@@ -39,7 +39,7 @@ def read(
         units: convert numbers that have a tag of `UNITS`.
 
     Raises:
-        YamaroError: the text is no YAML, is empty, holds several documents, custom tags, or
+        YamaroError: the text is not YAML, is empty, holds several documents, custom tags, or
             aliases that refer to themselves or expand without measure.
     """
     refuse_characters(source)
@@ -55,7 +55,7 @@ class Reading:
 
     Attributes:
         root: the root node, or None if there is none.
-        errors: what is no YAML, or has no meaning here, in order.
+        errors: what is not YAML, or has no meaning here, in order.
         hidden: the stretches that were left out because of that, in order.
         text: the text as it was read at last, with blanks in place of what was left out.
     """
@@ -120,7 +120,7 @@ def read_fragment(scalar: ScalarNode, start: int, end: int) -> YamlNode:
     It begins with a quote or a bracket.
 
     Raises:
-        YamaroError: the fragment is no YAML.
+        YamaroError: the fragment is not YAML.
     """
     fragment = Source(scalar.text[start:end], name=scalar.source.name, path=scalar.source.path)
     places = [scalar.offset(index) for index in range(start, end)]

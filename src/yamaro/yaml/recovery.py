@@ -1,7 +1,7 @@
-"""Reads on behind what is no YAML: lines with a fault are hidden, so that the others can be read.
+"""Reads on after what is not YAML: lines with a fault are hidden, so that the others can be read.
 
 What is hidden becomes blanks, so that all offsets stay. First as little as possible is hidden: the
-value behind a key. If there is a fault in the same line again, all of the entry goes with what is
+value after a key. If there is a fault in the same line again, all of the entry goes with what is
 indented below it, then the dash before it, and at last the rest of the file.
 """
 
@@ -73,7 +73,7 @@ class Recovery:
         return Reading(None, self._errors, [everything], self._text)
 
     def _is_caused(self, error: Diagnostic) -> bool:
-        """Tell whether an alias has no anchor because that is hidden."""
+        """Return whether an alias has no anchor because that is hidden."""
         if error.code != "undefined-alias":
             return False
         anchor = "&" + error.span.written()[1:]
@@ -107,7 +107,7 @@ class Recovery:
         return times <= _REST
 
     def _is_caused_by_hiding(self, fault: Diagnostic, line: int) -> bool:
-        """Tell whether a fault is likely to be there only because something is hidden."""
+        """Return whether a fault is likely to be there only because something is hidden."""
         return (
             self._is_blank(line, self._text)
             or (line == self._behind and fault.code in _STRUCTURE)
@@ -133,7 +133,7 @@ class Recovery:
         self._hide_from(begin, last)
 
     def _hide_above(self, line: int) -> bool:
-        """Hide the lines above that are at fault if a line does not fit; tell if there are any."""
+        """Hide the lines above that cause a line not to fit; return whether there are any."""
         first = self._misfit_above(line)
         if first is None:
             return False
@@ -167,7 +167,7 @@ class Recovery:
         return first if 0 < deeper < level else None
 
     def _is_void(self, line: int) -> bool:
-        """Tell whether a line holds no more than a comment."""
+        """Return whether a line holds no more than a comment."""
         start = self._indented(line)
         return start >= self._end_of(line) or self._source.text[start] == "#"
 

@@ -26,7 +26,7 @@ MAX_DIGITS = 4300
 
 
 def is_null(text: str) -> bool:
-    """Tell whether a plain scalar is null."""
+    """Return whether a plain scalar is null."""
     return text in ("", "~", "null", "Null", "NULL")
 
 

@@ -380,8 +380,8 @@ def test_a_missing_mesh_is_a_box_and_a_warning(
 @pytest.mark.parametrize(
     ("name", "code", "said"),
     [
-        ("broken.stl", "bad-mesh", "it is no STL file"),
-        ("broken.dae", "bad-mesh", "it is no COLLADA file"),
+        ("broken.stl", "bad-mesh", "it is not a valid STL file"),
+        ("broken.dae", "bad-mesh", "it is not a valid COLLADA file"),
         ("part.step", "bad-mesh", "no reader for '.step' files"),
         ("https://example.org/a.stl", "missing-mesh-file", "is not found"),
         ("model://nowhere/a.stl", "missing-mesh-file", "is not found"),

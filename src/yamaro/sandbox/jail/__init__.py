@@ -64,7 +64,7 @@ def run_jailed(
     """Return what `work` returns, having run it in a jail.
 
     The work sees the process as it is at the call, in a copy: what it changes is lost. Its
-    standard streams are /dev/null, since a terminal obeys whoever writes to it.
+    standard streams are /dev/null, since a terminal obeys every program that writes to it.
 
     Args:
         work: what to run. Its answer is untrusted, however harmless the work looks.

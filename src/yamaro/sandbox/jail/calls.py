@@ -15,7 +15,7 @@ libc.signal.argtypes = [ctypes.c_int, ctypes.c_void_p]
 
 
 def call(number: int, *arguments: int) -> int:
-    """Make a system call; -1 means that `ctypes.get_errno` tells why not."""
+    """Make a system call; -1 means that `ctypes.get_errno` gives the reason."""
     padding = [0] * (6 - len(arguments))
     result: int = libc.syscall(number, *arguments, *padding)
     return result
@@ -61,7 +61,7 @@ class Architecture:
 
 
 def numbers(table: str, column: int) -> dict[str, int]:
-    """Return what stands in a column of a table, by name."""
+    """Return what is in a column of a table, by name."""
     rows = [row.split() for row in table.strip().splitlines()]
     return {row[0]: int(row[column]) for row in rows if row[column] != "-"}
 

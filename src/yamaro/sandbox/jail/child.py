@@ -1,4 +1,4 @@
-"""The child's side of a jail: it confines itself, works, and sends what comes of it."""
+"""The child's side of a jail: it confines itself, works, and sends the result."""
 
 from __future__ import annotations
 
@@ -139,7 +139,7 @@ def _send(writer: int, kind: bytes, data: bytes = b"") -> None:  # pragma: no co
 
 
 def _leave_parent(parent: int) -> None:  # pragma: no cover
-    """Cut what ties the child to its parent, but for descriptors.
+    """Cut what ties the child to its parent, except for descriptors.
 
     It ends with the parent. Ctrl-C reaches the whole group of processes, and the parent decides
     what follows from it; all other signals have their usual effect.
@@ -188,7 +188,7 @@ def _close_all_but(writer: int) -> None:  # pragma: no cover
 def _clear_environment(kept_names: Sequence[str]) -> None:  # pragma: no cover
     """Forget all variables but a few, and overwrite their text where the C library has it.
 
-    Numeric libraries are told to start no threads, which would be as many as processors.
+    Numeric libraries are set to start no threads, which would be as many as processors.
     """
     kept = {name: os.environ[name] for name in kept_names if name in os.environ}
     strings = ctypes.POINTER(ctypes.c_void_p).in_dll(libc, "environ")
@@ -206,7 +206,7 @@ def _clear_environment(kept_names: Sequence[str]) -> None:  # pragma: no cover
 
 
 def _drop_capabilities(architecture: Architecture) -> None:  # pragma: no cover
-    """Give up what root may, but for reading: so that root reads in a jail what it reads outside.
+    """Give up what root may, except reading: so that root reads in a jail what it reads outside.
 
     The table of system calls leaves root nothing to do with the others; this is the second wall.
     """

@@ -78,7 +78,7 @@ class JailAnswerTooLong(JailError):
 
 
 class JailAnswerBroken(JailError):
-    """The answer was cut short, or is no answer."""
+    """The answer was cut short, or is not an answer."""
 
 
 class JailCrashed(JailError):
@@ -86,7 +86,7 @@ class JailCrashed(JailError):
 
 
 class JailWorkFailed(JailError):
-    """The work raised an exception, or says so: all that is told of it may be a lie.
+    """The work raised an exception, or says so: all that is said about it may be a lie.
 
     Attributes:
         kind: the name of its class.
@@ -97,8 +97,8 @@ class JailWorkFailed(JailError):
 
     def __init__(self, kind: str, text: str, place: str, *, is_fault: bool) -> None:
         """Hold what the child says of an exception."""
-        told = f"{kind}: {text}" if text else kind
-        super().__init__(f"{told} at {place}" if place else told)
+        reason = f"{kind}: {text}" if text else kind
+        super().__init__(f"{reason} at {place}" if place else reason)
         self.kind = kind
         self.text = text
         self.place = place

@@ -63,7 +63,7 @@ def why_unavailable() -> str | None:
     if error:
         return f"the kernel takes no seccomp filters: {os.strerror(error)}"
     if not os.path.exists("/proc/self/statm"):
-        return "/proc is not mounted, which tells how much memory and how many threads there are"
+        return "/proc is not mounted, which shows how much memory and how many threads there are"
     return None
 
 
@@ -78,7 +78,7 @@ def run(
 
     Signals wait while descriptors are opened and the child is forked, so that no Ctrl-C loses one
     of them, and no handler of the parent's runs in the child. Where there are other threads they
-    may take a signal meanwhile, and Python then interrupts the main thread all the same; a child
+    may take a signal meanwhile, and Python then interrupts the main thread anyway; a child
     that is lost like that ends with its parent, or at a limit.
     """
     for stream in (sys.stdout, sys.stderr):
@@ -149,7 +149,7 @@ class Child:
         os.close(writer)
         try:
             self._state = os.open(f"/proc/{self._pid}/stat", os.O_RDONLY | os.O_CLOEXEC)
-        except FileNotFoundError:  # it has ended, and the kernel was told to forget such children
+        except FileNotFoundError:  # it has ended, and the kernel was set to forget such children
             pass
         except OSError as error:
             raise JailUnavailable(f"threads cannot be counted: {error}") from None
@@ -173,7 +173,7 @@ class Child:
             raise JailOutOfMemory("the memory does not suffice")
         if kind == FAILED:
             raise _failure(self._read(min(length, 5 * LONGEST_REASON)))
-        raise JailAnswerBroken("the answer is none")
+        raise JailAnswerBroken("the answer is not valid")
 
     def _header(self) -> tuple[bytes, int]:
         kind, length = HEADER.unpack(self._read(HEADER.size))
@@ -183,7 +183,7 @@ class Child:
         return _text(self._read(min(length, LONGEST_REASON)))
 
     def _read(self, length: int) -> bytes:
-        """Return so many bytes from the child, watching it meanwhile."""
+        """Return `length` bytes from the child, watching it meanwhile."""
         chunks = []
         missing = length
         poll = select.poll()
@@ -272,7 +272,7 @@ def _failure(data: bytes) -> JailError:
     try:
         kind, text, place, is_fault = map(_text, unpack(data))
     except ValueError:
-        return JailAnswerBroken("the answer is none")
+        return JailAnswerBroken("the answer is not valid")
     except JailAnswerBroken as error:
         return error
     return JailWorkFailed(kind, text, place, is_fault=bool(is_fault))

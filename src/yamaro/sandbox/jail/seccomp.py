@@ -43,7 +43,7 @@ _CONDITIONS: dict[str, list[tuple[int, int, int, tuple[int, ...]]]] = {
     "clone": [(0, _LOW, _ALL_BITS & ~_CLONE_FLAGS | _CLONE_THREAD, (_CLONE_THREAD,))],
     "futex": [(1, _LOW, _FUTEX_COMMAND, _FUTEX_COMMANDS)],
     "prctl": [(0, _LOW, _ALL_BITS, (_PR_SET_NAME, _PR_GET_NAME))],
-    # to ask for limits, one's own, and not to set them
+    # to ask for the process's own limits, and not to set them
     "prlimit64": [
         (0, _LOW, _ALL_BITS, (0,)),
         (2, _LOW, _ALL_BITS, (0,)),

@@ -52,5 +52,5 @@ def _holds_packages(path: str, prefixes: set[str]) -> bool:
 
 
 def covers(folder: str, path: str) -> bool:
-    """Tell whether `path` is `folder` or lies below it; both are absolute."""
+    """Return whether `path` is `folder` or lies below it; both are absolute."""
     return path == folder or path.startswith(folder.rstrip("/") + "/")

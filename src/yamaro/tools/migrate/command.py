@@ -54,7 +54,7 @@ def migrate_file(
     """Return the Yamaro source of a URDF, or of any other XML; raises what `read_file` does.
 
     Raises:
-        YamaroError: it is no XML.
+        YamaroError: it is not XML.
     """
     return migrate_source(read_file(path, limits, data), limits, exact=exact)
 

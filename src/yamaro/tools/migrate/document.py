@@ -80,7 +80,7 @@ class Body:
         return iter(self.entries)
 
     def __bool__(self) -> bool:
-        """Tell whether there is anything in it."""
+        """Return whether there is anything in it."""
         return bool(self.entries or self.remark or self.opening)
 
 
@@ -252,7 +252,7 @@ def _write_entries(body: Body, margin: str, out: list[str]) -> None:
 
 
 def _is_statement(key: str) -> bool:
-    """Tell whether a key is that of a statement: each of a row of these has an item of its own."""
+    """Return if a key is that of a statement: each of a row of these has an item of its own."""
     return key in STATEMENTS or key.rpartition(".")[2][:1].isupper()
 
 

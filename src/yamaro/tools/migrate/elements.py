@@ -57,7 +57,7 @@ class ElementWriter:
         return element_key(name, attributes, bracketed=bracketed)
 
     def value(self, element: Element) -> Value:
-        """Return what stands in an element."""
+        """Return what is in an element."""
         if not has_text(element):
             return self.body(element.children)
         if not element.elements():
@@ -111,7 +111,7 @@ def _is_number(word: str) -> bool:
 
 
 def is_short(body: Body) -> bool:
-    """Tell whether a body is read as easily in one line: some texts, or one thing only."""
+    """Return whether a body is read as easily in one line: some texts, or one thing only."""
     entries = body.entries
     if len(entries) == 1:
         return "," not in entries[0].key
@@ -130,7 +130,7 @@ def walk(root: Element, without: Container[int] = ()) -> Iterator[Element]:
 
 
 def needs_brackets(name: str, attributes: dict[str, str]) -> bool:
-    """Tell whether a key of a name would mean something else than an element."""
+    """Return whether a key of a name would mean something else than an element."""
     return name in STATEMENTS or (name[0].isupper() and not attributes)
 
 

@@ -62,7 +62,7 @@ class Result:
 
     @property
     def has_errors(self) -> bool:
-        """Tell whether the sources have errors, so that nothing could be compared."""
+        """Return whether the sources have errors, so that nothing could be compared."""
         return any(each.severity == ERROR for each in self.diagnostics)
 
 

@@ -39,7 +39,7 @@ class Item:
 
 
 def pair(nodes: list[Node], endings: Endings) -> tuple[list[Item], list[Loose]]:
-    """Return what stands in a robot, joints together with their links, and the comments at its end.
+    """Return what is in a robot, joints together with their links, and the comments at its end.
 
     Of these, `endings` has those at the ends of lines.
 
@@ -153,7 +153,7 @@ def name_of(element: Element) -> str:
 
 
 def is_bare(item: Item) -> bool:
-    """Tell whether an item is a link by itself with nothing in it, which is no part."""
+    """Return whether an item is a link by itself with nothing in it, which is no part."""
     return item.joint is None and not item.element.elements()
 
 
@@ -166,5 +166,5 @@ def child_of(joint: Element) -> str | None:
 
 
 def has_text(element: Element) -> bool:
-    """Tell whether there is text in an element that is more than white space."""
+    """Return whether there is text in an element that is more than white space."""
     return any(isinstance(c, Text) and format_value(c.value).strip() for c in element.children)

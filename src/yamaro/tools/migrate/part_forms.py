@@ -179,7 +179,7 @@ def read_geometry(section: Element, file_name: Callable[[str], str]) -> Geometry
 
 
 def is_short_material(material: Element) -> bool:
-    """Tell whether a material is a name, at most with a colour and a texture."""
+    """Return whether a material is a name, at most with a colour and a texture."""
     attributes = values_of(material)
     if list(attributes) != ["name"] or has_text(material):
         return False
@@ -227,12 +227,12 @@ def optional_child(element: Element, name: str) -> Element | None:
 
 
 def has_section_form(section: Element) -> bool:
-    """Tell whether a visual or collision has only a shape, and a pose at most."""
+    """Return whether a visual or collision has only a shape, and a pose at most."""
     return not has_text(section) and _once(section, ("geometry",), ("origin",))
 
 
 def has_mass_form(inertial: Element) -> bool:
-    """Tell whether an inertial has a mass and six moments, and a pose at most."""
+    """Return whether an inertial has a mass and six moments, and a pose at most."""
     if inertial.attributes or has_text(inertial):
         return False
     if not _once(inertial, ("mass", "inertia"), ("origin",)):
@@ -256,7 +256,7 @@ def _once(element: Element, names: Iterable[str], optional: Iterable[str]) -> bo
 
 
 def is_whole_limit(limit: dict[str, str], kind: str) -> bool:
-    """Tell whether a limit has all that would else be filled in."""
+    """Return whether a limit has all that would else be filled in."""
     has_range = (
         (kind not in ("revolute", "prismatic") and "$(" not in kind)
         or "lower" in limit
@@ -273,7 +273,7 @@ def numbers_of(text: str, count: int) -> str:
 
 
 def are_numbers(text: str, count: int) -> bool:
-    """Tell whether a text is so many numbers, as far as that can be told of expressions."""
+    """Return whether a text is so many numbers, as far as that can be told of expressions."""
     words = words_of(text)
     if len(words) != count:
         return len(words) == 1 and words[0].startswith("$(")
@@ -298,5 +298,5 @@ def checked_word(name: str) -> str:
 
 
 def is_word(name: str) -> bool:
-    """Tell whether the language reads a name as one word."""
+    """Return whether the language reads a name as one word."""
     return "," not in without_expressions(name) and words_of(name) == [name]

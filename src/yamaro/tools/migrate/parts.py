@@ -45,7 +45,7 @@ class Names:
     __slots__ = ("joints", "links", "of_joints", "of_links")
 
     def __init__(self, elements: list[Element]) -> None:
-        """Take the names of what stands in a robot."""
+        """Take the names of what is in a robot."""
         self.links = {name_of(e) for e in elements if e.name == "link"}
         self.joints = {name_of(e) for e in elements if e.name == "joint"}
         self.of_links: dict[str, str] = {}
@@ -227,13 +227,13 @@ class PartWriter:
         )
 
     def _has_form(self, section: Element) -> bool:
-        """Tell whether a section has what the short form of one says, each once."""
+        """Return whether a section has what the short form of one says, each once."""
         if section.name == "inertial":
             return has_mass_form(section)
         return has_section_form(section)
 
     def _is_solid(self, inertial: Element, geometry: Geometry) -> bool:
-        """Tell whether an inertia is the one that a geometry has with its mass."""
+        """Return whether an inertia is the one that a geometry has with its mass."""
         moments = values_of(child_named(inertial, "inertia"))
         mass = values_of(child_named(inertial, "mass"))["value"]
         rows = [moments[name] for name in MOMENTS]
@@ -325,7 +325,7 @@ class PartWriter:
                 add_loose(child, body, endings)
 
     def _is_first(self, child: Element, owner: Element, seen: dict[str, Element]) -> bool:
-        """Tell whether an element is no second one of its name, for which there is no key."""
+        """Return whether an element is no second one of its name, for which there is no key."""
         return child.name not in seen
 
     def _element(self, element: Element) -> Entry:

@@ -143,7 +143,7 @@ def solid(kind: str, sizes: Sequence[float]) -> Solid:
 
 
 def is_inertia_of(kind: str, sizes: Sequence[str], mass: str, moments: Sequence[str]) -> bool:
-    """Tell whether moments of inertia are those of a solid, whatever the expressions stand for.
+    """Return whether moments of inertia are those of a solid, whatever the expressions stand for.
 
     Args:
         kind: of the solid.
@@ -170,7 +170,7 @@ def is_inertia_of(kind: str, sizes: Sequence[str], mass: str, moments: Sequence[
 
 
 def are_equal(first: Sequence[str], second: Sequence[str]) -> bool:
-    """Tell whether two rows of words stand for the same numbers."""
+    """Return whether two rows of words stand for the same numbers."""
     if len(first) != len(second):
         return False
     return first == second or holds(
@@ -182,7 +182,7 @@ def are_equal(first: Sequence[str], second: Sequence[str]) -> bool:
 
 
 def holds(is_true: Callable[[Sample], bool]) -> bool:
-    """Tell whether something is true of all samples; not so if it cannot be computed."""
+    """Return whether something is true of all samples; not so if it cannot be computed."""
     try:
         return all(map(is_true, samples()))
     except NotComputed:
@@ -197,7 +197,7 @@ def _power(base: float, exponent: float) -> float:
 
 
 def _is_power(node: ast.AST) -> bool:
-    """Tell whether a node is `pow(a, b)` or `math.pow(a, b)`."""
+    """Return whether a node is `pow(a, b)` or `math.pow(a, b)`."""
     import ast
 
     return (
@@ -209,7 +209,7 @@ def _is_power(node: ast.AST) -> bool:
 
 
 def _is_unknown(node: ast.AST) -> bool:
-    """Tell whether a node is a name, or what a mapping or list of a name has at a fixed place."""
+    """Return whether a node is a name, or what a mapping or list of a name has at a fixed place."""
     import ast
 
     while isinstance(node, (ast.Attribute, ast.Subscript)):

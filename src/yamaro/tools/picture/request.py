@@ -104,7 +104,7 @@ class Request:
 
     @property
     def is_film(self) -> bool:
-        """Tell whether it is a film."""
+        """Return whether it is a film."""
         return self.ending in FILMS
 
     def _check_film(self, options: Mapping[str, str]) -> None:

@@ -65,7 +65,7 @@ class DrawnShape:
         return self.section.trace_in(self.link)
 
     def is_shown(self, shows: Collection[str]) -> bool:
-        """Tell whether it is one of what is shown: visual or collision shapes."""
+        """Return whether it is one of what is shown: visual or collision shapes."""
         return ("visual" if self.is_visual else "collision") in shows
 
 

@@ -55,7 +55,7 @@ def _loads(library: str) -> bool:
 
 
 def _has_egl() -> bool:
-    """Tell whether EGL has a device to draw with: the library may be there without a driver.
+    """Return whether EGL has a device to draw with: the library may be there without a driver.
 
     Source: the extensions EGL_EXT_device_enumeration and EGL_EXT_platform_device.
     """

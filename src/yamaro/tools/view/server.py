@@ -217,7 +217,7 @@ class Handler(BaseHTTPRequestHandler):
             raise Refused(HTTPStatus.FORBIDDEN)
 
     def _is_followed_link(self) -> bool:
-        """Tell whether a person has followed a link, as from a terminal in the browser."""
+        """Return whether a person has followed a link, as from a terminal in the browser."""
         is_page = self.headers.get("Sec-Fetch-Dest") == "document"
         return self.command == "GET" and is_page and self.path.endswith("/")
 

@@ -86,7 +86,7 @@ class VariableField:
 
     @property
     def is_whole(self) -> bool:
-        """Tell whether a slider goes by whole numbers."""
+        """Return whether a slider goes by whole numbers."""
         return isinstance(self.default, int)
 
     def about(self) -> Json:
@@ -126,7 +126,7 @@ class ArgumentField(VariableField):
 
     @property
     def is_whole(self) -> bool:
-        """Tell whether a slider goes by whole numbers."""
+        """Return whether a slider goes by whole numbers."""
         entry = self.entry
         if entry.kind == INTEGER:
             return True

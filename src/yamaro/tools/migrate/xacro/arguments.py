@@ -76,7 +76,7 @@ def _redefined(root: Element, without: Container[int] = ()) -> set[str]:
 
 
 def is_argument(text: str, name: str) -> bool:
-    """Tell whether a value is the argument of a name and nothing else."""
+    """Return whether a value is the argument of a name and nothing else."""
     return text.strip() == f"$(arg {name})"
 
 

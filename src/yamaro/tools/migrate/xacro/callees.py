@@ -29,7 +29,7 @@ class _Reads:
     Attributes:
         used: the names that it reads itself.
         own: the names that are defined in it.
-        bound: those, and the ones of the macros that it stands in.
+        bound: those, and the ones of the macros that it is in.
         free: the other names that it, or what it reaches, reads.
         reached: the macros it calls and the files it includes.
     """
@@ -155,7 +155,7 @@ class Callees:
         return (reads.used & set(macro.values())) - deeper - kept
 
     def is_set_for_all(self, name: str, macro: Macro) -> bool:
-        """Tell whether a macro calls first what sets a name for it and for all that it calls."""
+        """Return whether a macro calls first what sets a name for it and for all that it calls."""
         if name not in self._program.inherited:
             return False
         for child in macro.element.elements():

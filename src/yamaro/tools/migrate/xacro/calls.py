@@ -106,7 +106,7 @@ def _add_blocks(writer: FileWriter, node: Element, macro: Macro, arguments: Body
 
 
 def _has_choice(blocks: list[str], given: list[Element]) -> bool:
-    """Tell whether what a block stands for, without the element itself, is in a condition."""
+    """Return whether what a block stands for, without the element itself, is in a condition."""
     return any(
         block.startswith("**") and child.name in _CONDITIONS
         for block, child in zip(blocks, given, strict=False)

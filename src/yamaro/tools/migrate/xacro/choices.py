@@ -219,7 +219,7 @@ class Choices:
         return texts if looked_up else []
 
     def is_lookup(self, expression: str) -> bool:
-        """Tell whether an expression is a value of the data that was loaded."""
+        """Return whether an expression is a value of the data that was loaded."""
         import ast
 
         node = tree_of(expression)
@@ -238,7 +238,7 @@ class Choices:
         return self._is_data(node.id, frozenset())
 
     def _is_data(self, name: str, known: frozenset[str]) -> bool:
-        """Tell whether a name may be data that was loaded, or a value in it."""
+        """Return whether a name may be data that was loaded, or a value in it."""
         for text in self.texts.get(name, ()):
             own = text.strip()
             if name not in known and own.startswith("${") and own.endswith("}"):
@@ -362,7 +362,7 @@ class Choices:
 
 
 def _is_telling(name: str) -> bool:
-    """Tell whether what is known of the name of a file is more than its ending."""
+    """Return whether what is known of the name of a file is more than its ending."""
     return any(char.isalnum() for char in name[: name.rfind(".")])
 
 

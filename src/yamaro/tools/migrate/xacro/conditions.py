@@ -130,7 +130,7 @@ def _declared_in(body: Body) -> set[str]:
 
 
 def _may_change_others(body: Body) -> bool:
-    """Tell whether a body has calls or includes, which may set variables of others."""
+    """Return whether a body has calls or includes, which may set variables of others."""
     return any(
         entry.key == "include"
         or entry.key.startswith("$(")

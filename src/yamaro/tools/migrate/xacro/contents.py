@@ -65,7 +65,7 @@ class Contents:
         """Return how many elements of each name nodes make.
 
         Args:
-            nodes: what stands in a row.
+            nodes: what is in a row.
             around: the macro that they stand in.
 
         Raises:
@@ -170,7 +170,7 @@ class Contents:
                 pending += [around.name for _, around in self._calls.get(own, ()) if around]
 
     def sets_variables(self, node: Element) -> bool:
-        """Tell whether an element has statements in it that set what is read after them."""
+        """Return whether an element has statements in it that set what is read after them."""
         return any(map(self._is_setter, walk(node)))
 
     def _is_setter(self, node: Element) -> bool:
@@ -200,7 +200,7 @@ class Contents:
         return count, names
 
     def may_pass(self, node: Element, names: set[str]) -> bool:
-        """Tell whether an element may be moved past what sets variables."""
+        """Return whether an element may be moved past what sets variables."""
         inside = [own.name for own in walk(node) if own.name.startswith("xacro:")]
         return not names & used_in(node) and set(inside) <= _PLAIN
 
@@ -211,7 +211,7 @@ class Contents:
         return set(self._in_parts)
 
     def may_be_in_part(self, macro: Macro) -> bool:
-        """Tell whether what stands in a macro may come to stand in a joint, link or section."""
+        """Return whether what is in a macro may come to stand in a joint, link or section."""
         return macro.name in self._in_parts
 
     def may_block_be_in_part(self, macro: Macro | None, name: str) -> bool:
@@ -273,7 +273,7 @@ def _called(element: Element) -> str:
 
 
 def _scope(element: Element) -> bool:
-    """Tell whether an element is a property for others than the macro that it is in."""
+    """Return whether an element is a property for others than the macro that it is in."""
     return element.name == "xacro:property" and "scope" in element.attributes
 
 

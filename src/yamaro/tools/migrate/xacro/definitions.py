@@ -52,7 +52,7 @@ def write_argument(writer: FileWriter, node: Element, body: Body) -> None:
 
 
 def is_late(writer: FileWriter, name: str) -> bool:
-    """Tell whether the default of an argument is known only where it is declared."""
+    """Return whether the default of an argument is known only where it is declared."""
     argument = writer.program.arguments.get(name)
     if argument is None:
         return False
@@ -125,7 +125,7 @@ def _scope(writer: FileWriter, name: str, given: str) -> str:
 
 
 def _is_handed_down(writer: FileWriter, name: str, macro: Macro | None) -> bool:
-    """Tell whether a name of a macro is read by what it calls or includes."""
+    """Return whether a name of a macro is read by what it calls or includes."""
     if name in writer.program.inherited and writer.program.has_computed_calls:
         return True
     return macro is not None and name in writer.callees.read_below(macro)
@@ -142,7 +142,7 @@ def _sort(writer: FileWriter, variables: Body, name: str, text: str) -> None:
 
 
 def _may_be_evaluated(writer: FileWriter, node: Element, text: str) -> bool:
-    """Tell whether all that a value is made of is there: xacro evaluates only what is read."""
+    """Return whether all that a value is made of is there: xacro evaluates only what is read."""
     known = writer.program.files.can_be_evaluated(node)
     if known is not None:
         return known

@@ -130,7 +130,7 @@ def _take_later_variables(writer: FileWriter, model: Body, declared: Body) -> No
 
 
 def _depends_on_nothing(writer: FileWriter, variable: Entry, declared: Body) -> bool:
-    """Tell whether a variable may as well be declared above the model."""
+    """Return whether a variable may as well be declared above the model."""
     program = writer.program
     (name,) = names_of([variable])
     known = names_of(declared)
@@ -152,7 +152,7 @@ def _depends_on_nothing(writer: FileWriter, variable: Entry, declared: Body) -> 
 
 
 def _is_constant(entry: Entry) -> bool:
-    """Tell whether an entry is an element in which nothing is a statement."""
+    """Return whether an entry is an element in which nothing is a statement."""
     name = entry.key.lstrip("<").partition("/")[0].rstrip(">")
     if name in STATEMENTS or not name[:1].islower():
         return False
@@ -160,7 +160,7 @@ def _is_constant(entry: Entry) -> bool:
 
 
 def _is_independent(writer: FileWriter, variables: Body, declared: Body) -> bool:
-    """Tell whether no other file defines variables, nor what they are made of."""
+    """Return whether no other file defines variables, nor what they are made of."""
     names = names_of(variables)
     known = names | names_of(declared) | PREDEFINED
     made_of = set().union(*(writer.made_of.get(id(entry), set()) for entry in variables))
@@ -170,7 +170,7 @@ def _is_independent(writer: FileWriter, variables: Body, declared: Body) -> bool
 
 
 def _add_root(writer: FileWriter, root: Element, sections: Body, model: Body) -> None:
-    """Add the robot's name and the model, or the root element with what stands in it."""
+    """Add the robot's name and the model, or the root element with what is in it."""
     attributes = {
         name: writer.translator.text(format_value(value))
         for name, value in root.attributes.items()

@@ -201,7 +201,7 @@ def _computed_name(
 
 
 def _is_pattern(filename: str) -> bool:
-    """Tell whether a name means all files that it matches."""
+    """Return whether a name means all files that it matches."""
     parts = [part for part in parse_template(filename).parts if isinstance(part, str)]
     return any(char in part for part in parts for char in "*?[")
 
@@ -228,7 +228,7 @@ def _common_ending(by_name: dict[str, str]) -> str | None:
 
 
 def _is_in_known_folder(writer: FileWriter, name: str) -> bool:
-    """Tell whether a file is named by a folder that is found wherever the sources are."""
+    """Return whether a file is named by a folder that is found wherever the sources are."""
     folders = [*writer.program.runs.packages.values(), _current_folder(writer)]
     return not os.path.isabs(name) or any(
         name.startswith(f"{folder}/") for folder in folders if folder
@@ -261,7 +261,7 @@ def _in_sum(python: str) -> str:
 
 
 def is_plain(include: Element) -> bool:
-    """Tell whether an include names one file in so many words, and no namespace for it."""
+    """Return whether an include names one file in so many words, and no namespace for it."""
     filename = format_value(include.attributes.get("filename"))
     return "ns" not in include.attributes and not any(mark in filename for mark in "$*?[")
 

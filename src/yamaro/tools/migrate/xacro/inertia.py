@@ -80,7 +80,7 @@ class SolidMacro:
         return given
 
     def _children(self, call: Element, given: Mapping[str, str]) -> list[Node] | None:
-        """Return what stands in the `<inertial>` beside the inertia, as the call makes it."""
+        """Return what is in the `<inertial>` beside the inertia, as the call makes it."""
         assert self.inertial is not None
         blocks = call.elements()
         children: list[Node] = []
@@ -107,7 +107,7 @@ class SolidInertia:
         source: the macro that is called.
         mass: of the solid.
         sizes: its sizes.
-        children: what stands beside the inertia in the `<inertial>` that the call gives.
+        children: what is beside the inertia in the `<inertial>` that the call gives.
     """
 
     def __init__(
@@ -138,7 +138,7 @@ class Solids:
         self.replaced: set[str] = set()
 
     def __bool__(self) -> bool:
-        """Tell whether there are any."""
+        """Return whether there are any."""
         return bool(self._macros)
 
     def without_calls(self, link: Element) -> tuple[Element, dict[int, SolidInertia]]:

@@ -110,7 +110,7 @@ class Layout:
         return name, known.get(name, "")
 
     def _may_be_found(self, name: str, folder: str) -> bool:
-        """Tell whether an include can name a file by its package."""
+        """Return whether an include can name a file by its package."""
         return bool(name) and self._program.files.finds(name) == folder
 
     # --- outputs --------------------------------------------------------------------------------

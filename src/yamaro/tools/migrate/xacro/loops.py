@@ -220,7 +220,7 @@ class _Reader:
                     defined.add(format_value(node.attributes.get("name")))
 
     def _reads(self, nodes: list[Node], name: str) -> bool:
-        """Tell whether a name is read in statements, or by the macros that they call."""
+        """Return whether a name is read in statements, or by the macros that they call."""
         for node in nodes:
             if not isinstance(node, Element):
                 if name in used_in(Element("", self.call.span, {}, [node])):
@@ -400,7 +400,7 @@ class _Reader:
         raise NoLoop
 
     def _is_always_new(self, name: str) -> bool:
-        """Tell whether all calls give a list that only they have, so that none sees it shrink."""
+        """Return whether all calls give a list that only they have, so that none sees it shrink."""
         calls = self._calls()
         given = [self._python(format_value(own.attributes.get(name, ""))) for own in calls]
         return bool(given) and all(text and is_new_list(parsed_python(text)) for text in given)
@@ -417,7 +417,7 @@ def _is_named(node: Node, tag: str) -> bool:
 
 
 def _is_opposite(one: Element, other: Element) -> bool:
-    """Tell whether of two conditions exactly one holds."""
+    """Return whether of two conditions exactly one holds."""
     values = {format_value(own.attributes.get("value")).strip() for own in (one, other)}
     return {one.name, other.name} == set(_CONDITIONS) and len(values) == 1
 
@@ -458,7 +458,7 @@ def _holding(text: str, element: Element) -> Element:
 
 
 def _is_surely_read(node: Node, name: str) -> bool:
-    """Tell whether a name is read whatever the conditions in a piece of work give."""
+    """Return whether a name is read whatever the conditions in a piece of work give."""
     if isinstance(node, (Text, Comment)):
         return isinstance(node, Text) and name in used_in(Element("", node.span, {}, [node]))
     if node.name in ("xacro:property", "xacro:arg"):

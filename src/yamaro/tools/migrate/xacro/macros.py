@@ -39,7 +39,7 @@ class Macro:
         return [own.name for own in self.parameters if not own.is_block]
 
     def is_default_of_caller(self, own: Parameter) -> bool:
-        """Tell whether a default reads a property of the caller."""
+        """Return whether a default reads a property of the caller."""
         return bool(names_in(own.default or "") & {*self.values(), *self.from_caller})
 
     def blocks(self) -> list[str]:

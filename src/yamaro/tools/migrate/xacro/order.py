@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 
 def in_order(nodes: list[Node], endings: Endings, program: XacroProgram) -> list[Node]:
-    """Return what stands in one place, properties behind what their values are made of.
+    """Return what is in one place, properties behind what their values are made of.
 
     They take along the comments above them, and those at the ends of their lines (`endings`).
     """

@@ -143,7 +143,7 @@ def _paired(run: list[Node], endings: Endings) -> Iterator[Step]:
 
 
 def stands_as_key(element: Element) -> bool:
-    """Tell whether an element says the same where it is read as a key of a part.
+    """Return whether an element says the same where it is read as a key of a part.
 
     Else it has to stand in angle brackets there.
     """
@@ -345,7 +345,7 @@ class XacroPartWriter(PartWriter):
             out.append(self._elements.entry(origin, bracketed=bracketed))
 
     def _is_origin_given(self, owner: Element) -> bool:
-        """Tell whether statements give exactly one origin, whatever the arguments are."""
+        """Return whether statements give exactly one origin, whatever the arguments are."""
         return self._counts(owner).get("origin") == (1, 1)
 
     # --- joints and links -----------------------------------------------------------------------
@@ -376,7 +376,7 @@ class XacroPartWriter(PartWriter):
         return plan
 
     def _may_be_placed(self, section: Element) -> bool:
-        """Tell whether a statement in a section may give its origin."""
+        """Return whether a statement in a section may give its origin."""
         return self._has_form(section) and "origin" in self._given(section)
 
     def _section(self, section: Element, plan: LinkPlan) -> Entry:
@@ -429,7 +429,7 @@ class _PartElements(ElementWriter):
 
 
 def is_statement(element: Element) -> bool:
-    """Tell whether an element is one of xacro."""
+    """Return whether an element is one of xacro."""
     return element.name.startswith("xacro:")
 
 

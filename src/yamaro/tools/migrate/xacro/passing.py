@@ -137,7 +137,7 @@ class Passing:
             macro.from_caller.add(name)
 
     def _may_have_parameters(self, macro: Macro) -> bool:
-        """Tell whether all calls of a macro are known."""
+        """Return whether all calls of a macro are known."""
         program = self._program
         return (
             program.has_one_definition(macro)
@@ -146,7 +146,7 @@ class Passing:
         )
 
     def _is_bound(self, name: str, caller: Macro, before: list[Element]) -> bool:
-        """Tell whether a caller has a name in any case."""
+        """Return whether a caller has a name in any case."""
         return name in caller.values() or any(
             element.name == "xacro:property"
             and element.attributes.get("name") == name
@@ -156,14 +156,14 @@ class Passing:
         )
 
     def _is_evaluated(self, definition: Element) -> bool:
-        """Tell whether the variable that a property becomes will have a value."""
+        """Return whether the variable that a property becomes will have a value."""
         text = definition.attributes.get("value", definition.attributes.get("default"))
         if text is not None and "$" not in format_value(text):
             return True
         return bool(text is not None and self._program.files.can_be_evaluated(definition))
 
     def _are_hidden(self, name: str, wanted: set[Macro], called: set[Macro]) -> bool:
-        """Tell whether a call is in a block, and a macro that inserts this has such a name too."""
+        """Return if a call is in a block, and a macro that inserts this has such a name too."""
         reached = {own for macro in called for site in self._sites[macro] for own in site.around}
         pending = list(reached)
         while pending:

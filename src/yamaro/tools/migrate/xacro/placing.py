@@ -35,7 +35,7 @@ class Placing:
         self._used.add((content, place))
 
     def settle(self) -> bool:
-        """Tell whether all was written as it has to be; if not, remember what is not in parts."""
+        """Return whether all was written as it has to be; if not, remember what is not in parts."""
         known = len(self.in_parts)
         while wrong := {
             content

@@ -291,7 +291,7 @@ class XacroProgram:
         return self._callers.visible_in(macro)
 
     def has_one_definition(self, macro: Macro) -> bool:
-        """Tell whether a macro is the only one of its name, and all of its calls say that."""
+        """Return whether a macro is the only one of its name, and all of its calls say that."""
         return len(self._macros_of_name[macro.name]) == 1 and not self.has_computed_calls
 
     def forwarded_in(self, root: Element, without: Container[int] = ()) -> set[str]:
@@ -361,7 +361,7 @@ class XacroProgram:
                     break
 
     def _may_declare(self, element: Element, name: str) -> bool:
-        """Tell whether an argument may be declared by an element, or what it includes or calls."""
+        """Return if an argument may be declared by an element, or what it includes or calls."""
         if any(element is macro.element for macro in self.definitions.values()):
             return False
         inside = list(walk(element))
@@ -372,7 +372,7 @@ class XacroProgram:
         return any(own.name == "xacro:arg" and own.attributes.get("name") == name for own in places)
 
     def is_typed_argument(self, name: str) -> bool:
-        """Tell whether the default of an argument is a number or truth value, and no text."""
+        """Return whether the default of an argument is a number or truth value, and no text."""
         argument = self.arguments.get(name)
         if argument is None or name in self.spelled:
             return False
@@ -396,7 +396,7 @@ class XacroProgram:
         return found
 
     def is_python(self, name: str) -> bool:
-        """Tell whether an argument is a list or the like that is put into expressions only."""
+        """Return whether an argument is a list or the like that is put into expressions only."""
         import ast
 
         try:
@@ -418,26 +418,26 @@ class XacroProgram:
         return unique
 
     def is_shown_as_truth(self, expression: str) -> bool:
-        """Tell whether an expression gives a truth value or list, or may, if it was not reached."""
+        """Return if an expression gives a truth value or list, or may, if it was not reached."""
         own = expression.strip()
         if own in self._evaluated:
             return own in self.truths
         return self._maybe_truths.may_give(own)
 
     def is_number(self, expression: str) -> bool:
-        """Tell whether an expression gave numbers whenever it was evaluated."""
+        """Return whether an expression gave numbers whenever it was evaluated."""
         own = expression.strip()
         return own in self._evaluated and own not in self._others
 
     def is_defined_again(self, macro: Macro) -> bool:
-        """Tell whether a macro of a file is replaced by one further down in it."""
+        """Return whether a macro of a file is replaced by one further down in it."""
         return macro.name not in self._in_a_row and any(
             other.name == macro.name and path == macro.file and start > macro.element.span.start
             for (path, start), other in self.definitions.items()
         )
 
     def is_used_elsewhere(self, name: str, path: str) -> bool:
-        """Tell whether another file has a name in an expression or tag, or any sets it globally."""
+        """Return if another file has a name in an expression or tag, or any sets it globally."""
         if name in self.assigned_globally:
             return True
         if self.has_computed_calls and name.startswith("xacro:"):

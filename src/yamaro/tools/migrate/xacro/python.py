@@ -320,14 +320,14 @@ class Translator:
         )
 
     def _substitution(self, content: str) -> str:
-        """Return what stands in a `$(…)` of a text: a package as ROS names it, or Python."""
+        """Return what is in a `$(…)` of a text: a package as ROS names it, or Python."""
         words = content.split()
         if len(words) == 2 and words[0] == "find" and "$" not in content:
             return " ".join(words)
         return self._command(content)
 
     def _command(self, content: str) -> str:
-        """Return what stands in a `$(…)` as Python, or in the words that ROS has for it."""
+        """Return what is in a `$(…)` as Python, or in the words that ROS has for it."""
         command, *words = content.split()
         if "$" in content and command in ("find", "env") and len(words) == 1:
             return f"{command}({self.joined(words[0])})"
@@ -384,14 +384,14 @@ def typed(text: str) -> str:
 
 
 def is_typed(text: str) -> bool:
-    """Tell whether YAML takes a text for something else than a text where it is not quoted."""
+    """Return whether YAML takes a text for something else than a text where it is not quoted."""
     from ....yaml.scalars import type_plain
 
     return not isinstance(type_plain(text), str)
 
 
 def _is_in_word(parts: Sequence[Part], index: int) -> bool:
-    """Tell whether a part of a text is no word by itself."""
+    """Return whether a part of a text is no word by itself."""
     before = parts[index - 1] if index else ""
     after = parts[index + 1] if index + 1 < len(parts) else ""
     ends = (before[-1:] if isinstance(before, str) else "$") + (

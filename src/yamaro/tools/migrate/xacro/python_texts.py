@@ -10,7 +10,7 @@ _OPPOSITES = {"==": "!=", "!=": "==", "in": "not in", "not in": "in"}
 
 
 def ends_in_minus(pieces: list[str]) -> bool:
-    """Tell whether the pieces of a text end in a sign for the number that follows."""
+    """Return whether the pieces of a text end in a sign for the number that follows."""
     return "".join(pieces).split(" ")[-1:] == ["-"]
 
 
@@ -47,7 +47,7 @@ def negated(condition: str) -> str:
 
 
 def _is_truth_value(node: ast.expr) -> bool:
-    """Tell whether an expression gives True or False, and no text, which is not a condition."""
+    """Return whether an expression gives True or False, and no text, which is not a condition."""
     import ast
 
     if isinstance(node, ast.BoolOp):
@@ -89,7 +89,7 @@ class Edits:
         self._edits.append((self._start(node), self._end(node), new))
 
     def replace_after(self, inner: ast.expr, node: ast.expr, new: str) -> None:
-        """Put a text in the place of what stands behind `inner` in a node."""
+        """Put a text in the place of what follows `inner` in a node."""
         self._edits.append((self._end(inner), self._end(node), new))
 
     def insert_before(self, node: ast.expr, new: str) -> None:

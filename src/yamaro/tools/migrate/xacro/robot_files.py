@@ -129,7 +129,7 @@ class RobotFiles:
         return self._left_behind[place]
 
     def is_constant(self, include: Element) -> bool:
-        """Tell whether the name in an include is the same whatever the arguments are."""
+        """Return whether the name in an include is the same whatever the arguments are."""
         spellings = Spellings(self._choices(), include.value_span("filename"))
         return spellings.is_constant(format_value(include.attributes["filename"]))
 
@@ -163,14 +163,14 @@ class RobotFiles:
         return {name: path for name, path in named.items() if path in self.roots}
 
     def can_be_evaluated(self, node: Element) -> bool | None:
-        """Tell whether the value of a property can be evaluated; None if no run has told."""
+        """Return whether the value of a property can be evaluated; None if no run has told."""
         place = (node.span.source.path, node.span.start)
         if place in self.runs.evaluated:
             return True
         return False if place in self.runs.failing else None
 
     def has_what_it_needs(self, default: str) -> bool:
-        """Tell whether the packages and the environment are there that a default asks for."""
+        """Return whether the packages and the environment are there that a default asks for."""
         for command, name in re.findall(r"\$\((find|env)\s+([^()\s]+)\s*\)", default):
             if "$" in name:
                 continue

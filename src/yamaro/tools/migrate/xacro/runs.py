@@ -1,7 +1,7 @@
 """Expansions of a robot in xacro with several sets of arguments, and what they show of it.
 
 What no run reaches is only read. So the robot is expanded with other values of its arguments, too:
-that tells which files computed includes mean, and which expressions give truth values.
+that shows which files computed includes mean, and which expressions give truth values.
 """
 
 from __future__ import annotations
@@ -106,7 +106,7 @@ class Runs:
 
     @property
     def is_spent(self) -> bool:
-        """Tell whether no further set of arguments may be tried."""
+        """Return whether no further set of arguments may be tried."""
         return len(self.done) >= MOST_RUNS or self._left <= 0
 
     def add(self, changed: Mapping[str, str]) -> Run | None:

@@ -55,7 +55,7 @@ class XacroMigration:
 
     @property
     def is_wrong(self) -> bool:
-        """Tell whether the sources do not make the robot with the arguments given."""
+        """Return whether the sources do not make the robot with the arguments given."""
         return bool(self.faults or self.differences)
 
 

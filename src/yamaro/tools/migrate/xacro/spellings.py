@@ -40,7 +40,7 @@ class Spellings:
         return [path for path in found if path.endswith(_ENDINGS)]
 
     def is_constant(self, text: str) -> bool:
-        """Tell whether a text is the same whatever the arguments are."""
+        """Return whether a text is the same whatever the arguments are."""
         patterns = {pattern.replace("[*]", "") for pattern in self._of_text(text, frozenset())}
         return len(patterns) == 1 and "*" not in patterns.pop()
 

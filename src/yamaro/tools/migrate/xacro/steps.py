@@ -93,12 +93,12 @@ def range_of(name: str, stop: str, step: int, is_backwards: bool) -> tuple[str, 
 
 
 def is_whole(text: str) -> bool:
-    """Tell whether a text is a whole number."""
+    """Return whether a text is a whole number."""
     return not isinstance(guess_value(text), float)
 
 
 def is_new_list(node: ast.expr) -> bool:
-    """Tell whether an expression makes a list of its own."""
+    """Return whether an expression makes a list of its own."""
     match node:
         case ast.List() | ast.ListComp() | ast.Subscript(_, ast.Slice()):
             return True

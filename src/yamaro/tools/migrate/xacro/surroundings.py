@@ -23,7 +23,7 @@ class Surroundings:
     Attributes:
         macro: the innermost macro, if there is one.
         is_top: whether the piece stands right in the file.
-        is_in_element: whether it stands in an element, where nothing is a part.
+        is_in_element: whether it is in an element, where nothing is a part.
         place: what writes the elements that come to stand in a part.
         holder: the part, macro or block whose elements these are, where it is known.
         hides: the arguments whose names mean something else here.

@@ -44,7 +44,7 @@ class Truths:
         return is_truth
 
     def may_give(self, expression: str) -> bool:
-        """Tell whether an expression may give a truth value."""
+        """Return whether an expression may give a truth value."""
         import ast
 
         try:

@@ -48,7 +48,7 @@ if TYPE_CHECKING:
 
 
 class FileWriter(ElementWriter):
-    """Writes what stands in one file.
+    """Writes what is in one file.
 
     Attributes:
         program: the robot that the file belongs to.
@@ -123,7 +123,7 @@ class FileWriter(ElementWriter):
         return "" if output is None else f"{os.path.relpath(output, own or '.')}/"
 
     def is_namespace(self, name: str) -> bool:
-        """Tell whether a name is that of a namespace."""
+        """Return whether a name is that of a namespace."""
         return name in self.program.namespaces.names(self.path)
 
     def scope_of(self, name: str) -> str:
@@ -148,7 +148,7 @@ class FileWriter(ElementWriter):
     # --- bodies ---------------------------------------------------------------------------------
 
     def body(self, nodes: list[Node]) -> Body | None:
-        """Return what stands in an element."""
+        """Return what is in an element."""
         with self.at(self.here.below_top()):
             body = self.statements(nodes)
         if not any(isinstance(node, Element) and node.name.startswith("xacro:") for node in nodes):
@@ -156,7 +156,7 @@ class FileWriter(ElementWriter):
         return body or None
 
     def statements(self, nodes: list[Node]) -> Body:
-        """Return statements for what stands in a file, a macro or an element."""
+        """Return statements for what is in a file, a macro or an element."""
         body = Body()
         endings = comments_at_ends(nodes)
         nodes = in_order(nodes, endings, self.program)
@@ -276,7 +276,7 @@ class FileWriter(ElementWriter):
         }
 
     def content(self, element: Element, children: list[Node]) -> Value:
-        """Return what stands in an element: its text, or a body of these children."""
+        """Return what is in an element: its text, or a body of these children."""
         if (
             has_text(element)
             and self._message(element.text().strip()) is None
