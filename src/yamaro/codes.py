@@ -11,10 +11,10 @@ if TYPE_CHECKING:
 
 ADJUSTABLE = frozenset(
     """
-    anchored-expression angle-too-large assumed-limit axis-not-unit bad-color bad-inertia
-    bad-mass bad-mesh bad-name bad-size bad-version capsule-needs-urdf-1.1 comment-entry
-    dollar-in-string duplicate-joint duplicate-link duplicate-material far-center fixed-mimic
-    function-replaced gimbal-rpy hidden-value ignored-limit joint-cycle large-mesh
+    ambiguous-parent anchored-expression angle-too-large assumed-limit axis-not-unit bad-color
+    bad-inertia bad-mass bad-mesh bad-name bad-size bad-version capsule-needs-urdf-1.1
+    comment-entry dollar-in-string duplicate-joint duplicate-link duplicate-material far-center
+    fixed-mimic function-replaced gimbal-rpy hidden-value ignored-limit joint-cycle large-mesh
     leftover-expression limit-order long-chain lost-in-urdf massless-moving mimic-cycle
     mirror-axis mirror-raw misplaced-key misplaced-part missing-attribute missing-element
     missing-extra missing-limit missing-mesh-file misspelt-statement needs-version

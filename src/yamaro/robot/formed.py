@@ -27,6 +27,7 @@ if TYPE_CHECKING:
     from ..xml.forms import FormText
     from ..xml.tree import Node, PartElement
     from .lowering import Lowering
+    from .naming import Naming
 
 MAX_KNOWN = 64
 """How many parts of one form are kept to take over from, and how many origins."""
@@ -223,7 +224,7 @@ def take_over(lowering: Lowering, part: PartElement, out: list[Node]) -> bool:
     if known is None:
         return False
     trace = lowering.trace if part.trace is INHERITED else part.trace
-    return _take_over(lowering, pattern, known, part.values, trace, out)
+    return _take_over(lowering, pattern, known, part, trace, out)
 
 
 def lower_formed(
@@ -271,16 +272,18 @@ def _take_over(
     lowering: Lowering,
     pattern: Pattern,
     known: LoweredPart,
-    values: tuple[Any, ...],
+    part: PartElement,
     trace: Frame | None,
     out: list[Node],
 ) -> bool:
     """Append the joint and link of a part made after another one, unless it has a fault."""
+    values = part.values
     parent = filled(pattern.parent[0], values)
     if type(parent) is not str:
         return False
     parent = parent.strip()
-    names = _names(filled(pattern.name, values))
+    naming = lowering.namings.get(part.span.source) if lowering.namings else None
+    names = _names(filled(pattern.name, values), naming)
     if names is None or not parent:
         return False
     origin = _origin(lowering, pattern, known.joint, values)
@@ -319,7 +322,7 @@ def _like(
     return Element(element.name, element.span, attributes, children, trace, element.value_spans)
 
 
-def _names(name: object) -> tuple[str, str, str] | None:
+def _names(name: object, naming: Naming | None) -> tuple[str, str, str] | None:
     """Return the names of a part's joint and link, and its own or ""; None if they are faulty."""
     if type(name) is not str:
         return None
@@ -330,6 +333,8 @@ def _names(name: object) -> tuple[str, str, str] | None:
         if len(words) != 1:
             return None
         name = words[0]
+    if naming is not None:
+        return naming.joint(name), naming.link(name), name
     return f"{name}_joint", f"{name}_link", name
 
 

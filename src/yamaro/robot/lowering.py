@@ -13,10 +13,11 @@ if TYPE_CHECKING:
     from ..diagnostics import Diagnostic, Frame, Reporter, YamaroError
     from ..model.mesh_integrals import SolidMoments
     from ..model.shapes import Inertia
-    from ..source import Span
+    from ..source import Source, Span
     from ..xml.forms import Form
     from .formed import Pattern
     from .mirror import Mirror
+    from .naming import Naming
     from .notes import RobotNote
     from .numbers import Numbers
 
@@ -41,6 +42,7 @@ class Lowering:
         has_capsule: whether the robot's URDF version knows capsules.
         moments: the volume integrals of the mesh files read so far, by path.
         near_keys: what a key in a place was found to be a misspelling of.
+        namings: what the joints and links of parts are called in a file, where it says so.
         numbers: the numbers in the texts read so far.
         inertias: the words of the moments of inertia computed so far.
         patterns: how to lower the parts of a form, or None where that has no pattern.
@@ -76,6 +78,7 @@ class Lowering:
         "may_read",
         "mimics",
         "moments",
+        "namings",
         "near_keys",
         "numbers",
         "parents",
@@ -105,6 +108,7 @@ class Lowering:
         self.has_capsule = has_capsule
         self.has_words = False
         self.errors: list[Diagnostic] = []
+        self.namings: dict[Source, Naming] = {}
         self.numbers: dict[str, Numbers] = {}
         self.inertias: dict[Inertia, tuple[str, ...]] = {}
         self.moments: dict[str, SolidMoments] = {}

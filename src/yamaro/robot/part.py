@@ -158,6 +158,11 @@ def _rebuilt(
     lowering: Lowering, element: Element, holders: dict[int, Element], *, is_root: bool = False
 ) -> Element:
     """Return a copy of an element that holds parts, with the parts lowered."""
+    for child in element.children:
+        if type(child) is RobotWord and child.name == "naming":
+            from .naming import note_naming
+
+            note_naming(lowering, child)
     children: list[Node] = []
     for child in element.children:
         if isinstance(child, PartElement):
@@ -304,7 +309,7 @@ def _read_names(lowering: Lowering, part: Element, fields: Fields) -> PartNames:
     joint, link = fields.keys.get("joint"), fields.keys.get("link")
     try:
         own_joint, own_link = _own_name(joint), _own_name(link)
-        names = _derived_names(_read_words(key)) if key is not None else None
+        names = _derived_names(lowering, part, _read_words(key)) if key is not None else None
     except YamaroError as error:
         lowering.absorb(error)
         return PartNames(None, UNNAMED, UNNAMED)
@@ -357,9 +362,12 @@ def _read_words(key: Element) -> list[str]:
     return words
 
 
-def _derived_names(words: list[str]) -> PartNames:
+def _derived_names(lowering: Lowering, part: Element, words: list[str]) -> PartNames:
     if len(words) == 2:
         return PartNames(None, words[0], words[1])
+    naming = lowering.namings.get(part.span.source)
+    if naming is not None:
+        return PartNames(words[0], naming.joint(words[0]), naming.link(words[0]))
     return PartNames(words[0], f"{words[0]}_joint", f"{words[0]}_link")
 
 
@@ -377,10 +385,11 @@ def resolve_names(lowering: Lowering, robot: Element) -> None:
         assert isinstance(parent, Element)
         name = parent.attributes["link"]
         assert isinstance(name, str)
-        if name in links:
-            continue
         link_name = part_links.get(name)
-        if link_name is not None:
+        if name in links:
+            if link_name is not None and link_name != name:
+                _warn_if_ambiguous(lowering, robot, joint, parent, name, link_name)
+        elif link_name is not None:
             _refer(joint, parent, "link", link_name)
         elif name == ROOT_LINK and root_link is None:
             root_link, trace = parent, joint.trace
@@ -406,6 +415,28 @@ def resolve_names(lowering: Lowering, robot: Element) -> None:
             trace=trace,
         )
         robot.children.insert(0, link)
+
+
+def _warn_if_ambiguous(
+    lowering: Lowering, robot: Element, joint: Element, parent: Element, name: str, link_name: str
+) -> None:
+    """Warn of a parent that is a link, and the name of another part of the same file as well."""
+    source = parent.span.source
+    child = joint.children[1]
+    if isinstance(child, Element) and child.attributes.get("link") == link_name:
+        return
+    for link in robot.elements():
+        if link.name == "link" and link.attributes.get("name") == link_name:
+            if link.span.source is source:
+                lowering.warn(
+                    "ambiguous-parent",
+                    f"'{name}' is a link, which is the parent, and also a part, whose link is "
+                    f"'{link_name}'",
+                    parent.value_span("link"),
+                    hint=f"write {link_name} if the part is meant, or rename one of the two",
+                    trace=joint.trace,
+                )
+            return
 
 
 def _names(robot: Element, kind: str) -> set[str]:

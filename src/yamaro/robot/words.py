@@ -23,6 +23,10 @@ def lower_word(lowering: Lowering, word: RobotWord, out: list[Node]) -> None:
             from .control import lower_control
 
             lower_control(lowering, word, out)
+        case "naming":
+            from .naming import note_naming
+
+            note_naming(lowering, word)
         case _:
             from .sections import lower_section
 
