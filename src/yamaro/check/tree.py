@@ -5,7 +5,7 @@ from __future__ import annotations
 from ..diagnostics import INHERITED
 from ..model.joint import FIXED
 from ..model.values import attribute_text
-from ..xml.tree import Element
+from ..xml.tree import Element, IncludedRobot
 from .context import CheckContext, listed
 
 TYPE_CHECKING = False
@@ -105,10 +105,19 @@ def _check_name(thing: Named, known: dict[str, Named], context: CheckContext) ->
         f"there are two {element.name}s named '{name}'",
         element,
         attribute="name",
-        hint="give each its own name; in a function, build it from an argument: `$(side)_arm`",
+        hint=_hint_for_names(element),
         notes=(_note_of_first(first.element, element),),
         among=(first.element, element),
     )
+
+
+def _hint_for_names(element: Element) -> str:
+    """Return how to tell the second of two elements of one name from the first."""
+    if isinstance(element.body, IncludedRobot):
+        if element.body.prefix:
+            return "give each robot a `prefix:` of its own"
+        return "give the attached or included robot a prefix, such as prefix: left_"
+    return "give each its own name; in a function, build it from an argument: `$(side)_arm`"
 
 
 def _note_of_first(first: Element, second: Element) -> str:

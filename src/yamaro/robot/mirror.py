@@ -18,10 +18,12 @@ from .mirror_image import (
     mirrored_pose,
     negated,
     reverse,
+    reverse_interfaces,
     reverse_mimic,
     set_axis,
     turn_mesh,
 )
+from .notes import RobotNote
 from .rigid import RigidLinks, link_of, name_of, pose_of, set_pose
 from .word_renaming import WordRenaming
 
@@ -170,7 +172,8 @@ def make_images(lowering: Lowering, robot: Element) -> None:
     for mirror in lowering.pending:
         entered = lowering.enter(mirror)
         made = _with_images(mirror.made, images)
-        images[id(mirror)] = _Image(lowering, mirror, made, robot, links).nodes()
+        present = _with_images(robot.children, images)
+        images[id(mirror)] = _Image(lowering, mirror, made, present, links).nodes()
         lowering.leave(entered)
     robot.children = _with_images(robot.children, images)
 
@@ -179,7 +182,7 @@ def _with_images(nodes: list[Node], images: dict[int, list[Node]]) -> list[Node]
     found: list[Node] = []
     for node in nodes:
         if isinstance(node, Mirror):
-            found += images[id(node)]
+            found += images.get(id(node), ())
         else:
             found.append(node)
     return found
@@ -207,19 +210,19 @@ def _own_links(lowering: Lowering, mirror: Mirror) -> set[str]:
 class _Image:
     """Makes one image."""
 
-    __slots__ = ("joints", "links", "lowering", "made", "mirror", "robot", "signs", "there")
+    __slots__ = ("joints", "links", "lowering", "made", "mirror", "present", "signs", "there")
 
     def __init__(
         self,
         lowering: Lowering,
         mirror: Mirror,
         made: list[Node],
-        robot: Element,
+        present: list[Node],
         there: set[str],
     ) -> None:
         self.lowering = lowering
         self.mirror = mirror
-        self.robot = robot
+        self.present = [node for node in present if isinstance(node, Element)]
         self.there = there
         self.made = [node for node in made if isinstance(node, Element)]
         self.links = {name_of(each) for each in self.made if each.name == "link"}
@@ -239,14 +242,16 @@ class _Image:
                 self._mirror_mimic(copy)
             elif copy.name == "link":
                 self._mirror_link(copy)
-            elif copy.name == "state":
+            elif isinstance(copy, RobotNote):
                 self._mirror_state(copy)
+            elif copy.name == "ros2_control":
+                self._mirror_interfaces(copy)
             else:
                 self._warn_of_poses(copy)
         RobotNames(kept).rename(copies, self.mirror.renaming.apply)
         for original, copy in zip(kept, copies, strict=True):
             self._check_name(original, copy)
-        return list(copies)
+        return [copy for old, copy in zip(kept, copies, strict=True) if not _repeats(old, copy)]
 
     # --- links ---
 
@@ -327,21 +332,26 @@ class _Image:
 
     def _mirror_root(self, joint: Element, parent: Element) -> None:
         """Mirror a joint whose parent is outside of the body, in the plane of that or of `of`."""
-        old = link_of(parent)
-        new = self.mirror.renaming.apply(old)
-        if new in self.there:
-            parent.attributes["link"] = new
+        old = new = link_of(parent)
+        if self.mirror.renaming.apply(old) in self.there:
+            new = parent.attributes["link"] = self.mirror.renaming.apply(old)
         if self.mirror.of is None:
             mirror_origin(joint, self.mirror.normal)
             return
         try:
-            pose = self._pose_of_plane(self.mirror.of, old)
+            T_plane_parent = self._pose_in_plane(self.mirror.of, old)
+            T_plane_new = T_plane_parent
+            if any(each.name == "link" and name_of(each) == new for each in self.present):
+                T_plane_new = self._pose_in_plane(self.mirror.of, new)
+            elif new != old:  # it is an image that is not made yet
+                T_plane_new = mirrored_pose(T_plane_parent, self.mirror.normal)
         except YamaroError as error:
             self.lowering.absorb(error)
             return
-        _mirror_in(joint, pose, self.mirror.normal)
+        image = mirrored_pose(T_plane_parent @ pose_of(joint), self.mirror.normal)
+        set_pose(joint, T_plane_new.inverse() @ image)
 
-    def _pose_of_plane(self, key: Element, parent: str) -> Pose:
+    def _pose_in_plane(self, key: Element, parent: str) -> Pose:
         """Return the pose of a joint's parent in the frame of the link that `of` names."""
         name = key.text().strip()
         link = name if name in self.there else self.lowering.part_links.get(name)
@@ -354,7 +364,7 @@ class _Image:
                 hint=did_you_mean(name, known) or "name the link whose plane it is",
                 trace=key.trace,
             )
-        rigid = RigidLinks(self.robot.elements())
+        rigid = RigidLinks(self.present)
         top, pose = rigid.top_of(link)
         top_of_parent, pose_of_parent = rigid.top_of(parent)
         if top != top_of_parent:
@@ -379,10 +389,18 @@ class _Image:
             if self.signs.get(format_value(joint.attributes.get("joint"))) == -1:
                 change_text(joint, "value", negated)
 
+    def _mirror_interfaces(self, control: Element) -> None:
+        for joint in control.elements():
+            if joint.name == "joint" and self.signs.get(name_of(joint)) == -1:
+                reverse_interfaces(joint)
+
     # --- what cannot be mirrored ---
 
     def _check_name(self, original: Element, copy: Element) -> None:
-        if original.name not in ("link", "joint") or name_of(original) != name_of(copy):
+        is_named = original.name in ("link", "joint") or (
+            original.name == "sensor" and isinstance(original, RobotNote)
+        )
+        if not is_named or name_of(original) != name_of(copy):
             return
         self.lowering.absorb(
             failure(
@@ -417,17 +435,23 @@ class _Image:
                 )
 
 
+def _repeats(original: Element, copy: Element) -> bool:
+    """Tell whether an element names nothing of the body, so its image would repeat it."""
+    if original.name in ("link", "joint") or isinstance(original, RobotNote):
+        return False
+    return _says(original) == _says(copy)
+
+
+def _says(node: Node) -> object:
+    if isinstance(node, Element):
+        attributes = {name: format_value(value) for name, value in node.attributes.items()}
+        return node.name, attributes, [_says(child) for child in node.children]
+    return format_value(node.value) if isinstance(node, Text) else None
+
+
 def _same(one: str, other: str, *, sign: int = 1) -> bool:
     try:
         pairs = zip(map(float, one.split()), map(float, other.split()), strict=True)
         return all(abs(a - sign * b) <= TILTED for a, b in pairs)
     except ValueError:
         return False
-
-
-def _mirror_in(joint: Element, plane: Pose, normal: int) -> None:
-    """Mirror a joint's origin in a plane of another link, which is rigidly joined to its parent.
-
-    With T_plane_parent, the image is T_plane_parent⁻¹ · S · T_plane_parent · T_parent_joint · S.
-    """
-    set_pose(joint, plane.inverse() @ mirrored_pose(plane @ pose_of(joint), normal))

@@ -163,6 +163,31 @@ def _swap(element: Element, lower: str, upper: str) -> None:
     element.attributes = new
 
 
+def reverse_interfaces(joint: Element) -> None:
+    """Let the interfaces of a joint in `<ros2_control>` count the other way, as `reverse` does."""
+    for interface in joint.elements():
+        params = {format_value(each.attributes.get("name")): each for each in interface.elements()}
+        for name in ("min", "max", "initial_value"):
+            if name in params:
+                for text in params[name].children:
+                    if isinstance(text, Text):
+                        text.value = _negated_text(format_value(text.value))
+        if "min" in params and "max" in params:
+            low, high = params["min"], params["max"]
+            low.children, high.children = high.children, low.children
+        elif "min" in params:
+            params["min"].attributes["name"] = "max"
+        elif "max" in params:
+            params["max"].attributes["name"] = "min"
+
+
+def _negated_text(text: str) -> str:
+    try:
+        return negated(text.strip())
+    except ValueError:
+        return text
+
+
 def reverse_mimic(joint: Element, *, follower: int, leader: int) -> None:
     """Let a joint follow its leader as before, where the positions of either count the other way.
 
