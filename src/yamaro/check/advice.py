@@ -53,7 +53,7 @@ def check_advice(
     resolve_mesh: Callable[[str, Span], str | None] | None,
 ) -> None:
     """Report to `advice` what is legal but seldom meant."""
-    told = CheckContext(robot.element, advice, version=context.version)
+    told = CheckContext(robot.element, advice, version=context.version, numbers=context.numbers)
     links, joints = tree.links, tree.joints
     children = {joint.child for joint in joints.values()}
     sizes: dict[Mesh, float | None] = {}
@@ -223,7 +223,7 @@ def _advise_on_limit(joint: Joint, context: CheckContext) -> None:
 
 def _advise_on_pose(pose: Pose, owner: Element, context: CheckContext) -> None:
     origin = pose.element
-    rpy = context.numbers(origin, "rpy", 3)
+    rpy = context.numbers.row(origin, "rpy", 3)
     if origin is None or not rpy:
         return
     roll, pitch, yaw = rpy

@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 from ..diagnostics import ERROR, INHERITED, WARNING, Diagnostic, suggest
-from ..model.values import NumberFault, attribute_text, read_numbers
-from ..xml.memo import LONGEST_ROW_REMEMBERED, remember
+from ..model.values import NumberReader, attribute_text
 from ..xml.tree import Element
 
 TYPE_CHECKING = False
@@ -53,12 +52,12 @@ class CheckContext:
     __slots__ = (
         "_around",
         "_found",
-        "_read",
         "_suggestion_budget",
         "count",
         "file_owners",
         "material_uses",
         "materials_inside",
+        "numbers",
         "outermost",
         "reporter",
         "root",
@@ -74,6 +73,7 @@ class CheckContext:
         reporter: Reporter,
         *,
         version: str = "1.0",
+        numbers: NumberReader | None = None,
     ) -> None:
         """Report to `reporter`.
 
@@ -81,6 +81,7 @@ class CheckContext:
             root: the robot.
             reporter: takes the findings.
             version: the URDF version of the robot.
+            numbers: reads numbers in attributes; by default a new one.
 
         Attributes:
             count: how often something was found.
@@ -97,11 +98,11 @@ class CheckContext:
         self._around: dict[int, Element] | None = None
         self.reporter = reporter
         self.version = version
+        self.numbers = numbers or NumberReader()
         self.stage = SCHEMA
         self.count = 0
         self.sound: set[tuple[object, ...]] = set()
         self.sound_values: dict[AttributeRule, dict[str, bool]] = {}
-        self._read: dict[str, tuple[float, ...] | NumberFault] = {}
         self.material_uses: dict[str, tuple[Element, Element]] = {}
         self.materials_inside: set[str] = set()
         self.file_owners: list[Element] = []
@@ -240,34 +241,6 @@ class CheckContext:
             return None
         self._suggestion_budget -= len(candidates)
         return suggest(word, candidates)
-
-    def read(self, text: str) -> tuple[float, ...] | NumberFault:
-        """Return the numbers in a text; equal texts are read once, unless they are long.
-
-        Long ones hold computed numbers, which seldom come again.
-        """
-        found = self._read.get(text)
-        if found is None:
-            found = read_numbers(text)
-            if len(text) <= LONGEST_ROW_REMEMBERED:
-                remember(self._read, text, found)
-        return found
-
-    def numbers(self, element: Element | None, attribute: str, count: int) -> tuple[float, ...]:
-        """Return an attribute's numbers, or () if it is absent or faulty (reported elsewhere)."""
-        text = attribute_text(element, attribute)
-        if text is None:
-            return ()
-        found = self.read(text)
-        if isinstance(found, NumberFault) or len(found) != count:
-            return ()
-        return found
-
-    def number(self, element: Element | None, attribute: str) -> float | None:
-        """Return the number in an attribute, or None if it is absent or faulty."""
-        text = attribute_text(element, attribute)
-        found = self.read(text) if text is not None else ()
-        return found[0] if type(found) is tuple and len(found) == 1 else None
 
 
 def _are_taken_as_they_are(elements: Sequence[Element]) -> bool:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from math import hypot
 
+from ..model.joint import CONTINUOUS, LIMITED, PLANAR, REVOLUTE, SINGLE
 from ..model.urdf_schema import JOINT_TYPES, joint_type_hint
 from ..model.values import attribute_text
 from ..xml.tree import Element
@@ -17,8 +18,7 @@ if TYPE_CHECKING:
 UNIT_TOLERANCE = 1e-3
 """How far from 1 the length of an axis may be: three digits, as 0.707 for 1/√2, are enough."""
 
-LIMITED = ("revolute", "prismatic")
-WITH_AXIS = ("revolute", "continuous", "prismatic", "planar")
+WITH_AXIS = (*SINGLE, PLANAR)
 
 
 def check_joint(joint: Element, children: Children, owner: Element, context: CheckContext) -> None:
@@ -65,7 +65,7 @@ def _check_axis(axis: Element, joint: Element, context: CheckContext) -> None:
     text = attribute_text(axis, "xyz")
     if text is None or ("axis", text) in context.sound:
         return
-    xyz = context.numbers(axis, "xyz", 3)
+    xyz = context.numbers.row(axis, "xyz", 3)
     if not xyz:
         return
     length = hypot(*xyz)
@@ -103,7 +103,7 @@ def _report_missing_limit(kind: str, joint: Element, context: CheckContext) -> N
 
 
 def _limit_hint(kind: str, hint: str) -> str:
-    if kind == "revolute":
+    if kind == REVOLUTE:
         return f"{hint}, or make the joint continuous if it rotates without limits"
     return hint
 
@@ -119,7 +119,7 @@ def _check_limit(limit: Element, kind: str, joint: Element, context: CheckContex
             limit,
             hint=_limit_hint(kind, "add `lower=-1, upper=1` to it"),
         )
-    elif kind != "continuous":
+    elif kind != CONTINUOUS:
         _check_order(limit, "lower", "upper", joint, context)
 
 
@@ -131,7 +131,7 @@ def _check_order(
     if ("order", *texts) in context.sound:
         return
     lower, upper = (
-        0.0 if text is None else context.number(element, name)
+        0.0 if text is None else context.numbers.number(element, name)
         for name, text in zip((lower_name, upper_name), texts, strict=True)
     )
     if lower is None or upper is None or lower <= upper:

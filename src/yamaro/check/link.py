@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from math import fabs, hypot, tau
 
-from ..model.shapes import SHAPE_WORDS
+from ..model.shapes import SHAPE_WORDS, SIMPLE_SHAPES, Capsule, Mesh
+from ..model.urdf_schema import MOMENTS
 from ..model.values import attribute_text
 from ..xml.tree import Element
 from .context import LINKS, CheckContext, label, shown
@@ -18,8 +19,8 @@ TRIANGLE_TOLERANCE = 1e-3
 
 ANGLE_TOLERANCE = 1e-2
 CAPSULE_CODE = "capsule-needs-urdf-1.1"
-INERTIA_NAMES = ("ixx", "ixy", "ixz", "iyy", "iyz", "izz")
-PLAIN_SHAPES = ("box", "cylinder", "sphere")
+PLAIN_SHAPES = frozenset(kind for kind, shape in SIMPLE_SHAPES.items() if shape.since == "1.0")
+"""Shapes of which only the sizes can be wrong."""
 
 
 # --- mass and inertia -------------------------------------------------------------------------
@@ -32,7 +33,7 @@ def check_inertial(
     context.stage = LINKS
     check_pose(children.get("origin"), link, context)
     mass_element = children.get("mass")
-    mass = context.number(mass_element, "value")
+    mass = context.numbers.number(mass_element, "value")
     if mass_element is not None and mass is not None and mass <= 0:
         _report_mass(mass, mass_element, link, context)
         return
@@ -55,12 +56,12 @@ def _report_mass(mass: float, element: Element, link: Element, context: CheckCon
 
 
 def _check_inertia(inertia: Element, link: Element, context: CheckContext) -> None:
-    texts = tuple([attribute_text(inertia, name) for name in INERTIA_NAMES])
+    texts = tuple([attribute_text(inertia, name) for name in MOMENTS])
     if texts in context.sound:
         return
     values = []
-    for name in INERTIA_NAMES:
-        number = context.number(inertia, name)
+    for name in MOMENTS:
+        number = context.numbers.number(inertia, name)
         if number is None:
             return
         values.append(number)
@@ -179,14 +180,14 @@ def _check_geometry(
             shapes[1],
             hint=f"write a {section.name} for each shape",
         )
-    if shapes[0].name == "mesh":
+    if shapes[0].name == Mesh.kind:
         _check_scale(shapes[0], where, context)
-    elif shapes[0].name == "capsule" and context.version == "1.0":
+    elif shapes[0].name == Capsule.kind and context.version < Capsule.since:
         _report_capsule(shapes[0], where, context)
 
 
 def _check_scale(mesh: Element, where: str, context: CheckContext) -> None:
-    scale = context.numbers(mesh, "scale", 3)
+    scale = context.numbers.row(mesh, "scale", 3)
     if scale and 0.0 in scale:
         context.warn(
             "bad-size",
@@ -225,7 +226,7 @@ def check_pose(origin: Element | None, owner: Element, context: CheckContext) ->
 
 
 def _check_angles(rpy: str, origin: Element, owner: Element, context: CheckContext) -> None:
-    for angle in context.numbers(origin, "rpy", 3):
+    for angle in context.numbers.row(origin, "rpy", 3):
         if fabs(angle) > tau + ANGLE_TOLERANCE:
             context.warn(
                 "angle-too-large",
@@ -257,7 +258,7 @@ def _check_quaternion(origin: Element, owner: Element, context: CheckContext) ->
             hint="write `version=1.1` on the robot, or give the rotation as rpy",
         )
         return
-    numbers = context.numbers(origin, "quat_xyzw", 4)
+    numbers = context.numbers.row(origin, "quat_xyzw", 4)
     if numbers and fabs(hypot(*numbers) - 1) > ANGLE_TOLERANCE:
         context.warn(
             "quaternion-not-unit",

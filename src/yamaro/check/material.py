@@ -96,7 +96,7 @@ def _check_color(material: Element, context: CheckContext) -> None:
     color = child_named(material, "color")
     if color is None:
         return
-    rgba = context.numbers(color, "rgba", 4)
+    rgba = context.numbers.row(color, "rgba", 4)
     if not rgba or all(0 <= part <= 1 for part in rgba):
         return
     worst = max(rgba, key=lambda part: abs(part - 0.5))

@@ -50,8 +50,8 @@ def check(
     Returns:
         Whether it has meshes or textures.
     """
-    robot = read_robot(root)
     context = CheckContext(root, reporter)
+    robot = read_robot(root, numbers=context.numbers)
     context.version = _check_robot(robot, context)
     check_elements(root, context)
     context.stage = TREE

@@ -216,7 +216,7 @@ def _check_numbers(
     text = attribute_text(element, name)
     if text is None:
         return
-    found = context.read(text)
+    found = context.numbers.read(text)
     if isinstance(found, NumberFault):
         _report_not_a_number(found, text, name, element, owner, context)
         return

@@ -23,8 +23,8 @@ from .rotations import (
     unit_vector,
 )
 from .shapes import COUNTS, SHAPE_WORDS, SIMPLE_SHAPES, SIZES, UNSCALED, Mesh
-from .urdf_schema import JOINT_TYPES, joint_type_hint
-from .values import NumberFault, attribute_text, child_named, read_numbers
+from .urdf_schema import JOINT_TYPES, MOMENTS, joint_type_hint
+from .values import NumberFault, NumberReader, attribute_text, child_named
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -37,7 +37,6 @@ if TYPE_CHECKING:
     Numbers = tuple[float, ...]
     Contents = tuple[Inertial | None, tuple[Visual, ...], tuple[Collision, ...]]
 
-MOMENTS = ("ixx", "ixy", "ixz", "iyy", "iyz", "izz")
 COUNT_WORDS = {1: "one number", 3: "three numbers", 4: "four numbers"}
 
 
@@ -62,7 +61,9 @@ def read_text(text: str, *, name: str) -> Robot:
     return read_robot(read_xml(Source(text, name=name)).root)
 
 
-def read_robot(root: Element, *, largest: float = inf) -> Robot:
+def read_robot(
+    root: Element, *, largest: float = inf, numbers: NumberReader | None = None
+) -> Robot:
     """Return the robot of a finished tree, which must not be changed afterwards.
 
     Most of a link or joint is read when it is first used.
@@ -70,6 +71,7 @@ def read_robot(root: Element, *, largest: float = inf) -> Robot:
     Args:
         root: a `<robot>` without parts; elements may be in several places of it.
         largest: numbers beyond it are treated like those that cannot be read.
+        numbers: reads numbers, and has read some already; by default a new one.
 
     Raises:
         YamaroError: `not-urdf`: the root is another element.
@@ -81,7 +83,7 @@ def read_robot(root: Element, *, largest: float = inf) -> Robot:
             root.span,
             hint="the root of a URDF is 'robot'",
         )
-    return _Reader(root, largest).robot()
+    return _Reader(root, largest, numbers or NumberReader(largest)).robot()
 
 
 class _Reader:
@@ -91,12 +93,12 @@ class _Reader:
     that of its list of children: the tree keeps both alive.
     """
 
-    def __init__(self, root: Element, largest: float) -> None:
+    def __init__(self, root: Element, largest: float, numbers: NumberReader) -> None:
         self._root = root
         self._largest = largest
         self._trace: Step | None = None  # of the link, joint or material being read
         self._findings: list[Diagnostic] = []
-        self._numbers_in: dict[str, Numbers | NumberFault] = {}
+        self._number_reader = numbers
         self._contents: dict[int, Contents] = {}
         self._origins: dict[int, Pose] = {}
         self._axes: dict[int, Vector] = {}
@@ -139,7 +141,7 @@ class _Reader:
 
     def _find_all(self) -> list[Diagnostic]:
         """Return what cannot be read, in the order written, by reading all once more."""
-        reader = _Reader(self._root, self._largest)
+        reader = _Reader(self._root, self._largest, self._number_reader)
         reader.robot(whole=True)
         return reader._findings
 
@@ -400,18 +402,10 @@ class _Reader:
         text = attribute_text(element, attribute)
         if text is None:
             return None
-        found = self._numbers_in.get(text)
-        if found is None:
-            found = self._numbers_in[text] = self._read(text)
+        found = self._number_reader.read(text)
         if type(found) is tuple and len(found) == count:
             return found
         return self._faulty(found, text, element, attribute, count)
-
-    def _read(self, text: str) -> Numbers | NumberFault:
-        found = read_numbers(text)
-        if type(found) is tuple and any(abs(number) > self._largest for number in found):
-            return NumberFault(text, "too large")
-        return found
 
     def _faulty(
         self,

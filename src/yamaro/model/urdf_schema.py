@@ -85,6 +85,9 @@ class ElementRule:
         self.required = tuple(name for name, rule in attributes.items() if rule.required)
 
 
+MOMENTS = ("ixx", "ixy", "ixz", "iyy", "iyz", "izz")
+"""The attributes of `inertia`, in the order of `Inertia`."""
+
 _TEXT = AttributeRule(TEXT)
 _NEEDED_TEXT = AttributeRule(TEXT, required=True)
 _NUMBER = AttributeRule(1)
@@ -130,9 +133,7 @@ ELEMENTS = {
         required_children=("mass", "inertia"),
     ),
     "mass": ElementRule({"value": AttributeRule(1, required=True)}),
-    "inertia": ElementRule(
-        dict.fromkeys(("ixx", "ixy", "ixz", "iyy", "iyz", "izz"), _NEEDED_NUMBER)
-    ),
+    "inertia": ElementRule(dict.fromkeys(MOMENTS, _NEEDED_NUMBER)),
     "origin": ElementRule({"xyz": _THREE, "rpy": _THREE, "quat_xyzw": AttributeRule(4)}),
     "geometry": ElementRule({}, dict.fromkeys(SHAPE_WORDS, ONCE)),
     **{kind: _shape_rule(shape) for kind, shape in SIMPLE_SHAPES.items()},

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from math import isfinite, nan
+from math import inf, isfinite, nan
 
+from ..xml.memo import LONGEST_ROW_REMEMBERED, remember
 from ..xml.tree import Element
 from ..xml.values import format_value
 
-WORD, NOT_FINITE, SPACING = "word", "not finite", "spacing"
+WORD, NOT_FINITE, SPACING, TOO_LARGE = "word", "not finite", "spacing", "too large"
 
 
 class NumberFault:
@@ -16,7 +17,7 @@ class NumberFault:
     __slots__ = ("item", "kind")
 
     def __init__(self, item: str, kind: str) -> None:
-        """Name the item as spelled; `kind` is WORD, NOT_FINITE or SPACING."""
+        """Name the item as spelled; `kind` is WORD, NOT_FINITE, SPACING or TOO_LARGE."""
         self.item = item
         self.kind = kind
 
@@ -73,6 +74,43 @@ def number_in(element: Element | None, attribute: str) -> float | None:
     text = attribute_text(element, attribute)
     found = read_numbers(text) if text is not None else ()
     return found[0] if isinstance(found, tuple) and len(found) == 1 else None
+
+
+class NumberReader:
+    """Reads the numbers in attributes, equal texts once, unless they are long.
+
+    Long texts contain computed numbers, which are seldom equal.
+    """
+
+    __slots__ = ("_known", "_largest")
+
+    def __init__(self, largest: float = inf) -> None:
+        """Begin with nothing read; numbers beyond `largest` are faults."""
+        self._known: dict[str, tuple[float, ...] | NumberFault] = {}
+        self._largest = largest
+
+    def read(self, text: str) -> tuple[float, ...] | NumberFault:
+        """Return the numbers in a text, or what is wrong with it; see `read_numbers`."""
+        found = self._known.get(text)
+        if found is None:
+            found = read_numbers(text)
+            if self._largest < inf and isinstance(found, tuple):
+                if any(abs(number) > self._largest for number in found):
+                    found = NumberFault(text, TOO_LARGE)
+            if len(text) <= LONGEST_ROW_REMEMBERED:
+                remember(self._known, text, found)
+        return found
+
+    def row(self, element: Element | None, attribute: str, count: int) -> tuple[float, ...]:
+        """Return an attribute's numbers, or () if they are left out, faulty or not so many."""
+        text = attribute_text(element, attribute)
+        found = self.read(text) if text is not None else ()
+        return found if isinstance(found, tuple) and len(found) == count else ()
+
+    def number(self, element: Element | None, attribute: str) -> float | None:
+        """Return the number in an attribute, or None if it is left out or is not one number."""
+        found = self.row(element, attribute, 1)
+        return found[0] if found else None
 
 
 def child_named(element: Element, name: str) -> Element | None:
