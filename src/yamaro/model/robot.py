@@ -20,6 +20,8 @@ run in every build should avoid it where they can: reading the origins of all jo
 
 from __future__ import annotations
 
+from math import fsum
+
 from ..diagnostics import suggest
 from .joint import FIXED
 from .values import attribute_text
@@ -253,7 +255,7 @@ class Robot(Written):
     @property
     def mass(self) -> float:
         """Return the sum of all links' masses in kg."""
-        return sum(link.mass for link in self.links.values())
+        return fsum(link.mass for link in self.links.values())
 
     def center_of_mass(self, positions: Mapping[str, Position] | None = None) -> Vector:
         """Return the centre of mass in the frame of the root, in metres.
