@@ -25,6 +25,9 @@ if TYPE_CHECKING:
     from ..safe.runtime import SafeRuntime
     from .library import Library
 
+_SAFE_HELPERS = ("load_yaml", "find", "file_dir", "dirname", "target")
+"""The helpers that are left in safe mode."""
+
 
 class Files:
     """Loads files and gives them their imports and predefined names.
@@ -123,7 +126,7 @@ class Files:
         directory = os.path.dirname(source.path) if source.path else os.getcwd()
         helpers = Helpers(directory, self._library, self.packages, self.note).names()
         if self._safety is not None:
-            kept = {name: helpers[name] for name in ("load_yaml", "find", "file_dir", "dirname")}
+            kept = {name: helpers[name] for name in _SAFE_HELPERS}
             return Home(source, directory, self._safety.names(kept), frame)
         names = {**CONSTANTS, **helpers, "print": self._print}
         names["__import__"] = self._modules_in(directory).import_hook

@@ -34,7 +34,7 @@ if TYPE_CHECKING:
     from typing import Any
 
     from ..safe.runtime import SafeRuntime
-    from ..xml.tree import Node
+    from ..xml.tree import Element, Node
     from .library import Library
     from .python_errors import Explainer
     from .unread import Passed
@@ -97,6 +97,7 @@ class Interpreter:
         self.statements_left = policy.limits.statements
         self.part_depth = 0
         self.element_depth = 0  # of XML elements below the <robot>
+        self.filled: Element | None = None  # the innermost element whose content is run
         self.is_robot = False
         self._frames: dict[tuple[str, int, Frame | None, Frame | None], Frame] = {}
         self.matches: dict[int, Match] = {}  # by the identity of a call's arguments

@@ -99,10 +99,12 @@ def _fill(interpreter: Interpreter, element: Element, content: Content, scope: S
     """Give an element its content."""
     if isinstance(content, Body):
         interpreter.element_depth += 1
+        around, interpreter.filled = interpreter.filled, element
         if interpreter.is_inside or content is interpreter.root_content:
             interpreter.run_body(content, scope, element.children)
         else:
             interpreter.run_inside(content, scope, element.children)
+        interpreter.filled = around
         interpreter.element_depth -= 1
     elif isinstance(content, TextContent):
         value = interpreter.values.written(content.value, scope)

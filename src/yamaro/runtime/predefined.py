@@ -35,6 +35,8 @@ CONSTANTS = {
     **{name: getattr(math, name) for name in MATHEMATICS},
     **FACTORS,
 }
+TARGET = "urdf"
+"""The output format that is written; expressions read it as `target`."""
 _REQUIRED: Any = object()
 
 
@@ -65,6 +67,7 @@ class Helpers:
             "file_dir": lambda: self._directory,
             "dirname": self._directory,
             "cwd": os.getcwd(),
+            "target": TARGET,
             "__find__": self.find,
             "__env__": self.env,
         }

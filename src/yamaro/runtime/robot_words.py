@@ -1,16 +1,19 @@
 """Runs `attach`, `mirror`, `loop` and the sections of a robot: what they hold, for lowering.
 
 Nothing is known here of what they mean, only where they are words: where a part may stand. In an
-XML element, and in a root that is not a `<robot>`, they are XML elements themselves.
+XML element, and in a root that is not a `<robot>`, they are XML elements themselves. The blocks for
+one output format are words in a part, its joint and its link as well.
 """
 
 from __future__ import annotations
 
 from ..diagnostics import YamaroError
+from ..syntax.names import RAW_BLOCKS
 from ..syntax.nodes import Body, TextContent
 from ..xml.tree import Element, RobotWord, Text
 from .includes import run_include
 from .markup import run_element
+from .predefined import TARGET
 from .scope import Scope
 
 TYPE_CHECKING = False
@@ -28,6 +31,9 @@ def run_robot_word(
     Raises:
         YamaroError: it is faulty.
     """
+    if node.key.text in RAW_BLOCKS:
+        _run_raw_block(interpreter, node, scope, out, body)
+        return
     if not node.is_section and not _may_hold_parts(interpreter):
         run_element(interpreter, interpreter.files.late.element(node), scope, out, body)
         return
@@ -35,6 +41,32 @@ def run_robot_word(
         raise YamaroError(fault.copy() for fault in node.faults)
     interpreter.has_parts = True
     out.extend([_run_item(interpreter, node, item, scope) for item in node.items])
+
+
+def _run_raw_block(
+    interpreter: Interpreter, node: RobotWordNode, scope: Scope, out: list[Node], body: Body | None
+) -> None:
+    """Run the content of a block in place, if it is for the format that is written."""
+    if not _may_hold_parts(interpreter) and not _is_in_part(interpreter):
+        run_element(interpreter, interpreter.files.late.element(node), scope, out, body)
+        return
+    if node.key.text != TARGET:
+        return
+    if node.faults:
+        raise YamaroError(fault.copy() for fault in node.faults)
+    for item in node.items:
+        if item.body is not None:
+            interpreter.run_body(item.body, scope, out)
+
+
+def _is_in_part(interpreter: Interpreter) -> bool:
+    """Tell whether this is directly in a part, or in the joint or link of one."""
+    if not interpreter.part_depth or interpreter.element_depth > 1:
+        return False
+    holder = interpreter.filled
+    return interpreter.element_depth == 0 or (
+        holder is not None and holder.name in ("joint", "link") and not holder.verbatim
+    )
 
 
 def _may_hold_parts(interpreter: Interpreter) -> bool:

@@ -30,6 +30,8 @@ ARGUMENTS = "arguments"
 """Another section. Words like it are not misspelt sections: `fragment:` may be a root element."""
 ROBOT_STATEMENTS = ("attach", "mirror", "loop")
 """Statements where a part may stand, and elements elsewhere."""
+RAW_BLOCKS = ("urdf", "sdf", "mjcf")
+"""Blocks for one output format, directly in a model, a part, or its joint or link."""
 ROBOT_SECTIONS = ("control", "states", "groups", "collisions", "naming", "base")
 """Sections of a file that describes a robot."""
 FACTORS = {

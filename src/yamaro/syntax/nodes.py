@@ -181,7 +181,7 @@ class RobotWordItem:
 
 
 class RobotWordNode:
-    """`attach`, `mirror` or `loop`, or a section of a robot such as `states`.
+    """`attach`, `mirror` or `loop`, a section of a robot such as `states`, or a raw block.
 
     Attributes:
         key: the word.

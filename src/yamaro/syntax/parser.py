@@ -11,6 +11,7 @@ from .document import Document, ImportNode
 from .mappings import Pairs, pairs_of
 from .names import (
     ARGUMENTS,
+    RAW_BLOCKS,
     ROBOT_SECTIONS,
     ROBOT_STATEMENTS,
     SECTIONS,
@@ -197,7 +198,7 @@ def _parse_root_element(
         )
     context.at_root = False
     try:
-        is_word = word in ROBOT_STATEMENTS or word in ROBOT_SECTIONS
+        is_word = word in (*ROBOT_STATEMENTS, *ROBOT_SECTIONS, *RAW_BLOCKS)
         parse_it = parse_element if is_word else parse_statement
         element = parse_it(key, node, context)
     finally:

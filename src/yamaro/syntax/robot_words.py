@@ -58,6 +58,23 @@ def parse_robot_word(key: ScalarNode, node: YamlNode, context: ParseContext) -> 
     return word
 
 
+def parse_raw_block(key: ScalarNode, node: YamlNode, context: ParseContext) -> RobotWordNode:
+    """Return a block for one output format: `urdf`, `sdf` or `mjcf`.
+
+    What is wrong in it is kept in the result, and is an error only if the block is run.
+    """
+    word = RobotWordNode(key, node, is_section=False)
+    inner = ParseContext(context.reporter, context.rules)
+    inner.blocks, inner.codes = context.blocks, context.codes
+    inner.declarations, inner.extents = context.declarations, context.extents
+    item = RobotWordItem(key.span())
+    if not is_empty(node):
+        item.body = inner.attempt(parse_body, node, f"`{key.text}`", inner)
+    word.items.append(item)
+    word.faults = inner.errors
+    return word
+
+
 def _parse_item(key: ScalarNode, node: YamlNode, context: ParseContext) -> RobotWordItem:
     item = RobotWordItem(key.span())
     if isinstance(node, ScalarNode):

@@ -13,6 +13,7 @@ from .leaves import parse_print, parse_process, parse_text_or_comment
 from .mappings import Entries, Pairs, item_hint, pairs_of, refuse_not_indented
 from .misplaced import refuse_at_root, warn_of_misspelt_statement
 from .names import (
+    RAW_BLOCKS,
     ROBOT_SECTIONS,
     ROBOT_STATEMENTS,
     STATEMENTS,
@@ -124,6 +125,10 @@ def parse_statement(key: ScalarNode, node: YamlNode, context: ParseContext) -> S
         from .robot_words import parse_robot_word
 
         return parse_robot_word(key, node, context)
+    if word in RAW_BLOCKS and (is_empty(node) or not isinstance(node, ScalarNode)):
+        from .robot_words import parse_raw_block
+
+        return parse_raw_block(key, node, context)
     if word.startswith("<") and word.endswith(">"):
         return _parse_angled(key, node, context)
     if word in ("#text", "#comment"):
@@ -155,7 +160,7 @@ def _parse_bare(key: ScalarNode, node: YamlNode, context: ParseContext) -> State
             return _parse_dynamic(key, template, node, context)
     element = _parse_element(key, 0, len(word), node, context, verbatim=False)
     assert isinstance(element.name, str), "its expression makes it one of `$(…)`"
-    if word not in ROBOT_STATEMENTS:
+    if word not in ROBOT_STATEMENTS and word not in RAW_BLOCKS:
         context.plain_keys[word] = (element.name, {})
     warn_of_misspelt_statement(key, node, context)
     return element
