@@ -85,7 +85,7 @@ class Rewriter:
         if key in ("if", "elif", "for"):
             return self.entries(node, lambda own, v: self.body(v) if own == "body" else v)
         if key == "functions":
-            return self.entries(node, lambda _, function: self.statement("for", function))
+            return self.entries(node, self.function)
         if key in ("print", "process", "import", "robot"):
             return node if key != "robot" else self.body(node)
         if is_function_name(key):
@@ -93,6 +93,9 @@ class Rewriter:
         if key.startswith("$") and "/" not in key:
             return self.entries(node)
         return self.body(node)
+
+    def function(self, key: str, node: YamlNode) -> YamlNode:
+        return self.body(node) if "(" in key else self.statement("for", node)
 
 
 def compile_with(
