@@ -7,6 +7,7 @@ from ..xml.robot_names import RobotNames
 from ..xml.tree import Element, IncludedRobot, Text
 from .joint import lower_joint
 from .mirror_image import copy_of
+from .notes import RobotNote
 from .rigid import RigidLinks, link_of, name_of, pose_of, set_pose
 
 TYPE_CHECKING = False
@@ -136,6 +137,9 @@ def _with_prefix(lowering: Lowering, robot: Element, prefix: str) -> list[Node]:
     if prefix:
         copies = [node for node in nodes if isinstance(node, Element)]
         names.rename(copies, lambda name: prefix + name)
+        for copy in copies:
+            if isinstance(copy, RobotNote) and copy.name == "ros2_control":
+                copy.attributes.setdefault("name", f"{prefix}system")
     return nodes
 
 
