@@ -7,13 +7,14 @@ from __future__ import annotations
 
 from math import fabs, pi, remainder, sqrt
 
-from ..model.joint import FIXED, FLOATING, REVOLUTE
+from ..model.joint import FLOATING, REVOLUTE
 from ..model.link import Inertial
 from ..model.shapes import Mesh
 from .center import advise_on_center
 from .context import CheckContext, label, shown
 from .leftovers import advise_on_leftovers
 from .motion import advise_on_motion
+from .tree import is_fixed
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -186,10 +187,10 @@ def _volume(link: Link) -> float:
 
 def _advise_on_limit(joint: Joint, context: CheckContext) -> None:
     limit = joint.limit
-    if limit is None or joint.type in (FIXED, FLOATING):
+    if limit is None or is_fixed(joint) or joint.type == FLOATING:
         return
-    for attribute, most in (("effort", limit.effort), ("velocity", limit.velocity)):
-        if most == 0:
+    for attribute in ("effort", "velocity"):
+        if limit.number(attribute) == 0:
             context.warn(
                 "zero-limit",
                 f"the {attribute} limit of joint '{joint.name}' is 0, so it cannot be moved",
@@ -197,8 +198,9 @@ def _advise_on_limit(joint: Joint, context: CheckContext) -> None:
                 attribute=attribute,
                 hint="planners and simulators use it literally; write the limit of the motor",
             )
-    for attribute, bound in (("lower", limit.lower), ("upper", limit.upper)):
-        if joint.type == REVOLUTE and MOST_TURNS < fabs(bound) <= 720:
+    for attribute in ("lower", "upper"):
+        bound = limit.number(attribute)
+        if joint.type == REVOLUTE and bound is not None and MOST_TURNS < fabs(bound) <= 720:
             context.warn(
                 "angle-too-large",
                 f"'{attribute}' of joint '{joint.name}' is {shown(bound)} radians, "
