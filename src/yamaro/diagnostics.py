@@ -170,7 +170,7 @@ def failure(
 
 
 def add_trace(error: YamaroError, frame: Frame | None) -> None:
-    """Note how the run came to an error, unless a step further in has told already."""
+    """Note how the run came to an error, unless an inner step has noted it already."""
     for diagnostic in error.diagnostics:
         if diagnostic.trace is None:
             diagnostic.trace = frame

@@ -24,7 +24,7 @@ NAMED_OWNERS = ("link", "joint", "material")
 
 
 SCHEMA, TREE, LINKS, JOINTS, MATERIALS, COLORS, USES, REFERENCES, FILES = range(9)
-"""The stages of the check, in the order in which findings are told.
+"""The stages of the check, in the order in which findings are reported.
 
 One walk over the elements finds what belongs to several stages.
 """
@@ -43,7 +43,7 @@ class Finding:
 
 KEY_CODES = ("unknown-key", "misplaced-key")
 STRAY_CODES = ("unknown-element", "unknown-attribute")
-"""What a stray key of a part comes out as; where the key was told of, this is not told again."""
+"""What a stray key of a part becomes; where the key is reported, this is not reported again."""
 
 
 class CheckContext:
@@ -126,7 +126,7 @@ class CheckContext:
         With `is_of_name` it is at the attribute's name.
 
         A line in a loop or a function makes many elements; what is wrong with them for the same
-        reason is told once. `missing` names what is not there, where that is the fault.
+        reason is reported once. `missing` names what is not there, where that is the fault.
         """
         self._note(
             Diagnostic(
@@ -220,7 +220,7 @@ class CheckContext:
             self.reporter.add(diagnostic)
 
     def _all_found(self) -> dict[object, Finding]:
-        """Return what was found in all stages; what came up in several is told in the first."""
+        """Return what was found in all stages; what came up in several is reported in the first."""
         all_found: dict[object, Finding] = {}
         for stage in self._found:
             for key, found in stage.items():

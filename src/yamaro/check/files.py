@@ -54,7 +54,7 @@ def check_files(
 def note_file(element: Element, children: Children, owner: Element, context: CheckContext) -> None:
     """Note a link or material with a mesh or texture in it, for `check_files` to look at.
 
-    Of an element that stands in several places one owner is enough: a file is told of once.
+    Of an element that is in several places one owner is enough: a file is reported once.
     """
     owners = context.file_owners
     if not owners or owners[-1] is not owner:

@@ -17,7 +17,7 @@ SUBSTITUTIONS = ("$(arg ", "$(find ", "$(env ", "$(optenv ", "$(eval ", "$(dirna
 def advise_on_leftovers(root: Element, context: CheckContext) -> None:
     """Report, once, expressions of xacro that nothing has evaluated.
 
-    Parsers take them for names and texts. In YAML they are told of where they are read.
+    Parsers take them for names and texts. In YAML they are reported where they are read.
     """
     found = list(_leftovers(root))
     if not found:
@@ -58,6 +58,6 @@ def _is_leftover(text: str) -> bool:
 
 
 def _is_number(element: str, attribute: str) -> bool:
-    """Return whether URDF reads numbers there, so that the check tells of it anyway."""
+    """Return whether URDF reads numbers there, so that the check reports it anyway."""
     rule = ELEMENTS[element].attributes.get(attribute) if element in ELEMENTS else None
     return rule is not None and rule.count != TEXT

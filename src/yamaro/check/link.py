@@ -266,5 +266,5 @@ def _check_quaternion(origin: Element, owner: Element, context: CheckContext) ->
             "instead of 1",
             origin,
             attribute="quat_xyzw",
-            hint="divide its four numbers by that length; 0 0 0 1 is no rotation",
+            hint="divide its four numbers by that length; 0 0 0 1 means no rotation",
         )

@@ -40,7 +40,7 @@ def _advise_on_joint(joint: Joint, joints: Joints, context: CheckContext) -> Non
         return
     lower, upper = _bound(limit, "lower"), _bound(limit, "upper")
     if lower is None or upper is None or lower > upper:
-        return  # told of elsewhere
+        return  # reported elsewhere
     written = limit.element.attributes
     if "lower" not in written and "upper" not in written:
         return
@@ -129,7 +129,7 @@ def _advise_on_soft_limits(joint: Joint, lower: float, upper: float, context: Ch
 def _advise_on_massless(links: Mapping[str, Link], joints: Joints, context: CheckContext) -> None:
     """Report, once, links that a joint moves and that have no mass, with what is fixed to them.
 
-    MuJoCo refuses such a robot, and Gazebo drops the link with all that hangs on it.
+    MuJoCo refuses such a robot, and Gazebo drops the link with all below it.
     """
     heavy = _heavy_bodies(links, joints)
     moved = [

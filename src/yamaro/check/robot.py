@@ -42,7 +42,7 @@ def check(
             is not there. Without it no files are looked at.
         places_searched: gives, for the name of a package that cannot be found, the places looked
             at; None for a package that is known.
-        path_meant: gives the path that the name of a file stands for, to tell of one that is not
+        path_meant: gives the path that the name of a file means, to report one that is not
             there.
         advice: takes what is legal but seldom meant, such as a density of 50,000 kg/m³. Without it
             this is not worked out.

@@ -166,7 +166,7 @@ def _check_children(
 def _check_alike(element: Element, memo: Memo, owner: Element, context: CheckContext) -> None:
     """Check an element that others are equal to: what they have in common once, if all is right.
 
-    Where it is not, each of them is checked: what is found is told with its number.
+    Where it is not, each of them is checked: what is found is reported with its number.
     """
     if memo.checked is not context:
         count = context.count
@@ -324,7 +324,7 @@ def _report_missing_attribute(
     if name in OPTIONAL_SINCE_1_2 and context.version == "1.2":
         return
     if any(child.name == name for child in element.elements()):
-        return  # The child is told of, with the attribute that it should be.
+        return  # The child is reported, with the attribute that it should be.
     text = element.text().strip()
     if text and len(ELEMENTS[element.name].required) == 1:
         hint = f"in URDF it is an attribute: `{element.name}/{name}={text}:`"
@@ -392,7 +392,7 @@ def _check_repeated(
         hint="keep one of them",
         notes=(f"the first is at {first.span.place()}",),
     )
-    if child.name == "inertial":  # its values are told of as well
+    if child.name == "inertial":  # its values are reported as well
         children: Children = {}
         for inner in child.elements():
             children.setdefault(inner.name, inner)
@@ -421,11 +421,11 @@ def _check_unknown_child(
     owner: Element,
     context: CheckContext,
 ) -> None:
-    """Tell of an element that URDF does not have there; `names` are those of all beside it."""
+    """Report an element that URDF does not have there; `names` are those of all beside it."""
     if ":" in child.name or child.name in rule.extensions:
         return
     if child.name == "material":
-        note_file(child, {}, owner, context)  # the files in it are looked for all the same
+        note_file(child, {}, owner, context)  # the files in it are looked for anyway
     if element.name == "geometry":
         message = f"'{child.name}' in {label(owner)} is not a shape that URDF has"
     else:

@@ -23,7 +23,7 @@ LONG_CHAIN = 1000
 """Links on one path above which parsers that recurse run out of stack (pinocchio does at 5,000)."""
 MAX_PATH_SHOWN = 8
 NOWHERE = "\0"
-"""Stands for a parent that does not exist; no link can have this name."""
+"""Names a parent that does not exist; no link can have this name."""
 
 
 class Tree:
@@ -112,7 +112,7 @@ def _check_name(thing: Named, known: dict[str, Named], context: CheckContext) ->
 
 
 def _hint_for_names(element: Element) -> str:
-    """Return how to tell the second of two elements of one name from the first."""
+    """Return what distinguishes the second of two elements of one name."""
     if isinstance(element.body, IncludedRobot):
         if element.body.prefix:
             return "give each robot a `prefix:` of its own"
@@ -160,7 +160,7 @@ class Hanging:
     __slots__ = ("joints", "parents")
 
     def __init__(self) -> None:
-        """Start with links that hang on nothing."""
+        """Start without links and joints."""
         self.joints: dict[str, Joint] = {}
         self.parents: dict[str, str] = {}
 
@@ -222,7 +222,7 @@ def near_name(name: str, tree: Tree, ending: str, context: CheckContext) -> str 
 def _report_two_parents(child: str, first: Joint, second: Joint, context: CheckContext) -> None:
     names = [first.name, second.name]
     if names[0] == names[1]:
-        return  # Joints of one name are told of; most often all of a part is there twice.
+        return  # Joints of one name are reported; most often all of a part is there twice.
     context.error(
         "two-parents",
         f"link '{child}' is the child of two joints, {listed(names)}",

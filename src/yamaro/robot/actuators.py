@@ -69,7 +69,7 @@ def _read(lowering: Lowering, word: Element, joint: Element) -> RobotNote:
 
 
 def _check_joint(word: Element, joint: Element) -> None:
-    """Raise YamaroError for a joint that cannot be driven by itself."""
+    """Raise YamaroError for a joint that cannot be driven independently."""
     if joint.attributes.get("type") == "fixed":
         raise failure(
             "actuator-on-fixed",

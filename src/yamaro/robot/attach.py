@@ -116,7 +116,7 @@ def _only_root(word: RobotWord, robot: Element) -> str:
         word.span,
         hint="an attached robot has one link without a parent; join the others to it"
         if roots
-        else "give it at least one link that is no joint's child",
+        else "give it at least one link that is not the child of a joint",
         trace=word.trace,
     )
 

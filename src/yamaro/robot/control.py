@@ -148,7 +148,7 @@ class ControlWriter:
         """Return the element of a control.
 
         Raises:
-            YamaroError: it begins in a state that is none.
+            YamaroError: it begins in a state that does not exist.
         """
         given = control.attributes
         made = _Maker(control)

@@ -23,8 +23,8 @@ class Fields:
     Attributes:
         has_text: whether a text stands where keys are meant, which has been reported.
         keys: keys meant once, the one run last; those that are output where they are written
-            stand in `rest` too.
-        plain: elements in angle brackets that stand in for a generated element, by name.
+            are in `rest` too.
+        plain: elements in angle brackets that replace a generated element, by name.
         rest: what is output in order: ordered and repeated keys, elements, comments, parts.
     """
 
@@ -80,7 +80,7 @@ def _replace_key(lowering: Lowering, child: Element, fields: Fields) -> None:
 
 
 def _sort_element(lowering: Lowering, child: Element, place: Place, fields: Fields) -> None:
-    """Sort an element that is no key meant once."""
+    """Sort an element that is not a key meant once."""
     name = child.name
     if child.verbatim:
         if not place.has_parts:
@@ -132,12 +132,12 @@ def check_once(lowering: Lowering, first: Element, second: Element) -> None:
 
 
 def check_plain(lowering: Lowering, element: Element, place_name: str | None) -> None:
-    """Record what cannot stand in an XML element that is passed on: lists, and parts.
+    """Record what cannot be in an XML element that is passed on: lists, and parts.
 
     Args:
         lowering: the run.
         element: the element, looked at with all that it holds.
-        place_name: where it stands, or None where parts may stand in it.
+        place_name: where it is, or None where parts may be in it.
     """
     stack = [element]
     while stack:
@@ -326,7 +326,7 @@ class Record:
     Attributes:
         key: the key that gives the element its name and its place.
         values: the attributes.
-        others: what else stands in the element.
+        others: what else is in the element.
     """
 
     __slots__ = ("_spans", "key", "others", "values")
@@ -358,7 +358,7 @@ class Record:
         return {name: self.span(name) for name in self.values}
 
     def element(self) -> Element:
-        """Return the element with these attributes that the key stands for."""
+        """Return the element with these attributes that the key describes."""
         key = self.key
         return Element(key.name, key.span, self.values, self.others, key.trace, self.places())
 
@@ -369,7 +369,7 @@ def read_record(lowering: Lowering, key: Element, scalar: str | None) -> Record:
     Args:
         lowering: the run.
         key: the element: with attributes, a mapping of them as children, or both.
-        scalar: the attribute that a bare value stands for, if the element has one.
+        scalar: the attribute that a bare value sets, if the element has one.
 
     Raises:
         YamaroError: a bare value where none is meant, or an attribute given twice.

@@ -175,7 +175,7 @@ def _check_joint(lowering: Lowering, names: _Names, note: Element) -> bool:
             else f"the joint '{name}' follows another, whose position it has",
             note,
             "joint",
-            hint="leave it out; name joints that move by themselves",
+            hint="leave it out; name joints that move independently",
         )
         return False
     return True
@@ -197,8 +197,8 @@ def _unknown_link(lowering: Lowering, note: Element, attribute: str, known: set[
 def _error(
     lowering: Lowering, code: str, message: str, note: Element, attribute: str, *, hint: str
 ) -> None:
-    """Report an error that can be allowed: the robot can be written all the same."""
-    lowering.told += 1
+    """Report an error that can be allowed: the robot can be written anyway."""
+    lowering.reports += 1
     span = note.value_span(attribute)
     lowering.reporter.add(
         Diagnostic(code, message, span, hint=hint, severity=ERROR, trace=note.trace)

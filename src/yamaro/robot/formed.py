@@ -3,7 +3,7 @@
 Most parts that a loop or a function makes differ in their name, their parent and their pose alone.
 Where all else has the same values as in a part that was lowered before, and nothing was reported of
 that one, its joint and link are taken over with what is the part's own put in, and have the memos
-of that joint and link. Any other part is lowered by itself.
+of that joint and link. Any other part is lowered separately.
 """
 
 from __future__ import annotations
@@ -239,9 +239,9 @@ def lower_formed(
     if form not in lowering.patterns:
         lowering.patterns[form] = _pattern_of(form)
     pattern = lowering.patterns[form]
-    told, before = lowering.told, len(out)
+    reported, before = lowering.reports, len(out)
     lower(lowering, part, out)
-    if pattern is None or told != lowering.told:
+    if pattern is None or reported != lowering.reports:
         return
     common = key_of(pattern.common_of(part.values))
     if common is not None and common not in pattern.lowered:
@@ -356,12 +356,12 @@ def _origin(
             return None
         if value is not None:  # which leaves the key out
             rows[name] = value, key_span, span
-    told = lowering.told
+    reported = lowering.reports
     try:
         origin = origin_element(pose_of_values(lowering, rows), joint)
     except YamaroError:
         return None
-    if origin is None or told != lowering.told:
+    if origin is None or reported != lowering.reports:
         return None
     origin.trace = INHERITED
     if len(pattern.origins) >= MAX_KNOWN:

@@ -52,7 +52,7 @@ def lower_inertial(
 
     Args:
         lowering: the run.
-        owner: the `inertial` key, or the `mass` or `density` key that stands for one.
+        owner: the `inertial` key, or the `mass` or `density` key that replaces one.
         fields: the keys of the inertial.
         link_pose: the link's pose, in which the inertial's is given.
         link_geometry: the link's geometry.

@@ -215,11 +215,11 @@ def _origin_element(lowering: Lowering, key: Element, fields: Fields, child: str
     return fields.plain.get("origin") or origin_element(read_pose(lowering, fields), key)
 
 
-# --- axis, limit and the like -----------------------------------------------------------------
+# --- axis, limit and similar elements ---------------------------------------------------------
 
 
 def _lower_record(lowering: Lowering, key: Element) -> Element:
-    """Return `axis`, `limit`, `dynamics` and the like with attributes, numbers checked."""
+    """Return an element such as `axis` or `limit` with attributes, numbers checked."""
     name = key.name
     numbers = NUMBERS[name]
     record = read_record(lowering, key, SCALARS.get(name))

@@ -83,7 +83,7 @@ def _lower_children(lowering: Lowering, key: Element) -> list[Node]:
 def _lower_child(
     lowering: Lowering, child: Element, fields: Fields, frame: LinkFrame
 ) -> Element | None:
-    """Return what a child of a link comes out as, or None if it is worked in elsewhere."""
+    """Return what a child of a link becomes, or None if it is worked in elsewhere."""
     match child.name:
         case "collision" | "visual":
             return _lower_section(lowering, child, frame)

@@ -55,7 +55,7 @@ class Lowering:
         joint_type: the type of the joint that is being lowered, or None where it is missing.
         is_bound_to_joint: whether what is being lowered depends on that type, so that it is not the
             same wherever it is.
-        told: how often something was reported so far.
+        reports: how often something was reported so far.
         trace: the calls and includes that led to the part that is being lowered.
         controls: the notes of `control` whose joints are not chosen yet.
         references: notes with the attribute that may yet be the name of a part.
@@ -88,8 +88,8 @@ class Lowering:
         "pending",
         "references",
         "reporter",
+        "reports",
         "resolve_mesh",
-        "told",
         "trace",
     )
 
@@ -126,7 +126,7 @@ class Lowering:
         self.joint_type: str | None = None
         self.is_bound_to_joint = False
         self._reported: set[object] = set()
-        self.told = 0
+        self.reports = 0
         self.trace: Frame | None = None
 
     def enter(self, element: Element) -> Entered:
@@ -143,7 +143,7 @@ class Lowering:
     def leave(self, entered: Entered) -> None:
         """End what `enter` has begun: what was reported since then is given its trace."""
         before, errors, warnings = entered
-        if self.told:
+        if self.reports:
             settle(self.errors[errors:], self.trace)
             settle(self.reporter.diagnostics[warnings:], self.trace)
         self.trace = before
@@ -194,7 +194,7 @@ class Lowering:
 
     def absorb(self, error: YamaroError) -> None:
         """Record the errors of an exception and go on; the same at the same place counts once."""
-        self.told += 1
+        self.reports += 1
         for diagnostic in error.diagnostics:
             key = (diagnostic.code, diagnostic.message, diagnostic.span.key())
             if key not in self._reported:
@@ -205,7 +205,7 @@ class Lowering:
         self, code: str, message: str, span: Span, *, hint: str | None, trace: Frame | None
     ) -> None:
         """Report a warning; see `Diagnostic`."""
-        self.told += 1
+        self.reports += 1
         self.reporter.warn(code, message, span, hint=hint, trace=trace)
 
     def once(self, key: Element, lower: Callable[[Lowering, Element], Element]) -> Element:
@@ -222,9 +222,9 @@ class Lowering:
             return lower(self, key)
         made: Element | None = memo.lowered
         if made is None:
-            told, self.is_bound_to_joint = self.told, False
+            reported, self.is_bound_to_joint = self.reports, False
             made = lower(self, key)
-            if told == self.told and not self.is_bound_to_joint:
+            if reported == self.reports and not self.is_bound_to_joint:
                 memo.lowered = made
                 made.memo = made.memo or Memo()
         return made

@@ -1,4 +1,4 @@
-"""Lets each name of a material stand for one look, also where robots are put together.
+"""Gives each name of a material one look, also where robots are put together.
 
 Parsers refuse a robot with two `<material>` of one name under its root, and give every visual the
 first look that they meet under its name.

@@ -436,7 +436,7 @@ class _Image:
 
 
 def _repeats(original: Element, copy: Element) -> bool:
-    """Tell whether an element names nothing of the body, so its image would repeat it."""
+    """Return whether an element names nothing of the body, so its image would repeat it."""
     if original.name in ("link", "joint") or isinstance(original, RobotNote):
         return False
     return _says(original) == _says(copy)

@@ -1,6 +1,6 @@
 """Notes: what a robot holds besides URDF, from the part that says it to what reads it in the end.
 
-A sensor, an actuator, a state and the like are no elements of URDF. Each becomes a note, which
+Sensors, actuators, states and so on are not elements of URDF. Each becomes a note, which
 stands among the robot's links and joints while these are lowered, so that `attach` and `mirror`
 change the names in it with all others. At the end the notes are taken out.
 """
@@ -26,7 +26,7 @@ JOINT_WORDS = frozenset(("actuator", "sensor"))
 
 
 class RobotNote(Element):
-    """Something about a robot that is no element of URDF, such as a sensor or a state.
+    """Something about a robot that is not an element of URDF, such as a sensor or a state.
 
     Its attributes are texts and numbers as they are read; those that name a link, a joint or a
     frame are called `link`, `joint` and `frame`, so that they are renamed with it.

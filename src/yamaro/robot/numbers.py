@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from .lowering import Lowering
 
 NEGLIGIBLE = 1e-12
-"""Components of a pose below this, in metres or radians, come out as 0."""
+"""Components of a pose below this, in metres or radians, become 0."""
 
 DECIMALS = 13
 """Decimals of a computed component of a pose: with π/2 cut to 15 digits, 0.75 stays 0.75."""
@@ -136,7 +136,7 @@ def read_attribute(
 
 
 def _numbers_of(lowering: Lowering, text: str) -> Numbers | None:
-    """Return the numbers in a text, or None where a word is no finite number."""
+    """Return the numbers in a text, or None where a word is not a finite number."""
     numbers = lowering.numbers.get(text)
     if numbers is None:
         numbers = _read(text)
@@ -259,7 +259,7 @@ def _shown(item: object) -> str:
 
 
 def bad_word(word: str, span: Span, name: str, trace: Frame | None) -> YamaroError:
-    """Return the error of a word that is no finite number."""
+    """Return the error of a word that is not a finite number."""
     value = parse_number(word)
     if value is not None and value - value != 0:
         return _not_finite(word, span, name, trace)
@@ -269,7 +269,7 @@ def bad_word(word: str, span: Span, name: str, trace: Frame | None) -> YamaroErr
 def _bad_item(
     item: object, number: float | None, span: Span, name: str, trace: Frame | None
 ) -> YamaroError:
-    """Return the error of what an expression or a list gave that is no text and no number."""
+    """Return the error of what an expression or a list gave that is neither a text nor a number."""
     if number is not None:
         return _not_finite(_shown(item), span, name, trace)
     is_list = isinstance(item, (list, tuple))

@@ -44,7 +44,7 @@ if TYPE_CHECKING:
 CAPSULE_VERSION = (1, 1)
 ROOT_LINK = "root_link"
 UNNAMED = "?"
-"""Stands for a name that is missing, which is an error, so that it is never written."""
+"""Replaces a name that is missing, which is an error, so that it is never written."""
 
 
 def lower(
@@ -63,7 +63,7 @@ def lower(
         reporter: takes the warnings.
         resolve_mesh: gives the absolute path of a mesh file named at a span, or None if there is
             none; asked only when inertia is computed from the mesh.
-        may_read: tells whether a file may be read that a mesh names; None allows all.
+        may_read: decides whether a file may be read that a mesh names; None allows all.
 
     Raises:
         YamaroError: holds every error found.

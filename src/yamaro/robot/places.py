@@ -30,7 +30,7 @@ class Place:
         elements: XML elements that are never taken for misspelt or misplaced keys.
         known: the keys meant once.
         all_keys: every key of the place.
-        has_parts: whether parts may stand in it.
+        has_parts: whether parts may be in it.
         example: keys to show in a hint.
     """
 

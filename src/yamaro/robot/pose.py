@@ -59,7 +59,7 @@ class Pose:
     def rotation(self) -> Rotation | None:
         """The rotation matrix, or None for none at all.
 
-        Most poses come out as they are written and never need it.
+        Most poses stay as they are written and never need it.
         """
         if self._rotation is None and not self.rpy.is_zero():
             self._rotation = rotation_from_rpy(*self.rpy.values)

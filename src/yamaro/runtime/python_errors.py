@@ -62,7 +62,7 @@ class Explainer:
     def explained(
         self, error: BaseException, python: PythonCode, scope: Scope, frame: Frame | None
     ) -> YamaroError:
-        """Return the error that tells where in the YAML an exception came from, and why.
+        """Return the error that shows where in the YAML an exception came from, and why.
 
         Args:
             error: the exception.

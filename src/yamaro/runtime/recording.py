@@ -63,11 +63,11 @@ def run_recorded_element(
 def run_recorded_static(
     interpreter: Interpreter, element: Element, scope: Scope, out: list[Node], body: Body | None
 ) -> None:
-    """Put out an element of the parser, whose text can then note further places."""
+    """Add an element of the parser, whose text can then note further places."""
     run_static(interpreter, element, scope, out, body)
     if interpreter.part_depth:
         copy = out[-1]
-        assert isinstance(copy, Element), "an element was put out"
+        assert isinstance(copy, Element), "an element was added"
         _mark_texts(copy)
 
 

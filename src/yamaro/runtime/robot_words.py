@@ -60,7 +60,7 @@ def _run_raw_block(
 
 
 def _is_in_part(interpreter: Interpreter) -> bool:
-    """Tell whether this is directly in a part, or in the joint or link of one."""
+    """Return whether this is directly in a part, or in the joint or link of one."""
     if not interpreter.part_depth or interpreter.element_depth > 1:
         return False
     holder = interpreter.filled

@@ -36,7 +36,7 @@ _TYPES = {
 def schema_text(listing: Listing) -> str:
     """Return the schema of the values that a file takes, as JSON.
 
-    Numbers are in the units of their arguments, which `x-unit` tells; `x-step` and `x-log` are for
+    Numbers are in the units of their arguments, which `x-unit` names; `x-step` and `x-log` are for
     sliders.
     """
     return json.dumps(schema_of(listing), indent=2, ensure_ascii=False, default=str) + "\n"

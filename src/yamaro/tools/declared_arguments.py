@@ -185,9 +185,9 @@ def listing_text(listing: Listing) -> str:
     lines = []
     for declared in listing.declared:
         lines.append(f"{declared.name}:={declared.default_text or ''}")
-        told = about(declared)
-        if told:
-            lines.append(f"    {told}")
+        notes = about(declared)
+        if notes:
+            lines.append(f"    {notes}")
     lines += [f"# not read, as its name is computed: {name}" for name in listing.unread]
     return "".join(f"{line}\n" for line in lines)
 

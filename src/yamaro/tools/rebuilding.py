@@ -1,4 +1,4 @@
-"""Builds a robot again and again, as its files change, and tells what came of each turn."""
+"""Builds a robot again and again, as its files change, and reports each result."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 
 class Turn:
-    """What came of one build.
+    """The result of one build.
 
     Attributes:
         build: the finished robot, or None.
@@ -45,7 +45,7 @@ class Turn:
         self.seconds = seconds
 
     def is_told_as(self, other: Turn | None) -> bool:
-        """Return whether there is the same to tell of two builds."""
+        """Return whether two builds have the same report."""
         return (
             other is not None
             and self.fault == other.fault
@@ -147,7 +147,7 @@ class Rebuilder:
         return Turn(build, build.warnings)
 
     def has_changed(self) -> bool:
-        """Return whether a file has changed since the last build; the next one reads all anew."""
+        """Return whether a file has changed since the last build; the next one reads all again."""
         if not self._watch.changed():
             return False
         self._program = None
@@ -158,7 +158,7 @@ class Rebuilder:
         self._watch.follow(dict.fromkeys([*self._watch.paths, *paths]), since=time.time_ns())
 
     def forget(self) -> None:
-        """Have the next build read all files anew."""
+        """Have the next build read all files again."""
         self._program = None
 
     def wait(self) -> None:
@@ -178,7 +178,7 @@ class Rebuilder:
 def _import_ahead(policy: Policy) -> None:
     """Import what conversions import while they run.
 
-    A jail is a copy of this process. What is here already, not each of them has to import anew.
+    A jail is a copy of this process. What is here already, they do not have to import again.
     """
     if policy.is_safe:
         pass

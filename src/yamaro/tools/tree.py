@@ -62,8 +62,8 @@ def render_tree(robot: Robot, *, ascii: bool = False, color: bool = False) -> st
     """Return the kinematic tree of a robot as text that ends in a line break.
 
     A line shows a link, its mass, and the joint that holds it: name, type, axis and limits. The
-    last line counts links and joints, and sums degrees of freedom and mass. What is no tree, such
-    as a loop or a second root, is shown with a remark; nothing recurses, however long the chain.
+    last line counts links and joints, and sums degrees of freedom and mass. A fault, such
+    as a loop or a second root, has a remark; nothing recurses, however long the chain.
 
     Args:
         robot: the robot.
@@ -88,7 +88,7 @@ class _Structure:
         links: the mass of each link by name, None where it has none.
         joints: all joints.
         children: the links that are some joint's child.
-        joints_from: the joints that hang on each link.
+        joints_from: the joints whose parent is each link.
     """
 
     __slots__ = ("children", "joints", "joints_from", "links", "name")
@@ -159,7 +159,7 @@ def _walk(structure: _Structure, *, ascii: bool) -> Iterator[Line]:
 def _below(
     structure: _Structure, link: str, *, depth: int, indent: str
 ) -> list[tuple[Row, int, str, bool]]:
-    """Return the steps to what hangs on a link, the first one last, as a stack wants them."""
+    """Return the steps to what is below a link, the first one last, as a stack wants them."""
     joints = structure.joints_from.get(link, [])
     last = len(joints) - 1
     steps = [(joint, depth, indent, number == last) for number, joint in enumerate(joints)]
@@ -266,7 +266,7 @@ def _limits(limit: Limit | None, *, kind: str, dots: str) -> str:
 
 
 def _axis_name(joint: Joint) -> str:
-    """Return `x`, `-z` and the like for an axis along one direction, else the vector as written."""
+    """Return a name such as `x` or `-z` for an axis along one direction, else the vector."""
     text = attribute_text(joint.inner("axis"), "xyz") or "1 0 0"
     numbers = read_numbers(text)
     if isinstance(numbers, tuple) and len(numbers) == 3:

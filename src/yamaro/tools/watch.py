@@ -1,4 +1,4 @@
-"""`yamaro watch`: builds a file on each save, and says in a line what came of it."""
+"""`yamaro watch`: builds a file on each save, and says in a line the result."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ def watch(
 
     Args:
         rebuilder: builds.
-        write: writes a robot, and tells whether that went well.
+        write: writes a robot, and returns whether that went well.
         output: what the file written is called.
         say: takes a line for the terminal.
         show: shows what is wrong with a build.
@@ -43,11 +43,11 @@ def watch(
 
 
 def _outcome(turn: Turn, output: str, *, is_written: bool) -> str:
-    """Return what came of a build, in a few words."""
-    told = count_told(turn.diagnostics)
+    """Return the result of a build in a few words."""
+    counted = count_told(turn.diagnostics)
     if turn.build is None:
-        return f"{turn.fault or told}; {output} is unchanged"
+        return f"{turn.fault or counted}; {output} is unchanged"
     milliseconds = f"{1000 * turn.seconds:.0f} ms"
     if not is_written:
         return f"built in {milliseconds}, and not written"
-    return f"{output} written, {milliseconds}" + (f", {told}" if told else "")
+    return f"{output} written, {milliseconds}" + (f", {counted}" if counted else "")

@@ -1,7 +1,7 @@
 """Notices when files change, by looking at them again and again.
 
 Looking works wherever files can be read: in containers, on network drives, and with editors that
-put a new file in the place of the old one, all of which leave gaps in what systems tell by
+put a new file in the place of the old one, all of which leave gaps in what systems report by
 themselves. A look at some dozen files takes a fraction of a millisecond.
 """
 
@@ -46,7 +46,7 @@ class FileWatch:
 
         Args:
             paths: absolute; those that are not there are waited for.
-            since: when what came of the files was begun, in ns since the epoch. A file that is new
+            since: when the work with the files was begun, in ns since the epoch. A file that is new
                 here and was changed after that counts as changed: nobody knows which text was read.
         """
         stamps: dict[str, Stamp] = {}

@@ -99,7 +99,7 @@ class _Reading:
             source = decode_xml(self._loader.read(path), name=path, path=path)
             read_xml(source, self._limits)
         except (LoadError, YamaroError):
-            return  # it may stand under a condition; the build tells
+            return  # it may be under a condition; the build reports it
         yield source
 
     def _resolved(self, text: str, includer: Source) -> str | None:

@@ -84,7 +84,7 @@ _PLAIN = frozenset((str, int, float, bool, type(None)))
 
 
 def key_of(values: tuple[Any, ...]) -> object:
-    """Return a key that tells values apart by all that is visible of them, or None without one.
+    """Return a key that distinguishes values by all that is visible of them, or None.
 
     In Python 1, 1.0 and True are equal, and so are 0.0 and -0.0.
     """

@@ -3,7 +3,7 @@
 Elements that are equal share a `Memo`: one element that is in several places, or several that
 differ in a name and in a few children of their own only. Lowering, the checks and the writer note
 in it what they have worked out, each of them for the next time. There is nothing else by which they
-know what they have seen before, so elements without a memo are each worked out by themselves.
+know what they have seen before, so elements without a memo are each worked out separately.
 """
 
 from __future__ import annotations
@@ -25,12 +25,12 @@ class Memo:
     """Notes on the elements that have it. These never change, or else in the same way.
 
     Attributes:
-        own: None if it is one element; else these have names of their own, and so many of their
+        own: None if it is one element; else these have names of their own, and this number of their
             first children.
         lowered: what the element is lowered to.
         resolved: the element with the name that a reference in it means.
         checked: the run of the checks that found nothing wrong in it, if one did.
-        written: the text of it, or of what is in it but for the children of its own.
+        written: the text of it, or of what is in it except for its own children.
         renamed: what it becomes where meshes are named in another way.
     """
 

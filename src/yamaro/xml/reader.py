@@ -118,7 +118,7 @@ def read_xml(source: Source, limits: Limits | None = None, *, exact: bool = Fals
     Args:
         source: the text.
         limits: how deep it may be, by default as deep as in trusted files.
-        exact: tell CDATA sections from other text, and refuse prefixes that are not declared.
+        exact: keep CDATA sections as such, and refuse prefixes that are not declared.
 
     Raises:
         YamaroError: `xml-syntax` at the place where the text is not XML, `xml-entity` where it

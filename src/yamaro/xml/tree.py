@@ -87,7 +87,7 @@ class Element:
 
         Attributes:
             memo: what is worked out once for all elements that are equal to this one; None if there
-                is none.
+                are no others.
         """
         self.name = name
         self.span = span

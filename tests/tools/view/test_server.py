@@ -483,7 +483,7 @@ def test_a_port_that_is_taken_is_told(view: Callable[..., Viewer], tmp_path: Pat
         port = str(taken.getsockname()[1])
         viewer = view(path, "--port", port)
         assert viewer.process.wait(PATIENCE) == 2
-    assert f"the port {port} cannot be had: Address already in use" in viewer.said
+    assert f"the port {port} is not available: Address already in use" in viewer.said
 
 
 # --- clients that dawdle ------------------------------------------------------------------------

@@ -1,1 +1,1 @@
-"""Brings URDF over to Yamaro: `yamaro migrate`."""
+"""Migrates URDF to Yamaro: `yamaro migrate`."""

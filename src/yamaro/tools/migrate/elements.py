@@ -25,7 +25,7 @@ Endings = Mapping[int, str]
 NO_ENDINGS: Endings = {}
 
 MOST_TEXTS = 3
-"""Elements that hold a text each and stand in one line."""
+"""Elements that hold a text each and are in one line."""
 
 
 ROWS = frozenset(("xyz", "rpy", "rgba", "size", "scale"))
@@ -33,7 +33,7 @@ ROWS = frozenset(("xyz", "rpy", "rgba", "size", "scale"))
 
 
 class ElementWriter:
-    """Makes entries of elements; `names` has what stands for a mesh file's folder."""
+    """Makes entries of elements; `names` has the replacement for a mesh file's folder."""
 
     __slots__ = ("file_name",)
 
@@ -42,7 +42,7 @@ class ElementWriter:
         self.file_name = file_name
 
     def entry(self, element: Element, *, bracketed: bool = False) -> Entry:
-        """Return an element as it is, but for the space between numbers."""
+        """Return an element as it is, except for the space between numbers."""
         attributes = {name: tidy_value(name, value) for name, value in values_of(element).items()}
         bracketed = bracketed or needs_brackets(element.name, attributes)
         entry = Entry(self.key(element.name, attributes, bracketed=bracketed), self.value(element))
@@ -121,7 +121,7 @@ def is_short(body: Body) -> bool:
 
 
 def walk(root: Element, without: Container[int] = ()) -> Iterator[Element]:
-    """Return an element and all in it, but for elements of some identities."""
+    """Return an element and all in it, except elements of some identities."""
     pending = [root]
     while pending:
         element = pending.pop()
@@ -211,7 +211,7 @@ def note_comments(element: Element, entry: Entry) -> None:
 
 
 def comments_above(document: XmlDocument) -> str:
-    """Return what the comments above the root say, but for xacro's word that it made the file."""
+    """Return what the comments above the root say, except xacro's note that it made the file."""
     texts = [tidy_text(comment.text) for comment in document.before]
     kept = [text for text in texts if text.strip("=- ") and not any(w in text for w in _BANNER)]
     return "\n".join(kept)

@@ -256,7 +256,7 @@ def _checked_name(name: str) -> str:
 
 
 def _checked_text(text: str) -> str:
-    """Return a text to write, which must not steer a terminal that it is shown on."""
+    """Return a text to write, which must not control a terminal that it is shown on."""
     for line in text.split("\n"):
         if not line.isprintable() and any(ord(char) < 32 and char not in "\t\r" for char in line):
             raise ValueError("a file holds control characters")

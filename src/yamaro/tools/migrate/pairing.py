@@ -116,7 +116,7 @@ def _ordered(items: list[Item], parts: dict[int, Item]) -> list[Item]:
     """Return items in an order that keeps that of links, that of joints and that of the rest.
 
     Args:
-        items: all, as they stand in the file.
+        items: all, as they are in the file.
         parts: for a joint that is part of a pair, by identity, the item it went into.
     """
     from heapq import heappop, heappush
@@ -153,7 +153,7 @@ def name_of(element: Element) -> str:
 
 
 def is_bare(item: Item) -> bool:
-    """Return whether an item is a link by itself with nothing in it, which is no part."""
+    """Return whether an item is a link alone with nothing in it, which is not a part."""
     return item.joint is None and not item.element.elements()
 
 

@@ -78,7 +78,7 @@ class CommonPose:
 
 
 class LinkPlan:
-    """What the sections of a link share, and so stands in the link.
+    """What the sections of a link share, and so is in the link.
 
     Attributes:
         geometry: the geometry of the link, if there is one.
@@ -103,8 +103,8 @@ class LinkPlan:
         Args:
             link: to look at.
             file_name: spells the names of mesh files.
-            has_form: tells which of its sections have a short form.
-            is_solid: tells whether an inertial has the inertia of a geometry.
+            has_form: decides which of its sections have a short form.
+            is_solid: decides whether an inertial has the inertia of a geometry.
             exact: whether an origin that is missing has to stay missing.
         """
         self._is_solid = is_solid
@@ -266,14 +266,14 @@ def is_whole_limit(limit: dict[str, str], kind: str) -> bool:
 
 
 def numbers_of(text: str, count: int) -> str:
-    """Return a text of so many numbers with single spaces; raise NoPart if it is another."""
+    """Return a text of `count` numbers with single spaces; raise NoPart if it is another."""
     if not are_numbers(text, count):
         raise NoPart
     return " ".join(words_of(text))
 
 
 def are_numbers(text: str, count: int) -> bool:
-    """Return whether a text is so many numbers, as far as that can be told of expressions."""
+    """Return whether a text is `count` numbers, as far as that is known of expressions."""
     words = words_of(text)
     if len(words) != count:
         return len(words) == 1 and words[0].startswith("$(")

@@ -36,7 +36,7 @@ PART_KEYS = frozenset(
     xyz rpy pivot origin geometry scale mass density visual collision inertial inertia material
     color texture lower upper effort velocity damping friction multiplier offset""".split()
 )
-"""Names that mean something in a part, or are told of there as misplaced."""
+"""Names that mean something in a part, or are reported there as misplaced."""
 
 
 class Names:
@@ -65,7 +65,7 @@ class Names:
         return stem
 
     def remove(self, link: Element, joint: Element | None) -> None:
-        """Forget a part that is none."""
+        """Forget what is not a part."""
         self.of_links.pop(name_of(link), None)
         if joint is not None:
             self.of_joints.pop(name_of(joint), None)
@@ -248,7 +248,7 @@ class PartWriter:
         return inertial is plan.inertial
 
     def _section(self, section: Element, plan: LinkPlan) -> Entry:
-        """Return a visual or collision, or what stands for the second inertial of a link."""
+        """Return a visual or collision, or the replacement of the second inertial of a link."""
         if id(section) not in plan.sections:
             return self._elements.entry(section, bracketed=True)
         own = plan.sections[id(section)]
@@ -325,7 +325,7 @@ class PartWriter:
                 add_loose(child, body, endings)
 
     def _is_first(self, child: Element, owner: Element, seen: dict[str, Element]) -> bool:
-        """Return whether an element is no second one of its name, for which there is no key."""
+        """Return whether an element is not a second one of its name, for which there is no key."""
         return child.name not in seen
 
     def _element(self, element: Element) -> Entry:

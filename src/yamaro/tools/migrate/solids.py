@@ -1,4 +1,4 @@
-"""Whether an inertia is that of a solid, also where expressions stand for the numbers.
+"""Whether an inertia is that of a solid, also where expressions give the numbers.
 
 Two formulas are the same if they give the same for several random values of what they read. Equal
 names, and equal subscripts of names, are one unknown each.
@@ -33,7 +33,7 @@ LEAST, MOST = 0.5, 2.0
 
 
 class NotComputed(Exception):
-    """A text stands for no number that could be computed from others."""
+    """A text has no number that could be computed from others."""
 
 
 class Sample:
@@ -71,7 +71,7 @@ class Sample:
         """Return the value of an expression.
 
         Raises:
-            NotComputed: it is no formula, or has no finite value.
+            NotComputed: it is not a formula, or has no finite value.
         """
         import ast
 
@@ -143,7 +143,7 @@ def solid(kind: str, sizes: Sequence[float]) -> Solid:
 
 
 def is_inertia_of(kind: str, sizes: Sequence[str], mass: str, moments: Sequence[str]) -> bool:
-    """Return whether moments of inertia are those of a solid, whatever the expressions stand for.
+    """Return whether moments of inertia are those of a solid, for all values of expressions.
 
     Args:
         kind: of the solid.
@@ -170,7 +170,7 @@ def is_inertia_of(kind: str, sizes: Sequence[str], mass: str, moments: Sequence[
 
 
 def are_equal(first: Sequence[str], second: Sequence[str]) -> bool:
-    """Return whether two rows of words stand for the same numbers."""
+    """Return whether two rows of words mean the same numbers."""
     if len(first) != len(second):
         return False
     return first == second or holds(

@@ -96,7 +96,7 @@ def migrate_urdf(
 
 
 def _different(expected: Element, source: Element, actual: Element, *, exact: bool) -> set[int]:
-    """Return the joints and links of `source` that have not come out as expected, by identity."""
+    """Return the joints and links of `source` that differ from what is expected, by identity."""
     different = set()
     made = {(e.name, name_of(e)): e for e in actual.elements() if e.name in ("joint", "link")}
     for element, own in zip(expected.elements(), source.elements(), strict=True):
@@ -110,7 +110,7 @@ def _different(expected: Element, source: Element, actual: Element, *, exact: bo
 def _write(document: XmlDocument, root: Element, plain: set[int], *, exact: bool) -> str:
     """Return a source in which some joints and links are plain elements.
 
-    Those that turn out to be no parts are added to them. What names these has to be written anew.
+    Those that turn out not to be parts are added to them. What names these is written again.
     """
     while True:
         known = len(plain)

@@ -35,7 +35,7 @@ SHARP = 32.0
 
 
 def shape_body(shape: Shape) -> vtkPolyData:
-    """Return the polygons of a shape that is no mesh, in its own frame."""
+    """Return the polygons of a shape that is not a mesh, in its own frame."""
     match shape:
         case Box():
             return box_body(shape.size)

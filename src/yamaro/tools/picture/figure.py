@@ -124,7 +124,7 @@ class Figure:
         size = self._size([(shape.link.name, shape.pose.position) for shape in missing])
         for shape in missing:
             self._add_missing(shape, size)
-            self._has_bones = True  # to tell what hangs together
+            self._has_bones = True  # to show what is connected
         if FRAMES in shows:
             for link in self.robot.links.values():
                 for body, color in axes_bodies(0.07 * size):

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from ...meshes.surfaces import MeshSurfaces, Surface
     from .shapes import DrawnShape
 
-BOX_HINT = "a box stands for it in the picture"
+BOX_HINT = "the picture shows a box instead"
 
 
 def read_meshes(

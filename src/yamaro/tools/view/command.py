@@ -52,7 +52,7 @@ def view(
         tell_url: takes the address of the page.
 
     Raises:
-        UsageError: an option makes no sense, or the port or the main file cannot be had.
+        UsageError: an option makes no sense, or the port or the main file is not available.
     """
     editor = _editor(options)
     session = Session(rebuilder, editor=editor.name if editor is not None else None)
@@ -68,7 +68,7 @@ def view(
             is_asked = session.wake.wait(INTERVAL)
             if is_asked or rebuilder.has_changed():
                 turn = session.build()
-                # While somebody drags a slider, only what is new is worth a line.
+                # While a slider is dragged, only what is new is worth a line.
                 if not (turn.is_told_as(last) if is_asked else turn.fails_as(last)):
                     _tell(turn, last, say, show)
                 last = turn
@@ -88,7 +88,7 @@ def _server(session: Session, options: ViewOptions, editor: Editor | None) -> se
         return server.Server(session, port=options.port, editor=editor)
     except OSError as error:
         reason = error.strerror or error
-        raise UsageError(f"the port {options.port} cannot be had: {reason}") from None
+        raise UsageError(f"the port {options.port} is not available: {reason}") from None
 
 
 def _tell(
@@ -102,10 +102,10 @@ def _tell(
 
 def _outcome(turn: Turn) -> str:
     """Return the result of a build, in a few words."""
-    told = count_told(turn.diagnostics)
+    counted = count_told(turn.diagnostics)
     if turn.build is None:
-        return shortened(turn.fault) if turn.fault else told
-    return f"built in {1000 * turn.seconds:.0f} ms" + (f", {told}" if told else "")
+        return shortened(turn.fault) if turn.fault else counted
+    return f"built in {1000 * turn.seconds:.0f} ms" + (f", {counted}" if counted else "")
 
 
 def open_browser(url: str, say: Callable[[str], None]) -> None:

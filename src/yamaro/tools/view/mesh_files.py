@@ -290,5 +290,5 @@ def _from_bytes(data: bytes) -> Contents:
         }
         contents.refused = [str(name)[:1000] for name in refused[:MOST_REFUSED]]
     except (TypeError, AttributeError, RecursionError) as error:
-        raise ValueError(f"the answer is none: {error}") from None
+        raise ValueError(f"the answer is not valid: {error}") from None
     return contents

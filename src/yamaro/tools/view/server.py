@@ -39,7 +39,7 @@ MOST_BODY = 64 << 10
 SECONDS_TO_READ = 10.0
 """Seconds that a client has to show the token, and then for each piece of request or answer."""
 SECONDS_BETWEEN_SIGNS = 5.0
-"""Seconds after which an event stream with nothing to tell shows that it lives; so it is noticed
+"""Seconds after which an event stream with nothing to report shows that it lives; so it is noticed
 when nobody listens any more."""
 CHUNK = 1 << 16
 
@@ -98,7 +98,7 @@ class Server(ThreadingHTTPServer):
     request_queue_size = 32
 
     def __init__(self, session: Session, *, port: int, editor: Editor | None) -> None:
-        """Listen; raise OSError if the port cannot be had."""
+        """Listen; raise OSError if the port is not available."""
         super().__init__((HOST, port), Handler)
         self.session = session
         self.editor = editor
@@ -301,9 +301,9 @@ class Handler(BaseHTTPRequestHandler):
         try:
             content = json.loads(self.rfile.read(int(length)))
         except (ValueError, RecursionError):
-            raise Refused(HTTPStatus.BAD_REQUEST, "this is no JSON") from None
+            raise Refused(HTTPStatus.BAD_REQUEST, "this is not JSON") from None
         if not isinstance(content, dict):
-            raise Refused(HTTPStatus.BAD_REQUEST, "this is no JSON object")
+            raise Refused(HTTPStatus.BAD_REQUEST, "this is not a JSON object")
         return content
 
     def _set_variables(self, values: Mapping[str, object]) -> None:

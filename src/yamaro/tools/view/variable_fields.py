@@ -181,7 +181,7 @@ def read_variable_fields(text: str, name: str) -> dict[str, VariableField]:
 
     Args:
         text: the file.
-        name: its name, by which YAML and XML are told apart.
+        name: its name, by which YAML and XML are distinguished.
 
     Returns:
         The fields by the names under which a build knows them, in the order of the file.

@@ -23,7 +23,7 @@ _ARGUMENT = re.compile(r"""\$\(arg\s+([^()\s]+)\s*\)|\bxacro\.arg\(\s*['"]([^'"]
 
 
 class HiddenArguments:
-    """Tells which arguments something of the same name hides.
+    """Finds the arguments that something of the same name hides.
 
     Attributes:
         everywhere: those that a property of a file hides, or one that macros hand to others.

@@ -24,7 +24,7 @@ KEYS_OF_INCLUDES = ("path", "namespace", "prefix")
 
 
 class _Reads:
-    """What is read in a macro or file by itself, and where it goes on.
+    """What is read in a macro or file alone, and where it goes on.
 
     Attributes:
         used: the names that it reads itself.
@@ -60,7 +60,7 @@ def _read_first(root: Element, inside: set[int]) -> set[str]:
 
 
 class Callees:
-    """Tells which names of macros are read elsewhere.
+    """Finds the names of macros that are read elsewhere.
 
     Attributes:
         hidden: the properties of files that a macro's own names hide from what it calls.
@@ -105,7 +105,7 @@ class Callees:
         return _Reads(own, used, reached)
 
     def _bind_nested(self) -> None:
-        """Let macros that stand in others see the names of these, as functions do."""
+        """Let macros that are in others see the names of these, as functions do."""
         by_element = {id(macro.element): macro for macro in self._program.definitions.values()}
         for outer in self._program.definitions.values():
             for element in walk(outer.element):

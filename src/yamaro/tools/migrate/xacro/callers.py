@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 
 class Callers:
-    """Tells which names a macro may see."""
+    """Finds the names that a macro may see."""
 
     def __init__(self, program: XacroProgram) -> None:
         """Note the names that macros have, and which macros call them, by their names."""

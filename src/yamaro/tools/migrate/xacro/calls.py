@@ -56,7 +56,7 @@ def write_call(writer: FileWriter, node: Element, body: Body) -> None:
 
 
 def _call_unknown(writer: FileWriter, node: Element, name: str) -> None:
-    """Tell that the sources call a function that is nowhere; such calls are made on purpose."""
+    """Note that the sources call a function that is nowhere; such calls are made on purpose."""
     if node.elements() or "." in name or not is_identifier(camel(name)):
         raise CannotMigrate(f"there is no macro '{name}'")
     hint = "the sources call it too, which is an error where it is reached, as in xacro"
@@ -106,7 +106,7 @@ def _add_blocks(writer: FileWriter, node: Element, macro: Macro, arguments: Body
 
 
 def _has_choice(blocks: list[str], given: list[Element]) -> bool:
-    """Return whether what a block stands for, without the element itself, is in a condition."""
+    """Return whether the content of a block, without the element itself, is in a condition."""
     return any(
         block.startswith("**") and child.name in _CONDITIONS
         for block, child in zip(blocks, given, strict=False)

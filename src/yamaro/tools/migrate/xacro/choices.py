@@ -1,7 +1,7 @@
-"""Which values the arguments of a robot in xacro may have, as far as its files tell.
+"""Which values the arguments of a robot in xacro may have, as far as its files show.
 
 An argument that is true or false may be the other; one that is compared with texts may be each of
-them; and where the name of a file is made of it, those files tell that are there.
+them; and where the name of a file is made of it, the files that are there show it.
 """
 
 from __future__ import annotations
@@ -331,7 +331,7 @@ class Choices:
         return dict(list(found.items())[:MOST_FILES])
 
     def _possible(self, text: str, span: Span, depth: int) -> set[str]:
-        """Return what a text may stand for; nothing if that is not known."""
+        """Return what a text may mean; nothing if that is not known."""
         template = parsed(text)
         if template is None or depth == 0:
             return set()
@@ -367,7 +367,7 @@ def _is_telling(name: str) -> bool:
 
 
 def tree_of(expression: str) -> ast.expr | None:
-    """Return an expression in Python, in which arguments are marked names; None if it is none."""
+    """Return an expression in Python, in which arguments are marked names; or None."""
     import ast
 
     marked = ARGUMENT.sub(lambda found: MARK + (found[2] or found[3]), expression)

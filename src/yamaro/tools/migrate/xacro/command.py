@@ -139,7 +139,7 @@ def migrate_robot(
         packages: folders of packages by name.
         limits: how large the files may be.
         exact: whether an origin that is missing has to stay missing.
-        wanted: packages whose files become sources, too; `ALL` stands for all.
+        wanted: packages whose files become sources, too; `ALL` means all.
         finder: finds ROS packages, the given ones among them.
         reach: where the files may lie; anywhere if it is None.
 

@@ -46,7 +46,7 @@ def write_condition(writer: FileWriter, node: Element, body: Body) -> None:
 
 
 def _join_variables(writer: FileWriter, first: Entry, content: Body | None, body: Body) -> bool:
-    """Write variables with conditional values, and tell whether that is all there is to do."""
+    """Write variables with conditional values, and return whether that is all there is to do."""
     assert isinstance(first.value, Body)
     condition, inner = first.value.entries
     assert isinstance(condition.value, str)

@@ -1,4 +1,4 @@
-"""What the statements of xacro put where they stand, and which of it may come to stand in a part.
+"""What the statements of xacro put where they are, and which of it may end up in a part.
 
 A call, a block or a condition in a joint, link or section makes elements there. To know how many of
 a name there may be, whatever the arguments are, the macros and all their calls are looked at.
@@ -26,11 +26,11 @@ HOLDERS = frozenset(("joint", "link", "visual", "collision", "inertial"))
 
 
 class UnknownContent(Exception):
-    """What a statement makes cannot be told before it is run."""
+    """What a statement makes is not known before it is run."""
 
 
 class Contents:
-    """Tells what statements make, over all files of a robot."""
+    """Knows what statements make, over all files of a robot."""
 
     def __init__(self, program: XacroProgram) -> None:
         """Look at the macros, their calls, and the blocks that are properties."""
@@ -66,7 +66,7 @@ class Contents:
 
         Args:
             nodes: what is in a row.
-            around: the macro that they stand in.
+            around: the macro that they are in.
 
         Raises:
             UnknownContent: it depends on more than conditions.
@@ -127,7 +127,7 @@ class Contents:
             self._at_work.discard(key)
 
     def given(self, macro: Macro, name: str) -> list[tuple[Element, list[Element], Macro | None]]:
-        """Return what the calls of a macro give for a block, with the macros they stand in."""
+        """Return what the calls of a macro give for a block, with the macros they are in."""
         found = []
         for call, around in self._calls.get(macro.name, ()):
             children = call.elements()
@@ -211,11 +211,11 @@ class Contents:
         return set(self._in_parts)
 
     def may_be_in_part(self, macro: Macro) -> bool:
-        """Return whether what is in a macro may come to stand in a joint, link or section."""
+        """Return whether what is in a macro may end up in a joint, link or section."""
         return macro.name in self._in_parts
 
     def may_block_be_in_part(self, macro: Macro | None, name: str) -> bool:
-        """Tell that of a block of a macro, or of one that is a property."""
+        """Return the same for a block of a macro, or of one that is a property."""
         return (macro.name if macro is not None else None, name) in self._in_parts
 
     def _find_parts(self, root: Element, around: Macro | None, known: dict[int, Macro]) -> None:
@@ -226,7 +226,7 @@ class Contents:
             self._find_parts(element, known.get(id(element), around), known)
 
     def _put_in_part(self, node: Element, around: Macro | None) -> None:
-        """Note that what a node makes stands in a part."""
+        """Note that what a node makes is in a part."""
         if node.name in ("xacro:if", "xacro:unless"):
             for child in node.elements():
                 self._put_in_part(child, around)

@@ -239,7 +239,7 @@ def _default(writer: FileWriter, own: Parameter) -> str:
 
 
 def _declare_first(content: Body, variables: list[Entry]) -> None:
-    """Declare variables in front of all that stands in a body."""
+    """Declare variables in front of all that is in a body."""
     first = content.entries[0] if content.entries else None
     if first is not None and first.key == "variables" and not first.comment:
         assert isinstance(first.value, Body)

@@ -86,7 +86,7 @@ def _arguments(writer: FileWriter) -> Body:
 def _take_variables(writer: FileWriter, model: Body, declared: Body) -> None:
     """Take the first variables of a model to those declared for the file, if that is the same.
 
-    They may stand behind includes if these define none of them, and nothing that they read, and
+    They may follow includes if these define none of them, and nothing that they read, and
     behind elements without statements, such as materials.
     """
     for index, entry in enumerate(model.entries):

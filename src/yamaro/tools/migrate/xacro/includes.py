@@ -261,7 +261,7 @@ def _in_sum(python: str) -> str:
 
 
 def is_plain(include: Element) -> bool:
-    """Return whether an include names one file in so many words, and no namespace for it."""
+    """Return whether an include names one file literally, and no namespace for it."""
     filename = format_value(include.attributes.get("filename"))
     return "ns" not in include.attributes and not any(mark in filename for mark in "$*?[")
 

@@ -128,7 +128,7 @@ class Solids:
     """The macros of a robot that give the inertia of a solid."""
 
     def __init__(self, program: XacroProgram) -> None:
-        """Look at all macros; one that is defined twice is none."""
+        """Look at all macros; one that is defined twice does not count."""
         self._macros: dict[str, SolidMacro] = {}
         names = [macro.name for macro in program.definitions.values()]
         for macro in program.definitions.values():
@@ -241,7 +241,7 @@ def _read_by(moments: Iterable[str], macro: Macro) -> list[str] | None:
 
 
 def _only_element(nodes: list[Node]) -> Element | None:
-    """Return the one element that stands beside nothing but comments."""
+    """Return the one element that has nothing beside it but comments."""
     elements = [node for node in nodes if isinstance(node, Element)]
     texts = [node for node in nodes if not isinstance(node, (Element, Comment))]
     has_text = any(isinstance(t, Text) and format_value(t.value).strip() for t in texts)

@@ -1,7 +1,7 @@
 """Which files of a robot in xacro become sources, and where in the output folder these are.
 
 The files of the main file's package, or those in no package if it is in none, become sources. Files
-of other packages are included as they are, unless something in them means nothing by itself: a
+of other packages are included as they are, unless something in them has no meaning alone: a
 macro that others call, a property that others read, and the other way round.
 """
 
@@ -23,9 +23,9 @@ if TYPE_CHECKING:
     from collections.abc import Collection, Iterable
 
 _WORDS = ("path", "namespace")
-"""The words of an include, which are no arguments."""
+"""The words of an include, which are not arguments."""
 ALL = "*"
-"""Stands for every package."""
+"""Means every package."""
 ASKED = "asked for"
 """Why files become sources whose packages were named."""
 
@@ -36,7 +36,7 @@ class Layout:
     Attributes:
         outputs: their paths in the output folder, by those of the xacro files.
         theirs: the files that stay as they are: package, and path in it.
-        brought: the files of other packages that become sources all the same, with the reason.
+        brought: the files of other packages that become sources anyway, with the reason.
     """
 
     def __init__(self, program: XacroProgram, wanted: Collection[str]) -> None:
@@ -142,7 +142,7 @@ class Layout:
         stem = source_name(relative).removesuffix(".yaml")
         taken = set(self.outputs.values()) | self._program.files.data.keys()
         unique, number = f"{stem}.yaml", 2
-        if unique in taken:  # arm.urdf.xacro beside arm.xacro: the ending tells them apart
+        if unique in taken:  # arm.urdf.xacro beside arm.xacro: they differ in the ending
             endings = os.path.basename(path)[len(os.path.basename(stem)) :].split(".")[1:]
             stem = "_".join([stem, *(endings[:-1] or endings)])
             unique = f"{stem}.yaml"
@@ -157,7 +157,7 @@ class Layout:
     # --- what has to come along -----------------------------------------------------------------
 
     def _bring_coupled(self, foreign: Collection[str]) -> None:
-        """Bring along the files of other packages that cannot stand for themselves."""
+        """Bring along the files of other packages that cannot be included alone."""
         names = {path: _Names(self._program, path) for path in self._program.roots}
         is_new = True
         while is_new:

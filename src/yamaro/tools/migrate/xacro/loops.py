@@ -89,7 +89,7 @@ class Loop:
 
 
 def find_loop(macro: Macro, program: XacroProgram, translator: Translator) -> Loop | None:
-    """Return the loop that a macro is, or None if it is none for certain."""
+    """Return the loop that a macro is, or None if that is not certain."""
     if not any(inner.name == f"xacro:{macro.name}" for inner in walk(macro.element)):
         return None
     try:
@@ -186,7 +186,7 @@ class _Reader:
         """Return the loop.
 
         Raises:
-            NoLoop: it is none.
+            NoLoop: it is not a loop.
             CannotMigrate: an expression cannot be carried over.
         """
         is_backwards = any(isinstance(node, Element) for node in self.after)
@@ -302,7 +302,7 @@ class _Reader:
             require(text.strip()[2:-1].strip() not in floats if "$" in text else is_whole(text))
 
     def _values_of(self, name: str) -> list[str]:
-        """Return the texts that a name stands for, if it is an argument, parameter or property."""
+        """Return the texts that a name may have, if it is an argument, parameter or property."""
         values = [self._program.values_of_arguments.get(name, "")]
         values += [format_value(own.attributes.get(name, "")) for own in self._calls()]
         for root in self._program.roots.values():
@@ -314,7 +314,7 @@ class _Reader:
         return values
 
     def _calls(self) -> list[Element]:
-        """Return the calls of the macro but for its own."""
+        """Return the calls of the macro except its own."""
         tag = f"xacro:{self._macro.name}"
         roots = self._program.roots.values()
         return [
@@ -437,7 +437,7 @@ def _comments(nodes: list[Node]) -> str:
 
 
 def _without_loose_end(work: list[Node], changes: dict[str, str]) -> list[Node]:
-    """Return the work without comments at its end, which tell of the call, if that is gone."""
+    """Return the work without comments at its end, which describe the call, if that is gone."""
     end = len(work)
     while end and not changes and not isinstance(work[end - 1], Element):
         end -= 1

@@ -42,14 +42,14 @@ def texts_in(root: Element) -> Iterator[str]:
 
 
 def outside_expressions(text: str) -> str:
-    """Return what of a text is none of Python's: without `${…}`, but with the texts in it."""
+    """Return what of a text is not Python: without `${…}`, but with the texts in it."""
     return re.sub(
         r"\$\{([^}]*)\}", lambda found: " ".join(re.findall(r"'[^']*'|\"[^\"]*\"", found[1])), text
     )
 
 
 def used_in(root: Element, without: Container[int] = ()) -> set[str]:
-    """Return the names in the expressions of an element, but for elements of some identities."""
+    """Return the names in the expressions of an element, except elements of some identities."""
     names: set[str] = set()
     for element in walk(root, without):
         for text in (*map(format_value, element.attributes.values()), element.text()):

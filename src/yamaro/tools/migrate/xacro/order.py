@@ -1,7 +1,7 @@
 """The order in which properties of xacro become variables.
 
 xacro evaluates a property when it is read first, so that one may be made of names that are defined
-further down. A variable is evaluated where it is declared: it has to stand behind those names.
+further down. A variable is evaluated where it is declared: it has to follow those names.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ def in_order(nodes: list[Node], endings: Endings, program: XacroProgram) -> list
         return nodes
     defined = {id(element): _defined_by(element, program) for element in elements}
     moved: dict[int, list[Node]] = {}
-    """Properties by what they have to stand behind."""
+    """Properties by what they have to follow."""
     for index, element in enumerate(elements):
         if _is_lazy(element):
             rest = elements[index + 1 :]

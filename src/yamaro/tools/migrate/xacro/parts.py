@@ -1,7 +1,7 @@
 """Which joints and links of a xacro file are written as parts, and how.
 
-What stands in them may be statements of xacro: conditions, calls, blocks. They stand in the part in
-turn, where all that they make comes out as it would in an element. Where that cannot be told for
+What is in them may be statements of xacro: conditions, calls, blocks. They are in the part in
+turn, where all that they make is the same as in an element. Where that is not known for
 all arguments, the joint or link stays an element.
 """
 
@@ -43,7 +43,7 @@ if TYPE_CHECKING:
     Write = Callable[[Element, Body], None]
 
     class Host(Protocol):
-        """Writes the file that a part stands in."""
+        """Writes the file that a part is in."""
 
         def entry(self, element: Element, *, bracketed: bool = False) -> Entry:
             """Return an element that may hold statements."""
@@ -54,7 +54,7 @@ if TYPE_CHECKING:
 
 WITHOUT_LIMIT = ("fixed", "continuous", "floating", "planar")
 STRUCTURE = frozenset(("parent", "child", "geometry", "mass", "inertia"))
-"""Elements without which there is no joint or section, and that stand in it as they are."""
+"""Elements without which there is no joint or section, and that are in it unchanged."""
 
 
 class Step:
@@ -145,7 +145,7 @@ def _paired(run: list[Node], endings: Endings) -> Iterator[Step]:
 def stands_as_key(element: Element) -> bool:
     """Return whether an element says the same where it is read as a key of a part.
 
-    Else it has to stand in angle brackets there.
+    Else it has to be in angle brackets there.
     """
     attributes = values_of(element)
     children = [child for child in element.children if not isinstance(child, Comment)]
@@ -196,14 +196,14 @@ class XacroPartWriter(PartWriter):
         *,
         exact: bool,
     ) -> None:
-        """Take what the part stands in.
+        """Take what the part is in.
 
         Args:
             host: writes the file.
             translate: gives a text of xacro in the language's spelling.
-            contents: tells what statements make.
+            contents: knows what statements make.
             solids: the macros that give the inertia of a solid.
-            around: the macro that the part stands in.
+            around: the macro that the part is in.
             exact: whether an origin that is missing has to stay missing.
         """
         self._host = host
@@ -233,7 +233,7 @@ class XacroPartWriter(PartWriter):
         return part
 
     def write_piece(self, element: Element, out: Body) -> bool:
-        """Write an element that is in parts only with their keys, and tell whether it can be."""
+        """Write an element that is in parts only with their keys, and return whether it can be."""
         own = self.spelled(element)
         blank = super()._plan(Element("link", element.span))
         try:
@@ -257,7 +257,7 @@ class XacroPartWriter(PartWriter):
         return True
 
     def spelled(self, element: Element) -> Element:
-        """Return a copy in the language's spelling, but for the statements in it."""
+        """Return a copy in the language's spelling, except for the statements in it."""
         children: list[Node] = []
         for child in element.children:
             if isinstance(child, Text):
@@ -276,7 +276,7 @@ class XacroPartWriter(PartWriter):
     # --- what statements make -------------------------------------------------------------------
 
     def _counts(self, owner: Element) -> Counts:
-        """Return how many elements of each name stand in an element."""
+        """Return how many elements of each name are in an element."""
         if id(owner) not in self._known:
             try:
                 if owner.name == "link":
@@ -319,7 +319,7 @@ class XacroPartWriter(PartWriter):
             else:
                 write(child, out)
 
-        original = self._originals[id(owner)][1]  # its texts tell where lines end
+        original = self._originals[id(owner)][1]  # its texts show where lines end
         endings = comments_at_ends(original.children)
         for child in owner.children if of is None else [owner.children[each] for each in of]:
             if not isinstance(child, Element):
@@ -337,7 +337,7 @@ class XacroPartWriter(PartWriter):
         super()._add_pose(owner, origin, body)
 
     def _add_given_origin(self, owner: Element, origin: Element, out: Body) -> None:
-        """Add an origin that stands in a condition."""
+        """Add an origin that is in a condition."""
         if not self._exact or self._is_origin_given(owner):
             super()._add_pose(owner, origin, out)
         else:

@@ -78,7 +78,7 @@ class Passing:
         before: list[Element],
         around: tuple[Macro, ...],
     ) -> None:
-        """Note the calls in an element; macros in it are looked at by themselves."""
+        """Note the calls in an element; macros in it are looked at separately."""
         if element.name == "xacro:macro":
             return
         macro = self._program.macro_called(element)

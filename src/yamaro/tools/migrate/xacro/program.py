@@ -1,6 +1,6 @@
 """What a robot in xacro consists of: its files, macros, properties and arguments, and their names.
 
-The robot is expanded once, which tells which files its includes mean and which expressions are
+The robot is expanded once, which shows which files its includes mean and which expressions are
 truth values. All else is read from the files.
 """
 
@@ -379,9 +379,9 @@ class XacroProgram:
         return not isinstance(guess_value(argument.default), str)
 
     def _spelled(self) -> dict[str, str]:
-        """Return the arguments whose texts say more than the numbers do that they stand for.
+        """Return the arguments whose texts say more than the numbers that they mean.
 
-        These are whole numbers such as 01, and others that stand in quotes somewhere.
+        These are whole numbers such as 01, and others that are in quotes somewhere.
         """
         found = {}
         texts = [text for root in self.roots.values() for text in texts_in(root)]
@@ -396,7 +396,7 @@ class XacroProgram:
         return found
 
     def is_python(self, name: str) -> bool:
-        """Return whether an argument is a list or the like that is put into expressions only."""
+        """Return whether an argument is a value such as a list, only put into expressions."""
         import ast
 
         try:

@@ -37,14 +37,14 @@ class Translator:
     """Translates the expressions of one file.
 
     Attributes:
-        is_number: tells which expressions give numbers.
+        is_number: decides which expressions give numbers.
         imports: the modules that they need.
         used: the names they read.
         argument: gives the name of the variable for an argument.
         data_folder: what stands before relative names of data.
         long_floats: the expressions that give floats which are rounded where they are written.
         spelled: the arguments that keep the spelling of their numbers, with what these are.
-        is_typed_argument: tells arguments that are not always texts.
+        is_typed_argument: decides which arguments are not always texts.
     """
 
     def __init__(
@@ -60,8 +60,8 @@ class Translator:
 
         Args:
             rename: gives the name of the variable for a property or argument.
-            is_namespace: tells names of namespaces.
-            is_shown_as_truth: tells expressions that are True or False when put in a text.
+            is_namespace: decides which names are namespaces.
+            is_shown_as_truth: decides which expressions are True or False when put in a text.
             truth_arguments: the arguments that are true or false.
             numbers: the expressions that give a text which is taken for a number, with its kind.
             truth_texts: the expressions that give a text which is taken for a truth value.
@@ -84,7 +84,7 @@ class Translator:
     # --- texts and values -----------------------------------------------------------------------
 
     def text(self, text: str) -> str:
-        """Return a text that is put out: an attribute, the content of an element, a name."""
+        """Return a text that is written: an attribute, the content of an element, a name."""
         pieces = []
         parts = _parsed(text).parts
         for index, part in enumerate(parts):
@@ -126,7 +126,7 @@ class Translator:
         return self.text(text)
 
     def _quoted(self, text: str) -> str:
-        """Return a text that stands in quotes, so that it is not taken for a number."""
+        """Return a text that is in quotes, so that it is not taken for a number."""
         parts = _parsed(text).parts
         name = (
             parts[0].text.removeprefix("arg").strip() if isinstance(parts[0], Substitution) else ""
@@ -175,7 +175,7 @@ class Translator:
         try:
             tree = ast.parse(python, mode="eval")
         except (SyntaxError, ValueError):
-            raise CannotMigrate(f"the expression '{text}' is no Python") from None
+            raise CannotMigrate(f"the expression '{text}' is not valid Python") from None
         edits = Edits(python)
         self._look_at(tree.body, edits)
         return " ".join(edits.text()[1:-2].split("\n")).strip()
@@ -210,7 +210,7 @@ class Translator:
             self._look_at(child, edits, bound)
 
     def _call_of_namespace(self, node: ast.Call, edits: Edits, bound: frozenset[str]) -> bool:
-        """Write a call of `xacro.load_yaml` and the like; False if it is none."""
+        """Write a call such as `xacro.load_yaml`; False if it is not one."""
         import ast
 
         func = node.func
@@ -391,7 +391,7 @@ def is_typed(text: str) -> bool:
 
 
 def _is_in_word(parts: Sequence[Part], index: int) -> bool:
-    """Return whether a part of a text is no word by itself."""
+    """Return whether a part of a text is not a whole word."""
     before = parts[index - 1] if index else ""
     after = parts[index + 1] if index + 1 < len(parts) else ""
     ends = (before[-1:] if isinstance(before, str) else "$") + (
@@ -421,7 +421,7 @@ def _without_empty(text: str) -> str:
 
 
 def _bare_environment(python: str, words: list[str]) -> str:
-    """Return a variable of the environment that stands in an expression without quotes.
+    """Return a variable of the environment that is in an expression without quotes.
 
     xacro puts its text there, so a number is one: it is taken for what it is now, or by default.
     """

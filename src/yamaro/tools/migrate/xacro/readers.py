@@ -22,7 +22,7 @@ _ARGUMENT = re.compile(r"\$\(\s*(?:arg|eval)\b|\barg\s*\(")
 
 
 class Readers:
-    """Tells which files read a name of another file.
+    """Finds the files that read a name of another file.
 
     Attributes:
         files: the files that read a name or call a macro (`xacro:name`), by that.
@@ -63,7 +63,7 @@ class Readers:
 
 
 def _read_in(element: Element) -> set[str]:
-    """Return the names that an element by itself reads."""
+    """Return the names that an element alone reads."""
     names: set[str] = set()
     if element.name.startswith("xacro:"):
         names.add(f"xacro:{element.name.removeprefix('xacro:').rpartition('.')[2]}")
@@ -78,7 +78,7 @@ def _read_in(element: Element) -> set[str]:
 
 
 def _names_in(text: str) -> set[str]:
-    """Return the names that a text reads, and more where that cannot be told."""
+    """Return the names that a text reads, and more where that is not known."""
     try:
         parts = parse_template(text).parts
     except Fault:

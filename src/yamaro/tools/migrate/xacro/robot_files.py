@@ -140,7 +140,7 @@ class RobotFiles:
         return {path: document.root for path, document in self.documents.items()}
 
     def _read_file(self, path: str, span: Span) -> bool:
-        """Read a file if it is not known yet; tell whether it is there."""
+        """Read a file if it is not known yet; return whether it is there."""
         if path not in self.documents:
             try:
                 self.documents[path] = _read(self._host.read(path, span), self._host)
@@ -163,7 +163,7 @@ class RobotFiles:
         return {name: path for name, path in named.items() if path in self.roots}
 
     def can_be_evaluated(self, node: Element) -> bool | None:
-        """Return whether the value of a property can be evaluated; None if no run has told."""
+        """Return whether the value of a property can be evaluated; None if no run has shown it."""
         place = (node.span.source.path, node.span.start)
         if place in self.runs.evaluated:
             return True

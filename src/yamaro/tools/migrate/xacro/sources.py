@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 
 class XacroMigration:
-    """The sources of a robot, and what became of it.
+    """The sources of a robot, and the outcome.
 
     Attributes:
         files: the texts by their paths, relative to a folder.
@@ -144,7 +144,7 @@ _WORDS_OF_LICENCES = ("copyright", "license", "licence")
 
 
 def _keys_in(body: Body) -> Iterator[str]:
-    """Return all keys in a body, but for those of functions that are defined in it."""
+    """Return all keys in a body, except those of functions that are defined in it."""
     for entry in body:
         if not isinstance(entry.value, Body):
             yield entry.key

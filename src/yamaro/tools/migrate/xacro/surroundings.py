@@ -24,7 +24,7 @@ class Surroundings:
         macro: the innermost macro, if there is one.
         is_top: whether the piece stands right in the file.
         is_in_element: whether it is in an element, where nothing is a part.
-        place: what writes the elements that come to stand in a part.
+        place: what writes the elements that end up in a part.
         holder: the part, macro or block whose elements these are, where it is known.
         hides: the arguments whose names mean something else here.
         visible: the names that are visible.
@@ -91,6 +91,6 @@ def body_of_last(body: Body, key: str) -> Body:
 
 
 def move_opening(inner: Body | None, outer: Body) -> None:
-    """Move a comment at the end of an opening tag to the key that stands for the tag."""
+    """Move a comment at the end of an opening tag to the key that replaces the tag."""
     if inner is not None:
         outer.opening, inner.opening = inner.opening, ""

@@ -1,4 +1,4 @@
-"""Which expressions of xacro may give a truth value, where no run has told.
+"""Which expressions of xacro may give a truth value, where no run has shown it.
 
 In a text, xacro writes such a value as Python does, `True`, and the language as XML does, `true`.
 """
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 
 class Truths:
-    """Knows the names that may stand for a truth value, anywhere in a robot.
+    """Knows the names that may have a truth value, anywhere in a robot.
 
     Attributes:
         names: those of properties and parameters.

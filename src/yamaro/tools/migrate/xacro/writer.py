@@ -52,9 +52,9 @@ class FileWriter(ElementWriter):
 
     Attributes:
         program: the robot that the file belongs to.
-        contents: tells what statements make.
-        solids: tells which macros compute the inertia of a solid.
-        callees: tells what of a macro is read elsewhere.
+        contents: knows what statements make.
+        solids: knows which macros compute the inertia of a solid.
+        callees: knows what of a macro is read elsewhere.
         placing: knows which macros and blocks give things to parts only.
         path: of the file.
         layout: which files become sources, and where these are.
@@ -247,7 +247,7 @@ class FileWriter(ElementWriter):
         return self.at(self.here.within(place, is_in_element=is_in_element, holder=holder))
 
     def write_for_parts(self, node: Element, body: Body) -> None:
-        """Write an element that may come to stand in a part, where it is to mean the same."""
+        """Write an element that may end up in a part, where it is to mean the same."""
         writer = self.part_writer()
         if self.here.holder in self.placing.in_parts and writer.write_piece(node, body):
             return
@@ -268,7 +268,7 @@ class FileWriter(ElementWriter):
         return entry
 
     def values(self, element: Element) -> dict[str, str]:
-        """Return the attributes of an element, but for xacro's own."""
+        """Return the attributes of an element, except xacro's own."""
         return {
             name: tidy_value(name, self._translate(format_value(value)))
             for name, value in element.attributes.items()
