@@ -120,6 +120,7 @@ def run_confined(
 def outcome_of_build(build: Build, *, has_root: bool) -> Outcome:
     """Return what leaves the jail of a build; with `has_root` the tree does too."""
     from .sandbox.transfer import Outcome
+    from .xml.tree import unshared
 
     return Outcome(
         diagnostics=build.warnings,
@@ -127,6 +128,7 @@ def outcome_of_build(build: Build, *, has_root: bool) -> Outcome:
         files=build.files,
         meshes=build.meshes,
         root=build.root if has_root else None,
+        notes=[unshared(note) for note in build.notes] if has_root else (),
     )
 
 
@@ -148,6 +150,7 @@ def build_of_outcome(outcome: Outcome, paths: MeshPaths, limits: Limits) -> Buil
         pieces=outcome.pieces,
         warnings=outcome.diagnostics,
         files=outcome.files,
+        notes=outcome.notes,
     )
 
 

@@ -11,7 +11,7 @@ from .xml.tree import Element
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Mapping
+    from collections.abc import Callable, Mapping, Sequence
 
     from .files.mesh_files import MeshFinder
     from .request import Request
@@ -51,18 +51,22 @@ def _warn_of_unread(
 
 def lower(
     root: Element, interpreter: Interpreter, finder: MeshFinder, reporter: Reporter
-) -> Element:
-    """Return the tree without parts, in which the names of materials do not clash."""
+) -> tuple[Element, Sequence[Element]]:
+    """Return the tree without parts, in which the names of materials do not clash, and its notes.
+
+    A note is what a robot has that is no element of URDF, such as a sensor.
+    """
+    notes: Sequence[Element] = ()
     if interpreter.has_parts:
         from .robot.part import lower as lower_parts
 
-        root = lower_parts(
+        root, notes = lower_parts(
             root,
             reporter=reporter,
             resolve_mesh=finder.resolve,
             may_read=finder.allows,
         )
-    return _put_together(root) if interpreter.is_yaml else root
+    return (_put_together(root) if interpreter.is_yaml else root), notes
 
 
 def _put_together(root: Element) -> Element:

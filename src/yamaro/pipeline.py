@@ -61,6 +61,7 @@ def compile_request(
     return Build(
         lambda: finder.referred_to(finished),
         finished=finished,
+        notes=document.notes,
         paths=request.paths,
         pieces=document.pieces,
         warnings=reporter.diagnostics,
@@ -79,9 +80,11 @@ def _handlers(request: Request) -> Handlers:
 def _lower_check_emit(root: Element, request: Request, interpreter: Interpreter) -> Finished:
     reporter, paths = Reporter(), request.paths
     try:
-        root = lower(root, interpreter, paths.finder, reporter)
+        root, notes = lower(root, interpreter, paths.finder, reporter)
         has_files = check(root, paths.finder, reporter, request.wanted_advice())
         written = paths.applied_to(root) if has_files else root
-        return Finished(root, write_pieces(written, interpreter.limits), reporter.diagnostics)
+        return Finished(
+            root, write_pieces(written, interpreter.limits), reporter.diagnostics, notes
+        )
     except YamaroError as error:
         return Finished(None, [], [*reporter.diagnostics, *error.diagnostics])

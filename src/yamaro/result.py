@@ -6,7 +6,7 @@ from .xml.tree import unshared
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator
+    from collections.abc import Callable, Iterator, Sequence
 
     from .diagnostics import Diagnostic
     from .model.robot import Robot
@@ -20,14 +20,19 @@ PIECES_IN_CHUNK = 10_000
 class Finished:
     """What lowering, checking and writing gave: no root if the diagnostics hold errors."""
 
-    __slots__ = ("diagnostics", "pieces", "root")
+    __slots__ = ("diagnostics", "notes", "pieces", "root")
 
     def __init__(
-        self, root: Element | None, pieces: list[str], diagnostics: list[Diagnostic]
+        self,
+        root: Element | None,
+        pieces: list[str],
+        diagnostics: list[Diagnostic],
+        notes: Sequence[Element] = (),
     ) -> None:
         self.root = root
         self.pieces = pieces
         self.diagnostics = diagnostics
+        self.notes = notes
 
 
 class Build:
@@ -36,6 +41,7 @@ class Build:
     Attributes:
         files: the absolute path of every file read, in order.
         finder: finds the files of meshes and textures.
+        notes: what the robot has that is no element of the document, such as sensors.
         pieces: the document, in pieces.
         warnings: the warnings, in order.
     """
@@ -48,6 +54,7 @@ class Build:
         "_root",
         "files",
         "finder",
+        "notes",
         "pieces",
         "warnings",
     )
@@ -61,6 +68,7 @@ class Build:
         pieces: list[str],
         warnings: list[Diagnostic],
         files: list[str],
+        notes: Sequence[Element] = (),
     ) -> None:
         """Hold the results of a build.
 
@@ -72,6 +80,7 @@ class Build:
             pieces: the document, in pieces.
             warnings: what was noticed, in order.
             files: the absolute path of every file read, in order.
+            notes: what the robot has that is no element of the document.
         """
         self._find_meshes = find_meshes
         self._root: Element | None = None
@@ -82,6 +91,7 @@ class Build:
         self.finder = paths.finder
         self.warnings = warnings
         self.files = files
+        self.notes = notes
 
     @property
     def meshes(self) -> list[str]:
@@ -121,7 +131,7 @@ class Build:
             from .runtime.collector import RareCollection
 
             with RareCollection():
-                self._robot = read_robot(self._tree())
+                self._robot = read_robot(self._tree(), notes=self.notes)
         return self._robot
 
     def _tree(self) -> Element:

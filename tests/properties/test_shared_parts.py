@@ -134,7 +134,7 @@ def outcome(robot: Element) -> Any:
     reporter = Reporter()
     lowered, errors = None, []
     try:
-        lowered = lower(robot, reporter=reporter, resolve_mesh=resolve_nothing)
+        lowered, _ = lower(robot, reporter=reporter, resolve_mesh=resolve_nothing)
     except YamaroError as error:
         errors = error.diagnostics
     told = [(d.message, d.span.key(), d.hint, d.notes) for d in [*reporter.diagnostics, *errors]]
@@ -157,7 +157,7 @@ def test_what_shared_keys_come_out_as_is_shared() -> None:
     link = [(LINKS[0], False)]
     parts = [([kind, *((key, False) for key in keys)], [("name: a", True)], link) for kind in sound]
     robot = assemble([*parts, (None, [("name: b", False)])])
-    lowered = lower(robot, reporter=Reporter(), resolve_mesh=resolve_nothing)
+    lowered, _ = lower(robot, reporter=Reporter(), resolve_mesh=resolve_nothing)
     joint, wheel, other_joint, other_wheel, _ = lowered.elements()
     assert wheel.children is other_wheel.children
     assert wheel.memo is other_wheel.memo is not None

@@ -124,7 +124,7 @@ class Lowered:
 
 def lower_tree(tree, *, resolve_mesh=resolve_nothing):
     reporter = Reporter()
-    lowered = lower(tree, reporter=reporter, resolve_mesh=resolve_mesh)
+    lowered, _ = lower(tree, reporter=reporter, resolve_mesh=resolve_mesh)
     return Lowered(lowered, reporter.diagnostics)
 
 

@@ -1277,7 +1277,7 @@ def test_elements_that_robots_hold_are_not_warned_of(name):
     for element in (part.children[1], part.children[2].children[0]):
         element.name = name
     reporter = Reporter()
-    lowered = lower(tree, reporter=reporter, resolve_mesh=lambda name, span: None)
+    lowered, _ = lower(tree, reporter=reporter, resolve_mesh=lambda name, span: None)
     assert names(lowered.children) == ["link", name]
     assert reporter.diagnostics == []
 

@@ -6,6 +6,14 @@ The names of `__all__` are public; each is imported from its module when it is f
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from .compare import Difference as Difference
+    from .extras import Actuator as Actuator
+    from .extras import Base as Base
+    from .extras import CollisionSettings as CollisionSettings
+    from .extras import Control as Control
+    from .extras import Group as Group
+    from .extras import Loop as Loop
+    from .extras import State as State
+    from .extras import Surface as Surface
     from .joint import Calibration as Calibration
     from .joint import Dynamics as Dynamics
     from .joint import Joint as Joint
@@ -20,6 +28,10 @@ if TYPE_CHECKING:
     from .pose import Pose as Pose
     from .robot import Frame as Frame
     from .robot import Robot as Robot
+    from .sensors import Camera as Camera
+    from .sensors import Lidar as Lidar
+    from .sensors import Ranger as Ranger
+    from .sensors import Sensor as Sensor
     from .shapes import Box as Box
     from .shapes import Capsule as Capsule
     from .shapes import Cylinder as Cylinder
@@ -28,35 +40,52 @@ if TYPE_CHECKING:
     from .shapes import Sphere as Sphere
 
 __all__ = [
+    "Actuator",
+    "Base",
     "Box",
     "Calibration",
+    "Camera",
     "Capsule",
     "Collision",
+    "CollisionSettings",
+    "Control",
     "Cylinder",
     "Difference",
     "Dynamics",
     "Frame",
+    "Group",
     "Inertial",
     "Joint",
+    "Lidar",
     "Limit",
     "Link",
+    "Loop",
     "Material",
     "Mesh",
     "Mimic",
     "Pose",
+    "Ranger",
     "Robot",
     "SafetyController",
+    "Sensor",
     "Shape",
     "Sphere",
+    "State",
+    "Surface",
     "Visual",
 ]
 
 _NAMES = {
     "compare": ("Difference",),
+    "extras": (
+        *("Actuator", "Base", "CollisionSettings", "Control"),
+        *("Group", "Loop", "State", "Surface"),
+    ),
     "joint": ("Calibration", "Dynamics", "Joint", "Limit", "Mimic", "SafetyController"),
     "link": ("Collision", "Inertial", "Link", "Material", "Visual"),
     "pose": ("Pose",),
     "robot": ("Frame", "Robot"),
+    "sensors": ("Camera", "Lidar", "Ranger", "Sensor"),
     "shapes": ("Box", "Capsule", "Cylinder", "Mesh", "Shape", "Sphere"),
 }
 _MODULES = {name: module for module, names in _NAMES.items() for name in names}

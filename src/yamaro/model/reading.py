@@ -10,6 +10,7 @@ from math import inf, isfinite
 
 from ..diagnostics import INHERITED, WARNING, Diagnostic, failure
 from ..xml.tree import Element
+from .extras import NOTHING, Extras
 from .joint import Calibration, Dynamics, Joint, Limit, Mimic, SafetyController
 from .link import Collision, Inertial, Link, Material, Visual
 from .pose import IDENTITY, Pose
@@ -29,6 +30,7 @@ from .values import NumberFault, NumberReader, attribute_text, child_named
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     import os
+    from collections.abc import Sequence
 
     from ..diagnostics import Frame as Step
     from .rotations import Vector
@@ -62,7 +64,11 @@ def read_text(text: str, *, name: str) -> Robot:
 
 
 def read_robot(
-    root: Element, *, largest: float = inf, numbers: NumberReader | None = None
+    root: Element,
+    *,
+    notes: Sequence[Element] = (),
+    largest: float = inf,
+    numbers: NumberReader | None = None,
 ) -> Robot:
     """Return the robot of a finished tree, which must not be changed afterwards.
 
@@ -70,6 +76,7 @@ def read_robot(
 
     Args:
         root: a `<robot>` without parts; elements may be in several places of it.
+        notes: what else the robot has: sensors, states and the like; see `extras.py`.
         largest: numbers beyond it are treated like those that cannot be read.
         numbers: reads numbers, and has read some already; by default a new one.
 
@@ -83,7 +90,8 @@ def read_robot(
             root.span,
             hint="the root of a URDF is 'robot'",
         )
-    return _Reader(root, largest, numbers or NumberReader(largest)).robot()
+    reader = _Reader(root, largest, numbers or NumberReader(largest))
+    return reader.robot(Extras(notes) if notes else NOTHING)
 
 
 class _Reader:
@@ -109,7 +117,7 @@ class _Reader:
         self._collisions: dict[int, Collision] = {}
         self._link_reader, self._joint_reader = self._read_link, self._read_joint  # bound once
 
-    def robot(self, *, whole: bool = False) -> Robot:
+    def robot(self, extras: Extras = NOTHING, *, whole: bool = False) -> Robot:
         """Return the robot; `whole` reads all of it now."""
         links: list[Link] = []
         joints: list[Joint] = []
@@ -137,6 +145,7 @@ class _Reader:
             joints=joints,
             materials=materials,
             find=self._find_all,
+            extras=extras,
         )
 
     def _find_all(self) -> list[Diagnostic]:

@@ -23,6 +23,7 @@ from __future__ import annotations
 from math import fsum
 
 from ..diagnostics import suggest
+from .extras import NOTHING
 from .joint import FIXED
 from .values import attribute_text
 from .written import Written
@@ -37,11 +38,23 @@ if TYPE_CHECKING:
     from ..source import Span
     from ..xml.tree import Element
     from .compare import Difference
+    from .extras import (
+        Actuator,
+        Base,
+        CollisionSettings,
+        Control,
+        Extras,
+        Group,
+        Loop,
+        State,
+        Surface,
+    )
     from .joint import Joint
     from .kinematics import Position
     from .link import Link, Material, Visual
     from .pose import Pose
     from .rotations import Vector
+    from .sensors import Sensor
 
     Named = TypeVar("Named", Link, Joint)
 
@@ -84,7 +97,7 @@ class Robot(Written):
     """
 
     __slots__ = (
-        "_find", "_findings", "_joints_below", "_materials", "_parent_joints",
+        "_extras", "_find", "_findings", "_joints_below", "_materials", "_parent_joints",
         "all_joints", "all_links", "joints", "links", "name", "own_materials", "version",
     )  # fmt: skip
 
@@ -96,6 +109,7 @@ class Robot(Written):
         joints: list[Joint],
         materials: list[Material],
         find: Callable[[], list[Diagnostic]],
+        extras: Extras = NOTHING,
     ) -> None:
         """Put together what was read; see `reading.read_robot`.
 
@@ -105,6 +119,7 @@ class Robot(Written):
             joints: all joints.
             materials: its own, which are not those of visuals.
             find: reads the whole robot, and returns what could not be read.
+            extras: what it has besides links and joints.
         """
         self.element = element
         self.name = attribute_text(element, "name") or ""
@@ -117,6 +132,7 @@ class Robot(Written):
         self._materials: dict[str, Material] | None = None
         self._find = find
         self._findings: tuple[Diagnostic, ...] | None = None
+        self._extras = extras
         self._parent_joints: dict[str, Joint] | None = None
         self._joints_below: dict[str, list[Joint]] | None = None
 
@@ -221,6 +237,53 @@ class Robot(Written):
         if material is None:
             return None
         return self.materials.get(material.name, material)
+
+    # --- what URDF has no elements for ---
+
+    @property
+    def sensors(self) -> Mapping[str, Sensor]:
+        """Return the sensors by name, in order."""
+        return self._extras.sensors
+
+    @property
+    def actuators(self) -> Mapping[str, Actuator]:
+        """Return the actuators by the names of their joints, in order."""
+        return self._extras.actuators
+
+    @property
+    def surfaces(self) -> tuple[Surface, ...]:
+        """Return the surfaces of collisions, in order."""
+        return self._extras.surfaces
+
+    @property
+    def states(self) -> Mapping[str, State]:
+        """Return the named positions of joints; those of an attached robot are merged."""
+        return self._extras.states
+
+    @property
+    def groups(self) -> Mapping[str, Group]:
+        """Return the named groups of links and joints."""
+        return self._extras.groups
+
+    @property
+    def loops(self) -> Mapping[str, Loop]:
+        """Return the joints that close loops, by name."""
+        return self._extras.loops
+
+    @property
+    def controls(self) -> tuple[Control, ...]:
+        """Return the hardware that drives the joints."""
+        return self._extras.controls
+
+    @property
+    def collision_settings(self) -> CollisionSettings | None:
+        """Return how pairs of links that never collide are found, or None if nothing says it."""
+        return self._extras.collision_settings
+
+    @property
+    def base(self) -> Base | None:
+        """Return how the robot stands in the world, as the main file says it, or None."""
+        return self._extras.base
 
     # --- kinematics and mass ---
 

@@ -5,11 +5,12 @@ from __future__ import annotations
 from ..diagnostics import YamaroError, did_you_mean, failure
 from ..xml.values import format_value
 from .fields import read_value, word_of
-from .notes import RobotNote, check_keys
+from .notes import RobotNote, check_keys, refuse_attributes
 from .numbers import read_numbers
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from ..source import Span
     from ..xml.tree import Element, Node
     from .lowering import Lowering
 
@@ -29,15 +30,7 @@ def lower_actuator(lowering: Lowering, word: Element, joint: Element, out: list[
 
 
 def _read(lowering: Lowering, word: Element, joint: Element) -> RobotNote:
-    if word.attributes:
-        attribute = next(iter(word.attributes))
-        raise failure(
-            "unknown-key",
-            f"`actuator` has no attribute '{attribute}'",
-            word.name_span(attribute),
-            hint=f"write actuator: {{{attribute}: …}}, or <actuator/…>: for an XML element",
-            trace=word.trace,
-        )
+    refuse_attributes(word)
     check_keys(word, KEYS)
     _check_joint(word, joint)
     lowering.joint_type = format_value(joint.attributes.get("type"))
@@ -47,8 +40,11 @@ def _read(lowering: Lowering, word: Element, joint: Element) -> RobotNote:
         {"joint": format_value(joint.attributes.get("name")), "command": "position"},
         trace=lowering.trace,
     )
+    places: dict[str, Span] = {}
+    note.value_spans = places
     for key in word.elements():
         value, span = read_value(key)
+        places[key.name] = span
         if key.name == "command":
             command = word_of("command", value, span, owner=word)
             if command not in COMMANDS:

@@ -243,6 +243,9 @@ def lower_formed(
     lower(lowering, part, out)
     if pattern is None or reported != lowering.reports:
         return
+    if len(out) - before != 2:  # there are notes beside its joint and link
+        lowering.patterns[form] = None
+        return
     common = key_of(pattern.common_of(part.values))
     if common is not None and common not in pattern.lowered:
         _learn(lowering, pattern, common, out[before:])

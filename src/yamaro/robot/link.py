@@ -9,6 +9,7 @@ from .fields import Fields, sort_fields
 from .geometry import LinkGeometry, section_geometry
 from .inertial import LinkMass, lower_inertial
 from .material import lower_color_material, lower_material
+from .notes import is_surface
 from .places import COLLISION, INERTIAL, LINK, VISUAL
 from .pose import NO_POSE, Pose, compose_poses, origin_element, read_pose
 
@@ -121,6 +122,8 @@ def _lower_section(lowering: Lowering, key: Element, frame: LinkFrame) -> Elemen
             children.append(lowering.once(child, lower_material))
         elif type(child) is Element and child.name == "color" and key.name == "visual":
             children.append(_material_of_color(lowering, child, fields))
+        elif key.name == "collision" and is_surface(child):
+            continue  # a note beside the link
         else:
             children.append(child)
     return key.with_children(children)

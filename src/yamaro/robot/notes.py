@@ -25,6 +25,10 @@ JOINT_WORDS = frozenset(("actuator", "sensor"))
 """Keys of a joint that are worked out beside it."""
 
 
+SURFACE = "surface"
+"""A key of a collision that is worked out beside its link."""
+
+
 class RobotNote(Element):
     """Something about a robot that is not an element of URDF, such as a sensor or a state.
 
@@ -46,6 +50,18 @@ def check_keys(word: Element, known: Collection[str]) -> None:
                 hint=did_you_mean(key.name, known) or f"its entries are {', '.join(sorted(known))}",
                 trace=word.trace,
             )
+
+
+def refuse_attributes(word: Element) -> None:
+    """Raise YamaroError if a word that has only entries has an attribute."""
+    for attribute in word.attributes:
+        raise failure(
+            "unknown-key",
+            f"`{word.name}` has no attribute '{attribute}'",
+            word.name_span(attribute),
+            hint=f"write {word.name}: {{{attribute}: …}}, or <{word.name}/…>: for an XML element",
+            trace=word.trace,
+        )
 
 
 def names_in(key: Element) -> list[tuple[str, Span]]:
@@ -71,6 +87,23 @@ def take_words(key: Element, words: frozenset[str]) -> tuple[Element, list[Eleme
         return key, found
     rest = [child for child in key.children if not any(child is word for word in found)]
     return key.with_children(rest), found
+
+
+def is_surface(node: Node) -> bool:
+    """Tell whether a node of a collision is its `surface`."""
+    return type(node) is Element and node.name == SURFACE and not node.verbatim
+
+
+def surfaces_in(link: Element) -> list[tuple[Element, int]]:
+    """Return the surfaces in the collisions of a `link` key, each with the collision's number."""
+    found: list[tuple[Element, int]] = []
+    number = -1
+    for child in link.children:
+        if type(child) is Element and child.name == "collision":
+            number += 1
+            if not child.verbatim:
+                found += [(node, number) for node in child.elements() if is_surface(node)]
+    return found
 
 
 def take_notes(robot: Element) -> tuple[Element, list[RobotNote]]:

@@ -29,13 +29,14 @@ from .notes import (
     LINK_WORDS,
     lower_joint_words,
     lower_link_words,
+    surfaces_in,
     take_words,
 )
 from .places import PART
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Sequence
 
     from ..diagnostics import Frame, Reporter
     from ..source import Span
@@ -53,8 +54,10 @@ def lower(
     reporter: Reporter,
     resolve_mesh: Callable[[str, Span], str | None],
     may_read: Callable[[str], bool] | None = None,
-) -> Element:
+) -> tuple[Element, Sequence[Element]]:
     """Return the tree with every part replaced by its joint, its link and what is beside them.
+
+    With it come the notes: what the robot has that is no element of URDF; see `notes.py`.
 
     Elements without a part inside are shared with the input, which is not changed.
 
@@ -70,7 +73,7 @@ def lower(
     """
     places = _places_of_parts(root)
     if not places:
-        return root
+        return root, ()
     if root.name != "robot":
         first = next(iter(places.values()))
         raise failure(
@@ -92,21 +95,21 @@ def lower(
     if lowering.errors:
         raise YamaroError(lowering.errors)
     resolve_names(lowering, robot)
-    return _finished(lowering, robot) if lowering.has_words else robot
+    return _finished(lowering, robot) if lowering.has_words else (robot, ())
 
 
-def _finished(lowering: Lowering, robot: Element) -> Element:
-    """Return a robot in which the words beside `part` are worked out."""
+def _finished(lowering: Lowering, robot: Element) -> tuple[Element, Sequence[Element]]:
+    """Return a robot in which the words beside `part` are worked out, and its notes."""
     from .finish import finish_notes
     from .words import finish_words
 
     finish_words(lowering, robot)
-    robot, _ = finish_notes(lowering, robot)
+    robot, notes = finish_notes(lowering, robot)
     settle(lowering.reporter.diagnostics, None)
     settle(lowering.errors, None)
     if lowering.errors:
         raise YamaroError(lowering.errors)
-    return robot
+    return robot, notes
 
 
 def _places_of_parts(root: Element) -> dict[int, Element]:
@@ -265,16 +268,29 @@ def _lower_each(lowering: Lowering, part: Element, out: list[Node]) -> None:
                 lowering.has_words = True
                 lower_joint_words(lowering, words, lowered, beside)
         else:
-            link, words = take_words(node, LINK_WORDS)
-            lowered = lower_link(lowering, link, names.link)
-            out.append(lowered)
-            if words:
-                lowering.has_words = True
-                lower_link_words(lowering, words, lowered, beside)
+            _lower_link(lowering, node, names.link, out, beside)
     if "link" not in fields.keys:
         out.append(_empty_link(lowering, part, fields, names))
     out += beside
     out += pending
+
+
+def _lower_link(
+    lowering: Lowering, key: Element, name: str, out: list[Node], beside: list[Node]
+) -> None:
+    """Append the link, and to `beside` what the words in it make."""
+    link, words = take_words(key, LINK_WORDS)
+    lowered = lower_link(lowering, link, name)
+    out.append(lowered)
+    if words:
+        lowering.has_words = True
+        lower_link_words(lowering, words, lowered, beside)
+    surfaces = surfaces_in(link)
+    if surfaces:
+        lowering.has_words = True
+        from .surfaces import lower_surfaces
+
+        lower_surfaces(lowering, surfaces, name, beside)
 
 
 def _empty_link(lowering: Lowering, part: Element, fields: Fields, names: PartNames) -> Element:

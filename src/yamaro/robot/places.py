@@ -109,7 +109,7 @@ COLLISION = Place(
     keys=POSE_KEYS | SHAPE_KEYS,
     ordered=frozenset(("material",)),
     stand_ins=frozenset(("origin", "geometry")),
-    elements=COMMON_ELEMENTS - {"visual", "collision"},
+    elements=(COMMON_ELEMENTS - {"visual", "collision"}) | {"surface"},
     example="geometry: box",
 )
 INERTIAL = Place(
@@ -137,8 +137,10 @@ SENSOR = Place(
 
 _LINK_HINT = "it belongs under 'link:'"
 _JOINT_HINT = "it belongs under 'joint:'"
+_SURFACE_HINT = "it belongs in 'collision:'"
 _HOMES: dict[str, dict[str, str]] = {
     "part": {
+        "surface": _SURFACE_HINT,
         **dict.fromkeys((*sorted(SHAPE_KEYS), "mass", "density"), _LINK_HINT),
         **dict.fromkeys(("visual", "collision", "inertial"), _LINK_HINT),
         **dict.fromkeys(("type", "parent", "child", *sorted(RECORD_KEYS)), _JOINT_HINT),
@@ -146,6 +148,7 @@ _HOMES: dict[str, dict[str, str]] = {
         "inertia": "it belongs under 'link:', in 'inertial:'",
     },
     "joint": {
+        "surface": _SURFACE_HINT,
         **dict.fromkeys((*sorted(SHAPE_KEYS), "mass", "density"), _LINK_HINT),
         **dict.fromkeys(("visual", "collision", "inertial", "inertia"), _LINK_HINT),
         "name": "write the name beside 'joint:', or as joint/name=…",
@@ -161,6 +164,7 @@ _HOMES: dict[str, dict[str, str]] = {
         "offset": "it belongs in 'mimic:'",
     },
     "link": {
+        "surface": _SURFACE_HINT,
         **dict.fromkeys(("type", "parent", "child", *sorted(RECORD_KEYS)), _JOINT_HINT),
         "name": "write the name beside 'link:', or as link/name=…",
         "material": "it belongs in 'visual:'",
@@ -171,6 +175,7 @@ _HOMES: dict[str, dict[str, str]] = {
         "link": "a link cannot contain a link",
     },
     "section": {
+        "surface": _SURFACE_HINT,
         **dict.fromkeys(("mass", "density"), "it belongs in 'link:' or in its 'inertial:'"),
         **dict.fromkeys(("type", "parent", "child", *sorted(RECORD_KEYS)), _JOINT_HINT),
         **dict.fromkeys(("visual", "collision", "inertial"), "it belongs directly in 'link:'"),

@@ -57,6 +57,8 @@ DIMENSIONS: dict[str, Dimension] = {
     "torque": TORQUE,
     "density": DENSITY,
     "inertia": INERTIA,
+    "contact stiffness": (0, 1, -2, 0),
+    "contact damping": (0, 1, -1, 0),
 }
 """The kinds of numbers that are the same wherever they are."""
 

@@ -143,12 +143,14 @@ def _read(
         word.span,
         {"name": name, "type": kind},
         trace=lowering.trace,
-        value_spans={"name": word.value_span("name")},
     )
+    note.value_spans = places = {"name": word.value_span("name")}
     for key_name, key in keys.items():
         text = _value(lowering, key_name, key)
         if text is not None:
             note.attributes[key_name] = text
+        if key_name not in POSE_KEYS:
+            places[key_name] = read_value(key)[1]
     return note, keys
 
 

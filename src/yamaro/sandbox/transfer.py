@@ -45,9 +45,10 @@ class Outcome:
         files: the files read.
         meshes: the meshes referred to.
         root: the finished tree, if it was asked for and there is one.
+        notes: what comes with the tree of a robot, such as its sensors.
     """
 
-    __slots__ = ("diagnostics", "files", "meshes", "messages", "pieces", "root")
+    __slots__ = ("diagnostics", "files", "meshes", "messages", "notes", "pieces", "root")
 
     def __init__(
         self,
@@ -58,6 +59,7 @@ class Outcome:
         files: Sequence[str] = (),
         meshes: Sequence[str] = (),
         root: Element | None = None,
+        notes: Sequence[Element] = (),
     ) -> None:
         """Hold it."""
         self.messages = list(messages)
@@ -66,6 +68,7 @@ class Outcome:
         self.files = list(files)
         self.meshes = list(meshes)
         self.root = root
+        self.notes = list(notes)
 
     @property
     def has_errors(self) -> bool:
@@ -78,6 +81,7 @@ def to_bytes(outcome: Outcome) -> bytes:
     packer = _Packer()
     diagnostics = pack([packer.diagnostic(each) for each in outcome.diagnostics])
     nodes, document = b"", ""
+    notes = pack([packer.tree(note) for note in outcome.notes])
     if outcome.root is not None:
         nodes = packer.tree(outcome.root)  # of which the document is made again
     else:
@@ -92,6 +96,7 @@ def to_bytes(outcome: Outcome) -> bytes:
             _texts(outcome.files),
             _texts(outcome.meshes),
             nodes,
+            notes,
         ]
     )
 
@@ -108,7 +113,7 @@ def from_bytes(data: bytes, limits: Limits | None = None) -> Outcome:
     """
     limits = limits or Limits()
     try:
-        messages, sources, frames, diagnostics, document, files, meshes, nodes = unpack(data)
+        messages, sources, frames, diagnostics, document, files, meshes, nodes, notes = unpack(data)
         unpacker = _Unpacker(unpack(sources), unpack(frames))
         outcome = Outcome(
             messages=_read_messages(messages, limits),
@@ -116,6 +121,7 @@ def from_bytes(data: bytes, limits: Limits | None = None) -> Outcome:
             files=[_read_file(each) for each in unpack(files)],
             meshes=[_read_name(each) for each in unpack(meshes)],
             root=unpacker.tree(nodes) if nodes else None,
+            notes=[unpacker.tree(each) for each in unpack(notes)],
         )
         if (document or nodes) and not outcome.has_errors:
             outcome.pieces = [_read_document(document, outcome.root, limits)]

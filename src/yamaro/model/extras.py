@@ -1,0 +1,296 @@
+"""What a robot has besides links and joints: sensors, actuators, surfaces, states, groups, loops.
+
+URDF has no elements for these, so that they are read from notes beside the finished `<robot>`:
+elements whose names and attributes `robot/notes.py` and the modules that make them describe.
+"""
+
+from __future__ import annotations
+
+from ..diagnostics import INHERITED
+from .sensors import Sensor
+from .values import attribute_text, number_in, read_numbers
+from .written import Written
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Mapping, Sequence
+
+    from ..diagnostics import Frame as Step
+    from ..source import Span
+    from ..xml.tree import Element
+    from .rotations import Vector
+
+DEFAULT_SAMPLES, DEFAULT_SEED = 10_000, 1
+
+
+class Noted(Written):
+    """Something of a robot that is not an element of URDF.
+
+    Attributes:
+        trace: the calls and includes that led to it, innermost first.
+    """
+
+    __slots__ = ("trace",)
+
+    def __init__(self, element: Element) -> None:
+        self.element = element
+        self.trace = _trace_of(element)
+
+    def _text(self, attribute: str) -> str:
+        return attribute_text(self.element, attribute) or ""
+
+    def _named(self, kind: str, attribute: str) -> tuple[str, ...]:
+        """Return an attribute of all children of a kind."""
+        found = (
+            attribute_text(each, attribute) for each in self.element.elements() if each.name == kind
+        )
+        return tuple(text for text in found if text is not None)
+
+
+class Actuator(Noted):
+    """What drives a joint.
+
+    Attributes:
+        joint: the name of the joint.
+        command: `position`, `velocity` or `effort`.
+        kp: the gain of position, in N·m/rad or N/m; of velocity in a velocity actuator; or None.
+        kd: the gain of velocity, in N·m·s/rad or N·s/m, or None.
+        armature: the inertia of the rotor seen at the joint, in kg·m² or kg, or None.
+        gear: turns of the motor for one of the joint; 1 by default.
+    """
+
+    __slots__ = ("armature", "command", "gear", "joint", "kd", "kp")
+
+    def __init__(self, element: Element) -> None:
+        super().__init__(element)
+        self.joint = self._text("joint")
+        self.command = self._text("command") or "position"
+        self.kp = self.number("kp")
+        self.kd = self.number("kd")
+        self.armature = self.number("armature")
+        gear = self.number("gear")
+        self.gear = 1.0 if gear is None else gear
+
+
+class Surface(Noted):
+    """How a collision touches others; None for what is not given.
+
+    Attributes:
+        link: the name of the link.
+        index: which of the link's collisions it is, from 0.
+        friction: the coefficient of friction.
+        friction2: that in the second direction; `friction` unless it is given.
+        restitution: how much of its speed a body keeps when it bounces, from 0 to 1.
+        stiffness: in N/m.
+        damping: in N·s/m.
+    """
+
+    __slots__ = (
+        "damping", "friction", "friction2", "index", "link", "restitution", "stiffness",
+    )  # fmt: skip
+
+    def __init__(self, element: Element) -> None:
+        super().__init__(element)
+        self.link = self._text("link")
+        self.index = int(self.number("index") or 0)
+        self.friction = self.number("friction")
+        own = self.number("friction2")
+        self.friction2 = self.friction if own is None else own
+        self.restitution = self.number("restitution")
+        self.stiffness = self.number("stiffness")
+        self.damping = self.number("damping")
+
+    def values(self) -> tuple[float | None, ...]:
+        """Return friction, friction2, restitution, stiffness and damping."""
+        return (self.friction, self.friction2, self.restitution, self.stiffness, self.damping)
+
+
+class State(Noted):
+    """A named position of some of the robot's joints.
+
+    Attributes:
+        name: its name.
+        positions: in radians or metres, by the joints' names.
+    """
+
+    __slots__ = ("_places", "name", "positions")
+
+    def __init__(self, element: Element) -> None:
+        super().__init__(element)
+        self.name = self._text("name")
+        self.positions: dict[str, float] = {}
+        self._places: dict[str, Span] = {}
+        self.merge(element)
+
+    def merge(self, element: Element) -> None:
+        """Take the positions of another note of the same state; they win."""
+        for child in element.elements():
+            name, position = attribute_text(child, "joint"), number_in(child, "value")
+            if name is not None and position is not None:
+                self.positions[name] = position
+                self._places[name] = child.value_span("value")
+
+    def span_of(self, attribute: str) -> Span:
+        """Return where the position of a joint is written, or else the state."""
+        return self._places.get(attribute, self.span)
+
+
+class Group(Noted):
+    """A named group of links and joints.
+
+    Attributes:
+        name: its name.
+        chains: the first and the last link of each chain.
+        links, joints, groups: the names of its members.
+        parent: the link that an end effector is mounted on, or None.
+        is_end_effector: whether it is an end effector.
+    """
+
+    __slots__ = ("chains", "groups", "is_end_effector", "joints", "links", "name", "parent")
+
+    def __init__(self, element: Element) -> None:
+        super().__init__(element)
+        self.name = self._text("name")
+        bases, tips = self._named("chain", "base_link"), self._named("chain", "tip_link")
+        self.chains = tuple(zip(bases, tips))  # noqa: B905 - what a jail gives may be wrong
+        self.links = self._named("link", "link")
+        self.joints = self._named("joint", "joint")
+        self.groups = self._named("robot-group", "name")
+        self.parent = attribute_text(element, "parent_link")
+        self.is_end_effector = self._text("end_effector") == "true"
+
+
+class CollisionSettings(Noted):
+    """How the pairs of links that never collide are found.
+
+    Attributes:
+        samples: how many random positions are tried; 10,000 by default.
+        seed: of the random positions; 1 by default.
+        keep: the pairs of links that are checked in any case.
+    """
+
+    __slots__ = ("keep", "samples", "seed")
+
+    def __init__(self, element: Element) -> None:
+        super().__init__(element)
+        samples, seed = self.number("samples"), self.number("seed")
+        self.samples = DEFAULT_SAMPLES if samples is None else int(samples)
+        self.seed = DEFAULT_SEED if seed is None else int(seed)
+        pairs = zip(self._named("keep", "link_1"), self._named("keep", "link_2"))  # noqa: B905
+        self.keep = tuple(pairs)
+
+
+class Loop(Noted):
+    """A joint that closes a loop of links.
+
+    Attributes:
+        name: its name.
+        type: `fixed`, `ball` or `revolute`.
+        between: the two frames or links that it joins.
+        axis: of a revolute one, in the first frame; else None.
+    """
+
+    __slots__ = ("axis", "between", "name", "type")
+
+    def __init__(self, element: Element) -> None:
+        super().__init__(element)
+        self.name = self._text("name")
+        self.type = self._text("type")
+        self.between = (self._text("frame_1"), self._text("frame_2"))
+        row = read_numbers(self._text("axis"))
+        self.axis: Vector | None = None
+        if isinstance(row, tuple) and len(row) == 3:
+            self.axis = (row[0], row[1], row[2])
+
+
+class Control(Noted):
+    """A piece of hardware that drives joints, as ros2_control knows it.
+
+    Attributes:
+        name: its name; None for the robot's.
+        type: `system`, `actuator` or `sensor`.
+        plugin: the class of the driver.
+        joints, sensors: the names of those that it drives and reads.
+        params: the parameters of the hardware.
+        state: the name of the state that it starts in, or None.
+        has_transmissions: whether each joint has a transmission.
+    """
+
+    __slots__ = (
+        "has_transmissions", "joints", "name", "params", "plugin", "sensors", "state", "type",
+    )  # fmt: skip
+
+    def __init__(self, element: Element) -> None:
+        super().__init__(element)
+        self.name = attribute_text(element, "name")
+        self.type = self._text("type") or "system"
+        self.plugin = self._text("plugin")
+        self.joints = self._named("joint", "joint")
+        self.sensors = self._named("sensor", "name")
+        self.params: dict[str, str] = {}
+        for child in element.elements():
+            if child.name == "params":
+                self.params.update({key.name: key.text().strip() for key in child.elements()})
+        self.state = attribute_text(element, "state")
+        self.has_transmissions = self._text("transmissions") == "true"
+
+
+class Base(Noted):
+    """How the robot stands in the world.
+
+    Attributes:
+        type: `fixed` or `free`.
+    """
+
+    __slots__ = ("type",)
+
+    def __init__(self, element: Element) -> None:
+        super().__init__(element)
+        self.type = self._text("type")
+
+
+class Extras:
+    """What the notes of a robot say; see the properties of `Robot`."""
+
+    __slots__ = (
+        "actuators", "base", "collision_settings", "controls", "groups", "loops", "sensors",
+        "states", "surfaces",
+    )  # fmt: skip
+
+    def __init__(self, notes: Sequence[Element] = ()) -> None:
+        """Read the notes."""
+        sensors = [Sensor(each, _trace_of(each)) for each in _of(notes, "sensor")]
+        self.sensors: Mapping[str, Sensor] = {each.name: each for each in sensors}
+        actuators = map(Actuator, _of(notes, "actuator"))
+        self.actuators: Mapping[str, Actuator] = {each.joint: each for each in actuators}
+        self.surfaces = tuple(map(Surface, _of(notes, "surface")))
+        self.states: dict[str, State] = {}
+        for note in _of(notes, "state"):
+            known = self.states.get(attribute_text(note, "name") or "")
+            if known is not None:
+                known.merge(note)
+                continue
+            state = State(note)
+            self.states[state.name] = state
+        groups = map(Group, _of(notes, "robot-group"))
+        self.groups: Mapping[str, Group] = {each.name: each for each in groups}
+        loops = map(Loop, _of(notes, "robot-loop"))
+        self.loops: Mapping[str, Loop] = {each.name: each for each in loops}
+        self.controls = tuple(map(Control, _of(notes, "ros2_control")))
+        settings = [CollisionSettings(each) for each in _of(notes, "collisions")]
+        self.collision_settings = settings[-1] if settings else None
+        bases = [Base(each) for each in _of(notes, "base")]
+        own = [base for base in bases if base.trace is None]  # those of the main file
+        self.base = own[-1] if own else None
+
+
+def _of(notes: Iterable[Element], kind: str) -> list[Element]:
+    return [note for note in notes if note.name == kind]
+
+
+def _trace_of(note: Element) -> Step | None:
+    return None if note.trace is INHERITED else note.trace
+
+
+NOTHING = Extras()
+"""The extras of a robot that has none."""

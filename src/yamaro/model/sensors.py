@@ -1,0 +1,162 @@
+"""Sensors of a robot: what each measures, where, how often and how exactly."""
+
+from __future__ import annotations
+
+from math import pi, tau
+
+from .values import attribute_text, read_numbers
+from .written import Written
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from ..diagnostics import Frame as Step
+    from ..xml.tree import Element
+
+
+LIDAR, RANGE, FORCE_TORQUE = "lidar", "range", "force_torque"
+CAMERAS = ("camera", "depth_camera")
+_FULL_CIRCLE_TOLERANCE = 1e-9
+
+
+class Lidar:
+    """What a lidar sees: rays in rows, about the z axis of its frame.
+
+    Attributes:
+        rays: how many rays a row has; 360 by default.
+        angle: the horizontal angle that they cover, in radians; a full circle by default.
+        rows: how many rows there are; 1 by default.
+        tilt: the vertical angle that the rows cover, in radians; 0 by default.
+        range: the least and the greatest distance, in metres; 0.1 and 10 by default.
+    """
+
+    __slots__ = ("angle", "range", "rays", "rows", "tilt")
+
+    def __init__(self, element: Element) -> None:
+        self.rays = _count(element, "rays", 360)
+        self.angle = _number(element, "angle", tau)
+        self.rows = _count(element, "rows", 1)
+        self.tilt = _number(element, "tilt", 0.0)
+        self.range = _pair(element, "range", (0.1, 10.0))
+
+    @property
+    def step(self) -> float:
+        """Return the angle between two rays; a full circle does not repeat its first ray."""
+        if self.rays == 1:
+            return 0.0
+        is_circle = abs(self.angle - tau) <= _FULL_CIRCLE_TOLERANCE
+        return self.angle / (self.rays if is_circle else self.rays - 1)
+
+    def ends(self) -> tuple[float, float]:
+        """Return the angles of the first and the last ray: ray k is at -angle/2 + k·step."""
+        if self.rays == 1:
+            return 0.0, 0.0
+        first = -self.angle / 2
+        is_circle = abs(self.angle - tau) <= _FULL_CIRCLE_TOLERANCE
+        return first, self.angle / 2 - (self.step if is_circle else 0.0)
+
+    def tilt_ends(self) -> tuple[float, float]:
+        """Return the angles of the lowest and the highest row above the horizontal."""
+        return (0.0, 0.0) if self.rows == 1 else (-self.tilt / 2, self.tilt / 2)
+
+
+class Camera:
+    """What a camera sees along the x axis of its frame.
+
+    Attributes:
+        size: width and height in pixels; 640 and 480 by default.
+        fov: the horizontal angle of view, in radians; π/3 by default.
+        clip: the least and the greatest distance seen, in metres; 0.05 and 100 by default.
+    """
+
+    __slots__ = ("clip", "fov", "size")
+
+    def __init__(self, element: Element) -> None:
+        width, height = _pair(element, "size", (640.0, 480.0))
+        self.size = (int(width), int(height))
+        self.fov = _number(element, "fov", pi / 3)
+        self.clip = _pair(element, "clip", (0.05, 100.0))
+
+
+class Ranger:
+    """What a sensor of one distance sees along the x axis of its frame.
+
+    Attributes:
+        range: the least and the greatest distance, in metres; 0.02 and 4 by default.
+        fov: the angle of its cone, in radians; 0 by default.
+    """
+
+    __slots__ = ("fov", "range")
+
+    def __init__(self, element: Element) -> None:
+        self.range = _pair(element, "range", (0.02, 4.0))
+        self.fov = _number(element, "fov", 0.0)
+
+
+class Sensor(Written):
+    """A sensor in a link or in a joint.
+
+    Attributes:
+        name: its name.
+        type: `imu`, `lidar`, `camera`, `depth_camera`, `gps`, `contact`, `magnetometer`, `range`,
+            or in a joint `force_torque`.
+        link: the name of the link that it is in, or None.
+        joint: the name of the joint that it is in, or None.
+        frame: the name of the frame that it measures in; None in a joint.
+        rate: in Hz, or None.
+        noise: the standard deviation, in the unit of what is measured, or None.
+        topic: the name of its topic, or None.
+        details: what a lidar, a camera or a range sensor sees; else None.
+        trace: the calls and includes that led to it, innermost first.
+    """
+
+    __slots__ = (
+        "details", "frame", "joint", "link", "name", "noise", "rate", "topic", "trace", "type",
+    )  # fmt: skip
+
+    def __init__(self, element: Element, trace: Step | None) -> None:
+        self.element = element
+        self.trace = trace
+        self.name = attribute_text(element, "name") or ""
+        self.type = attribute_text(element, "type") or ""
+        self.link = attribute_text(element, "link")
+        self.joint = attribute_text(element, "joint")
+        self.frame = attribute_text(element, "frame")
+        self.rate = self.number("rate")
+        self.noise = self.number("noise")
+        self.topic = attribute_text(element, "topic")
+        self.details = _details(element, self.type)
+
+    @property
+    def optical_frame(self) -> str | None:
+        """Return the frame of a camera in which z points forward (REP 103); else None."""
+        return f"{self.name}_optical" if self.type in CAMERAS else None
+
+    def __repr__(self) -> str:
+        return f"<Sensor '{self.name}' of type {self.type} at {self.span.place()}>"
+
+
+def _details(element: Element, kind: str) -> Lidar | Camera | Ranger | None:
+    if kind == LIDAR:
+        return Lidar(element)
+    if kind in CAMERAS:
+        return Camera(element)
+    return Ranger(element) if kind == RANGE else None
+
+
+def _row(element: Element, attribute: str) -> tuple[float, ...]:
+    found = read_numbers(attribute_text(element, attribute) or "")
+    return found if isinstance(found, tuple) else ()
+
+
+def _number(element: Element, attribute: str, default: float) -> float:
+    row = _row(element, attribute)
+    return row[0] if len(row) == 1 else default
+
+
+def _count(element: Element, attribute: str, default: int) -> int:
+    return max(int(_number(element, attribute, default)), 1)
+
+
+def _pair(element: Element, attribute: str, default: tuple[float, float]) -> tuple[float, float]:
+    row = _row(element, attribute)
+    return (row[0], row[1]) if len(row) == 2 else default
