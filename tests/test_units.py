@@ -12,18 +12,23 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from tests.effort import examples
+from yamaro.syntax.names import FACTORS as FACTORS_IN_PYTHON
 from yamaro.units import (
     ANGLE,
     ANGULAR_SPEED,
     DENSITY,
     FORCE,
+    IN_PYTHON,
     LENGTH,
     RATE,
     SPEED,
     TORQUE,
     UNITS,
     UnknownUnit,
+    factor_of,
     fits,
+    in_python,
+    meant_by,
     name_of,
     parse_quantity,
     parse_unit,
@@ -190,3 +195,47 @@ def test_the_module_imports_nothing() -> None:
     )
     told = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert told.stdout.strip() == "['yamaro.units']"
+
+
+@pytest.mark.parametrize(("unit", "name"), sorted(IN_PYTHON.items()))
+def test_names_in_expressions_are_factors(unit: str, name: str) -> None:
+    assert math.isclose(FACTORS_IN_PYTHON[name], FACTORS[unit], rel_tol=1e-16)
+
+
+def test_every_factor_in_expressions_is_that_of_a_unit() -> None:
+    assert sorted(FACTORS_IN_PYTHON) == sorted(IN_PYTHON.values())
+
+
+@pytest.mark.parametrize("unit", sorted(FACTORS))
+def test_what_to_write_for_a_unit_in_an_expression_has_its_value(unit: str) -> None:
+    written = factor_of(unit)
+    assert math.isclose(
+        eval(written, {"pi": math.pi, **FACTORS_IN_PYTHON}), FACTORS[unit], rel_tol=1e-14
+    )
+
+
+@pytest.mark.parametrize(
+    ("text", "expression"),
+    [
+        ("350mm", "350 * mm"),
+        ("-1.5 in", "-1.5 * inch"),
+        ("20 N*m", "20"),
+        ("3 km", "3 * 1000"),
+        ("5 kg", "5"),
+        ("1 g/cm3", "1000"),
+        ("350", None),
+        ("arm", None),
+        ("5 parsec", None),
+        ("", None),
+    ],
+)
+def test_a_quantity_as_an_expression(text: str, expression: str | None) -> None:
+    assert in_python(text) == expression
+
+
+@pytest.mark.parametrize(
+    ("word", "unit"),
+    [("lbs", "lb"), ("MM", "mm"), ("Degrees", "deg"), ("°", "deg"), ("kn", "kN"), ("parsec", None)],
+)
+def test_words_for_units_elsewhere(word: str, unit: str | None) -> None:
+    assert meant_by(word) == unit

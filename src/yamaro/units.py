@@ -330,6 +330,23 @@ def factor_of(word: str) -> str:
     return "2 * pi" if word == "rev" else f"{unit.to_si(1.0):.15g}"
 
 
+def in_python(text: str) -> str | None:
+    """Return what to write in an expression for a text such as `350mm`; None for any other text."""
+    text = text.strip()
+    try:
+        value, dimension = parse_quantity(text)
+    except (ValueError, OverflowError):
+        return None
+    if dimension is None:
+        return None
+    end = _end_of_number(text)
+    number, unit = text[:end], text[end:].strip()
+    if unit not in UNITS:
+        return f"{value:.15g}"
+    factor = factor_of(unit)
+    return number if factor == "1" else f"{number} * {factor}"
+
+
 def si_of(dimension: Dimension) -> str:
     """Return the SI unit of a dimension: "m/s"."""
     if dimension in _COMPOSED:

@@ -44,6 +44,7 @@ class Lowering:
         near_keys: what a key in a place was found to be a misspelling of.
         namings: what the joints and links of parts are called in a file, where it says so.
         numbers: the numbers in the texts read so far.
+        quantities: the rows of numbers with units read so far, by the text and what fits there.
         inertias: the words of the moments of inertia computed so far.
         patterns: how to lower the parts of a form, or None where that has no pattern.
         parents: the joints whose first child is a `<parent>` made here, of which the link may yet
@@ -86,6 +87,7 @@ class Lowering:
         "part_links",
         "patterns",
         "pending",
+        "quantities",
         "references",
         "reporter",
         "reports",
@@ -110,6 +112,7 @@ class Lowering:
         self.errors: list[Diagnostic] = []
         self.namings: dict[Source, Naming] = {}
         self.numbers: dict[str, Numbers] = {}
+        self.quantities: dict[tuple[str, object], Numbers] = {}
         self.inertias: dict[Inertia, tuple[str, ...]] = {}
         self.moments: dict[str, SolidMoments] = {}
         self.near_keys: dict[tuple[str, str], str | None] = {}

@@ -25,6 +25,7 @@ from ..units import (
     UNITS,
     UnknownUnit,
     fits,
+    in_python,
     meant_by,
     name_of,
     parse_quantity,
@@ -33,6 +34,7 @@ from ..units import (
     si_of,
     units_of,
 )
+from ..xml.memo import LONGEST_ROW_REMEMBERED, remember
 from ..xml.values import format_value
 from .numbers import Numbers, bad_word, label_of, parse_number, place_of_word, split_row
 
@@ -171,8 +173,11 @@ def read_quantities(
     Raises:
         YamaroError: a word that is not a number, or a unit that is not known or does not fit.
     """
-    words = split_row(text)
     wanted = Wanted(lowering, name, kind)
+    known = lowering.quantities.get((text, wanted.dimensions))
+    if known is not None and not is_one:  # in a row, a space is a fault
+        return known
+    words = split_row(text)
     row = [text.strip()] if is_one and len(words) == 2 and _is_quantity(text) else words
     values: list[float] = []
     spelled: list[str] = []
@@ -189,7 +194,10 @@ def read_quantities(
         value = _value(wanted, word, place, name, trace)
         values.append(value)
         spelled.append(format_value(value))
-    return Numbers(tuple(spelled), tuple(values))
+    numbers = Numbers(tuple(spelled), tuple(values))
+    if len(text) <= LONGEST_ROW_REMEMBERED and not is_one:
+        remember(lowering.quantities, (text, wanted.dimensions), numbers)
+    return numbers
 
 
 def _is_quantity(text: str) -> bool:
@@ -227,7 +235,12 @@ def _value(wanted: Wanted, word: str, place: Span, name: str, trace: Frame | Non
             trace=trace,
         ) from None
     except ValueError:
-        raise bad_word(word, place, name, trace) from None
+        error = bad_word(word, place, name, trace)
+        once = in_python(word[: (word + word).find(word, 1)])
+        if once is not None:  # `reach * 2`, where `reach` is a text
+            hint = f"a text with a unit was multiplied: to compute with it, declare $({once})"
+            error.diagnostics[0].hint = hint
+        raise error from None
     assert dimension is not None, "all that is plain has been read"
     if not wanted.takes(dimension):
         raise _wrong_dimension(wanted, word, dimension, place, trace)

@@ -20,6 +20,8 @@ JAIL_HINT = (
     "in a jail, a file can read its folder, its packages and the paths of --allow-path, but cannot "
     "write files or access the network and other processes; --trust runs it with all your rights"
 )
+NOTE_OF_TEXT = "the text '"
+"""What a note begins with that tells where a text comes from."""
 TIME_HINT = "--timeout SECONDS sets a longer time"
 YAML_1_1_BOOLEANS = {
     **dict.fromkeys(("yes", "on", "y", "true"), "true"),
@@ -115,7 +117,7 @@ class Explainer:
             span,
             hint=JAIL_HINT
             if self.is_jailed and isinstance(error, PermissionError)
-            else _hint(error),
+            else _hint_for_quantity(error, notes) or _hint(error),
             notes=notes,
             trace=frame,
         )
@@ -137,6 +139,20 @@ class Explainer:
             notes=notes,
             trace=frame,
         )
+
+
+def _hint_for_quantity(error: BaseException, notes: Sequence[str]) -> str | None:
+    """Return what to write for a text such as `350mm` that an expression computes with."""
+    if not isinstance(error, TypeError):
+        return None
+    from ..units import in_python
+
+    for note in notes:
+        text = note.removeprefix(NOTE_OF_TEXT)
+        expression = in_python(text.partition("'")[0]) if text != note else None
+        if expression is not None:
+            return f"a number with a unit is a text: to compute with it, declare $({expression})"
+    return None
 
 
 def _hint_for_unit(name: str, span: Span) -> str | None:
