@@ -120,7 +120,6 @@ class YamaroError(Exception):
     """The input has errors; `diagnostics` holds them, with any warnings found before them."""
 
     def __init__(self, diagnostics: Iterable[Diagnostic]) -> None:
-        """Hold one or more diagnostics."""
         super().__init__()
         self.diagnostics = list(diagnostics)
 

@@ -35,7 +35,6 @@ class Tree:
     __slots__ = ("_parts", "joints", "links")
 
     def __init__(self, links: Mapping[str, Link], joints: Mapping[str, Joint]) -> None:
-        """Take the links and joints by name."""
         self.links = links
         self.joints = joints
         self._parts: dict[str, dict[str, str]] = {}

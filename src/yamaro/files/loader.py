@@ -97,7 +97,6 @@ class MemoryLoader:
     __slots__ = ("files",)
 
     def __init__(self, files: Mapping[str, str]) -> None:
-        """Hold the files."""
         self.files = dict(files)
 
     def read(self, path: str) -> bytes:

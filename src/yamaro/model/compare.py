@@ -27,7 +27,6 @@ class Difference:
     __slots__ = ("message", "path")
 
     def __init__(self, path: tuple[str, ...], message: str) -> None:
-        """Hold where and what."""
         self.path = path
         self.message = message
 

@@ -28,7 +28,6 @@ class SolidMoments:
     __slots__ = ("first", "second", "volume")
 
     def __init__(self, volume: float, first: Vector, second: tuple[float, ...]) -> None:
-        """Hold the integrals."""
         self.volume = volume
         self.first = first
         self.second = second

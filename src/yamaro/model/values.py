@@ -102,7 +102,7 @@ class NumberReader:
         return found
 
     def row(self, element: Element | None, attribute: str, count: int) -> tuple[float, ...]:
-        """Return an attribute's numbers, or () if they are left out, faulty or too few."""
+        """Return an attribute's numbers, or () if they are left out, faulty or not `count`."""
         text = attribute_text(element, attribute)
         found = self.read(text) if text is not None else ()
         return found if isinstance(found, tuple) and len(found) == count else ()

@@ -6,7 +6,7 @@ from ..diagnostics import YamaroError, failure, suggest
 from ..xml.names import bad_name_character
 from ..xml.tree import Comment, Element, Text
 from ..xml.values import LiteralList, format_value
-from .places import Place, home_of
+from .places import PartPlace, home_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -39,7 +39,7 @@ class Fields:
 
 
 def sort_fields(
-    lowering: Lowering, owner: Element, place: Place, children: Sequence[Node] | None = None
+    lowering: Lowering, owner: Element, place: PartPlace, children: Sequence[Node] | None = None
 ) -> Fields:
     """Sort the children of `owner` by what `place` knows; record what is wrong, and go on.
 
@@ -79,7 +79,7 @@ def _replace_key(lowering: Lowering, child: Element, fields: Fields) -> None:
         fields.rest.append(child)
 
 
-def _sort_element(lowering: Lowering, child: Element, place: Place, fields: Fields) -> None:
+def _sort_element(lowering: Lowering, child: Element, place: PartPlace, fields: Fields) -> None:
     """Sort an element that is not a key meant once."""
     name = child.name
     if child.verbatim:
@@ -177,7 +177,7 @@ def refuse_part(lowering: Lowering, part: Element, place_name: str) -> None:
     )
 
 
-def _refuse_text(lowering: Lowering, owner: Element, text: Text, place: Place) -> bool:
+def _refuse_text(lowering: Lowering, owner: Element, text: Text, place: PartPlace) -> bool:
     """Record that a text stands where keys are meant; return whether it is more than space."""
     if type(text.value) is not LiteralList:
         shown = format_value(text.value).strip()
@@ -194,7 +194,7 @@ def _refuse_text(lowering: Lowering, owner: Element, text: Text, place: Place) -
 # --- misspelt and misplaced keys --------------------------------------------------------------
 
 
-def _warn_of_key(lowering: Lowering, child: Element, place: Place) -> None:
+def _warn_of_key(lowering: Lowering, child: Element, place: PartPlace) -> None:
     """Warn of an element that is most likely a misspelt key, or one that belongs elsewhere."""
     name = child.name
     if name in place.elements:
@@ -216,7 +216,7 @@ def _warn_of_key(lowering: Lowering, child: Element, place: Place) -> None:
         lowering.warn("misplaced-key", message, child.span, hint=hint, trace=child.trace)
 
 
-def _warning_hint(name: str, place: Place) -> str | None:
+def _warning_hint(name: str, place: PartPlace) -> str | None:
     home = home_of(name, place.name)
     if home is not None:
         return home

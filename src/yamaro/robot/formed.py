@@ -94,7 +94,6 @@ class Pattern:
     )
 
     def __init__(self, reader: _Reader) -> None:
-        """Take what was read of a form."""
         self.name = reader.name
         self.parent = reader.keys.pop("parent")
         self.pose = {name: reader.keys[name] for name in POSE_KEYS if name in reader.keys}

@@ -30,7 +30,6 @@ class LinkMass:
     __slots__ = ("density", "mass")
 
     def __init__(self, fields: Fields) -> None:
-        """Hold the keys."""
         self.mass = fields.keys.get("mass")
         self.density = fields.keys.get("density")
 

@@ -25,7 +25,6 @@ class LinkFrame:
     __slots__ = ("geometry", "mass", "pose")
 
     def __init__(self, fields: Fields, pose: Pose) -> None:
-        """Hold the link's pose, geometry and mass."""
         self.pose = pose
         self.geometry = LinkGeometry(fields)
         self.mass = LinkMass(fields)

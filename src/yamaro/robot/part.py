@@ -218,7 +218,6 @@ class PartNames:
     __slots__ = ("joint", "link", "part")
 
     def __init__(self, part: str | None, joint: str, link: str) -> None:
-        """Hold the names."""
         self.part = part
         self.joint = joint
         self.link = link

@@ -18,7 +18,7 @@ COMMON_ELEMENTS = frozenset(
 """Elements that URDF files hold and that are never warned of as misspelt keys."""
 
 
-class Place:
+class PartPlace:
     """One place where keys are understood.
 
     Attributes:
@@ -72,7 +72,7 @@ class Place:
         self.example = example
 
 
-PART = Place(
+PART = PartPlace(
     "part",
     keys=frozenset(("name",)),
     ordered=frozenset(("joint", "link")),
@@ -80,7 +80,7 @@ PART = Place(
     has_parts=True,
     example="name: wheel",
 )
-JOINT = Place(
+JOINT = PartPlace(
     "joint",
     keys=POSE_KEYS | {"type", "parent", "child"},
     ordered=RECORD_KEYS,
@@ -88,7 +88,7 @@ JOINT = Place(
     elements=COMMON_ELEMENTS - {"visual", "collision", "material"},
     example="type: fixed",
 )
-LINK = Place(
+LINK = PartPlace(
     "link",
     keys=POSE_KEYS | SHAPE_KEYS,
     ordered=MASS_KEYS | {"inertial"},
@@ -96,7 +96,7 @@ LINK = Place(
     elements=COMMON_ELEMENTS - {"material"},
     example="geometry: box",
 )
-VISUAL = Place(
+VISUAL = PartPlace(
     "visual",
     keys=POSE_KEYS | SHAPE_KEYS,
     ordered=frozenset(("material", "color")),
@@ -104,7 +104,7 @@ VISUAL = Place(
     elements=COMMON_ELEMENTS - {"visual", "collision"},
     example="geometry: box",
 )
-COLLISION = Place(
+COLLISION = PartPlace(
     "collision",
     keys=POSE_KEYS | SHAPE_KEYS,
     ordered=frozenset(("material",)),
@@ -112,7 +112,7 @@ COLLISION = Place(
     elements=(COMMON_ELEMENTS - {"visual", "collision"}) | {"surface"},
     example="geometry: box",
 )
-INERTIAL = Place(
+INERTIAL = PartPlace(
     "inertial",
     keys=POSE_KEYS | SHAPE_KEYS | MASS_KEYS | {"inertia"},
     stand_ins=frozenset(("origin", "mass", "inertia")),
@@ -120,14 +120,14 @@ INERTIAL = Place(
     example="mass: 1.0",
 )
 
-FRAME = Place(
+FRAME = PartPlace(
     "frame",
     keys=POSE_KEYS - {"origin"},
     elements=frozenset(),
     example="xyz: 0 0 0.1",
 )
 
-SENSOR = Place(
+SENSOR = PartPlace(
     "sensor",
     keys=POSE_KEYS - {"origin"},
     elements=frozenset(("type", "rate", "noise", "topic", "rays", "rows", "angle", "tilt"))

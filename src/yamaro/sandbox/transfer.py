@@ -61,7 +61,6 @@ class Outcome:
         root: Element | None = None,
         notes: Sequence[Element] = (),
     ) -> None:
-        """Hold it."""
         self.messages = list(messages)
         self.diagnostics = list(diagnostics)
         self.pieces = list(pieces)

@@ -38,7 +38,6 @@ class Turn:
         fault: str = "",
         seconds: float = 0.0,
     ) -> None:
-        """Hold it."""
         self.build = build
         self.diagnostics = list(diagnostics)
         self.fault = fault

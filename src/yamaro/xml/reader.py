@@ -59,7 +59,6 @@ class XmlDocument:
     __slots__ = ("after", "before", "root")
 
     def __init__(self, root: Element, before: list[Comment], after: list[Comment]) -> None:
-        """Hold the root and what stands around it."""
         self.root = root
         self.before = before
         self.after = after

@@ -30,7 +30,6 @@ class Text:
     __slots__ = ("span", "value")
 
     def __init__(self, value: object, span: Span) -> None:
-        """Hold a value and the place it was written."""
         self.value = value
         self.span = span
 

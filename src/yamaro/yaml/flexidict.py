@@ -18,7 +18,6 @@ class FlexiDict:
     __slots__ = ("pairs",)
 
     def __init__(self, pairs: Iterable[tuple[Any, Any]] = ()) -> None:
-        """Hold the pairs in their order."""
         self.pairs: list[tuple[Any, Any]] = list(pairs)
 
     def add(self, key: Any, value: Any) -> None:

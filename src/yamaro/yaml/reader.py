@@ -65,7 +65,6 @@ class Reading:
     def __init__(
         self, root: YamlNode | None, errors: list[Diagnostic], hidden: list[Span], text: str
     ) -> None:
-        """Hold the results."""
         self.root = root
         self.errors = errors
         self.hidden = hidden

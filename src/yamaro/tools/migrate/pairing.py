@@ -29,7 +29,6 @@ class Item:
     __slots__ = ("above", "beside", "element", "is_joint_first", "joint", "position")
 
     def __init__(self, element: Element, position: int, above: list[Loose]) -> None:
-        """Hold an element and its place among its siblings."""
         self.element = element
         self.position = position
         self.above = above

@@ -45,7 +45,6 @@ class Names:
     __slots__ = ("joints", "links", "of_joints", "of_links")
 
     def __init__(self, elements: list[Element]) -> None:
-        """Take the names of what is in a robot."""
         self.links = {name_of(e) for e in elements if e.name == "link"}
         self.joints = {name_of(e) for e in elements if e.name == "joint"}
         self.of_links: dict[str, str] = {}

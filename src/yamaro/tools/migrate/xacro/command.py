@@ -108,7 +108,6 @@ class OverlayLoader(FileLoader):
     """Reads files that are not written yet, and all others from the disk."""
 
     def __init__(self, files: Mapping[str, str], limits: Limits) -> None:
-        """Take the files by their absolute paths."""
         super().__init__(limits)
         self._files = files
 

@@ -26,7 +26,6 @@ class Placing:
     """
 
     def __init__(self, candidates: Iterable[Content]) -> None:
-        """Take the macros and blocks that may be in parts."""
         self.in_parts: set[Content] = set(candidates)
         self._used: set[tuple[Content, Content | None]] = set()
 

@@ -33,7 +33,7 @@ MOST_ELEMENTS = 400_000
 
 _TRUTH_TEXTS = ("true", "True", "1", "false", "False", "0")
 
-Place = tuple[str, int]
+FileOffset = tuple[str, int]
 
 
 class Run:
@@ -93,13 +93,13 @@ class Runs:
         self.packages = self._watch.packages
         self.bases: dict[str, set[str]] = {}
         self.relative: set[str] = set()
-        self.evaluated: set[Place] = set()
-        self.failing: set[Place] = set()
+        self.evaluated: set[FileOffset] = set()
+        self.failing: set[FileOffset] = set()
         self.refused: set[str] = set()
         self.loaded: dict[str, None] = {}
         self.documents: dict[str, XmlDocument] = {self._source.path: document}
-        self.included: dict[Place, list[str]] = {}
-        self.named: dict[Place, dict[str, str]] = {}
+        self.included: dict[FileOffset, list[str]] = {}
+        self.named: dict[FileOffset, dict[str, str]] = {}
         self.done: list[Run] = []
         self._parsed: dict[str, XmlDocument] = {self._source.path: document}
         self._expand({})
@@ -227,7 +227,7 @@ class WatchedEvaluator(XacroEvaluator):
         """Begin outside of all files."""
         super().__init__(host, reporter, python, arguments)
         self.scopes: list[Scope] = []
-        self.evaluated: set[Place] = set()
+        self.evaluated: set[FileOffset] = set()
         self.loaded: dict[str, None] = {}
 
     def resolve(self, scope: Scope, name: str, lazy: Lazy) -> Any:
@@ -286,7 +286,6 @@ class WatchedPython(Python):
     )
 
     def __init__(self, limits: Any) -> None:
-        """Keep to the limits."""
         super().__init__(limits)
         self.evaluated: set[str] = set()
         self.truths: set[str] = set()
