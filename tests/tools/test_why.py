@@ -16,8 +16,10 @@ from trimesh.transformations import euler_matrix
 
 from yamaro import build
 from yamaro.commands.main import main
-from yamaro.source import Span
+from yamaro.sandbox.transfer import Outcome, from_bytes, to_bytes
+from yamaro.source import Reading, RecordedSpan, Source, Span
 from yamaro.tools.why import Answer, addresses, answer
+from yamaro.xml.tree import Element, Text
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 ROBOTS = sorted(
@@ -219,6 +221,41 @@ def test_the_name_of_a_part_is_shown_where_it_is_written(
     assert "side = 'left', set at" in out
 
 
+def test_a_mirrored_limit_leads_to_the_limit_that_it_was(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    Path("robot.yaml").write_text("""\
+model:
+- part:
+    name: base
+    joint: {type: fixed, parent: root_link}
+- mirror:
+    rename: {left: right}
+    body:
+    - part:
+        name: left_arm
+        joint:
+          type: revolute
+          parent: base
+          axis: 0 0 1
+          limit: {lower: -0.1, upper: 0.7, effort: 1, velocity: 1}
+""")
+    out = outcome(capsys, "why", "robot.yaml", "right_arm_joint/limit@lower")[1]
+    assert out == (
+        "right_arm_joint/limit@lower = -0.7\n"
+        " --> robot.yaml:14:39\n"
+        "   |\n"
+        "14 |           limit: {lower: -0.1, upper: 0.7, effort: 1, velocity: 1}\n"
+        "   |                                       ^^^\n"
+        "   = mirrored by 'mirror' at robot.yaml:5:3\n"
+        '   = urdf: <joint name="right_arm_joint"> <limit lower="-0.7">\n'
+    )
+    assert "mirrored" not in outcome(capsys, "why", "robot.yaml", "left_arm_joint/limit@lower")[1]
+    out = outcome(capsys, "why", "robot.yaml", "right_arm_joint@name")[1]
+    assert "name: left_arm, at robot.yaml:9:15\n" in out
+    assert "and:" not in out
+
+
 def test_a_value_that_is_not_written_leads_to_the_key_that_it_follows_from(
     capsys: pytest.CaptureFixture[str],
 ) -> None:
@@ -297,6 +334,29 @@ def test_the_address_is_needed(capsys: pytest.CaptureFixture[str]) -> None:
     status, _, err = outcome(capsys, "why", "robot.yaml", "base_link", "more")
     assert status == 2
     assert "unexpected argument 'more' after 'base_link'" in err
+
+
+def test_what_a_place_holds_leaves_a_jail_with_the_tree() -> None:
+    source = Source("a: $(b) c", name="robot.yaml")
+    inner = RecordedSpan(Span(source, 8, 9), (Reading("c", "1", None),))
+    name = RecordedSpan(Span(source, 0, 1), (Reading("d", "'x'", Span(source, 0, 1)),))
+    reading = Reading("b", "0.5", Span(source, 3, 7))
+    place = RecordedSpan(Span(source, 3, 7), (reading,), name_span=name, others=(inner,))
+    root = Element("robot", place, {"name": "x"}, [Text("y", inner)])
+    found = from_bytes(to_bytes(Outcome(root=root))).root
+    assert found is not None
+    span = found.span
+    assert isinstance(span, RecordedSpan)
+    assert span.written() == "$(b)"
+    assert [(each.name, each.value) for each in span.readings] == [("b", "0.5")]
+    assert span.readings[0].span is not None
+    assert span.readings[0].span.written() == "$(b)"
+    assert isinstance(span.name_span, RecordedSpan)
+    assert span.name_span.readings[0].value == "'x'"
+    assert [each.written() for each in span.others] == ["c"]
+    text = found.children[0]
+    assert isinstance(text, Text)
+    assert isinstance(text.span, RecordedSpan)
 
 
 def test_a_faulty_robot_is_reported_as_by_a_build(capsys: pytest.CaptureFixture[str]) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from ..diagnostics import YamaroError, did_you_mean, failure
+from ..source import joined
 from ..xml.robot_names import RobotNames
 from ..xml.tree import Element, Text
 from ..xml.values import format_value
@@ -235,6 +236,7 @@ class _Image:
         kept = [element for element in self.made if element.name != "material"]
         copies = [copy_of(element) for element in kept]
         for copy in copies:
+            copy.span = joined(copy.span, self.mirror.span)
             if copy.name == "joint":
                 self._mirror_joint(copy)
         for copy in copies:

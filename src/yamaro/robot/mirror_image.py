@@ -147,8 +147,11 @@ def reverse(joint: Element) -> None:
 
 
 def _swap(element: Element, lower: str, upper: str) -> None:
-    """Give each of two limits the negated value of the other, in the order they were written."""
-    old = element.attributes
+    """Give each of two limits the negated value of the other, in the order they were written.
+
+    Its place goes with it.
+    """
+    old, places = element.attributes, element.value_spans
     if lower not in old and upper not in old:
         return
     other = {lower: upper, upper: lower}
@@ -161,6 +164,9 @@ def _swap(element: Element, lower: str, upper: str) -> None:
         else:
             new[other[name]] = negated(format_value(value).strip())
     element.attributes = new
+    if places is not None:
+        moved = {name: places.get(other.get(name, name)) for name in new}
+        element.value_spans = {name: place for name, place in moved.items() if place is not None}
 
 
 def reverse_interfaces(joint: Element) -> None:

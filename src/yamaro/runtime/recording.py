@@ -52,6 +52,7 @@ def run_recorded_element(
     element = out[-1] if len(out) > count else None
     if not isinstance(element, Element):
         return
+    element.span = RecordedSpan(element.span)
     replaced = {span.start: span for span in spans if span is not None}
     if isinstance(element.value_spans, dict):
         for name, place in element.value_spans.items():
@@ -65,9 +66,10 @@ def run_recorded_static(
 ) -> None:
     """Add an element of the parser, whose text can then note further places."""
     run_static(interpreter, element, scope, out, body)
+    copy = out[-1]
+    assert isinstance(copy, Element), "an element was added"
+    copy.span = RecordedSpan(copy.span)
     if interpreter.part_depth:
-        copy = out[-1]
-        assert isinstance(copy, Element), "an element was added"
         _mark_texts(copy)
 
 

@@ -231,20 +231,24 @@ class _Packer:
         length = len(source.text)
         return _numbers(index, min(span.start, length), min(span.end, length))
 
-    def recorded(self, span: Span) -> bytes:
-        """Pack a place in the tree, with the variables that were read there if it has them."""
+    def recorded(self, span: Span, *, is_inner: bool = False) -> bytes:
+        """Pack a place in the tree, with the variables that were read there if it has them.
+
+        Of a place that another one notes, further places are not packed.
+        """
         if not isinstance(span, RecordedSpan):
             return self.span(span)
         readings = [
             pack([_text(each.name), _text(each.value), self._optional(each.span)])
             for each in span.readings
         ]
-        others = [self.recorded(each) for each in span.others]
+        others = [] if is_inner else [self.recorded(each, is_inner=True) for each in span.others]
+        name_span = None if is_inner else span.name_span
         return pack(
             [
                 _RECORDED,
                 self.span(span),
-                b"" if span.name_span is None else self.recorded(span.name_span),
+                b"" if name_span is None else self.recorded(name_span, is_inner=True),
                 pack(readings),
                 pack(others),
             ]
@@ -350,13 +354,15 @@ class _Unpacker:
             raise ValueError("a place lies outside of its file")
         return Span(source, start, end)
 
-    def recorded(self, data: bytes) -> Span:
+    def recorded(self, data: bytes, *, is_inner: bool = False) -> Span:
         """Return a place in the tree."""
         if data[:1].isdigit():
             return self.span(data)
         mark, place, name_place, packed, others = unpack(data)
         if mark != _RECORDED:
             raise ValueError("there is no such kind of place")
+        if is_inner and (name_place or others):
+            raise ValueError("a place is nested too deeply")
         readings = []
         for each in unpack(packed):
             name, value, span = unpack(each)
@@ -364,8 +370,8 @@ class _Unpacker:
         return RecordedSpan(
             self.span(place),
             tuple(readings),
-            name_span=self.recorded(name_place) if name_place else None,
-            others=tuple(self.recorded(each) for each in unpack(others)),
+            name_span=self.recorded(name_place, is_inner=True) if name_place else None,
+            others=tuple(self.recorded(each, is_inner=True) for each in unpack(others)),
         )
 
     def _optional(self, data: bytes) -> Span | None:

@@ -92,7 +92,16 @@ class Answer:
     @property
     def others(self) -> Sequence[Span]:
         """Return further places that the value is computed from."""
-        return self.span.others if isinstance(self.span, RecordedSpan) else ()
+        if not isinstance(self.span, RecordedSpan):
+            return ()
+        mirrors = [span.key() for span in self.mirrors]
+        return [span for span in self.span.others if span.key() not in mirrors]
+
+    @property
+    def mirrors(self) -> Sequence[Span]:
+        """Return the places of the `mirror` statements that made the link or joint."""
+        outermost = self.path[1] if len(self.path) > 1 else self.element
+        return outermost.span.others if isinstance(outermost.span, RecordedSpan) else ()
 
     def in_formats(self) -> dict[str, str]:
         """Return what each output format makes of it, by the name of the format."""
@@ -259,6 +268,8 @@ def _remarks(answer: Answer) -> Iterator[tuple[str, str]]:
         yield f"{reading.name} = ", f"{reading.value}{_set_at(reading)}"
     for line in trace_lines(answer.trace):
         yield "", line
+    for span in answer.mirrors:
+        yield "", f"mirrored by '{span.written()}' at {span.place()}"
     for name, text in answer.in_formats().items():
         yield f"{name}: ", text
 
@@ -298,6 +309,7 @@ def answer_data(answer: Answer) -> dict[str, object]:
         "place": _place(answer.span),
         "name_place": None if answer.name_span is None else _place(answer.name_span),
         "other_places": [_place(span) for span in answer.others],
+        "mirrored_by": [_place(span) for span in answer.mirrors],
         "variables": [
             {
                 "name": each.name,
