@@ -54,7 +54,7 @@ def lower(
 ) -> tuple[Element, Sequence[Element]]:
     """Return the tree without parts, in which the names of materials do not clash, and its notes.
 
-    A note is what a robot has that is no element of URDF, such as a sensor.
+    A note is what a robot has that is not an element of URDF, such as a sensor.
     """
     notes: Sequence[Element] = ()
     if interpreter.has_parts:

@@ -41,7 +41,7 @@ class Build:
     Attributes:
         files: the absolute path of every file read, in order.
         finder: finds the files of meshes and textures.
-        notes: what the robot has that is no element of the document, such as sensors.
+        notes: what the robot has that is not an element of the document, such as sensors.
         pieces: the document, in pieces.
         warnings: the warnings, in order.
     """
@@ -80,7 +80,7 @@ class Build:
             pieces: the document, in pieces.
             warnings: what was noticed, in order.
             files: the absolute path of every file read, in order.
-            notes: what the robot has that is no element of the document.
+            notes: what the robot has that is not an element of the document.
         """
         self._find_meshes = find_meshes
         self._root: Element | None = None

@@ -236,7 +236,7 @@ class Control(Noted):
 
 
 class Base(Noted):
-    """How the robot stands in the world.
+    """How the robot is placed in the world.
 
     Attributes:
         type: `fixed` or `free`.

@@ -76,7 +76,7 @@ def read_robot(
 
     Args:
         root: a `<robot>` without parts; elements may be in several places of it.
-        notes: what else the robot has: sensors, states and the like; see `extras.py`.
+        notes: what else the robot has: such as sensors and states; see `extras.py`.
         largest: numbers beyond it are treated like those that cannot be read.
         numbers: reads numbers, and has read some already; by default a new one.
 

@@ -282,7 +282,7 @@ class Robot(Written):
 
     @property
     def base(self) -> Base | None:
-        """Return how the robot stands in the world, as the main file says it, or None."""
+        """Return how the robot is placed in the world, as the main file says it, or None."""
         return self._extras.base
 
     # --- kinematics and mass ---

@@ -90,7 +90,7 @@ def take_words(key: Element, words: frozenset[str]) -> tuple[Element, list[Eleme
 
 
 def is_surface(node: Node) -> bool:
-    """Tell whether a node of a collision is its `surface`."""
+    """Return whether a node of a collision is its `surface`."""
     return type(node) is Element and node.name == SURFACE and not node.verbatim
 
 

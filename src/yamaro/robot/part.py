@@ -57,7 +57,7 @@ def lower(
 ) -> tuple[Element, Sequence[Element]]:
     """Return the tree with every part replaced by its joint, its link and what is beside them.
 
-    With it come the notes: what the robot has that is no element of URDF; see `notes.py`.
+    With it come the notes: what the robot has that is not an element of URDF; see `notes.py`.
 
     Elements without a part inside are shared with the input, which is not changed.
 

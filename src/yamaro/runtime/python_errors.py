@@ -21,7 +21,7 @@ JAIL_HINT = (
     "write files or access the network and other processes; --trust runs it with all your rights"
 )
 NOTE_OF_TEXT = "the text '"
-"""What a note begins with that tells where a text comes from."""
+"""What a note begins with that says where a text comes from."""
 TIME_HINT = "--timeout SECONDS sets a longer time"
 YAML_1_1_BOOLEANS = {
     **dict.fromkeys(("yes", "on", "y", "true"), "true"),

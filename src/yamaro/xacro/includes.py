@@ -73,7 +73,7 @@ def _is_optional(expansion: Expansion, given: Include) -> bool:
             "xacro-condition",
             f'optional="{given.optional}" is neither true nor false',
             given.element.value_span("optional"),
-            hint="write true or false; an expression cannot stand here",
+            hint="write true or false; an expression is not allowed here",
             trace=expansion.frame,
         ) from None
 

@@ -112,7 +112,7 @@ def _unreadable(text: str, position: int, offset: int) -> Fault:
     if closer is None:
         return Fault(
             "xacro-expression",
-            "'$$' can stand only before '{' and '('",
+            "'$$' is allowed only before '{' and '('",
             "write $${ for the text ${, and a single $ for itself",
             start=start,
             end=start + 2,
