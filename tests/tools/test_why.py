@@ -28,6 +28,8 @@ ROBOTS = sorted(
     if path.stem in (path.parent.name, "robot")  # the others are included by these
 )
 Row = NDArray[np.float64]
+AXES = {"x": "1 0 0", "y": "0 1 0", "z": "0 0 1"}
+UNITS = {"deg": math.pi / 180, "mm": 0.001, "cm": 0.01, "g": 0.001, "N*m": 1, "rpm": math.pi / 30}
 WORDS = {"true": True, "false": False, "null": None}
 
 ROBOT = """\
@@ -85,7 +87,7 @@ def evaluated(text: str, variables: dict[str, Any]) -> str:
     while depth:
         depth += {"(": 1, ")": -1}.get(text[end], 0)
         end += 1
-    value = eval(text[start + 2 : end - 1], {**vars(math), **variables})
+    value = eval(text[start + 2 : end - 1], {**vars(math), **UNITS, **variables})
     return f"{text[:start]}{value}{evaluated(text[end:], variables)}"
 
 
@@ -121,7 +123,20 @@ def text_at(span: Span) -> str:
 
 
 def words_at(span: Span) -> list[str]:
-    return text_at(span).replace(",", " ").replace("[", " ").replace("]", " ").split()
+    text = text_at(span)
+    for unit in UNITS:
+        text = text.replace(f" {unit}", unit)
+    words = text.replace(",", " ").replace("[", " ").replace("]", " ").split()
+    return [part for word in words for part in AXES.get(word.lstrip("-"), in_si(word)).split()]
+
+
+def in_si(word: str) -> str:
+    """Return a number with a unit without it."""
+    for unit, factor in UNITS.items():
+        value = number(word.removesuffix(unit)) if word.endswith(unit) else None
+        if value is not None:
+            return repr(value * factor)
+    return word
 
 
 def gives(found: Answer) -> bool:
@@ -129,11 +144,15 @@ def gives(found: Answer) -> bool:
     assert found.value is not None
     span = found.name_span or found.span
     words = words_at(span)
+    if found.mirrors:  # all examples rename so
+        words += [word.replace("left", "right") for word in words]
     if text_at(span) == found.value or all(is_given(word, words) for word in found.value.split()):
         return True
-    return bool(found.others) and is_composed(
-        np.array(found.value.split(), float), [span, *found.others]
-    )
+    if not found.others:
+        return False
+    value = np.array(found.value.split(), float)
+    image = value * ((1, -1, 1) if found.mirrors else 1)
+    return is_composed(image, [span, *found.others])
 
 
 def is_composed(value: Row, spans: list[Span]) -> bool:
