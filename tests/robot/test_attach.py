@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import pytest
 from lxml import etree
 
+import yamaro
 from tests.consumers.oracles import CheckUrdf, load_pinocchio, require_module
 from tests.robot.written import convert_text
 
@@ -118,3 +120,14 @@ def test_an_attached_robot_is_mirrored_with_its_mount() -> None:
     assert mount.find("origin").get("xyz") == "0 -0.3 0"
     finger = root.find("joint[@name='right_hand_finger_joint']")
     assert finger.find("parent").get("link") == "right_hand_palm_link"
+
+
+def test_the_same_robot_twice_without_a_prefix_names_both_places_and_the_key() -> None:
+    text = FLEET.replace("COUNT", "2").replace(", prefix: 'robot$(i)_'", "")
+    with pytest.raises(yamaro.YamaroError) as caught:
+        convert_text(text, waffle_urdf=WAFFLE)
+    found = [each for each in caught.value.diagnostics if each.code != "duplicate-material"]
+    assert {each.code for each in found} == {"duplicate-link", "duplicate-joint"}
+    for each in found:
+        assert "prefix:" in (each.hint or "")
+        assert any("first defined" in note or "earlier" in note for note in each.notes)

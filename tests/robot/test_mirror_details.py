@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -10,6 +11,7 @@ from lxml import etree
 import yamaro
 from tests.robot.written import convert_text
 from yamaro.robot.word_renaming import WordRenaming
+from yamaro.sandbox import jail
 
 HEAD = "robot: pair\nmodel:\n- link/name=base:\n- mirror:\n    rename: {left: right}\n"
 ARM = (
@@ -194,3 +196,51 @@ def test_safe_mode_gives_the_same() -> None:
     loader = yamaro.MemoryLoader({"/robots/robot.yaml": text})
     safe = yamaro.load("/robots/robot.yaml", loader=loader, policy=yamaro.Policy("safe")).convert()
     assert safe == convert_text(text)
+
+
+STATES = """
+robot: pair
+model:
+- link/name=base:
+- mirror:
+    rename: {left: right}
+    body:
+      attach: {path: hand.yaml, to: base, xyz: 0 1 0, prefix: left_}
+control: {name: c, plugin: mock, state: open}
+"""
+HAND = """
+robot: hand
+model:
+- part: {name: palm}
+- part: {name: finger, joint: {type: continuous, parent: palm, axis: x, actuator: {}}}
+states: {open: {finger: 0.5}}
+"""
+
+
+def test_states_of_a_reversed_joint_are_negated() -> None:
+    root = etree.fromstring(convert_text(STATES, hand_yaml=HAND).encode())
+    values = {
+        joint.get("name"): joint.findtext(".//param[@name='initial_value']")
+        for joint in root.iterfind("ros2_control/joint")
+    }
+    assert values == {"left_finger_joint": "0.5", "right_finger_joint": "-0.5"}
+
+
+def test_a_sensor_whose_name_stays_is_an_error() -> None:
+    arm = (
+        "- part:\n    name: left_arm\n    joint: {type: fixed, parent: base}\n    link:\n"
+        "      sensor/name=left_imu: {type: imu, xyz: 0 0.1 0}\n"
+        "      SENSOR: {type: imu, frame: left_imu}\n"
+    )
+    assert mirrored(arm.replace("SENSOR", "sensor/name=left_eye")) is not None
+    with pytest.raises(yamaro.YamaroError) as caught:
+        mirrored(arm.replace("SENSOR", "sensor/name=eye"))
+    assert [each.code for each in caught.value.diagnostics] == ["mirror-name"]
+
+
+@pytest.mark.skipif(jail.check_available() is not None, reason="no jail here")
+def test_a_jail_gives_the_same(tmp_path: Path) -> None:
+    (tmp_path / "robot.yaml").write_text(STATES)
+    (tmp_path / "hand.yaml").write_text(HAND)
+    confined = yamaro.build(tmp_path / "robot.yaml", policy=yamaro.Policy("jail")).xml()
+    assert confined == yamaro.build(tmp_path / "robot.yaml").xml()

@@ -169,7 +169,9 @@ def _mount(
     key.children.append(parent)
     key.children += [keys[name] for name in _POSE_KEYS if name in keys]
     name = f"{prefix}{root}_mount"
-    return lower_joint(lowering, key, name, child=prefix + root)
+    mount = lower_joint(lowering, key, name, child=prefix + root)
+    mount.body = IncludedRobot(prefix)
+    return mount
 
 
 def _text_element(name: str, text: str, span: Span) -> Element:
