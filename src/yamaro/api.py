@@ -31,6 +31,7 @@ def build(
     has_root: bool = True,
     output: str | os.PathLike[str] | None = None,
     meshes: str = RELATIVE,
+    gazebo: bool = False,
     allow: Iterable[str] = (),
     deny: Iterable[str] = (),
     records: bool = False,
@@ -55,6 +56,7 @@ def build(
         meshes: how the XML names meshes and textures that are there: "relative", "keep" (as they
             are written), "absolute", "copy" (the files of `Build.assets`, which are not written),
             "package://NAME", or "none", without shapes that are meshes.
+        gazebo: also write the sensors and the surfaces of collisions for Gazebo.
         allow: codes of diagnostics that are warnings, also with `strict`.
         deny: codes of diagnostics that are errors.
         records: let the places in the tree hold which variables were read there, for
@@ -66,13 +68,7 @@ def build(
             code of `allow` or `deny` is unknown or always an error.
     """
     program = Program(
-        path,
-        text=text,
-        loader=loader,
-        policy=policy,
-        packages=packages,
-        allow=allow,
-        deny=deny,
+        path, text=text, loader=loader, policy=policy, packages=packages, allow=allow, deny=deny
     )
     return program.build(
         command_line=command_line,
@@ -83,6 +79,7 @@ def build(
         has_root=has_root,
         output=output,
         meshes=meshes,
+        gazebo=gazebo,
         records=records,
     )
 

@@ -20,7 +20,7 @@ ADJUSTABLE = frozenset(
     missing-extra missing-limit missing-mesh-file misspelt-statement needs-version
     negative-value no-link no-range not-a-number not-urdf odd-density odd-inertia odd-mass
     prefix-not-passed quaternion-not-unit repeated-element root-inertia several-roots
-    several-shapes slash-in-name soft-limit-outside state-outside-limit two-parents
+    several-shapes several-surfaces slash-in-name soft-limit-outside state-outside-limit two-parents
     two-rotations unknown-attribute unknown-child unknown-element unknown-joint
     unknown-joint-type unknown-key unknown-material unknown-mimic unknown-package unknown-parent
     unknown-reference unknown-variable unused-geometry wrong-count xacro-deprecated

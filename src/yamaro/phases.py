@@ -81,6 +81,14 @@ def _put_together(root: Element) -> Element:
     return settle_materials(root)
 
 
+def add_gazebo(root: Element, notes: Sequence[Element], reporter: Reporter) -> Element:
+    """Return a robot with the elements that Gazebo reads of its sensors and surfaces."""
+    from .model.reading import read_robot
+    from .targets.gazebo import with_gazebo
+
+    return with_gazebo(root, read_robot(root, notes=notes), reporter)
+
+
 def check(
     root: Element,
     finder: MeshFinder,

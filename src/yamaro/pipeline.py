@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from .diagnostics import Reporter, YamaroError
-from .phases import check, evaluate, lower
+from .phases import add_gazebo, check, evaluate, lower
 from .result import Build, Finished
 from .runtime.interpreter import Interpreter
 from .runtime.statements import HANDLERS
@@ -81,6 +81,8 @@ def _lower_check_emit(root: Element, request: Request, interpreter: Interpreter)
     reporter, paths = Reporter(), request.paths
     try:
         root, notes = lower(root, interpreter, paths.finder, reporter)
+        if request.has_gazebo and notes:
+            root = add_gazebo(root, notes, reporter)
         has_files = check(root, paths.finder, reporter, request.wanted_advice())
         written = paths.applied_to(root) if has_files else root
         return Finished(

@@ -138,6 +138,7 @@ class Program:
         has_root: bool = True,
         output: str | os.PathLike[str] | None = None,
         meshes: str = RELATIVE,
+        gazebo: bool = False,
         records: bool = False,
     ) -> Build:
         """Compile the file; see `yamaro.build`.
@@ -153,6 +154,7 @@ class Program:
             advice=advice,
             output=output,
             meshes=meshes,
+            gazebo=gazebo,
             records=records,
         )
         return self._compile(request, lambda build: build, say=on_message, has_root=has_root)
@@ -178,6 +180,7 @@ class Program:
         advice: bool = False,
         output: str | os.PathLike[str] | None = None,
         meshes: str = RELATIVE,
+        gazebo: bool = False,
         records: bool = False,
     ) -> Request:
         """Return what a build is asked for with; raise UsageError if it makes no sense."""
@@ -197,6 +200,7 @@ class Program:
             reporter=Reporter(),
             adjustment=adjustment,
             has_advice=advice,
+            has_gazebo=gazebo,
             records=records,
         )
 

@@ -25,12 +25,14 @@ class Request:
         reporter: takes the warnings.
         adjustment: which codes are allowed and denied.
         has_advice: whether all advice is wanted, and not only that of codes which are denied.
+        has_gazebo: whether sensors and surfaces are written for Gazebo.
         records: whether places hold which variables were read there; see `RecordedSpan`.
     """
 
     __slots__ = (
         "adjustment",
         "has_advice",
+        "has_gazebo",
         "packages",
         "paths",
         "places",
@@ -53,6 +55,7 @@ class Request:
         reporter: Reporter,
         adjustment: Adjustment,
         has_advice: bool,
+        has_gazebo: bool = False,
         records: bool = False,
     ) -> None:
         self.source = source
@@ -64,6 +67,7 @@ class Request:
         self.reporter = reporter
         self.adjustment = adjustment
         self.has_advice = has_advice
+        self.has_gazebo = has_gazebo
         self.records = records
 
     def wanted_advice(self) -> Callable[[str], bool] | None:

@@ -126,8 +126,7 @@ def _build(
     """Build the file; return the build and what to write."""
     import warnings
 
-    from .. import api
-    from ..arguments import UsageError
+    from .. import UsageError, api
 
     try:
         with warnings.catch_warnings():
@@ -147,6 +146,7 @@ def _build(
                 has_root=has_root,
                 output=output_of(arguments),
                 meshes=arguments.options.get("meshes", "relative"),
+                gazebo=arguments.has("gazebo"),
                 records=records,
             )
             return build, take(build)

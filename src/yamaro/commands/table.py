@@ -318,6 +318,7 @@ OPTIONS = {
             wants="relative, keep, absolute, copy, package://NAME or none",
             completes="relative keep absolute copy package:// none",
         ),
+        Option("gazebo", "also write sensors and surfaces of collisions for Gazebo", ("build",)),
         Option(
             "port",
             "serve the page at that port; by default at any free port",
