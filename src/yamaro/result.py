@@ -131,7 +131,7 @@ class Build:
             from .runtime.collector import RareCollection
 
             with RareCollection():
-                self._robot = read_robot(self._tree(), notes=self.notes)
+                self._robot = read_robot(self._tree(), notes=self.notes, whole=True)
         return self._robot
 
     def _tree(self) -> Element:

@@ -69,16 +69,18 @@ def read_robot(
     notes: Sequence[Element] = (),
     largest: float = inf,
     numbers: NumberReader | None = None,
+    whole: bool = False,
 ) -> Robot:
     """Return the robot of a finished tree, which must not be changed afterwards.
 
-    Most of a link or joint is read when it is first used.
+    Most of a link or joint is read when it is first used, unless `whole` asks for all of it now.
 
     Args:
         root: a `<robot>` without parts; elements may be in several places of it.
         notes: what else the robot has: such as sensors and states; see `extras.py`.
         largest: numbers beyond it are treated like those that cannot be read.
         numbers: reads numbers, and has read some already; by default a new one.
+        whole: whether all of it is read at once.
 
     Raises:
         YamaroError: `not-urdf`: the root is another element.
@@ -91,7 +93,7 @@ def read_robot(
             hint="the root of a URDF is 'robot'",
         )
     reader = _Reader(root, largest, numbers or NumberReader(largest))
-    return reader.robot(Extras(notes) if notes else NOTHING)
+    return reader.robot(Extras(notes) if notes else NOTHING, whole=whole)
 
 
 class _Reader:
