@@ -3,7 +3,7 @@
     python bench/mirrored.py [CORPUS]
 
 CORPUS is the folder that bench/robots.py takes. A table counts the values that differ by more than
-a part in a thousand and more than 1e-5; below it each is listed. Vendors write right legs by hand,
+a part in a thousand and more than 1e-9; below it each is listed. Vendors write right legs by hand,
 from another CAD model, or with the left leg's numbers, so that differences are expected.
 """
 
@@ -140,7 +140,7 @@ def numbers(element: ElementTree.Element, path: str, attribute: str) -> tuple[fl
 
 
 def is_near(one: tuple[float, ...], other: tuple[float, ...]) -> bool:
-    return all(abs(a - b) <= max(1e-5, 1e-3 * abs(b)) for a, b in zip(one, other, strict=True))
+    return all(abs(a - b) <= max(1e-9, 1e-3 * abs(b)) for a, b in zip(one, other, strict=True))
 
 
 def what_it_is(
