@@ -14,7 +14,7 @@ from yamaro.source import Source
 from yamaro.syntax import statements
 from yamaro.syntax.context import ParseContext
 from yamaro.syntax.keys import PlainKeyPlaces, find_outside, parse_plain_key
-from yamaro.syntax.names import STATEMENTS
+from yamaro.syntax.names import STATEMENTS, head_of
 from yamaro.syntax.nodes import Attribute, ElementNode
 from yamaro.syntax.template import Template, skip_expression
 from yamaro.xml.names import bad_name_character
@@ -49,7 +49,7 @@ def check(text: str) -> str:
         require_by_the_expression(node, text)
         require_plain(node, key)
     else:
-        assert "/" not in text or parse_plain_key(text) is None
+        assert "/" not in text or parse_plain_key(text) is None or head_of(text)
     require_same_in_body(key, [render(diagnostic) for diagnostic in context.errors])
     return type(node).__name__
 
@@ -186,7 +186,7 @@ def require_plain(node: ElementNode, key: ScalarNode) -> None:
 
 def require_same_in_body(key: ScalarNode, errors: list[str]) -> None:
     """Require that a body says the same of a key that stands in it twice: first new, then known."""
-    if key.text in ("if", "elif", "else", "functions", "variables"):
+    if key.text in ("if", "elif", "else", "functions", "variables") or head_of(key.text):
         return  # they look at what stands before them
     context = ParseContext(Reporter())
     body = statements.parse_pairs([(key, nothing(key)), (key, nothing(key))], context)
