@@ -66,6 +66,8 @@ def test_the_text_of_an_extent_is_the_node(file: Path) -> None:
         if node.start == node.end:
             assert node.text == ""
             continue
+        if isinstance(node, ScalarNode) and node.text == "null":
+            continue  # a document that holds nothing else is empty
         column = Source(text, name="t").location(node.start)[1] - 1
         if isinstance(node, ScalarNode) and node.style in (LITERAL, FOLDED):
             alone = f"a: {text[node.start : node.end]}"

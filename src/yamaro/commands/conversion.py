@@ -126,7 +126,8 @@ def _build(
     """Build the file; return the build and what to write."""
     import warnings
 
-    from .. import UsageError, api
+    from .. import api
+    from ..arguments import UsageError
 
     try:
         with warnings.catch_warnings():
