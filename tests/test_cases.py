@@ -6,7 +6,6 @@ tests/cases/README.md says how a case is written.
 from __future__ import annotations
 
 import difflib
-import functools
 import platform
 import re
 import shlex
@@ -19,9 +18,9 @@ from lxml import etree
 from packaging.specifiers import SpecifierSet
 
 from tests.effort import sample
+from tests.unshared import unsharing
 from yamaro import pipeline
 from yamaro.commands.main import main
-from yamaro.runtime.interpreter import Interpreter
 from yamaro.sandbox import jail
 
 CASES = Path(__file__).parent / "cases"
@@ -143,7 +142,7 @@ def test_case_gives_exactly_what_is_expected(
         result.messages,
     ), "a second run in the same process gives something else"
     with monkeypatch.context() as patch:
-        patch.setattr(pipeline, "Interpreter", functools.partial(Interpreter, shares=False))
+        patch.setattr(pipeline, "Interpreter", unsharing)
         plain = compile_case(case, options)
     assert (plain.status, plain.xml, plain.messages) == (
         result.status,

@@ -9,7 +9,6 @@ The text may hold several files: a line `#file NAME` begins another one.
 
 from __future__ import annotations
 
-import functools
 import os
 import re
 from collections.abc import Iterator
@@ -18,13 +17,13 @@ from typing import Any
 
 from lxml import etree
 
+from tests.unshared import unsharing
 from yamaro import api, pipeline
 from yamaro.arguments import UsageError
 from yamaro.diagnostics import YamaroError, render
 from yamaro.files.loader import LoadError
 from yamaro.policy import Policy
 from yamaro.result import Build
-from yamaro.runtime.interpreter import Interpreter
 from yamaro.sandbox import jail
 
 from .checks import require_readable, require_sound
@@ -147,7 +146,7 @@ def replaced(module: Any, name: str, value: object) -> Iterator[None]:
 
 def without_sharing() -> AbstractContextManager[None]:
     """Let the compiler build each element for its place."""
-    return replaced(pipeline, "Interpreter", functools.partial(Interpreter, shares=False))
+    return replaced(pipeline, "Interpreter", unsharing)
 
 
 def without_jail() -> AbstractContextManager[None]:

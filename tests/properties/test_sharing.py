@@ -7,18 +7,17 @@ blocks and includes, with values that Python takes for equal, and have the fault
 
 from __future__ import annotations
 
-import functools
 import os
 import random
 
 import pytest
 
 from tests.effort import examples
+from tests.unshared import unsharing
 from yamaro import YamaroError, api, pipeline
 from yamaro.codes import ADJUSTABLE
 from yamaro.diagnostics import render
 from yamaro.files.loader import MemoryLoader
-from yamaro.runtime.interpreter import Interpreter
 
 COUNT = int(os.environ.get("YAMARO_SHARING_EXAMPLES", examples(400)))
 SEED = int(os.environ.get("YAMARO_FUZZ_SEED", "0"))
@@ -257,12 +256,11 @@ def result_of(files: dict[str, str]) -> tuple[str, list[str]]:
 
 
 def test_sharing_changes_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
-    plain = functools.partial(Interpreter, shares=False)
     made = warned = refused = 0
     for seed in range(SEED, SEED + COUNT):
         files = Programs(seed).files()
         with monkeypatch.context() as patch:
-            patch.setattr(pipeline, "Interpreter", plain)
+            patch.setattr(pipeline, "Interpreter", unsharing)
             expected = result_of(files)
         found = result_of(files)
         assert found == expected, f"seed {seed}:\n{files['robot.yaml']}\n{files['inner.yaml']}"
