@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+import warnings
 
 from ..streams import XML
 from .delivery import deliver, deliver_assets, refuse_overwriting
@@ -124,8 +125,6 @@ def _build(
     records: bool,
 ) -> tuple[Build, Iterable[bytes | str]]:
     """Build the file; return the build and what to write."""
-    import warnings
-
     from .. import api
     from ..arguments import UsageError
 
