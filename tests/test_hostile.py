@@ -18,7 +18,7 @@ from lxml import etree
 from tests.hostile.hostile_inputs import OLD_OUTPUT, HostileInput, Place, read_inputs
 from tests.waiting import PATIENCE
 from yamaro.commands.main import main
-from yamaro.commands.table import SPELLINGS as OPTIONS
+from yamaro.commands.option_table import SPELLINGS as OPTIONS
 from yamaro.terminal import printable
 
 ROOT = Path(__file__).parent.parent

@@ -17,11 +17,12 @@ import pytest
 from tests.waiting import PATIENCE
 from yamaro import api
 from yamaro.commands.arguments import parse_arguments
+from yamaro.commands.command_table import COMMANDS, named_commands
 from yamaro.commands.help import help_of
 from yamaro.commands.main import main
+from yamaro.commands.option_table import OPTIONS, SPELLINGS, options_of
 from yamaro.commands.settings import make_policy
 from yamaro.commands.shells import SHELLS, script
-from yamaro.commands.table import COMMANDS, OPTIONS, SPELLINGS, named_commands, options_of
 from yamaro.commands.usage import USAGE
 from yamaro.policy import Limits, limit_names
 from yamaro.sandbox import jail

@@ -5,14 +5,15 @@ from __future__ import annotations
 import os
 
 from ..source import STANDARD_INPUT
-from .table import BUILD, COMMANDS, OPTIONS, SPELLINGS, named_commands
+from .command_table import BUILD, COMMANDS, named_commands
+from .option_table import OPTIONS, SPELLINGS
 from .usage import WrongUsage, near, quote
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from .table import Option
+    from .rows import Option
 
 
 class Arguments:

@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
+from .command_table import BUILD, COMMANDS, named_commands
 from .delivery import deliver
-from .table import BUILD, COMMANDS, named_commands, options_of
+from .option_table import options_of
 from .usage import WrongUsage, near, quote
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from ..streams import Streams
     from .arguments import Arguments
-    from .table import Command, Option
+    from .rows import Command, Option
 
 COLUMNS = 100
 MARGIN = 24

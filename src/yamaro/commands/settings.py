@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 
-from .table import BUILD, COMMANDS
+from .command_table import BUILD, COMMANDS
 from .usage import WrongUsage, near, quote
 
 TYPE_CHECKING = False

@@ -5,11 +5,12 @@ The scripts ask the command for the variables of the file on the command line.
 
 from __future__ import annotations
 
-from .table import BUILD, COMMANDS, OPTIONS, named_commands, options_of
+from .command_table import BUILD, COMMANDS, named_commands
+from .option_table import OPTIONS, options_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from .table import Option
+    from .rows import Option
 
 SHELLS = ("bash", "zsh", "fish")
 

@@ -1,0 +1,155 @@
+"""The table of commands.
+
+To add a command, add a `Command` here and a module of its name with a function `run`.
+"""
+
+from __future__ import annotations
+
+from .rows import Command
+
+BUILD = "build"
+"""The command that has no name on the command line: `yamaro FILE`."""
+
+FILE_WORDS = (
+    ("FILE", "a YAML file, a URDF (.urdf, .xml) or a xacro file (.xacro); - for YAML from a pipe"),
+    (
+        "name:=value",
+        "set a variable, n:=3, sides:=[left, right], or an argument of xacro",
+    ),
+)
+ADDRESS_WORD = ("ADDRESS", "elbow_joint/limit@upper, link:arm/visual[2], /gazebo[3] from the root")
+ENDINGS = ("yaml", "yml", "urdf", "xacro")
+
+COMMANDS = {
+    command.name: command
+    for command in (
+        Command(
+            BUILD,
+            ("FILE [name:=value ...]",),
+            "compile a robot",
+            "Compile a robot description, in YAML or xacro, to URDF or any other XML.",
+            words=FILE_WORDS,
+            endings=ENDINGS,
+            examples=(
+                "yamaro robot.yaml > robot.urdf",
+                "yamaro robot.yaml -o build/robot.urdf legs:=6 body_mass:=2.5",
+                "yamaro robot.urdf.xacro -o robot.urdf use_sim:=true",
+                "yamaro check robot.yaml && yamaro tree robot.yaml",
+                "generate_robot | yamaro -",
+            ),
+        ),
+        Command(
+            "check",
+            ("FILE [name:=value ...]",),
+            "check a robot for errors and likely mistakes",
+            "Report errors, warnings and likely mistakes, without writing XML. Exit with 1 if "
+            "there are any findings.",
+            words=FILE_WORDS,
+            looks=True,
+            endings=ENDINGS,
+        ),
+        Command(
+            "tree",
+            ("FILE [name:=value ...]",),
+            "show links, joints and masses as a tree",
+            "Show the links of a robot as a tree, with their masses and joints.",
+            words=FILE_WORDS,
+            looks=True,
+            endings=ENDINGS,
+        ),
+        Command(
+            "view",
+            ("FILE [name:=value ...]",),
+            "show the robot in the browser, updated at each save",
+            "Show a robot in the browser, and update it whenever one of its files is saved. "
+            "Press Ctrl-C to stop.",
+            words=FILE_WORDS,
+            looks=True,
+            endings=ENDINGS,
+        ),
+        Command(
+            "watch",
+            ("FILE -o FILE [name:=value ...]",),
+            "compile at each save, and report each build",
+            "Compile a file now and whenever one of its input files is saved. Press Ctrl-C to "
+            "stop.",
+            words=FILE_WORDS,
+            endings=ENDINGS,
+            examples=("yamaro watch robot.yaml -o robot.urdf",),
+        ),
+        Command(
+            "picture",
+            ("FILE -o FILE.png [name:=value ...]",),
+            "render the robot as a PNG, GIF or MP4",
+            "Render an image or a film of a robot. Requires the Python packages of "
+            "yamaro[picture], but no display or browser.",
+            words=FILE_WORDS,
+            looks=True,
+            endings=ENDINGS,
+            examples=(
+                "yamaro picture robot.yaml -o robot.png",
+                "yamaro picture robot.yaml -o sheet.png --view iso,front,left,top --size 400x300",
+                "yamaro picture robot.urdf -o waving.gif --sweep shoulder,elbow",
+            ),
+        ),
+        Command(
+            "migrate",
+            ("FILE [-o FILE]", "FILE -o FOLDER [name:=value ...]"),
+            "convert URDF, xacro or other XML to YAML",
+            "Convert a URDF, or other XML, to a YAML file; convert a xacro robot to a folder of "
+            "YAML files, one for each xacro file. Then build the result, and report any "
+            "difference.",
+            words=(
+                ("FILE", "the XML file, or - for standard input"),
+                ("name:=value", "set a xacro argument for the comparison"),
+            ),
+            looks=True,
+            endings=("urdf", "xacro", "xml"),
+        ),
+        Command(
+            "args",
+            ("FILE",),
+            "list the arguments of a file without running it",
+            "List what can be passed to a file as name:=value, with defaults, types and ranges, "
+            "without running the file: its arguments, or else its variables, or those of xacro.",
+            words=(FILE_WORDS[0],),
+            looks=True,
+            endings=ENDINGS,
+        ),
+        Command(
+            "why",
+            ("FILE ADDRESS [name:=value ...]",),
+            "show where a value in the output comes from",
+            "Show where in the YAML an element or attribute of the output comes from.",
+            words=(
+                FILE_WORDS[0],
+                (
+                    "ADDRESS",
+                    "elbow_joint/limit@upper, link:arm/visual[2], /gazebo[3] from the root",
+                ),
+                FILE_WORDS[1],
+            ),
+            looks=True,
+            endings=ENDINGS,
+            examples=("yamaro why robot.yaml elbow_joint/limit@upper",),
+        ),
+        Command(
+            "completion",
+            ("bash|zsh|fish",),
+            "print a completion script for a shell",
+            "Print a script that lets a shell complete commands, options, files and variables.",
+            examples=('eval "$(yamaro completion bash)"',),
+        ),
+        Command(
+            "help",
+            ("[COMMAND]",),
+            "show the options of a command",
+            "Show what a command does, and its options.",
+        ),
+    )
+}
+
+
+def named_commands() -> list[str]:
+    """Return the commands that have a word of their own."""
+    return [name for name in COMMANDS if name != BUILD]

@@ -1,0 +1,258 @@
+"""The table of options.
+
+To add an option, add an `Option` here, and read it with `arguments.has(…)`, `.options` or `.lists`
+where it has an effect.
+"""
+
+from __future__ import annotations
+
+from .command_table import COMMANDS
+from .rows import Option
+
+ALL = tuple(COMMANDS)
+BUILDING = ("build", "check", "tree", "view", "watch", "picture", "why")
+"""The commands that build a file of the user's."""
+WORKING = (*BUILDING, "migrate")
+"""The commands that run a file."""
+READING = (*WORKING, "args")
+"""The commands that read a file."""
+PICTURE = ("picture",)
+VIEW = ("view",)
+
+OPTIONS = {
+    option.name: option
+    for option in (
+        Option(
+            "output",
+            "write to FILE instead of standard output; after an error, FILE is not changed",
+            ("build", "watch", "picture", "migrate"),
+            short="o",
+            value="FILE",
+            wants="a file name",
+            completes="files",
+            help_in={
+                "picture": ".png or .jpg; .gif or .mp4 for a film; - for a PNG on standard output",
+                "migrate": "write to FILE instead of standard output; a xacro robot of several "
+                "files needs a folder",
+            },
+        ),
+        Option("force", "replace existing files", ("migrate",)),
+        Option(
+            "exact",
+            "keep details without meaning, such as which origins are omitted, instead of writing "
+            "the shorter form",
+            ("migrate",),
+        ),
+        Option(
+            "with",
+            "also migrate the files of that package; by default only the files of the robot's own "
+            "package and the files they depend on are migrated",
+            ("migrate",),
+            value="PACKAGE",
+            wants="the name of a package",
+            is_repeatable=True,
+            excludes=("all",),
+        ),
+        Option("all", "migrate the files of all packages", ("migrate",), excludes=("with",)),
+        Option(
+            "json",
+            "write a JSON Schema (2020-12) of the arguments",
+            ("args", "why"),
+            help_in={"why": "write the answer as JSON"},
+        ),
+        Option(
+            "help-args",
+            "list the arguments of the file and exit, as 'yamaro args' does",
+            ("build",),
+            excludes=("deps",),
+        ),
+        Option(
+            "deps",
+            "list the files read and the meshes used, one per line, instead of writing the XML",
+            ("build",),
+        ),
+        Option(
+            "meshes",
+            "how the XML refers to existing meshes and textures: relative to the output (the "
+            "default), keep the paths as written, absolute, copy them to assets/ beside the "
+            "output, package://NAME; none omits meshes",
+            ("build", "watch"),
+            value="HOW",
+            wants="relative, keep, absolute, copy, package://NAME or none",
+            completes="relative keep absolute copy package:// none",
+        ),
+        Option("gazebo", "also write sensors and surfaces of collisions for Gazebo", ("build",)),
+        Option(
+            "port",
+            "serve the page at that port; by default at any free port",
+            VIEW,
+            value="N",
+            wants="a number from 0 to 65535",
+        ),
+        Option("no-browser", "do not open a browser, only print the address of the page", VIEW),
+        Option(
+            "editor",
+            "open files with that command: 'code -g {file}:{line}:{column}'; by default with "
+            "VISUAL or EDITOR, if it opens a window",
+            VIEW,
+            value="COMMAND",
+            wants="a command",
+            completes="commands",
+        ),
+        Option(
+            "size",
+            "width and height of each view, in pixels; 800x600 by default",
+            PICTURE,
+            value="800x600",
+            wants="WIDTHxHEIGHT",
+        ),
+        Option(
+            "view",
+            "viewing direction: iso (the default), front, back, left, right, top, bottom, or "
+            "azimuth and elevation of the camera in degrees: 30,20; several are combined in one "
+            "image",
+            PICTURE,
+            value="VIEW",
+            wants="the name of a view, or azimuth,elevation",
+            is_repeatable=True,
+            completes="views",
+        ),
+        Option(
+            "joints",
+            "positions of joints, in radians or metres",
+            PICTURE,
+            value="NAME=POSITION,...",
+            wants="NAME=POSITION",
+            is_repeatable=True,
+        ),
+        Option(
+            "show",
+            "what to show: visual (the default), collision, inertia, frames, grid; separate "
+            "several with commas",
+            PICTURE,
+            value="WHAT",
+            wants="visual, collision, inertia, frames or grid",
+            is_repeatable=True,
+            completes="shown",
+        ),
+        Option(
+            "transparent",
+            "make the background transparent, except for the robot's shadow; .png and .gif",
+            PICTURE,
+        ),
+        Option("turn", "make a film in which the camera circles the robot", PICTURE),
+        Option(
+            "sweep",
+            "make a film in which joints move through their limits; names separated by commas, "
+            "'all' for all at once, or 'each' for one after the other",
+            PICTURE,
+            value="JOINTS",
+            wants="names of joints, all or each",
+            completes="all each",
+        ),
+        Option("seconds", "length of a film", PICTURE, value="N", wants="a number of seconds"),
+        Option(
+            "frames-per-second",
+            "frame rate of a film; 20 for a .gif and 25 for an .mp4 by default",
+            PICTURE,
+            value="N",
+            wants="a number",
+        ),
+        Option(
+            "quiet",
+            "show errors only: no warnings and no output of 'print'",
+            READING,
+            short="q",
+        ),
+        Option("strict", "treat warnings as errors", BUILDING),
+        Option(
+            "allow",
+            "treat messages with that code as warnings, also with --strict: unknown-material",
+            BUILDING,
+            value="CODE",
+            wants="the code of a message",
+            is_repeatable=True,
+            completes="codes",
+        ),
+        Option(
+            "deny",
+            "treat messages with that code as errors; also advice of 'yamaro check'",
+            BUILDING,
+            value="CODE",
+            wants="the code of a message",
+            is_repeatable=True,
+            completes="codes",
+        ),
+        Option(
+            "trust",
+            "allow the file to do anything that Python can",
+            READING,
+            excludes=("jail", "safe"),
+            help_in={"args": "read includes of xacro files from anywhere"},
+        ),
+        Option(
+            "jail",
+            "allow the file all of Python in a process that can read its folder and packages, but "
+            "cannot write files or reach the network (Linux only)",
+            WORKING,
+            excludes=("trust", "safe"),
+        ),
+        Option(
+            "safe",
+            "allow the file only to compute: no Python modules, no loops in `process`",
+            WORKING,
+            excludes=("trust", "jail"),
+        ),
+        Option(
+            "timeout",
+            "stop after that time; with --jail and --safe, 60 by default",
+            WORKING,
+            value="SECONDS",
+            wants="a number of seconds",
+        ),
+        Option(
+            "allow-path",
+            "allow reading a file or folder with --jail and --safe",
+            READING,
+            value="PATH",
+            wants="a file or folder",
+            is_repeatable=True,
+            completes="files",
+        ),
+        Option(
+            "limit",
+            "change a limit, such as turns=5000000",
+            READING,
+            value="NAME=N",
+            wants="NAME=NUMBER",
+            is_repeatable=True,
+            completes="limits",
+        ),
+        Option(
+            "package",
+            "set the folder of a ROS package",
+            READING,
+            value="NAME:=FOLDER",
+            wants="NAME:=FOLDER",
+            is_repeatable=True,
+        ),
+        Option(
+            "color",
+            "colour messages: auto (the default), always or never",
+            READING,
+            value="WHEN",
+            wants="auto, always or never",
+            choices=("auto", "always", "never"),
+        ),
+        Option("help", "show this help", ALL, short="h"),
+        Option("version", "show the version", ALL, short="V"),
+    )
+}
+
+SPELLINGS = {spelling: option for option in OPTIONS.values() for spelling in option.spellings}
+"""The options by what is written on the command line: `-o` and `--output`."""
+
+
+def options_of(command: str) -> list[Option]:
+    """Return the options of a command, in the order of the table."""
+    return [option for option in OPTIONS.values() if command in option.commands]
