@@ -23,7 +23,7 @@ class Loss:
         kind: `LOST`, `APPROXIMATED` or `RENAMED`.
         what: what cannot be held, in the plural and the same words for all of it: "soft limits".
         owner: whose it is: "joint 'elbow_joint'".
-        how: what is written in its place, or ""; the same words for all of one `what`, but for
+        how: what is written in its place, or ""; the same words for all of one `what`, except for
             what is renamed, where it is the new name.
         hint: what to write instead, or "".
         span: where it is written.
