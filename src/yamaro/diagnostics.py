@@ -12,6 +12,8 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 
+    from .fixes import Fix
+
 ERROR = "error"
 WARNING = "warning"
 
@@ -68,7 +70,7 @@ element can be in many places. Walks give their findings the trace of the place,
 class Diagnostic:
     """One thing to report about an input."""
 
-    __slots__ = ("code", "hint", "message", "notes", "severity", "span", "trace")
+    __slots__ = ("code", "fix", "hint", "message", "notes", "severity", "span", "trace")
 
     def __init__(
         self,
@@ -80,6 +82,7 @@ class Diagnostic:
         notes: Sequence[str] = (),
         severity: str = ERROR,
         trace: Frame | None = None,
+        fix: Fix | None = None,
     ) -> None:
         """Describe a fault.
 
@@ -91,6 +94,7 @@ class Diagnostic:
             notes: further facts, such as the place of a first definition; one line each.
             severity: ERROR or WARNING.
             trace: the calls and includes that led to the place.
+            fix: the change of the text that the hint describes, if that is known.
         """
         self.code = code
         self.message = message
@@ -99,6 +103,7 @@ class Diagnostic:
         self.notes = tuple(notes)
         self.severity = severity
         self.trace = trace
+        self.fix = fix
 
     def copy(self) -> Diagnostic:
         """Return the same diagnostic, which may then be made another one."""
@@ -110,6 +115,7 @@ class Diagnostic:
             notes=self.notes,
             severity=self.severity,
             trace=self.trace,
+            fix=self.fix,
         )
 
     def __repr__(self) -> str:
@@ -163,9 +169,11 @@ def failure(
     hint: str | None = None,
     notes: Sequence[str] = (),
     trace: Frame | None = None,
+    fix: Fix | None = None,
 ) -> YamaroError:
     """Return an exception with one error, ready to be raised; see `Diagnostic`."""
-    return YamaroError([Diagnostic(code, message, span, hint=hint, notes=notes, trace=trace)])
+    error = Diagnostic(code, message, span, hint=hint, notes=notes, trace=trace, fix=fix)
+    return YamaroError([error])
 
 
 def add_trace(error: YamaroError, frame: Frame | None) -> None:
@@ -238,11 +246,12 @@ class Reporter:
         hint: str | None = None,
         notes: Sequence[str] = (),
         trace: Frame | None = None,
+        fix: Fix | None = None,
     ) -> None:
         """Collect a warning; see `Diagnostic`."""
-        self.add(
-            Diagnostic(code, message, span, hint=hint, notes=notes, severity=WARNING, trace=trace)
-        )
+        warning = Diagnostic(code, message, span, hint=hint, notes=notes, trace=trace, fix=fix)
+        warning.severity = WARNING
+        self.add(warning)
 
     def add(self, diagnostic: Diagnostic) -> None:
         """Collect `diagnostic` unless the same was collected before."""

@@ -12,6 +12,7 @@ from hypothesis import strategies as st
 from tests.effort import examples
 from yamaro.api import build
 from yamaro.diagnostics import Diagnostic, Frame, YamaroError, render
+from yamaro.fixes import Edit, Fix
 from yamaro.policy import Limits
 from yamaro.sandbox.deep_stack import run_on_deep_stack
 from yamaro.sandbox.jail import JailAnswerBroken, pack, unpack
@@ -87,7 +88,23 @@ def diagnostics(draw: st.DrawFn) -> Diagnostic:
         notes=draw(st.lists(texts, max_size=2)),
         severity=draw(st.sampled_from(["error", "warning"])),
         trace=frame,
+        fix=draw(st.none() | fixes(source)),
     )
+
+
+@st.composite
+def fixes(draw: st.DrawFn, source: Source) -> Fix:
+    ends = st.integers(0, len(source.text))
+    places = sorted(draw(st.lists(ends, max_size=4)))
+    pairs = zip(places[::2], places[1::2], strict=False)
+    edits = [Edit(Span(source, start, end), draw(names)) for start, end in pairs]
+    return Fix(draw(texts), edits, is_safe=draw(st.booleans()))
+
+
+def described(fix: Fix | None) -> list[Any]:
+    if fix is None:
+        return []
+    return [fix.title, fix.is_safe, [(each.span.key(), each.text) for each in fix.edits]]
 
 
 @given(st.lists(diagnostics(), max_size=4), st.lists(texts, max_size=3))
@@ -100,6 +117,7 @@ def test_any_diagnostics_come_through(sent: list[Diagnostic], messages: list[str
             assert getattr(one, name) == getattr(other, name)
         assert one.span.key() == other.span.key()
         assert trace(one.trace) == trace(other.trace)
+        assert described(one.fix) == described(other.fix)
 
 
 def valid_answer() -> bytes:
@@ -108,7 +126,9 @@ def valid_answer() -> bytes:
     frame = Frame("called", "F", Span(source, 2, 4), parent=None)
     inner = Element("in", Span(source, 1, 3), children=[Text("x", Span(source, 0, 1))], trace=frame)
     root.children = [inner, Comment("c", Span(source, 4, 5))]
-    diagnostic = Diagnostic("code", "m", Span(source, 3, 9), severity="warning", trace=frame)
+    span = Span(source, 3, 9)
+    fix = Fix("t", [Edit(span, "x")], is_safe=True)
+    diagnostic = Diagnostic("code", "m", span, severity="warning", trace=frame, fix=fix)
     return to_bytes(Outcome(messages=["m"], diagnostics=[diagnostic], pieces=["<out/>"], root=root))
 
 
@@ -166,12 +186,12 @@ ROOT = node(b"e", b"0", b"0 0 1", b"out", b"0 0", pack([]))
         forged(1, pack([])),
         forged(2, pack([pack([b"called", b"F", b"0 0 1", b"1 0"])])),  # a frame within itself
         forged(2, pack([pack([b"called", b"F", b"0 0 99999", b"0 0"])])),
-        forged(3, pack([pack([b"fatal", b"c", b"m", b"0 0 1", pack([]), pack([]), b"0"])])),
-        forged(3, pack([pack([b"error", b"c", b"m", b"0 -1 1", pack([]), pack([]), b"0"])])),
-        forged(3, pack([pack([b"error", b"c", b"m", b"0 5 1", pack([]), pack([]), b"0"])])),
-        forged(3, pack([pack([b"error", b"c", b"m", b"-1 0 1", pack([]), pack([]), b"0"])])),
-        forged(3, pack([pack([b"error", b"c", b"m", b"0 0 1", pack([]), pack([]), b"-5"])])),
-        forged(3, pack([pack([b"error", b"c", b"m", b"0 0 " + b"9" * 5000, b"", b"", b"0"])])),
+        forged(3, pack([pack([b"fatal", b"c", b"m", b"0 0 1", pack([]), pack([]), b"0", b""])])),
+        forged(3, pack([pack([b"error", b"c", b"m", b"0 -1 1", pack([]), pack([]), b"0", b""])])),
+        forged(3, pack([pack([b"error", b"c", b"m", b"0 5 1", pack([]), pack([]), b"0", b""])])),
+        forged(3, pack([pack([b"error", b"c", b"m", b"-1 0 1", pack([]), pack([]), b"0", b""])])),
+        forged(3, pack([pack([b"error", b"c", b"m", b"0 0 1", pack([]), pack([]), b"-5", b""])])),
+        forged(3, pack([pack([b"error", b"c", b"m", b"0 0 " + b"9" * 5000, b"", b"", b"0", b""])])),
         forged(7, pack([])[:0] + pack([node(b"t", b"0", b"0 0 1", b"a text")])),
         forged(7, pack([ROOT, node(b"t", b"0", b"0 0 1", b"x"), node(b"t", b"1", b"0 0 1", b"y")])),
         forged(7, pack([ROOT, node(b"t", b"7", b"0 0 1", b"x")])),
@@ -301,8 +321,10 @@ def test_a_tree_deeper_than_the_limit_is_refused() -> None:
         run_on_deep_stack(lambda: from_bytes(data))
 
 
-def of_diagnostic(code: bytes, place: bytes = b"0 0 1", *, path: bytes = b"") -> bytes:
-    told = pack([b"error", code, b"m", place, pack([]), pack([]), b"0"])
+def of_diagnostic(
+    code: bytes, place: bytes = b"0 0 1", *, path: bytes = b"", fix: bytes = b""
+) -> bytes:
+    told = pack([b"error", code, b"m", place, pack([]), pack([]), b"0", fix])
     sources = pack([pack([b"robot.yaml", path, b"text"])])
     return answer(sources=sources, diagnostics=pack([told]))
 
@@ -369,3 +391,30 @@ def test_more_than_may_be_printed_is_refused() -> None:
     assert len(from_bytes(data, Limits(printed=20)).messages) == 3
     with pytest.raises(JailAnswerBroken):
         from_bytes(data, Limits(printed=10))
+
+
+def of_fix(*edits: tuple[bytes, bytes], safety: bytes = b"1") -> bytes:
+    fix = pack([b"title", safety, pack([pack(each) for each in edits])])
+    return of_diagnostic(b"a", fix=fix)
+
+
+@pytest.mark.parametrize(
+    "data",
+    [
+        of_fix((b"0 0 9", b"x")),
+        of_fix((b"1 0 1", b"x")),
+        of_fix((b"0 2 1", b"x")),
+        of_fix((b"0 0 2", b"x"), (b"0 1 3", b"y")),
+        of_fix((b"0 2 3", b"x"), (b"0 0 1", b"y")),
+        of_fix((b"0 0 1", b"x" * 20_001)),
+        of_fix((b"0 0 1", b"\xff")),
+        of_fix(*[(b"0 1 1", b"x")] * 1001),
+        of_fix((b"0 0 1", b"x"), safety=b"yes"),
+        of_diagnostic(b"a", fix=b"0"),
+    ],
+)
+def test_a_forged_fix_is_found_out(data: bytes) -> None:
+    fix = from_bytes(of_fix((b"0 0 1", b"x"), (b"0 1 1", b"y"))).diagnostics[0].fix
+    assert fix is not None and [each.text for each in fix.edits] == ["x", "y"]
+    with pytest.raises(JailAnswerBroken):
+        from_bytes(data)

@@ -11,6 +11,7 @@ if TYPE_CHECKING:
     from collections.abc import Collection, Sequence
 
     from ..diagnostics import Frame, Reporter
+    from ..fixes import Fix
     from ..model.urdf_schema import AttributeRule
     from ..source import Span
 
@@ -120,6 +121,7 @@ class CheckContext:
         missing: str | None = None,
         hint: str | None = None,
         notes: Sequence[str] = (),
+        fix: Fix | None = None,
     ) -> None:
         """Note a finding at an attribute's value, or at the element when none is named.
 
@@ -139,6 +141,7 @@ class CheckContext:
                 notes=notes,
                 severity=WARNING,
                 trace=self._trace_of(element),
+                fix=fix,
             ),
             (attribute, missing),
         )
@@ -154,6 +157,7 @@ class CheckContext:
         hint: str | None = None,
         notes: Sequence[str] = (),
         among: Sequence[Element] = (),
+        fix: Fix | None = None,
     ) -> None:
         """Note a fault that parsers refuse; see `warn`.
 
@@ -171,6 +175,7 @@ class CheckContext:
                 notes=notes,
                 severity=WARNING if _are_taken_as_they_are(elements) else ERROR,
                 trace=self._trace_of(element),
+                fix=fix,
             ),
             (attribute, missing),
         )

@@ -12,6 +12,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from ..fixes import Fix
     from ..source import Span
     from ..xml.tree import Node, ValueSpans
     from .lowering import Lowering
@@ -211,7 +212,8 @@ def _warn_of_key(lowering: Lowering, child: Element, place: PartPlace) -> None:
     )
     hint = f"{hint} (<{name}>: is always an element)"
     if hint.startswith("did you mean"):
-        lowering.warn("unknown-key", message, child.span, hint=hint, trace=child.trace)
+        fix = _fix_of_key(child.span, name, place)
+        lowering.warn("unknown-key", message, child.span, hint=hint, trace=child.trace, fix=fix)
     else:
         lowering.warn("misplaced-key", message, child.span, hint=hint, trace=child.trace)
 
@@ -222,6 +224,12 @@ def _warning_hint(name: str, place: PartPlace) -> str | None:
         return home
     near = near_key(name, place.all_keys)
     return f"did you mean '{near}'?" if near else None
+
+
+def _fix_of_key(span: Span, name: str, place: PartPlace) -> Fix | None:
+    from ..fixes import respelling
+
+    return respelling(span, name, near_key(name, place.all_keys), is_safe=True)
 
 
 def near_key(name: str, keys: frozenset[str]) -> str | None:

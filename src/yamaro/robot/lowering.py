@@ -11,6 +11,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
     from ..diagnostics import Diagnostic, Frame, Reporter, YamaroError
+    from ..fixes import Fix
     from ..model.mesh_integrals import SolidMoments
     from ..model.shapes import Inertia
     from ..source import Source, Span
@@ -205,11 +206,18 @@ class Lowering:
                 self.errors.append(diagnostic)
 
     def warn(
-        self, code: str, message: str, span: Span, *, hint: str | None, trace: Frame | None
+        self,
+        code: str,
+        message: str,
+        span: Span,
+        *,
+        hint: str | None,
+        trace: Frame | None,
+        fix: Fix | None = None,
     ) -> None:
         """Report a warning; see `Diagnostic`."""
         self.reports += 1
-        self.reporter.warn(code, message, span, hint=hint, trace=trace)
+        self.reporter.warn(code, message, span, hint=hint, trace=trace, fix=fix)
 
     def once(self, key: Element, lower: Callable[[Lowering, Element], Element]) -> Element:
         """Return what `lower` makes of a key: where the key has a memo, the same in every place.

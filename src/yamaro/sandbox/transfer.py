@@ -9,8 +9,10 @@ where it is shown.
 from __future__ import annotations
 
 import os
+from itertools import pairwise
 
 from ..diagnostics import ERROR, FRAME_KINDS, WARNING, Diagnostic, Frame, YamaroError
+from ..fixes import Edit, Fix
 from ..policy import Limits
 from ..source import STANDARD_INPUT_NAME, Reading, RecordedSpan, Source, Span
 from ..xml.names import bad_name_character
@@ -31,6 +33,10 @@ _ELEMENT, _TEXT, _COMMENT = b"e", b"t", b"c"
 _RECORDED = b"r"
 """Begins a place that holds more than the stretch of text; those that do not begin with a digit."""
 LONGEST_CODE = 60
+LONGEST_EDIT = 20_000
+"""Bytes that an edit writes."""
+MOST_EDITS = 1_000
+"""Edits of a fix."""
 LONGEST_PATH = 4096
 """Bytes of a path, and of a name that files are shown under: PATH_MAX of Linux."""
 
@@ -287,8 +293,15 @@ class _Packer:
                 _texts([] if diagnostic.hint is None else [diagnostic.hint]),
                 _texts(diagnostic.notes),
                 _numbers(self.frame(diagnostic.trace)),
+                self._fix(diagnostic.fix),
             ]
         )
+
+    def _fix(self, fix: Fix | None) -> bytes:
+        if fix is None:
+            return b""
+        edits = [pack([self.span(each.span), _text(each.text)]) for each in fix.edits]
+        return pack([_text(fix.title), _numbers(fix.is_safe), pack(edits)])
 
     def tree(self, root: Element) -> bytes:
         """Pack all nodes, each after the one it is in, with the number of that."""
@@ -382,7 +395,7 @@ class _Unpacker:
         return self._frames[_checked(number - 1, len(self._frames))] if number else None
 
     def diagnostic(self, data: bytes) -> Diagnostic:
-        severity, code, message, place, hints, notes, trace = unpack(data)
+        severity, code, message, place, hints, notes, trace, fix = unpack(data)
         if severity not in (ERROR.encode(), WARNING.encode()):
             raise ValueError("there is no such severity")
         return Diagnostic(
@@ -393,7 +406,21 @@ class _Unpacker:
             notes=_read_texts(notes),
             severity=_read_text(severity),
             trace=self.frame(*_read_numbers(trace, 1)),
+            fix=self._fix(fix) if fix else None,
         )
+
+    def _fix(self, data: bytes) -> Fix:
+        title, safety, packed = unpack(data)
+        (is_safe,) = _read_numbers(safety, 1)
+        edits: list[Edit] = []
+        for each in unpack(packed):
+            place, text = unpack(each)
+            if len(text) > LONGEST_EDIT or len(edits) == MOST_EDITS:
+                raise ValueError("a fix is too long")
+            edits.append(Edit(self.span(place), text.decode()))
+        if any(one.span.end > next_one.span.start for one, next_one in pairwise(edits)):
+            raise ValueError("the edits of a fix overlap")
+        return Fix(_read_text(title), edits, is_safe=bool(is_safe))
 
     def tree(self, data: bytes) -> Element:
         nodes: list[Node] = []

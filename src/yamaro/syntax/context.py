@@ -10,6 +10,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable
     from typing import ParamSpec, TypeVar
 
+    from ..fixes import Fix
     from ..source import Span
     from .keys import PlainKey
     from .python import PythonCode
@@ -68,6 +69,14 @@ class ParseContext:
         """Keep the diagnostics of an error."""
         self.errors.extend(error.diagnostics)
 
-    def warn(self, code: str, message: str, span: Span, *, hint: str | None = None) -> None:
+    def warn(
+        self,
+        code: str,
+        message: str,
+        span: Span,
+        *,
+        hint: str | None = None,
+        fix: Fix | None = None,
+    ) -> None:
         """Keep a warning."""
-        self.reporter.warn(code, message, span, hint=hint)
+        self.reporter.warn(code, message, span, hint=hint, fix=fix)

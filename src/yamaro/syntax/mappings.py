@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ..diagnostics import did_you_mean, failure
+from ..diagnostics import failure
 from ..source import Span
 from ..yaml.nodes import MappingNode, ScalarNode, SequenceNode
 from .context import ParseContext
@@ -14,6 +14,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from ..diagnostics import YamaroError
     from ..yaml.nodes import YamlNode
 
 Pairs = list[tuple[ScalarNode, "YamlNode"]]
@@ -124,6 +125,19 @@ def _entries_hint(text: str, known: Sequence[str]) -> str:
     return f"it takes {', '.join(names)}; statements and elements go under `body:`"
 
 
+def _unknown_entry(what: str, key: ScalarNode, known: Sequence[str]) -> YamaroError:
+    from ..suggestions import meant_word
+
+    hint, fix = meant_word(key.text, known, key.span())
+    return failure(
+        "unknown-key",
+        f"`{what}` has no entry '{key.text}'",
+        key.span(),
+        hint=hint or _entries_hint(key.text, known),
+        fix=fix,
+    )
+
+
 class Entries:
     """The entries of a statement, each meant once, taken out one by one."""
 
@@ -141,12 +155,7 @@ class Entries:
         self._pairs: dict[str, tuple[ScalarNode, YamlNode]] = {}
         for key, node in pairs:
             if key.text not in known:
-                raise failure(
-                    "unknown-key",
-                    f"`{what}` has no entry '{key.text}'",
-                    key.span(),
-                    hint=did_you_mean(key.text, known) or _entries_hint(key.text, known),
-                )
+                raise _unknown_entry(what, key, known)
             refuse_twice(self._pairs.get(key.text), key, what)
             self._pairs[key.text] = (key, node)
 

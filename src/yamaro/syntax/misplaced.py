@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ..diagnostics import did_you_mean, failure, suggest
+from ..diagnostics import failure, suggest
 from ..yaml.nodes import MappingNode, ScalarNode, SequenceNode
 from .context import ParseContext
 from .names import ROBOT_SECTIONS, ROOT_STATEMENTS, STATEMENTS, head_of, is_function_name
@@ -25,12 +25,15 @@ def refuse_at_root(key: ScalarNode) -> None:
             key.span(),
             hint="move it under `model:` or into the body of a function",
         )
+    from ..suggestions import meant_word
+
+    hint, fix = meant_word(word, ROOT_STATEMENTS, key.span())
     raise failure(
         "misplaced-statement",
         f"'{word}' is not allowed in an `if` or `for` at the root of a file",
         key.span(),
-        hint=did_you_mean(word, ROOT_STATEMENTS)
-        or "put elements under `model:`, and also an `if` that contains them",
+        hint=hint or "put elements under `model:`, and also an `if` that contains them",
+        fix=fix,
     )
 
 
@@ -60,11 +63,14 @@ def warn_of_misspelt_statement(key: ScalarNode, node: YamlNode, context: ParseCo
     inside = _keys_inside(node)
     telling = {"condition", "body", "iterator", "range", "in", "path", "name", "joint", "link"}
     if near in ("include", "variables", "functions", "process") or inside & telling:
+        from ..fixes import respelling
+
         context.warn(
             "misspelt-statement",
             f"'{word}' creates an XML element; did you mean the statement `{near}`?",
             key.span(),
             hint=f"write {near}: for the statement, or <{word}>: for the element",
+            fix=respelling(key.span(), word, near),
         )
 
 

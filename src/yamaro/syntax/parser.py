@@ -230,11 +230,14 @@ def _has_entries(node: SequenceNode) -> bool:
 
 
 def _refuse_misspelt(key: ScalarNode, near: str) -> None:
+    from ..fixes import respelling
+
     raise failure(
         "unknown-section",
         f"'{key.text}' is not a section of a file",
         key.span(),
         hint=f"did you mean `{near}`? for a root element of that name, write <{key.text}>:",
+        fix=respelling(key.span(), key.text, near, is_safe=True),
     )
 
 
