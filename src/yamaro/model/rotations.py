@@ -6,7 +6,7 @@ the child's axes to the parent's.
 
 from __future__ import annotations
 
-from math import atan2, cos, hypot, sin
+from math import atan2, cos, hypot, sin, sqrt
 
 Vector = tuple[float, float, float]
 Rotation = tuple[Vector, Vector, Vector]
@@ -135,3 +135,26 @@ def rotation_from_quaternion(x: float, y: float, z: float, w: float) -> Rotation
         (2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)),
         (2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)),
     )
+
+
+def quaternion_from_rotation(rotation: Rotation) -> tuple[float, float, float, float]:
+    """Return the unit quaternion w, x, y, z of a rotation; of the two of them that with w ≥ 0.
+
+    Source: J. Diebel, Representing Attitude: Euler Angles, Unit Quaternions, and Rotation Vectors,
+    2006, "Rotation Matrix to Unit Quaternion": the largest part comes from the diagonal, and the
+    others are divided by it.
+    """
+    (a, b, c), (d, e, f), (g, h, i) = rotation
+    parts = (1 + a + e + i, 1 + a - e - i, 1 - a + e - i, 1 - a - e + i)
+    largest = parts.index(max(parts))
+    size = parts[largest]  # four times the square of that part
+    w, x, y, z = (
+        (size, h - f, c - g, d - b),
+        (h - f, size, b + d, c + g),
+        (c - g, b + d, size, f + h),
+        (d - b, c + g, f + h, size),
+    )[largest]
+    length = sqrt(w * w + x * x + y * y + z * z)
+    if w < 0:
+        length = -length
+    return (w / length, x / length, y / length, z / length)
