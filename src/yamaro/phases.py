@@ -86,7 +86,9 @@ def add_gazebo(root: Element, notes: Sequence[Element], reporter: Reporter) -> E
     from .model.reading import read_robot
     from .targets.gazebo import with_gazebo
 
-    return with_gazebo(root, read_robot(root, notes=notes), reporter)
+    # What the robot says to Gazebo in elements of its own is written already.
+    robot = read_robot(root, notes=notes, recognizes=False)
+    return with_gazebo(root, robot, reporter)
 
 
 def check(

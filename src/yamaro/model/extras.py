@@ -1,7 +1,8 @@
 """What a robot has besides links and joints: sensors, actuators, surfaces, states, groups, loops.
 
 URDF has no elements for these, so that they are read from notes beside the finished `<robot>`:
-elements whose names and attributes `robot/notes.py` and the modules that make them describe.
+elements whose names and attributes `robot/notes.py` and the modules that make them describe. What
+the robot says in elements of other programs, such as `<gazebo>`, `recognition.py` notes.
 """
 
 from __future__ import annotations
@@ -57,9 +58,10 @@ class Actuator(Noted):
         kd: the gain of velocity, in N·m·s/rad or N·s/m, or None.
         armature: the inertia of the rotor seen at the joint, in kg·m² or kg, or None.
         gear: turns of the motor for one of the joint; 1 by default.
+        commands: all commands that it takes, if a file says them; else `command`.
     """
 
-    __slots__ = ("armature", "command", "gear", "joint", "kd", "kp")
+    __slots__ = ("armature", "command", "commands", "gear", "joint", "kd", "kp")
 
     def __init__(self, element: Element) -> None:
         super().__init__(element)
@@ -70,6 +72,7 @@ class Actuator(Noted):
         self.armature = self.number("armature")
         gear = self.number("gear")
         self.gear = 1.0 if gear is None else gear
+        self.commands = tuple(self._text("commands").split()) or (self.command,)
 
 
 class Surface(Noted):
@@ -290,7 +293,3 @@ def _of(notes: Iterable[Element], kind: str) -> list[Element]:
 
 def _trace_of(note: Element) -> Step | None:
     return None if note.trace is INHERITED else note.trace
-
-
-NOTHING = Extras()
-"""The extras of a robot that has none."""

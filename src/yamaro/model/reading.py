@@ -10,7 +10,6 @@ from math import inf, isfinite
 
 from ..diagnostics import INHERITED, WARNING, Diagnostic, failure
 from ..xml.tree import Element
-from .extras import NOTHING, Extras
 from .joint import Calibration, Dynamics, Joint, Limit, Mimic, SafetyController
 from .link import Collision, Inertial, Link, Material, Visual
 from .pose import IDENTITY, Pose
@@ -70,6 +69,7 @@ def read_robot(
     largest: float = inf,
     numbers: NumberReader | None = None,
     whole: bool = False,
+    recognizes: bool = True,
 ) -> Robot:
     """Return the robot of a finished tree, which must not be changed afterwards.
 
@@ -81,6 +81,8 @@ def read_robot(
         largest: numbers beyond it are treated like those that cannot be read.
         numbers: reads numbers, and has read some already; by default a new one.
         whole: whether all of it is read at once.
+        recognizes: whether `<gazebo>`, `<ros2_control>` and `<transmission>` are read for what
+            the notes do not say, when that is first used.
 
     Raises:
         YamaroError: `not-urdf`: the root is another element.
@@ -93,7 +95,7 @@ def read_robot(
             hint="the root of a URDF is 'robot'",
         )
     reader = _Reader(root, largest, numbers or NumberReader(largest))
-    return reader.robot(Extras(notes) if notes else NOTHING, whole=whole)
+    return reader.robot(notes, whole=whole, recognizes=recognizes)
 
 
 class _Reader:
@@ -119,7 +121,9 @@ class _Reader:
         self._collisions: dict[int, Collision] = {}
         self._link_reader, self._joint_reader = self._read_link, self._read_joint  # bound once
 
-    def robot(self, extras: Extras = NOTHING, *, whole: bool = False) -> Robot:
+    def robot(
+        self, notes: Sequence[Element] = (), *, whole: bool = False, recognizes: bool = True
+    ) -> Robot:
         """Return the robot; `whole` reads all of it now."""
         links: list[Link] = []
         joints: list[Joint] = []
@@ -147,7 +151,8 @@ class _Reader:
             joints=joints,
             materials=materials,
             find=self._find_all,
-            extras=extras,
+            notes=notes,
+            recognizes=recognizes,
         )
 
     def _find_all(self) -> list[Diagnostic]:

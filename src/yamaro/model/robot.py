@@ -23,7 +23,6 @@ from __future__ import annotations
 from math import fsum
 
 from ..diagnostics import suggest
-from .extras import NOTHING
 from .joint import FIXED
 from .values import attribute_text
 from .written import Written
@@ -31,7 +30,7 @@ from .written import Written
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     import os
-    from collections.abc import Callable, Iterator, Mapping
+    from collections.abc import Callable, Iterator, Mapping, Sequence
     from typing import TypeVar
 
     from ..diagnostics import Diagnostic
@@ -97,7 +96,8 @@ class Robot(Written):
     """
 
     __slots__ = (
-        "_extras", "_find", "_findings", "_joints_below", "_materials", "_parent_joints",
+        "_extras", "_find", "_findings", "_joints_below", "_materials", "_notes", "_parent_joints",
+        "_recognizes",
         "all_joints", "all_links", "joints", "links", "name", "own_materials", "version",
     )  # fmt: skip
 
@@ -109,7 +109,8 @@ class Robot(Written):
         joints: list[Joint],
         materials: list[Material],
         find: Callable[[], list[Diagnostic]],
-        extras: Extras = NOTHING,
+        notes: Sequence[Element] = (),
+        recognizes: bool = True,
     ) -> None:
         """Put together what was read; see `reading.read_robot`.
 
@@ -119,7 +120,8 @@ class Robot(Written):
             joints: all joints.
             materials: its own, which are not those of visuals.
             find: reads the whole robot, and returns what could not be read.
-            extras: what it has besides links and joints.
+            notes: what words say that it has besides links and joints.
+            recognizes: whether elements such as `<gazebo>` say it as well.
         """
         self.element = element
         self.name = attribute_text(element, "name") or ""
@@ -132,7 +134,9 @@ class Robot(Written):
         self._materials: dict[str, Material] | None = None
         self._find = find
         self._findings: tuple[Diagnostic, ...] | None = None
-        self._extras = extras
+        self._notes = notes
+        self._recognizes = recognizes
+        self._extras: Extras | None = None
         self._parent_joints: dict[str, Joint] | None = None
         self._joints_below: dict[str, list[Joint]] | None = None
 
@@ -240,50 +244,66 @@ class Robot(Written):
 
     # --- what URDF has no elements for ---
 
+    def _more(self) -> Extras:
+        """Return what it has besides links and joints, which is read when it is first used."""
+        if self._extras is None:
+            from .extras import Extras
+
+            notes = list(self._notes)
+            if self._recognizes:
+                from .recognition import recognized
+
+                notes += recognized(self, self._notes)
+            self._extras = Extras(notes)
+        return self._extras
+
     @property
     def sensors(self) -> Mapping[str, Sensor]:
-        """Return the sensors by name, in order."""
-        return self._extras.sensors
+        """Return the sensors by name, in order: those of words, then those in `<gazebo>`."""
+        return self._more().sensors
 
     @property
     def actuators(self) -> Mapping[str, Actuator]:
-        """Return the actuators by the names of their joints, in order."""
-        return self._extras.actuators
+        """Return the actuators by the names of their joints, in order.
+
+        Those of words come first, then those in `<ros2_control>` and in `<transmission>`.
+        """
+        return self._more().actuators
 
     @property
     def surfaces(self) -> tuple[Surface, ...]:
-        """Return the surfaces of collisions, in order."""
-        return self._extras.surfaces
+        """Return the surfaces of collisions, in order: those of words, then those in `<gazebo>`."""
+        return self._more().surfaces
 
     @property
     def states(self) -> Mapping[str, State]:
         """Return the named positions of joints; those of an attached robot are merged."""
-        return self._extras.states
+        return self._more().states
 
     @property
     def groups(self) -> Mapping[str, Group]:
         """Return the named groups of links and joints."""
-        return self._extras.groups
+        return self._more().groups
 
     @property
     def loops(self) -> Mapping[str, Loop]:
         """Return the joints that close loops, by name."""
-        return self._extras.loops
+        return self._more().loops
 
     @property
     def controls(self) -> tuple[Control, ...]:
-        """Return the hardware that drives the joints."""
-        return self._extras.controls
+        """Return the hardware that drives the joints: of words, then of `<ros2_control>`."""
+        return self._more().controls
 
     @property
     def collision_settings(self) -> CollisionSettings | None:
         """Return how pairs of links that never collide are found, or None if nothing says it."""
-        return self._extras.collision_settings
+        return self._more().collision_settings
 
     @property
     def base(self) -> Base | None:
         """Return how the robot is placed in the world, as the main file says it, or None."""
-        return self._extras.base
+        return self._more().base
 
     # --- kinematics and mass ---
 

@@ -4,11 +4,15 @@ from __future__ import annotations
 
 from math import pi, tau
 
+from .pose import IDENTITY, Pose
+from .rotations import rotation_from_rpy
 from .values import attribute_text, read_numbers
 from .written import Written
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Mapping
+
     from ..diagnostics import Frame as Step
     from ..xml.tree import Element
 
@@ -29,34 +33,40 @@ class Lidar:
         range: the least and the greatest distance, in metres; 0.1 and 10 by default.
     """
 
-    __slots__ = ("angle", "range", "rays", "rows", "tilt")
+    __slots__ = ("_ends", "_tilt_ends", "angle", "range", "rays", "rows", "tilt")
 
     def __init__(self, element: Element) -> None:
         self.rays = _count(element, "rays", 360)
-        self.angle = _number(element, "angle", tau)
         self.rows = _count(element, "rows", 1)
-        self.tilt = _number(element, "tilt", 0.0)
         self.range = _pair(element, "range", (0.1, 10.0))
+        self.angle = _number(element, "angle", tau)
+        self.tilt = _number(element, "tilt", 0.0)
+        step = self.angle / self.rays if _is_circle(self.angle) else 0.0
+        self._ends = (-self.angle / 2, self.angle / 2 - step)
+        self._tilt_ends = (-self.tilt / 2, self.tilt / 2)
+        if "ends" in element.attributes:
+            self._ends = first, last = _pair(element, "ends", self._ends)
+            self._tilt_ends = lowest, highest = _pair(element, "tilt_ends", self._tilt_ends)
+            self.angle, self.tilt = last - first, highest - lowest
+            self.angle = tau if _is_circle(self.angle + self.step) else self.angle
 
     @property
     def step(self) -> float:
         """Return the angle between two rays; a full circle does not repeat its first ray."""
-        if self.rays == 1:
-            return 0.0
-        is_circle = abs(self.angle - tau) <= _FULL_CIRCLE_TOLERANCE
-        return self.angle / (self.rays if is_circle else self.rays - 1)
+        first, last = self._ends
+        return 0.0 if self.rays == 1 else (last - first) / (self.rays - 1)
 
     def ends(self) -> tuple[float, float]:
-        """Return the angles of the first and the last ray: ray k is at -angle/2 + k·step."""
-        if self.rays == 1:
-            return 0.0, 0.0
-        first = -self.angle / 2
-        is_circle = abs(self.angle - tau) <= _FULL_CIRCLE_TOLERANCE
-        return first, self.angle / 2 - (self.step if is_circle else 0.0)
+        """Return the angles of the first and the last ray about z; 0 is straight ahead."""
+        return (0.0, 0.0) if self.rays == 1 else self._ends
 
     def tilt_ends(self) -> tuple[float, float]:
         """Return the angles of the lowest and the highest row above the horizontal."""
-        return (0.0, 0.0) if self.rows == 1 else (-self.tilt / 2, self.tilt / 2)
+        return (0.0, 0.0) if self.rows == 1 else self._tilt_ends
+
+
+def _is_circle(angle: float) -> bool:
+    return abs(angle - tau) <= _FULL_CIRCLE_TOLERANCE
 
 
 class Camera:
@@ -103,14 +113,19 @@ class Sensor(Written):
         joint: the name of the joint that it is in, or None.
         frame: the name of the frame that it measures in; None in a joint.
         rate: in Hz, or None.
+        pose: T_frame_sensor; nothing but what a file written for Gazebo says of a sensor that has
+            no frame of its own.
         noise: the standard deviation, in the unit of what is measured, or None.
+        noises: the standard deviation of each quantity, such as `angular_velocity`, where one
+            number does not say it; `noise` is None then.
         topic: the name of its topic, or None.
         details: what a lidar, a camera or a range sensor sees; else None.
         trace: the calls and includes that led to it, innermost first.
     """
 
     __slots__ = (
-        "details", "frame", "joint", "link", "name", "noise", "rate", "topic", "trace", "type",
+        "details", "frame", "joint", "link", "name", "noise", "noises", "pose", "rate", "topic",
+        "trace", "type",
     )  # fmt: skip
 
     def __init__(self, element: Element, trace: Step | None) -> None:
@@ -122,14 +137,20 @@ class Sensor(Written):
         self.joint = attribute_text(element, "joint")
         self.frame = attribute_text(element, "frame")
         self.rate = self.number("rate")
+        self.pose = _pose(element)
         self.noise = self.number("noise")
+        words = (attribute_text(element, "noises") or "").split()
+        self.noises: Mapping[str, float] = dict(zip(words[::2], map(float, words[1::2])))  # noqa: B905
         self.topic = attribute_text(element, "topic")
         self.details = _details(element, self.type)
 
     @property
     def optical_frame(self) -> str | None:
-        """Return the frame of a camera in which z points forward (REP 103); else None."""
-        return f"{self.name}_optical" if self.type in CAMERAS else None
+        """Return the frame of a camera in which z points forward (REP 103), or None."""
+        found = attribute_text(self.element, "optical_frame")
+        if found is None and self.type in CAMERAS:
+            return f"{self.name}_optical"
+        return found or None
 
     def __repr__(self) -> str:
         return f"<Sensor '{self.name}' of type {self.type} at {self.span.place()}>"
@@ -141,6 +162,14 @@ def _details(element: Element, kind: str) -> Lidar | Camera | Ranger | None:
     if kind in CAMERAS:
         return Camera(element)
     return Ranger(element) if kind == RANGE else None
+
+
+def _pose(element: Element) -> Pose:
+    """Return the pose that a note of a file has."""
+    if "xyz" not in element.attributes:
+        return IDENTITY
+    (x, y, z), (roll, pitch, yaw) = _row(element, "xyz"), _row(element, "rpy")
+    return Pose(rotation_from_rpy(roll, pitch, yaw), (x, y, z))
 
 
 def _row(element: Element, attribute: str) -> tuple[float, ...]:
