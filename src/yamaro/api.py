@@ -35,6 +35,10 @@ def build(
     allow: Iterable[str] = (),
     deny: Iterable[str] = (),
     records: bool = False,
+    target: str | Sequence[str] | None = None,
+    base: str | None = None,
+    repair_inertia: bool = False,
+    sdf_version: str | None = None,
 ) -> Build:
     """Compile a file.
 
@@ -61,27 +65,28 @@ def build(
         deny: codes of diagnostics that are errors.
         records: let the places in the tree hold which variables were read there, for
             `yamaro why`; slower.
+        target: the output format: "urdf", "sdf", "mjcf", "srdf" or "usd"; what it cannot hold is
+            in `Build.losses`, and a warning. With several, the result is the build of the first,
+            and `Build.outputs` has all. By default URDF or other XML, without such warnings.
+        base: whether the root is "fixed" in the world or "free", in a format that says so; by
+            default as the robot says.
+        repair_inertia: balance inertia that no body can have, instead of refusing it.
+        sdf_version: "1.11" (the default) or "1.9".
 
     Raises:
         YamaroError: the input has errors; it holds them, and the warnings found before.
-        UsageError: the main file cannot be read, a `name:=value` or `meshes` is malformed, or a
-            code of `allow` or `deny` is unknown or always an error.
+        UsageError: the main file cannot be read, a `name:=value` or the value of another argument
+            is malformed, or a code of `allow` or `deny` is unknown or always an error.
     """
     program = Program(
         path, text=text, loader=loader, policy=policy, packages=packages, allow=allow, deny=deny
     )
     return program.build(
-        command_line=command_line,
-        variables=variables,
-        strict=strict,
-        advice=advice,
-        on_message=on_message,
-        has_root=has_root,
-        output=output,
-        meshes=meshes,
-        gazebo=gazebo,
-        records=records,
-    )
+        command_line=command_line, variables=variables, strict=strict, advice=advice,
+        on_message=on_message, has_root=has_root, output=output, meshes=meshes, gazebo=gazebo,
+        records=records, target=target, base=base, repair_inertia=repair_inertia,
+        sdf_version=sdf_version,
+    )  # fmt: skip
 
 
 def convert(

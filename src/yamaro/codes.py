@@ -15,7 +15,7 @@ ADJUSTABLE = frozenset(
     bad-inertia bad-mass bad-mesh bad-name bad-size bad-version capsule-needs-urdf-1.1
     comment-entry dollar-in-string duplicate-joint duplicate-link duplicate-material far-center
     fixed-mimic function-replaced gimbal-rpy hidden-value ignored-limit joint-cycle large-mesh
-    leftover-expression limit-order long-chain lost-in-urdf massless-moving mimic-cycle
+    leftover-expression limit-order long-chain massless-moving mimic-cycle
     mirror-axis mirror-raw misplaced-key misplaced-part missing-attribute missing-element
     missing-extra missing-limit missing-mesh-file misspelt-statement needs-version
     negative-value no-link no-range not-a-number not-urdf odd-density odd-inertia odd-mass
@@ -27,6 +27,13 @@ ADJUSTABLE = frozenset(
     xacro-ignored xacro-lost xacro-message xacro-name xacro-no-files xacro-prefix
     xacro-redefined xacro-scope xacro-syntax xacro-unknown-attribute zero-axis zero-limit
     zero-outside-limits
+    """.split()
+) | frozenset(
+    """
+    lost-in-urdf approximated-in-urdf lost-in-srdf
+    lost-in-sdf approximated-in-sdf renamed-in-sdf
+    lost-in-mjcf approximated-in-mjcf renamed-in-mjcf
+    lost-in-usd approximated-in-usd renamed-in-usd
     """.split()
 )
 """What a document can be written with: the warnings, the advice, the errors of finished robots."""

@@ -19,10 +19,10 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
     from typing import TypeVar
 
+    from .request import Request, Target
     from .result import Build
     from .sandbox.jail import JailError, JailLimits
-    from .sandbox.transfer import Outcome
-    from .targets.mesh_paths import MeshPaths
+    from .sandbox.outcome import Document, Outcome
 
     T = TypeVar("T")
 
@@ -102,7 +102,8 @@ def run_confined(
         outcome = from_bytes(data, policy.limits)
         if has_root and outcome.root is None and not outcome.has_errors:
             raise JailAnswerBroken("the answer holds no tree")
-        if has_document and not outcome.pieces and not outcome.has_errors:
+        has_some = outcome.pieces or outcome.documents
+        if has_document and not has_some and not outcome.has_errors:
             raise JailAnswerBroken("the answer holds no document")
         return outcome
 
@@ -119,29 +120,56 @@ def run_confined(
 
 def outcome_of_build(build: Build, *, has_root: bool) -> Outcome:
     """Return what leaves the jail of a build; with `has_root` the tree does too."""
-    from .sandbox.transfer import Outcome
+    from .sandbox.outcome import Outcome
     from .xml.tree import unshared
 
     return Outcome(
         diagnostics=build.warnings,
-        pieces=build.pieces,
+        pieces=() if build.outputs else build.pieces,
         files=build.files,
         meshes=build.meshes,
-        root=build.root if has_root else None,
+        root=build.robot_tree() if has_root else None,
         notes=[unshared(note) for note in build.notes] if has_root else (),
+        documents=[_document_of(each, build, has_root=has_root) for each in build.outputs.values()],
     )
 
 
-def build_of_outcome(outcome: Outcome, paths: MeshPaths, limits: Limits) -> Build:
+def _document_of(build: Build, first: Build, *, has_root: bool) -> Document:
+    """Return what leaves the jail of a build in a format; `first` is that of the first format."""
+    from .sandbox.outcome import Document
+    from .targets.losses import packed
+    from .xml.tree import unshared
+
+    has_own = has_root and build.notes is not first.notes
+    return Document(
+        build.format,
+        build.xml(),
+        root=build.root if has_root and build.format != "urdf" else None,
+        losses=packed(build.losses, build.format),
+        assets=None if build.format == "urdf" else build.assets,
+        robot=build.robot_tree() if has_own else None,
+        notes=[unshared(note) for note in build.notes] if has_own else (),
+    )
+
+
+def build_of_outcome(outcome: Outcome, request: Request, policy: Policy) -> Build:
     """Return the build that left a jail; meshes are named here, as only here the output is known.
 
     Raises:
-        YamaroError: the document is longer than the limits allow.
+        YamaroError: the document is longer than the limits allow, or the formats are not those
+            asked for.
     """
     from .result import Build
+    from .sandbox.jail import JailError
 
+    if request.targets:
+        try:
+            return _first_output(outcome, request.targets)
+        except JailError as error:
+            raise _failure_of_jail(error, policy, request.source.name) from None
+    paths = request.paths
     if outcome.root is not None and outcome.root.name == "robot":  # as it was written
-        outcome.pieces = write_pieces(paths.applied_to(outcome.root), limits)
+        outcome.pieces = write_pieces(paths.applied_to(outcome.root), policy.limits)
 
     return Build(
         lambda: outcome.meshes,
@@ -151,6 +179,46 @@ def build_of_outcome(outcome: Outcome, paths: MeshPaths, limits: Limits) -> Buil
         warnings=outcome.diagnostics,
         files=outcome.files,
         notes=outcome.notes,
+    )
+
+
+def _first_output(outcome: Outcome, targets: Sequence[Target]) -> Build:
+    """Return the build of the first format that left a jail, with those of all in its `outputs`."""
+    from .sandbox.jail import JailAnswerBroken
+
+    if [each.format for each in outcome.documents] != [each.format for each in targets]:
+        raise JailAnswerBroken("the answer holds other formats than were asked for")
+    builds = {
+        target.format: _build_of_document(document, target, outcome)
+        for document, target in zip(outcome.documents, targets, strict=True)
+    }
+    first = builds[targets[0].format]
+    first.outputs = builds
+    return first
+
+
+def _build_of_document(document: Document, target: Target, outcome: Outcome) -> Build:
+    from .result import Build
+    from .sandbox.jail import JailAnswerBroken
+    from .targets.losses import unpacked
+
+    has_own = document.robot is not None
+    try:
+        losses = unpacked(document.losses)
+    except ValueError as error:
+        raise JailAnswerBroken(f"its answer is malformed: {error}") from None
+    return Build(
+        lambda: outcome.meshes,
+        finished=document.robot if has_own else outcome.root,
+        paths=target.paths,
+        pieces=[document.text],
+        warnings=outcome.diagnostics,
+        files=outcome.files,
+        notes=document.notes if has_own else outcome.notes,
+        format=target.format,
+        document=document.root,
+        losses=losses,
+        assets=document.assets,
     )
 
 

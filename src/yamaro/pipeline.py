@@ -6,13 +6,15 @@ from .diagnostics import Reporter, YamaroError
 from .phases import add_gazebo, check, evaluate, lower
 from .result import Build, Finished
 from .runtime.interpreter import Interpreter
+from .runtime.predefined import TARGET
 from .runtime.statements import HANDLERS
 from .xml.writer import write_pieces
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Iterable
 
+    from .diagnostics import Diagnostic
     from .policy import Policy
     from .request import Request
     from .runtime.interpreter import Handlers
@@ -35,25 +37,14 @@ def compile_request(
         YamaroError: the input has errors.
     """
     reporter, finder = request.reporter, request.paths.finder
-    interpreter = Interpreter(
-        _handlers(request),
-        library=library,
-        reporter=reporter,
-        on_message=say,
-        policy=policy,
-        packages=request.packages,
-        shares=not request.records,
-    )
+    interpreter = interpreter_for(request, library, policy, say)
     evaluated = evaluate(request, interpreter)
     document = _lower_check_emit(evaluated, request, interpreter)
     finished = document.root
     if finished is not None:
         request.adjustment.allow(document.diagnostics)
     else:
-        from .runtime.origins import add_origins
-
-        for diagnostic in document.diagnostics:
-            add_origins(diagnostic, interpreter.files, interpreter.places)
+        explain(document.diagnostics, interpreter)
     if finished is None or request.adjustment.deny(document.diagnostics):
         raise YamaroError(document.diagnostics)
     for diagnostic in document.diagnostics:
@@ -67,6 +58,43 @@ def compile_request(
         warnings=reporter.diagnostics,
         files=list(interpreter.files.read),
     )
+
+
+def interpreter_for(
+    request: Request,
+    library: Library,
+    policy: Policy,
+    say: Callable[[str], None],
+    *,
+    target: str = TARGET,
+) -> Interpreter:
+    """Return what runs the main file; for the other arguments see `compile_request`.
+
+    Args:
+        request: the main file, and what was asked for with it.
+        library: reads and parses files.
+        policy: how far they are trusted.
+        say: takes the lines that they print.
+        target: the output format that is written.
+    """
+    return Interpreter(
+        _handlers(request),
+        library=library,
+        reporter=request.reporter,
+        on_message=say,
+        policy=policy,
+        packages=request.packages,
+        shares=not request.records,
+        target=target,
+    )
+
+
+def explain(errors: Iterable[Diagnostic], interpreter: Interpreter) -> None:
+    """Note in errors that are raised where the values come from that are wrong."""
+    from .runtime.origins import add_origins
+
+    for diagnostic in errors:
+        add_origins(diagnostic, interpreter.files, interpreter.places)
 
 
 def _handlers(request: Request) -> Handlers:

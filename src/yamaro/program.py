@@ -17,7 +17,7 @@ from .runtime.collector import RareCollection
 from .runtime.library import Library, rules_of
 from .sandbox.deadline import TimeOver, run_within
 from .sandbox.deep_stack import run_on_deep_stack
-from .targets.mesh_paths import COPY, RELATIVE, MeshPaths
+from .targets.mesh_paths import COPY, NONE, RELATIVE, MeshPaths
 from .terminal import harmless
 
 TYPE_CHECKING = False
@@ -29,7 +29,7 @@ if TYPE_CHECKING:
     from .files.loader import Loader
     from .files.packages import PackageFinder
     from .result import Build
-    from .sandbox.transfer import Outcome
+    from .sandbox.outcome import Outcome
     from .source import Source
     from .targets.assets import Assets
 
@@ -99,7 +99,7 @@ class Program:
             return
 
         def parse_there(program: Program, say: Say) -> Outcome:
-            from .sandbox.transfer import Outcome
+            from .sandbox.outcome import Outcome
 
             program._parse(source, reporter)
             return Outcome(diagnostics=reporter.diagnostics)
@@ -140,12 +140,16 @@ class Program:
         meshes: str = RELATIVE,
         gazebo: bool = False,
         records: bool = False,
+        target: str | Sequence[str] | None = None,
+        base: str | None = None,
+        repair_inertia: bool = False,
+        sdf_version: str | None = None,
     ) -> Build:
         """Compile the file; see `yamaro.build`.
 
         Raises:
             YamaroError: the input has errors; it holds them, and the warnings found before.
-            UsageError: a `name:=value` or `meshes` is malformed.
+            UsageError: a `name:=value` is malformed, or the value of another argument.
         """
         request = self._request(
             command_line,
@@ -157,6 +161,17 @@ class Program:
             gazebo=gazebo,
             records=records,
         )
+        if target is not None:
+            from .emission import targets_of
+
+            request.targets = targets_of(
+                target,
+                request.paths,
+                has_meshes=meshes != NONE,
+                base=base,
+                repairs_inertia=repair_inertia,
+                sdf_version=sdf_version,
+            )
         return self._compile(request, lambda build: build, say=on_message, has_root=has_root)
 
     def xml_and_warnings(
@@ -221,7 +236,7 @@ class Program:
         say = say or _print_to_standard_error
 
         def compile_here() -> T:
-            return take(compile_request(request, self._library, self._policy, say))
+            return take(self._compiled(request, say))
 
         try:
             if self._has_jail(source):
@@ -235,6 +250,14 @@ class Program:
             raise YamaroError(reporter.diagnostics)
         return result
 
+    def _compiled(self, request: Request, say: Say) -> Build:
+        """Return what is built of a request, in this process."""
+        if not request.targets:
+            return compile_request(request, self._library, self._policy, say)
+        from .emission import compile_targets
+
+        return compile_targets(request, self._library, self._policy, say)
+
     def _compile_confined(self, request: Request, say: Say, *, has_root: bool) -> Build:
         """Return the build that came out of a jail.
 
@@ -244,7 +267,7 @@ class Program:
         from .confined import build_of_outcome, outcome_of_build
 
         def compile_there(program: Program, say: Say) -> Outcome:
-            build = compile_request(request, program._library, program._policy, say)
+            build = program._compiled(request, say)
             return outcome_of_build(build, has_root=has_root)
 
         reporter = request.reporter
@@ -255,7 +278,7 @@ class Program:
             reporter.add(diagnostic)
         if outcome.has_errors:
             raise YamaroError(reporter.diagnostics)
-        return build_of_outcome(outcome, request.paths, self._policy.limits)
+        return build_of_outcome(outcome, request, self._policy)
 
     def _mesh_paths(
         self, mode: str, output: str | os.PathLike[str] | None, packages: PackageFinder
@@ -363,7 +386,7 @@ class Program:
     ) -> Outcome:
         """Return the result of a conversion that is run in a jail, under the policy of this one."""
         from .confined import run_confined
-        from .sandbox.transfer import Outcome
+        from .sandbox.outcome import Outcome
 
         def work_there(say: Say) -> Outcome:
             try:

@@ -4,12 +4,44 @@ from __future__ import annotations
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Sequence
 
     from .diagnostics import Adjustment, Reporter
     from .files.packages import PackageFinder
     from .source import Source, Span
     from .targets.mesh_paths import MeshPaths
+
+
+class Target:
+    """An output format that was asked for, and how.
+
+    Attributes:
+        format: one of `FORMATS`.
+        paths: how its document names meshes.
+        has_meshes: whether shapes that are meshes are written.
+        base: `fixed` or `free`, or None to do as the robot says.
+        repairs_inertia: whether inertia that no body can have is balanced.
+        version: of the format, or "" for the default.
+    """
+
+    __slots__ = ("base", "format", "has_meshes", "paths", "repairs_inertia", "version")
+
+    def __init__(
+        self,
+        format: str,
+        paths: MeshPaths,
+        *,
+        has_meshes: bool = True,
+        base: str | None = None,
+        repairs_inertia: bool = False,
+        version: str = "",
+    ) -> None:
+        self.format = format
+        self.paths = paths
+        self.has_meshes = has_meshes
+        self.base = base
+        self.repairs_inertia = repairs_inertia
+        self.version = version
 
 
 class Request:
@@ -27,6 +59,8 @@ class Request:
         has_advice: whether all advice is wanted, and not only that of codes which are denied.
         has_gazebo: whether sensors and surfaces are written for Gazebo.
         records: whether places hold which variables were read there; see `RecordedSpan`.
+        targets: the output formats asked for; none for URDF or other XML without a word about
+            what it cannot hold.
     """
 
     __slots__ = (
@@ -40,6 +74,7 @@ class Request:
         "reporter",
         "source",
         "stem",
+        "targets",
         "variables",
     )
 
@@ -57,6 +92,7 @@ class Request:
         has_advice: bool,
         has_gazebo: bool = False,
         records: bool = False,
+        targets: Sequence[Target] = (),
     ) -> None:
         self.source = source
         self.stem = stem
@@ -69,6 +105,7 @@ class Request:
         self.has_advice = has_advice
         self.has_gazebo = has_gazebo
         self.records = records
+        self.targets = targets
 
     def wanted_advice(self) -> Callable[[str], bool] | None:
         """Return what decides which codes of advice to report, or None if no advice is wanted."""

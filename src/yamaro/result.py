@@ -6,11 +6,12 @@ from .xml.tree import unshared
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator, Sequence
+    from collections.abc import Callable, Iterator, Mapping, Sequence
 
     from .diagnostics import Diagnostic
     from .model.robot import Robot
     from .targets.mesh_paths import MeshPaths
+    from .targets.output import Loss
     from .xml.tree import Element
 
 PIECES_IN_CHUNK = 10_000
@@ -40,6 +41,9 @@ class Build:
 
     Attributes:
         files: the absolute path of every file read, in order.
+        format: the output format: `urdf` (also for other XML), `sdf`, `mjcf`, `srdf` or `usd`.
+        losses: what the format cannot hold as it is, if a format was asked for.
+        outputs: the builds of all formats that were asked for together, this one among them.
         finder: finds the files of meshes and textures.
         notes: what the robot has that is not an element of the document, such as sensors.
         pieces: the document, in pieces.
@@ -47,6 +51,8 @@ class Build:
     """
 
     __slots__ = (
+        "_assets",
+        "_document",
         "_find_assets",
         "_find_meshes",
         "_finished",
@@ -54,7 +60,10 @@ class Build:
         "_root",
         "files",
         "finder",
+        "format",
+        "losses",
         "notes",
+        "outputs",
         "pieces",
         "warnings",
     )
@@ -69,6 +78,10 @@ class Build:
         warnings: list[Diagnostic],
         files: list[str],
         notes: Sequence[Element] = (),
+        format: str = "urdf",
+        document: Element | None = None,
+        losses: Sequence[Loss] = (),
+        assets: Mapping[str, bytes] | None = None,
     ) -> None:
         """Hold the results of a build.
 
@@ -81,10 +94,16 @@ class Build:
             warnings: what was noticed, in order.
             files: the absolute path of every file read, in order.
             notes: what the robot has that is not an element of the document.
+            format: the output format.
+            document: the root of the document, if it is not the finished tree.
+            losses: what the format cannot hold as it is.
+            assets: what belongs beside the document, if that is known.
         """
         self._find_meshes = find_meshes
         self._root: Element | None = None
         self._finished = finished
+        self._document = document
+        self._assets = assets
         self._robot: Robot | None = None
         self.pieces = pieces
         self._find_assets = paths.assets
@@ -92,6 +111,9 @@ class Build:
         self.warnings = warnings
         self.files = files
         self.notes = notes
+        self.format = format
+        self.losses = losses
+        self.outputs: dict[str, Build] = {}
 
     @property
     def meshes(self) -> list[str]:
@@ -100,24 +122,32 @@ class Build:
 
     @property
     def assets(self) -> dict[str, bytes]:
-        """Return what belongs beside the output with `meshes="copy"`, by paths relative to it.
+        """Return what belongs beside the output, by paths relative to it.
+
+        That are the copies of meshes, for URDF with `meshes="copy"`, and files such as `scene.xml`.
 
         Raises:
             OSError: a mesh cannot be read any more.
         """
+        if self._assets is not None:
+            return dict(self._assets)
         return self._find_assets.of(self.meshes) if self._find_assets else {}
 
     @property
     def root(self) -> Element:
         """Return the root element; every element knows where in the YAML it was made."""
         if self._root is None:
-            self._root = unshared(self._tree())
+            self._root = unshared(self._document or self._tree())
         return self._root
+
+    def robot_tree(self) -> Element:
+        """Return the tree that the document was written from, in which no element is twice."""
+        return unshared(self._tree())
 
     @property
     def root_name(self) -> str:
         """Return the name of the root element, such as `robot`."""
-        return self._tree().name
+        return (self._document or self._tree()).name
 
     @property
     def robot(self) -> Robot:

@@ -16,7 +16,8 @@ from yamaro.fixes import Edit, Fix
 from yamaro.policy import Limits
 from yamaro.sandbox.deep_stack import run_on_deep_stack
 from yamaro.sandbox.jail import JailAnswerBroken, pack, unpack
-from yamaro.sandbox.transfer import Outcome, from_bytes, to_bytes
+from yamaro.sandbox.outcome import Outcome
+from yamaro.sandbox.transfer import from_bytes, to_bytes
 from yamaro.source import Source, Span
 from yamaro.xml.tree import Comment, Element, Text
 from yamaro.xml.writer import write
@@ -158,7 +159,7 @@ def test_a_forged_answer_is_read_or_refused(
     except JailAnswerBroken:
         return
     for diagnostic in outcome.diagnostics:
-        assert all(char.isprintable() for char in render(diagnostic) if char != "\n")
+        assert all(char.isprintable() for char in render(diagnostic) if char not in "\n\t")
         span = diagnostic.span
         assert 0 <= span.start <= span.end <= len(span.source.text)
     if outcome.root is not None:
@@ -213,7 +214,9 @@ FINE = '<?xml version="1.0"?>\n<robot name="r">\n  <link name="é&#10;"/>\n</rob
 
 def answer(**parts: bytes) -> bytes:
     """Return an answer without a tree, with some of its parts replaced."""
-    names = "messages sources frames diagnostics document files meshes nodes notes".split()
+    names = (
+        "messages sources frames diagnostics document files meshes nodes notes documents".split()
+    )
     usual = {"document": FINE.encode()} | parts
     return pack([usual.get(name, b"") for name in names])
 
@@ -264,6 +267,47 @@ BEGINNING = '<?xml version="1.0"?>\n'
 def test_a_forged_document_is_found_out(document: str) -> None:
     with pytest.raises(JailAnswerBroken):
         from_bytes(answer(document=document.encode("utf-8", "surrogatepass")))
+
+
+def document(**parts: bytes) -> bytes:
+    """Return the answer with a document in an output format, with some of its parts replaced."""
+    names = "name text root robot notes losses has_assets".split()
+    usual = {"name": b"mjcf", "text": FINE.encode(), "has_assets": b"1"} | parts
+    packed = [usual.pop(name, b"") for name in names]
+    assets = [each for name, data in usual.items() for each in (name.encode(), data)]
+    return answer(documents=pack([pack([*packed, *assets])]))
+
+
+def test_documents_in_formats_come_through() -> None:
+    (found,) = from_bytes(document(**{"assets/a.stl": b"\0", "scene.xml": b""})).documents
+    assert (found.format, found.text) == ("mjcf", FINE)
+    assert found.assets == {"assets/a.stl": b"\0", "scene.xml": b""}
+    (found,) = from_bytes(document(name=b"usd", text=b"#usda 1.0", has_assets=b"0")).documents
+    assert (found.text, found.assets, found.root) == ("#usda 1.0", None, None)
+
+
+@pytest.mark.parametrize(
+    "parts",
+    [
+        {"text": b"#usda 1.0"},
+        {"text": FINE.encode("utf-16"), "name": b"usd"},
+        {"name": b"MJCF"},
+        {"has_assets": b"-1"},
+        {"losses": b"x"},
+        {"/etc/passwd": b""},
+        {"../a": b""},
+        {"assets/../../a": b""},
+        {"assets/.bashrc": b""},
+        {"": b""},
+        {"a//b": b""},
+        {"a\\b": b""},
+        {"C:a": b""},
+        {"a\0": b""},
+    ],
+)
+def test_a_forged_document_in_a_format_is_found_out(parts: dict[str, bytes]) -> None:
+    with pytest.raises(JailAnswerBroken):
+        from_bytes(document(**parts))
 
 
 def test_a_document_in_no_encoding_is_found_out() -> None:

@@ -14,7 +14,7 @@ from .declared import Declaration
 from .expressions import Evaluator
 from .late import Late
 from .modules import LocalModules, import_names, import_safe_names
-from .predefined import CONSTANTS, Helpers
+from .predefined import CONSTANTS, TARGET, Helpers
 from .scope import Home
 
 TYPE_CHECKING = False
@@ -46,6 +46,7 @@ class Files:
         "_print",
         "_reporter",
         "_safety",
+        "_target",
         "codes",
         "late",
         "packages",
@@ -60,6 +61,7 @@ class Files:
         print_function: Callable[..., None],
         safety: SafeRuntime | None,
         packages: PackageFinder,
+        target: str = TARGET,
     ) -> None:
         """Begin without files.
 
@@ -69,12 +71,14 @@ class Files:
             print_function: replaces Python's `print`.
             safety: runs the expressions if they are to be safe.
             packages: finds ROS packages.
+            target: the output format that is written.
         """
         self._library = library
         self._reporter = reporter
         self._print = print_function
         self._safety = safety
         self._loads = 0
+        self._target = target
         self._documents: dict[str, Document] = {}
         self._modules: dict[str, LocalModules] = {}
         self.packages = packages
@@ -124,7 +128,9 @@ class Files:
         """Return what expressions see in a run of a file, except for its imports."""
         source = document.source
         directory = os.path.dirname(source.path) if source.path else os.getcwd()
-        helpers = Helpers(directory, self._library, self.packages, self.note).names()
+        helpers = Helpers(
+            directory, self._library, self.packages, self.note, target=self._target
+        ).names()
         if self._safety is not None:
             kept = {name: helpers[name] for name in _SAFE_HELPERS}
             return Home(source, directory, self._safety.names(kept), frame)

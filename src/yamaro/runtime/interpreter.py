@@ -25,6 +25,7 @@ from .elements import Builder
 from .expressions import Evaluator, SafeEvaluator
 from .files import Files
 from .messages import Messages
+from .predefined import TARGET
 from .scope import Scope, SharedNames
 from .values import Values
 
@@ -59,6 +60,7 @@ class Interpreter:
         policy: Policy | None = None,
         packages: PackageFinder | None = None,
         shares: bool = True,
+        target: str = TARGET,
     ) -> None:
         """Begin a conversion.
 
@@ -71,15 +73,16 @@ class Interpreter:
             packages: finds ROS packages.
             shares: let one element stand wherever it would be built again just as it is, its
                 trace INHERITED; without, every element is built for its place, with a trace.
+            target: the output format that is written.
         """
         self._handlers = handlers
-        policy = policy or Policy()
-        self.policy = policy
+        self.policy = policy = policy or Policy()
         self.limits = policy.limits
         self.reporter = reporter
         self.messages = Messages(on_message, policy.limits)
         self.shared_names = SharedNames()
         self.safety = _safety_of(policy, self.messages)
+        self.target = target
         self.files = self._files(library, packages or PackageFinder())
         self.evaluator = _evaluator_of(policy, self.files, self.safety)
         self.values = Values(self.evaluator)
@@ -92,13 +95,12 @@ class Interpreter:
         self.is_yaml = False  # whether the main file is
         self.places: Mapping[str, Span] = {}  # where the variables of the main file are set
         self.passed: dict[tuple[int, int], Passed] = {}  # by the include and the file
-        self.has_parts = False
-        self.depth = 0
+        self.has_raw_blocks = False  # whether a block for one format was reached
+        self.has_parts = self.is_robot = False
         self.statements_left = policy.limits.statements
-        self.part_depth = 0
+        self.depth = self.part_depth = 0
         self.element_depth = 0  # of XML elements below the <robot>
         self.filled: Element | None = None  # the innermost element whose content is run
-        self.is_robot = False
         self._frames: dict[tuple[str, int, Frame | None, Frame | None], Frame] = {}
         self.matches: dict[int, Match] = {}  # by the identity of a call's arguments
 
@@ -109,6 +111,7 @@ class Interpreter:
             print_function=self.messages.print,
             safety=self.safety,
             packages=packages,
+            target=self.target,
         )
 
     def begin_file(self, document: Document, *, caller: Scope | None) -> Scope:

@@ -36,14 +36,14 @@ CONSTANTS = {
     **FACTORS,
 }
 TARGET = "urdf"
-"""The output format that is written; expressions read it as `target`."""
+"""The output format that is written by default; expressions read it as `target`."""
 _REQUIRED: Any = object()
 
 
 class Helpers:
     """The helpers of one file: relative paths start at its folder."""
 
-    __slots__ = ("_directory", "_library", "_note_file", "_packages")
+    __slots__ = ("_directory", "_library", "_note_file", "_packages", "_target")
 
     def __init__(
         self,
@@ -51,12 +51,15 @@ class Helpers:
         library: Library,
         packages: PackageFinder,
         note_file: Callable[[str], None],
+        *,
+        target: str = TARGET,
     ) -> None:
         """Serve a file in `directory`; `note_file` is called with every file read."""
         self._directory = directory
         self._library = library
         self._packages = packages
         self._note_file = note_file
+        self._target = target
 
     def names(self) -> dict[str, Any]:
         """Return the helpers by the names expressions call them."""
@@ -67,7 +70,7 @@ class Helpers:
             "file_dir": lambda: self._directory,
             "dirname": self._directory,
             "cwd": os.getcwd(),
-            "target": TARGET,
+            "target": self._target,
             "__find__": self.find,
             "__env__": self.env,
         }

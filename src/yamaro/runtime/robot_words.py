@@ -13,7 +13,6 @@ from ..syntax.nodes import Body, TextContent
 from ..xml.tree import Element, RobotWord, Text
 from .includes import run_include
 from .markup import run_element
-from .predefined import TARGET
 from .scope import Scope
 
 TYPE_CHECKING = False
@@ -50,7 +49,8 @@ def _run_raw_block(
     if not _may_hold_parts(interpreter) and not _is_in_part(interpreter):
         run_element(interpreter, interpreter.files.late.element(node), scope, out, body)
         return
-    if node.key.text != TARGET:
+    interpreter.has_raw_blocks = True
+    if node.key.text != interpreter.target:
         return
     if node.faults:
         raise YamaroError(fault.copy() for fault in node.faults)

@@ -22,6 +22,7 @@ from ..xml.wellformed import check_document
 from ..xml.writer import write_pieces
 from .jail.limits import JailAnswerBroken
 from .jail.packing import pack, unpack
+from .outcome import Document, Outcome
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -30,6 +31,8 @@ if TYPE_CHECKING:
     from ..xml.tree import Node
 
 _ELEMENT, _TEXT, _COMMENT = b"e", b"t", b"c"
+_USD = b"usd"
+"""The format whose documents are not XML."""
 _RECORDED = b"r"
 """Begins a place that holds more than the stretch of text; those that do not begin with a digit."""
 LONGEST_CODE = 60
@@ -41,52 +44,13 @@ LONGEST_PATH = 4096
 """Bytes of a path, and of a name that files are shown under: PATH_MAX of Linux."""
 
 
-class Outcome:
-    """The result of a conversion.
-
-    Attributes:
-        messages: what was printed, line by line.
-        diagnostics: errors and warnings, in order.
-        pieces: the document in UTF-8, in pieces; empty if there are errors.
-        files: the files read.
-        meshes: the meshes referred to.
-        root: the finished tree, if it was asked for and there is one.
-        notes: what comes with the tree of a robot, such as its sensors.
-    """
-
-    __slots__ = ("diagnostics", "files", "meshes", "messages", "notes", "pieces", "root")
-
-    def __init__(
-        self,
-        *,
-        messages: Sequence[str] = (),
-        diagnostics: Sequence[Diagnostic] = (),
-        pieces: Sequence[str] = (),
-        files: Sequence[str] = (),
-        meshes: Sequence[str] = (),
-        root: Element | None = None,
-        notes: Sequence[Element] = (),
-    ) -> None:
-        self.messages = list(messages)
-        self.diagnostics = list(diagnostics)
-        self.pieces = list(pieces)
-        self.files = list(files)
-        self.meshes = list(meshes)
-        self.root = root
-        self.notes = list(notes)
-
-    @property
-    def has_errors(self) -> bool:
-        """Return whether the conversion has failed."""
-        return any(diagnostic.severity == ERROR for diagnostic in self.diagnostics)
-
-
 def to_bytes(outcome: Outcome) -> bytes:
     """Return an outcome as bytes."""
     packer = _Packer()
     diagnostics = pack([packer.diagnostic(each) for each in outcome.diagnostics])
     nodes, document = b"", ""
     notes = pack([packer.tree(note) for note in outcome.notes])
+    documents = pack([packer.document(each) for each in outcome.documents])
     if outcome.root is not None:
         nodes = packer.tree(outcome.root)  # of which the document is made again
     else:
@@ -102,6 +66,7 @@ def to_bytes(outcome: Outcome) -> bytes:
             _texts(outcome.meshes),
             nodes,
             notes,
+            documents,
         ]
     )
 
@@ -118,7 +83,8 @@ def from_bytes(data: bytes, limits: Limits | None = None) -> Outcome:
     """
     limits = limits or Limits()
     try:
-        messages, sources, frames, diagnostics, document, files, meshes, nodes, notes = unpack(data)
+        messages, sources, frames, diagnostics, document, files, meshes, *rest = unpack(data)
+        nodes, notes, documents = rest
         unpacker = _Unpacker(unpack(sources), unpack(frames))
         outcome = Outcome(
             messages=_read_messages(messages, limits),
@@ -127,6 +93,7 @@ def from_bytes(data: bytes, limits: Limits | None = None) -> Outcome:
             meshes=[_read_name(each) for each in unpack(meshes)],
             root=unpacker.tree(nodes) if nodes else None,
             notes=[unpacker.tree(each) for each in unpack(notes)],
+            documents=[unpacker.document(each, limits) for each in unpack(documents)],
         )
         if (document or nodes) and not outcome.has_errors:
             outcome.pieces = [_read_document(document, outcome.root, limits)]
@@ -201,6 +168,15 @@ def _read_path(data: bytes) -> str:
     path = _read_name(data)
     if not os.path.isabs(path):
         raise ValueError("a path is not absolute")
+    return path
+
+
+def _read_inner(data: bytes) -> str:
+    """Return the path of a file that is below a folder."""
+    path = _read_name(data)
+    steps = path.split("/")
+    if any(not step or step.startswith(".") for step in steps) or {"\\", ":"} & set(path):
+        raise ValueError("a file is not below its folder")
     return path
 
 
@@ -302,6 +278,24 @@ class _Packer:
             return b""
         edits = [pack([self.span(each.span), _text(each.text)]) for each in fix.edits]
         return pack([_text(fix.title), _numbers(fix.is_safe), pack(edits)])
+
+    def document(self, document: Document) -> bytes:
+        assets = document.assets
+        return pack(
+            [
+                _text(document.format),
+                _text(document.text),
+                self._optional_tree(document.root),
+                self._optional_tree(document.robot),
+                pack([self.tree(note) for note in document.notes]),
+                pack([self.diagnostic(each) for each in document.losses]),
+                _numbers(assets is not None),
+                *(each for name, data in (assets or {}).items() for each in (_text(name), data)),
+            ]
+        )
+
+    def _optional_tree(self, root: Element | None) -> bytes:
+        return b"" if root is None else self.tree(root)
 
     def tree(self, root: Element) -> bytes:
         """Pack all nodes, each after the one it is in, with the number of that."""
@@ -421,6 +415,26 @@ class _Unpacker:
         if any(one.span.end > next_one.span.start for one, next_one in pairwise(edits)):
             raise ValueError("the edits of a fix overlap")
         return Fix(_read_text(title), edits, is_safe=bool(is_safe))
+
+    def document(self, data: bytes, limits: Limits) -> Document:
+        name, packed, root, robot, notes, losses, has_assets, *assets = unpack(data)
+        text = packed.decode()
+        if name != _USD:
+            check_document(text, limits)
+        elif len(text) > limits.output:
+            raise ValueError("a document is longer than it may be")
+        names, contents = map(_read_inner, assets[::2]), assets[1::2]
+        return Document(
+            _read_code(name),
+            text,
+            root=self.tree(root) if root else None,
+            robot=self.tree(robot) if robot else None,
+            notes=[self.tree(each) for each in unpack(notes)],
+            losses=[self.diagnostic(each) for each in unpack(losses)],
+            assets=dict(zip(names, contents, strict=True))
+            if _read_numbers(has_assets, 1) != [0]
+            else None,
+        )
 
     def tree(self, data: bytes) -> Element:
         nodes: list[Node] = []

@@ -97,18 +97,22 @@ class Output:
 
     Attributes:
         root: the document, each element at the place of what it was made of.
+        text: the document as text, where it is not the XML of `root`; or "".
         losses: what the format cannot hold as it is, in the order of the robot.
         files: what belongs beside the document, by paths relative to it.
     """
 
-    __slots__ = ("files", "losses", "root")
+    __slots__ = ("files", "losses", "root", "text")
 
     def __init__(
         self,
         root: Element,
         losses: Sequence[Loss] = (),
         files: Mapping[str, bytes] | None = None,
+        *,
+        text: str = "",
     ) -> None:
         self.root = root
+        self.text = text
         self.losses = losses
         self.files = files or {}

@@ -14,7 +14,8 @@ from ...sandbox.deadline import TimeOver, run_within
 from ...sandbox.deep_stack import run_on_deep_stack
 from ...sandbox.jail.limits import JailAnswerBroken, JailUnavailable
 from ...sandbox.jail.packing import pack, unpack
-from ...sandbox.transfer import Outcome, from_bytes, to_bytes
+from ...sandbox.outcome import Outcome
+from ...sandbox.transfer import from_bytes, to_bytes
 from . import command
 from .xacro import command as xacro_command
 

@@ -1,0 +1,283 @@
+"""Builds a main file in the output formats asked for: runs it, and has each format written.
+
+The file is run once for all formats if the run does not depend on the format: if nothing reads
+`target`, and no block for one format is reached. Otherwise it is run for each format; SRDF, which
+belongs to a URDF, uses the run of that.
+"""
+
+from __future__ import annotations
+
+from .arguments import UsageError
+from .diagnostics import Reporter, YamaroError, did_you_mean
+from .phases import add_gazebo, check, evaluate, lower
+from .pipeline import explain, interpreter_for
+from .request import Target
+from .result import Build
+from .targets.losses import diagnostics_of
+from .targets.output import Wanted
+from .targets.writers import BASES, ENDINGS, SDF_VERSIONS, URDF_ONLY, write_target
+from .terminal import shortened
+from .xml.writer import write_pieces
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable, Mapping, Sequence
+
+    from .diagnostics import Diagnostic
+    from .model.robot import Robot
+    from .policy import Policy
+    from .request import Request
+    from .runtime.interpreter import Interpreter
+    from .runtime.library import Library
+    from .targets.mesh_paths import MeshPaths
+    from .targets.output import Loss
+    from .xml.tree import Element
+
+    Say = Callable[[str], None]
+
+TELLTALES = frozenset(("target", "eval", "exec", "globals", "locals", "vars"))
+"""The names of which an expression reads one if what it gives may depend on the format."""
+
+
+def targets_of(
+    target: str | Sequence[str],
+    paths: MeshPaths,
+    *,
+    has_meshes: bool,
+    base: str | None,
+    repairs_inertia: bool,
+    sdf_version: str | None,
+) -> list[Target]:
+    """Return the output formats asked for; see `yamaro.build`.
+
+    Raises:
+        UsageError: a format, the base or the version of SDF is unknown.
+    """
+    formats = [target] if isinstance(target, str) else list(dict.fromkeys(target))
+    if not formats:
+        raise UsageError("no output format is named")
+    for format in formats:
+        _check_choice("output format", format, list(ENDINGS))
+    if base is not None:
+        _check_choice("base", base, BASES)
+    if sdf_version is not None:
+        _check_choice("version of SDF", sdf_version, SDF_VERSIONS)
+    return [
+        Target(
+            format,
+            paths,
+            has_meshes=has_meshes,
+            base=base,
+            repairs_inertia=repairs_inertia,
+            version=sdf_version or "" if format == "sdf" else "",
+        )
+        for format in formats
+    ]
+
+
+def _check_choice(what: str, value: str, known: Sequence[str]) -> None:
+    if value not in known:
+        hint = did_you_mean(value, known)
+        listed = hint or "choose one of " + ", ".join(known)
+        raise UsageError(f"'{shortened(value)}' is not a known {what}; {listed}")
+
+
+def compile_targets(request: Request, library: Library, policy: Policy, say: Say) -> Build:
+    """Return the build of the first format asked for, with those of all formats in its `outputs`.
+
+    Args:
+        request: the main file, and what was asked for with it.
+        library: reads and parses files.
+        policy: how far they are trusted.
+        say: takes the lines that they print.
+
+    Raises:
+        YamaroError: the input has errors, or a format cannot be written; it holds the errors of
+            all formats.
+    """
+    runs = _Runs(request, library, policy, say)
+    builds: dict[str, Build] = {}
+    errors = Reporter()
+    has_failed = False
+    for target in request.targets:
+        run = runs.run_for(target.format)
+        try:
+            builds[target.format] = _build(run, target, request)
+        except YamaroError as error:
+            has_failed = True
+            for diagnostic in error.diagnostics:
+                errors.add(diagnostic)
+    if has_failed:
+        raise YamaroError(errors.diagnostics)
+    first = next(iter(builds.values()))
+    first.outputs = builds
+    return first
+
+
+class _Run:
+    """A run of the main file, with what lowering and checking made of it.
+
+    Attributes:
+        interpreter: what ran it.
+        root: the finished tree.
+        notes: what the robot has that is not an element of it.
+        diagnostics: what was found.
+        has_files: whether the tree refers to files of meshes.
+        is_faulty: whether there is only the tree that was evaluated.
+    """
+
+    __slots__ = (
+        "diagnostics", "has_files", "interpreter", "is_faulty", "notes", "robot", "root",
+    )  # fmt: skip
+
+    def __init__(self, request: Request, interpreter: Interpreter) -> None:
+        self.interpreter = interpreter
+        self.root = evaluate(request, interpreter)
+        self.notes: Sequence[Element] = ()
+        self.has_files = False
+        self.is_faulty = False
+        self.robot: Robot | None = None
+        reporter, finder = Reporter(), request.paths.finder
+        try:
+            self.root, self.notes = lower(self.root, interpreter, finder, reporter)
+            self.has_files = check(self.root, finder, reporter, request.wanted_advice())
+            self.diagnostics = reporter.diagnostics
+        except YamaroError as error:
+            self.is_faulty = True
+            self.diagnostics = [*reporter.diagnostics, *error.diagnostics]
+
+    @property
+    def depends_on_format(self) -> bool:
+        """Return whether the run may give something else for another format."""
+        files = self.interpreter.files
+        return self.interpreter.has_raw_blocks or not TELLTALES.isdisjoint(files.names_read())
+
+    def robot_of(self) -> Robot:
+        """Return the robot; raise YamaroError if the root is not a `<robot>`."""
+        if self.robot is None:
+            from .model.reading import read_robot
+
+            self.robot = read_robot(self.root, notes=self.notes)
+        return self.robot
+
+
+class _Runs:
+    """The runs of the main file, by the value of `target` in them."""
+
+    __slots__ = ("_library", "_policy", "_request", "_runs", "_said", "_say")
+
+    def __init__(self, request: Request, library: Library, policy: Policy, say: Say) -> None:
+        self._request = request
+        self._library = library
+        self._policy = policy
+        self._say = say
+        self._said: set[str] = set()
+        self._runs: dict[str, _Run] = {}
+
+    def run_for(self, format: str) -> _Run:
+        """Return the run for a format; raise YamaroError if it ends with an error."""
+        name = "urdf" if format == "srdf" else format
+        if name in self._runs:
+            return self._runs[name]
+        for run in self._runs.values():
+            if not run.depends_on_format:
+                return run
+        said = set(self._said)  # a line that comes twice in one run is said twice
+
+        def say(line: str) -> None:
+            self._said.add(line)
+            if line not in said:
+                self._say(line)
+
+        request, library, policy = self._request, self._library, self._policy
+        interpreter = interpreter_for(request, library, policy, say, target=name)
+        run = self._runs[name] = _Run(request, interpreter)
+        return run
+
+
+def _build(run: _Run, target: Target, request: Request) -> Build:
+    """Return the build of one format.
+
+    Raises:
+        YamaroError: the robot has errors, or the format cannot be written.
+    """
+    found = _found_for(target.format, run.diagnostics)
+    if run.is_faulty:
+        explain(found, run.interpreter)
+        raise YamaroError(found)
+    request.adjustment.allow(found)
+    if request.adjustment.deny(found):
+        raise YamaroError(found)
+    try:
+        build = _written(run, target, request)
+    except YamaroError as error:
+        raise YamaroError([*found, *error.diagnostics]) from None
+    losses = diagnostics_of(build.losses, target.format)
+    for diagnostic in (*found, *losses):
+        request.reporter.add(diagnostic)
+    return build
+
+
+def _found_for(format: str, diagnostics: Sequence[Diagnostic]) -> list[Diagnostic]:
+    """Return copies of what was found, except for what concerns URDF alone in another format."""
+    left_out = frozenset() if format == "urdf" else URDF_ONLY
+    return [each.copy() for each in diagnostics if each.code not in left_out]
+
+
+def _written(run: _Run, target: Target, request: Request) -> Build:
+    """Return the build of a format; raise YamaroError if it cannot be written."""
+    finder, robot, limits = request.paths.finder, run.robot_of(), run.interpreter.limits
+    root, document, text = run.root, None, ""
+    losses: Sequence[Loss]
+    assets: Mapping[str, bytes] | None = None
+    if target.format == "urdf":
+        from .targets.urdf import losses_of
+
+        if request.has_gazebo and run.notes:
+            root = add_gazebo(root, run.notes, request.reporter)
+        losses = losses_of(robot, has_gazebo=request.has_gazebo)
+        written = target.paths.applied_to(root) if run.has_files else root
+    else:
+        output = write_target(robot, _wanted(robot, target, request.stem))
+        losses, assets, text = output.losses, output.files, output.text
+        written = document = output.root
+    return Build(
+        lambda: finder.referred_to(root),
+        finished=root,
+        notes=run.notes,
+        paths=target.paths,
+        pieces=[text] if text else write_pieces(written, limits),
+        warnings=request.reporter.diagnostics,
+        files=list(run.interpreter.files.read),
+        format=target.format,
+        document=document,
+        losses=losses,
+        assets=assets,
+    )
+
+
+def _wanted(robot: Robot, target: Target, stem: str) -> Wanted:
+    return Wanted(
+        target.format,
+        name=stem,
+        is_fixed=is_fixed(robot, target.base),
+        paths=target.paths,
+        has_meshes=target.has_meshes,
+        repairs_inertia=target.repairs_inertia,
+        version=target.version,
+    )
+
+
+def is_fixed(robot: Robot, base: str | None) -> bool:
+    """Return whether the root of a robot is fixed in the world.
+
+    Args:
+        robot: the robot.
+        base: `fixed` or `free`, if that was asked for. Otherwise the robot's `base` counts; without
+            one a root is fixed that is named `world` or has no mass.
+    """
+    said = base or (robot.base.type if robot.base is not None else None)
+    if said is not None:
+        return said == "fixed"
+    roots = robot.roots
+    return bool(roots) and (roots[0].name == "world" or roots[0].mass == 0.0)
