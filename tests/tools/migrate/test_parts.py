@@ -1422,3 +1422,27 @@ def test_a_tiny_inertia_that_is_not_the_solids_is_kept() -> None:
     </link>
     """
     assert "inertia: 1e-12 0 0 1e-12 0 1e-12" in model_of(body)
+
+
+def test_elements_named_like_newer_words_are_in_brackets() -> None:
+    text = model_of("""
+        <link name="base_link">
+          <collision>
+            <geometry><box size="1 1 1"/></geometry>
+            <surface><friction><ode><mu>0.8</mu></ode></friction></surface>
+          </collision>
+          <sensor name="eye"/>
+          <frame name="tool"/>
+        </link>
+        <joint name="arm_joint" type="fixed">
+          <parent link="base_link"/>
+          <child link="arm_link"/>
+          <actuator name="motor"/>
+        </joint>
+        <link name="arm_link"/>
+        <loop><joint name="arm_joint"/></loop>
+        <mjcf><option timestep="0.001"/></mjcf>
+    """)
+    for name in ("surface", "sensor/name=eye", "frame/name=tool", "actuator/name=motor", "loop"):
+        assert f"<{name}>:" in text
+    assert "<mjcf>:" in text

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from textwrap import dedent
 
 from ...model.values import values_of
-from ...syntax.names import STATEMENTS
+from ...syntax.names import RAW_BLOCKS, ROBOT_STATEMENTS, STATEMENTS
 from ...xml.tree import Comment, Element, Text
 from ...xml.values import format_value
 from .document import Body, Entry, element_key, joined, spaced, words_of
@@ -129,9 +129,12 @@ def walk(root: Element, without: Container[int] = ()) -> Iterator[Element]:
         pending += [inner for inner in reversed(element.elements()) if id(inner) not in without]
 
 
+_WORDS = frozenset((*STATEMENTS, *ROBOT_STATEMENTS, *RAW_BLOCKS))
+
+
 def needs_brackets(name: str, attributes: dict[str, str]) -> bool:
     """Return whether a key of a name would mean something else than an element."""
-    return name in STATEMENTS or (name[0].isupper() and not attributes)
+    return name in _WORDS or (name[0].isupper() and not attributes)
 
 
 def spelled(element: Element, spell: Callable[[str], str]) -> Element:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from ...model.compare import ZEROS, same_words
 from ...model.values import values_of
+from ...syntax.names import RAW_BLOCKS
 from ...xml.tree import Element
 from .document import RECORD_WIDTH, Body, Entry, joined, spaced
 from .elements import ElementWriter, add_loose, comments_at_ends, note_comments
@@ -34,8 +35,9 @@ SECTIONS = ("visual", "collision", "inertial")
 PART_KEYS = frozenset(
     """name joint link type parent child axis limit dynamics mimic safety_controller calibration
     xyz rpy pivot origin geometry scale mass density visual collision inertial inertia material
-    color texture lower upper effort velocity damping friction multiplier offset""".split()
-)
+    color texture lower upper effort velocity damping friction multiplier offset radius length size
+    frame sensor actuator surface""".split()
+) | frozenset(RAW_BLOCKS)
 """Names that mean something in a part, or are reported there as misplaced."""
 
 
