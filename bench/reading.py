@@ -9,8 +9,8 @@ WIDTH = 120
 """Columns that a line may have."""
 MARKS = {
     f"lines over {WIDTH} columns": re.compile(rf"^.{{{WIDTH + 1},}}$", re.MULTILINE),
-    "`/global`": re.compile(r"\w/global\b"),
-    "`/child`": re.compile(r"\w/child\b"),
+    "`/global`": re.compile(r"[\w)]/global\b"),
+    "`/child`": re.compile(r"[\w)]/child\b"),
     "`origin` keys": re.compile(r"(?:^|[{,-]) *[\"']?<?origin\b[/>:]", re.MULTILINE),
     "`../../`": re.compile(r"\.\./\.\./"),
     "lines in all": re.compile(r"\n"),

@@ -162,12 +162,10 @@ def test_comments_in_macros_and_their_calls_stay(tmp_path: Path) -> None:
     assert made["r.yaml"] == textwrap.dedent("""\
         robot: r
         functions:
-          Leg:  # a leg
-            input: side, **Origin, **More
-            body:
-              a/side=$(side):  # open
-                Origin:  # where
-                More:
+          Leg(side, **Origin, **More):  # a leg
+            a/side=$(side):  # open
+              Origin:  # where
+              More:
         model:
           link/name=base:
           Leg:  # the first
@@ -178,10 +176,8 @@ def test_comments_in_macros_and_their_calls_stay(tmp_path: Path) -> None:
             More:
               b:  # beta
             # that is all
-          if:  # as it should be
-            condition: 1 > 0
-            body:
-              c:
+          if 1 > 0:  # as it should be
+            c:
         """)
 
 

@@ -17,8 +17,8 @@ from yamaro.tools.migrate.document import (
     Quoted,
     element_key,
     literal,
-    write_document,
 )
+from yamaro.tools.migrate.writing import write_document
 from yamaro.yaml.nodes import MappingNode, ScalarNode, SequenceNode
 from yamaro.yaml.reader import read
 from yamaro.yaml.scalars import type_plain

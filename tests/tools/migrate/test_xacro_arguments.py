@@ -123,7 +123,7 @@ def test_a_default_that_xacro_takes_for_a_text_stays_one(tmp_path: Path) -> None
         <xacro:port/>
         """,
     )
-    assert "input: address='0x9'" in made
+    assert "  Port(address='0x9'):\n" in made
 
 
 def test_a_block_may_have_the_name_of_a_macro(tmp_path: Path) -> None:

@@ -86,22 +86,18 @@ def test_macros_become_functions_and_properties_variables(tmp_path: Path) -> Non
           radius: 0.1
           width: $(radius / 2)
         functions:
-          WheelUnit:
-            input: side, y=0.5, **Origin
-            body:
-              # in the middle
-              part:
-                link/name=$(prefix)$(side)_wheel:
-                  visual:
-                    geometry: cylinder
-                    scale: $(radius) $(width)
-                    Origin:
-              if:
-                condition: y > 0.4
-                body:
-                  far:
-              else:
-                near/at=$(y):
+          WheelUnit(side, y=0.5, **Origin):
+            # in the middle
+            part:
+              link/name=$(prefix)$(side)_wheel:
+                visual:
+                  geometry: cylinder
+                  scale: $(radius) $(width)
+                  Origin:
+            if y > 0.4:
+              far:
+            else:
+              near/at=$(y):
         model:
           - WheelUnit: {side: left, Origin: {xyz: 0 0 1}}
           - WheelUnit: {side: right, y: 0.1, Origin: {xyz: 0 0 2}}
@@ -152,10 +148,8 @@ def test_each_file_is_migrated_and_what_is_shared_is_global(tmp_path: Path) -> N
           side/global: 2
           own: 3
         functions:
-          Box/global:
-            input: name, size
-            body:
-              b/name=$(name), s=$(size * own):
+          Box(name, size)/global:
+            b/name=$(name), s=$(size * own):
         """)
     assert "  include: lib.yaml\n" in made["r.yaml"]
 
@@ -211,7 +205,7 @@ def test_a_default_that_reads_a_parameter_means_that_of_the_caller(tmp_path: Pat
         <xacro:arm prefix="l_"/><xacro:arm prefix="r_" tf="x_"/>
         """,
     )
-    assert "    input: prefix, tf\n" in made["r.yaml"]
+    assert "  Arm(prefix, tf):\n" in made["r.yaml"]
     assert "  - Arm: {prefix: l_, tf: $(prefix)}\n" in made["r.yaml"]
 
 
@@ -340,13 +334,11 @@ def test_a_file_with_a_namespace_is_included_with_one(tmp_path: Path) -> None:
               Origin:
                 o:
           - tools.Finger: {side: l}
-          - if:
-              condition: width > left.width
-              body:
-                w/by=$(2 * left.width + tools.width):
+          - if width > left.width:
+              w/by=$(2 * left.width + tools.width):
         """)
     assert "  width/parent: 2\n" in made["gripper.yaml"]
-    assert "  Finger/parent:\n" in made["gripper.yaml"]
+    assert "  Finger(name, **Origin)/parent:\n" in made["gripper.yaml"]
 
 
 @pytest.mark.parametrize(
@@ -604,4 +596,4 @@ def test_a_text_in_a_condition_of_xacro_stays_a_condition(tmp_path: Path) -> Non
     )
     assert not migration.faults
     assert not migration.differences
-    assert "condition: bool(on)" in migration.files[migration.main]
+    assert "if bool(on):" in migration.files[migration.main]

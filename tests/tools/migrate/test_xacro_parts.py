@@ -47,15 +47,13 @@ def test_the_origin_of_a_joint_may_be_a_block(tmp_path: Path) -> None:
     assert made == textwrap.dedent("""\
         robot: r
         functions:
-          Arm:
-            input: name, **Origin
-            body:
-              part:
-                name: $(name)
-                joint:
-                  type: fixed
-                  parent: base
-                  Origin:
+          Arm(name, **Origin):
+            part:
+              name: $(name)
+              joint:
+                type: fixed
+                parent: base
+                Origin:
         model:
           - link/name=base:
           - Arm: {name: a, Origin: {xyz: 0 0 1}}
@@ -81,7 +79,7 @@ def test_a_block_may_give_an_origin_or_none(tmp_path: Path) -> None:
         "1",
         "2",
     )
-    assert "          parent: base\n          At:\n" in made
+    assert "        parent: base\n        At:\n" in made
 
 
 def test_keys_stand_in_conditions_of_which_one_holds(tmp_path: Path) -> None:
@@ -94,11 +92,9 @@ def test_keys_stand_in_conditions_of_which_one_holds(tmp_path: Path) -> None:
         joint:
           type: revolute
           parent: base
-          if:
-            condition: n > 1
-            body:
-              xyz: 0 0 $(n)
-              limit: {lower: -1, upper: 1, effort: 2, velocity: 3}
+          if n > 1:
+            xyz: 0 0 $(n)
+            limit: {lower: -1, upper: 1, effort: 2, velocity: 3}
           else:
             xyz: 0 1 0
             rpy: 0 0 1
@@ -109,12 +105,7 @@ def test_keys_stand_in_conditions_of_which_one_holds(tmp_path: Path) -> None:
 def test_an_origin_in_a_condition_is_a_pose_there(tmp_path: Path) -> None:
     joint = f"""{BASE}<joint name="a_joint" type="fixed">{ENDS}
         {MANY}<origin xyz="0 0 $(arg n)" rpy="0 0 0"/></xacro:if></joint><link name="a_link"/>"""
-    assert part(tmp_path, joint).splitlines()[4:] == [
-        "  if:",
-        "    condition: n > 1",
-        "    body:",
-        "      xyz: 0 0 $(n)",
-    ]
+    assert part(tmp_path, joint).splitlines()[4:] == ["  if n > 1: {xyz: 0 0 $(n)}"]
 
 
 def test_statements_stand_among_the_sections_of_a_link(tmp_path: Path) -> None:
@@ -138,17 +129,12 @@ def test_statements_stand_among_the_sections_of_a_link(tmp_path: Path) -> None:
             visual:
               xyz: 0 0 1
               Red:
-            if:
-              condition: n > 1
-              body:
-                visual:
-                inertial: {mass: 2, inertia: 1 0 0 1 0 1}
+            if n > 1:
+              visual:
+              inertial: {mass: 2, inertia: 1 0 0 1 0 1}
             Shell: {size: 1 2 3}
           - visual:
-              if:
-                condition: n > 1
-                body:
-                  xyz: 0 0 1
+              if n > 1: {xyz: 0 0 1}
         """)
     assert "collision: {geometry: box, scale: $(size)}" in (tmp_path / "out/r.yaml").read_text()
 
@@ -181,7 +167,7 @@ def test_a_geometry_that_a_call_makes_is_an_element(tmp_path: Path) -> None:
             "inertial: {mass: 2, xyz: 0 0 1, inertia: 1 0 0 1 0 1}\n",
         ),
         (MASS.replace(' value="2"', ""), "<inertial>:\n"),
-        (f'<origin xyz="0 0 1"/>{MASS}<more/>', "inertial:\n        mass: 2\n"),
+        (f'<origin xyz="0 0 1"/>{MASS}<more/>', "inertial:\n      mass: 2\n"),
     ],
 )
 def test_an_inertial_that_a_call_makes_is_not_moved_with_its_link(
@@ -200,7 +186,7 @@ def test_an_inertial_that_a_call_makes_is_not_moved_with_its_link(
         "  collision: {xyz: 1 2 3}",
         "  Heavy:",
     ]
-    assert f"\n      {made}" in (tmp_path / "out/r.yaml").read_text()
+    assert f"\n    {made}" in (tmp_path / "out/r.yaml").read_text()
 
 
 def test_a_joint_moves_to_its_link_past_other_elements(tmp_path: Path) -> None:
@@ -461,9 +447,9 @@ def test_what_macros_give_parts_has_the_keys_of_parts(tmp_path: Path) -> None:
         <link name="a_link"><visual>{BOX}<xacro:red/></visual></link>""",
     )
     assert (
-        "    body:\n"
-        "      axis: 0 0 1\n"
-        "      limit: {lower: -1, upper: 1, effort: 2, velocity: 3}\n"
-        "      dynamics: {damping: 1}\n"
+        "  Hinge():\n"
+        "    axis: 0 0 1\n"
+        "    limit: {lower: -1, upper: 1, effort: 2, velocity: 3}\n"
+        "    dynamics: {damping: 1}\n"
     ) in made
-    assert "    body:\n      material: {name: red, color: 1 0 0 1}\n" in made
+    assert "  Red():\n    material: {name: red, color: 1 0 0 1}\n" in made

@@ -25,14 +25,10 @@ def sources(folder: Path, *pieces: str) -> str:
 
 def test_a_name_of_the_caller_becomes_a_parameter(tmp_path: Path) -> None:
     assert sources(tmp_path, FINGER, arm("<xacro:finger/>"), LEFT) == (
-        "  Finger:\n"
-        "    input: side\n"
-        "    body:\n"
-        "      link/name=$(side)_finger:\n"
-        "  Arm:\n"
-        "    input: side\n"
-        "    body:\n"
-        "      Finger: {side: $(side)}\n"
+        "  Finger(side):\n"
+        "    link/name=$(side)_finger:\n"
+        "  Arm(side):\n"
+        "    Finger: {side: $(side)}\n"
         "model:\n"
         "  Arm: {side: left}\n"
     )
@@ -40,7 +36,7 @@ def test_a_name_of_the_caller_becomes_a_parameter(tmp_path: Path) -> None:
 
 def test_it_is_passed_through_macros_that_do_not_read_it(tmp_path: Path) -> None:
     made = sources(tmp_path, FINGER, HAND, arm("<xacro:hand/>"), LEFT)
-    assert "      Hand: {side: $(side)}\n" in made
+    assert "    Hand: {side: $(side)}\n" in made
     assert "/child" not in made
 
 

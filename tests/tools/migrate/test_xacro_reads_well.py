@@ -9,7 +9,8 @@ import pytest
 
 from tests.tools.migrate.test_xacro_migration import HEAD, hold_for, migrated
 from yamaro.commands.main import main
-from yamaro.tools.migrate.document import Body, Row, write_document
+from yamaro.tools.migrate.document import Body, Row
+from yamaro.tools.migrate.writing import write_document
 from yamaro.tools.migrate.xacro.python_texts import negated
 
 
@@ -41,8 +42,8 @@ def test_comments_above_arguments_and_blocks_go_with_them(tmp_path: Path) -> Non
         # the arguments are declared in r.yaml
         functions:
           # the paint
-          Paint/global:
-            body: {p: }
+          Paint()/global:
+            p:
         """)
 
 
@@ -69,16 +70,12 @@ def test_conditions_are_turned_round_and_opposite_ones_joined(tmp_path: Path) ->
         """,
     )
     assert made["r.yaml"].partition("model:\n")[2] == (
-        "  - if:\n"
-        "      condition: side != 'left'\n"
-        "      body:\n"
-        "        a:\n"
+        "  - if side != 'left':\n"
+        "      a:\n"
         "  - else:\n"
         "      b:\n"
-        "  - if:\n"
-        "      condition: not has_arm\n"
-        "      body:\n"
-        "        c:\n"
+        "  - if not has_arm:\n"
+        "      c:\n"
         "  - else:\n"
         "      d:\n"
     )
@@ -96,7 +93,7 @@ def test_opposite_conditions_stay_two_where_the_first_changes_what_they_read(
         """,
     )
     assert "else:" not in made["r.yaml"]
-    assert "$('b' if not is_first else ''):" in made["r.yaml"]
+    assert "  if not is_first:\n    b:\n" in made["r.yaml"]
 
 
 @pytest.mark.parametrize(
@@ -163,20 +160,14 @@ def test_macros_in_a_macro_see_its_names_without_more_ado(tmp_path: Path) -> Non
     assert made["r.yaml"] == textwrap.dedent("""\
         robot: r
         functions:
-          Arm:
-            input: prefix
-            body:
-              functions:
-                JointOf:
-                  input: name
-                  body:
-                    j/n=$(prefix)$(name):
-                LinkOf:
-                  input: name
-                  body:
-                    l/n=$(prefix)$(name):
-              JointOf: {name: a}
-              LinkOf: {name: b}
+          Arm(prefix):
+            functions:
+              JointOf(name):
+                j/n=$(prefix)$(name):
+              LinkOf(name):
+                l/n=$(prefix)$(name):
+            JointOf: {name: a}
+            LinkOf: {name: b}
         model:
           Arm: {prefix: left_}
         """)
@@ -197,13 +188,12 @@ def test_what_a_macro_hands_down_is_declared_with_its_own_variables(tmp_path: Pa
         <xacro:inner is_shown="false"/>
         """,
     )
-    outer = made["r.yaml"].partition("input: depth\n")[2]
+    outer = made["r.yaml"].partition("  Outer(depth):\n")[2]
     assert outer.partition("model:")[0] == (
-        "    body:\n"
-        "      variables:\n"
-        "        depth/child: $(depth)\n"
-        "        wide/child: $(depth * 2)\n"
-        "      Inner: {is_shown: true}\n"
+        "    variables:\n"
+        "      depth/child: $(depth)\n"
+        "      wide/child: $(depth * 2)\n"
+        "    Inner: {is_shown: true}\n"
     )
 
 
@@ -391,8 +381,8 @@ def test_a_parameter_that_nothing_reads_any_more_goes(tmp_path: Path) -> None:
         """.replace(" unused", " unused:=1"),
     )["r.yaml"]
     assert "BoxInertia" not in made
-    assert "  Outer:\n    input: name\n    body:\n      Inner: {name: $(name)}\n" in made
-    assert "  Inner:\n    input: name, unused=1\n" in made  # which was never read
+    assert "  Outer(name):\n    Inner: {name: $(name)}\n" in made
+    assert "  Inner(name, unused=1):\n" in made  # which was never read
     assert "  Outer: {name: a}\n" in made
 
 
@@ -442,7 +432,7 @@ def test_files_that_would_have_one_name_keep_their_endings(tmp_path: Path) -> No
     assert "include: r_xacro.yaml" in made["r.yaml"]
 
 
-def test_one_entry_under_a_condition_has_a_key_that_may_be_empty(tmp_path: Path) -> None:
+def test_one_short_entry_under_a_condition_is_on_its_line(tmp_path: Path) -> None:
     made = migrated(
         tmp_path,
         """\
@@ -463,10 +453,10 @@ def test_one_entry_under_a_condition_has_a_key_that_may_be_empty(tmp_path: Path)
         <link name="a_link"/>
         """,
     )["r.yaml"]
-    assert "  - $('Leg' if n > 1 else ''): {x: 1}\n  - $('Leg' if n > 2 else ''): {x: 1}\n" in made
-    assert "        $('limit' if n > 1 else ''): {effort: 1, velocity: 2, lower: 0" in made
-    assert "        $('dynamics' if n > 2 else ''): {damping: 1}\n" in made
-    assert made.count("if:") == 3  # an element with attributes, with a comment, with an else
+    assert "  - if n > 1: {Leg: {x: 1}}\n  - if n > 2: {Leg: {x: 1}}\n  - if n > 1:\n" in made
+    assert "        if n > 1: {limit: {effort: 1, velocity: 2, lower: 0, upper: 1}}\n" in made
+    assert "        if n > 2: {dynamics: {damping: 1}}\n" in made
+    assert "  - if n == 1:\n      d:\n  - else:\n      e:\n" in made
     hold_for(tmp_path, ["n:=1"], ["n:=2"], ["n:=3"])
 
 
@@ -564,7 +554,7 @@ def test_other_variables_stay_in_their_conditions(tmp_path: Path, inside: str, o
         <xacro:unless value="${{n > 1}}">{other}</xacro:unless>
         """,
     )
-    assert "  if:" in made["r.yaml"]
+    assert "  if n > 1:\n" in made["r.yaml"]
     hold_for(tmp_path, ["n:=1"], ["n:=2"])
 
 

@@ -1,12 +1,8 @@
-"""Yamaro sources as a tree of keys and values, and how a person would lay them out as YAML."""
+"""Yamaro sources as a tree of keys and values; pieces of text in the language's own spelling."""
 
 from __future__ import annotations
 
 import re
-from collections import Counter
-
-from ...syntax.names import STATEMENTS
-from ...yaml.scalars import type_plain
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -16,15 +12,8 @@ WIDTH = 100
 """Characters that a line with a mapping in braces may have."""
 RECORD_WIDTH = 120
 """And one such as a limit, or a section of a link, which is read at a glance."""
-MOST_IN_BRACES = 6
-LONGEST_KEY = 1000
-"""Characters that a key may have before YAML wants a `?` in front of it."""
 
 _SPACE = re.compile(r"\s+")
-_INDICATORS = frozenset("-?:,[]{}#&*!|>'\"%@`")
-_OPENING = frozenset("-?:")
-_NULLS = frozenset(("", "~", "null", "Null", "NULL"))
-_FLOW = frozenset(",[]{}")
 
 
 class Body:
@@ -35,7 +24,7 @@ class Body:
     def __init__(
         self, entries: Iterable[Entry] = (), *, in_braces: bool = False, width: int = WIDTH
     ) -> None:
-        """Hold entries; `in_braces` says that they go on one line if it is no wider."""
+        """Hold entries; with `in_braces`, they go on one line if `width` allows it."""
         self.entries = list(entries)
         self.in_braces = in_braces
         self.width = width
@@ -212,224 +201,3 @@ def _pieces(text: str) -> Iterator[tuple[str, bool]]:
         yield text[at:end], True
         start = position = end
     yield text[start:], False
-
-
-# --- writing ----------------------------------------------------------------------------------
-
-
-def write_document(sections: Body, comment: str = "") -> str:
-    """Return the sections of a file as YAML, under a comment of the whole file."""
-    out: list[str] = []
-    _write_comment(comment, "", out)
-    _write_entries(sections, "", out)
-    return "".join(f"{line}\n" for line in out)
-
-
-def _write_comment(comment: str, margin: str, out: list[str]) -> None:
-    for line in comment.splitlines():
-        words = line.split(" ")
-        fits = len(margin) + 2 + len(line) <= RECORD_WIDTH
-        rows = [line] if fits else _filled(words, WIDTH - len(margin) - 2)
-        out += [f"{margin}# {row}".rstrip() for row in rows]
-
-
-def _write_entries(body: Body, margin: str, out: list[str]) -> None:
-    """Write entries as a mapping, or as a list of mappings if a key comes again."""
-    keys = [entry.key for entry in body]
-    times = Counter(keys)
-    repeated = [key for key in keys if times[key] > 1]
-    is_row = 2 * len(repeated) >= len(keys) or any(map(_is_statement, repeated))
-    seen: set[str] = set()
-    for entry in body:
-        _write_comment(entry.comment, margin, out)
-        if not repeated:
-            _write_entry(entry, margin, margin, out)
-            continue
-        is_item = is_row or not seen or entry.key in seen
-        seen = {entry.key} if is_item else seen | {entry.key}
-        _write_entry(entry, f"{margin}- " if is_item else f"{margin}  ", f"{margin}  ", out)
-    _write_comment(body.remark, margin, out)
-
-
-def _is_statement(key: str) -> bool:
-    """Return if a key is that of a statement: each of a row of these has an item of its own."""
-    return key in STATEMENTS or key.rpartition(".")[2][:1].isupper()
-
-
-def _write_entry(entry: Entry, head: str, margin: str, out: list[str]) -> None:
-    """Write an entry that begins with `head` and whose further lines stand at `margin`."""
-    lines: list[str] = []
-    remarks: list[str] = []
-    takes_comment = _write_pair(entry, head, margin, lines, remarks)
-    ending = entry.ending
-    if isinstance(entry.value, Body):
-        ending = spaced(entry.value.opening, ending)
-    above = head.removesuffix("- ")
-    _write_comment("\n".join(remarks), above, out)
-    if ending and takes_comment and len(lines[0]) + len(ending) + 4 <= WIDTH:
-        lines[0] += f"  # {ending}"
-    else:
-        _write_comment(ending, above, out)
-    out += lines
-
-
-def _write_pair(entry: Entry, head: str, margin: str, out: list[str], remarks: list[str]) -> bool:
-    """Write key and value, and tell whether a comment may be at the end of the first line.
-
-    What is remarked in a mapping in braces is added to `remarks`.
-    """
-    key = _scalar(entry.key, in_flow=False)
-    if len(key) > LONGEST_KEY or len(head) + len(key) + 1 > RECORD_WIDTH:
-        words = _foldable(entry.key, key) or [key]
-        first, *others = _filled(words, WIDTH - len(margin) - 2)
-        out += [f"{head}? {first}", *(f"{margin}  {line}" for line in others)]
-        head, key = margin, ""
-    value = entry.value
-    if value is None:
-        out.append(f"{head}{key}:")
-    elif isinstance(value, str):
-        return _write_text(value, f"{head}{key}:", margin, out)
-    else:
-        braces = _in_braces(value, remarks) if value.in_braces else None
-        line = f"{head}{key}: {braces}"
-        if braces is not None and len(line) <= value.width:
-            out.append(line)
-            return True
-        remarks.clear()
-        out.append(f"{head}{key}:")
-        _write_entries(value, f"{margin}  ", out)
-    return True
-
-
-def _write_text(text: str, head: str, margin: str, out: list[str]) -> bool:
-    """Write a text behind its key, and tell whether a comment may be at the end of that line."""
-    if isinstance(text, Row) and len(head) + len(text) >= WIDTH and _is_plain(text, in_flow=False):
-        out.append(head)
-        out += [f"{margin}  {line}" for line in _wrapped(text.pieces, WIDTH - len(margin) - 2)]
-        return False
-    lines = text.split("\n")
-    if len(lines) == 1 or not all(line.isprintable() for line in lines):
-        scalar = _scalar(text, in_flow=False)
-        if len(head) + 1 + len(scalar) > WIDTH and (pieces := _foldable(text, scalar)):
-            out.append(head)
-            out += [f"{margin}  {line}" for line in _filled(pieces, WIDTH - len(margin) - 2)]
-            return False
-        out.append(f"{head} {scalar}")
-        return True
-    indicator = "2" if lines[0].startswith(" ") else ""
-    out.append(f"{head} |{indicator}-")
-    out += [f"{margin}  {line}".rstrip() for line in lines]
-    return True
-
-
-def _wrapped(pieces: list[str], width: int) -> list[str]:
-    """Return pieces with commas between them as lines no wider than asked, if that can be."""
-    lines = [""]
-    for piece in pieces:
-        longer = f"{lines[-1]}, {piece}" if lines[-1] else piece
-        if lines[-1] and len(longer) >= width:
-            lines[-1] += ","
-            lines.append(piece)
-        else:
-            lines[-1] = longer
-    return lines
-
-
-def _foldable(text: str, scalar: str) -> list[str]:
-    """Return the words of a scalar between which it may go on in the next line, or none.
-
-    YAML reads each such line break as one space.
-    """
-    if "  " in text or text != text.strip() or "\\" in scalar or not text.isprintable():
-        return []
-    words = words_of(text)
-    if " ".join(words) != text or len(scalar) != len(text):
-        words = scalar.split(" ")
-    return words if " " in scalar else []
-
-
-def _filled(words: list[str], width: int) -> list[str]:
-    """Return words as lines no wider than asked, if that can be; only long words are broken."""
-    lines = [""]
-    for word in words:
-        pieces = [word] if len(word) <= width else word.split(" ")
-        for piece in pieces:
-            if lines[-1] and len(lines[-1]) + 1 + len(piece) > width:
-                lines.append(piece)
-            else:
-                lines[-1] = spaced(lines[-1], piece)
-    return lines
-
-
-def _in_braces(body: Body, remarks: list[str]) -> str | None:
-    """Return a mapping as `{key: value, …}`, or None if it is none for one line.
-
-    What is remarked in it is added to `remarks`.
-    """
-    if len(body.entries) > MOST_IN_BRACES or not body.entries:
-        return None
-    pieces: list[str] = []
-    keys = set()
-    for entry in body:
-        if entry.key in keys or (entry.value is None and len(body.entries) > 1):
-            return None
-        if entry.ending or (entry.comment and pieces):  # it is better right at its key
-            return None
-        if isinstance(entry.value, Body) and entry.value.opening:
-            return None
-        remarks += filter(None, [entry.comment])
-        keys.add(entry.key)
-        value: str | None
-        if isinstance(entry.value, Body):
-            value = _in_braces(entry.value, remarks) if entry.value.in_braces else None
-        else:
-            value = "" if entry.value is None else _scalar(entry.value, in_flow=True)
-        if value is None or "\n" in value:
-            return None
-        pieces.append(f"{_scalar(entry.key, in_flow=True)}: {value}")
-    remarks += filter(None, [body.remark])
-    return f"{{{', '.join(pieces)}}}"
-
-
-def _scalar(text: str, *, in_flow: bool) -> str:
-    """Return a text as a YAML scalar that is read as this text and none other."""
-    if _is_plain(text, in_flow=in_flow) and not _is_typed(text):
-        return str(text)
-    if text.isprintable():
-        if "'" in text and '"' not in text and "\\" not in text:
-            return f'"{text}"'
-        return "'" + text.replace("'", "''") + "'"
-    return '"' + "".join(map(_escaped, text)) + '"'
-
-
-def _is_plain(text: str, *, in_flow: bool) -> bool:
-    if text in _NULLS or not text.isprintable() or text != text.strip():
-        return False
-    first = text[0]
-    if first in _INDICATORS and (first not in _OPENING or len(text) < 2 or text[1] in " ,[]{}"):
-        return False
-    if ": " in text or " #" in text or text.endswith(":"):
-        return False
-    if text.startswith(("---", "...")):
-        return False
-    if not in_flow:
-        return True
-    return _FLOW.isdisjoint(text) and not (first == "?" or first == ":")
-
-
-def _is_typed(text: str) -> bool:
-    return isinstance(text, Quoted) and not isinstance(type_plain(text), str)
-
-
-_SHORT_ESCAPES = {'"': '\\"', "\\": "\\\\", "\n": "\\n", "\t": "\\t", "\r": "\\r"}
-
-
-def _escaped(char: str) -> str:
-    if char in _SHORT_ESCAPES:
-        return _SHORT_ESCAPES[char]
-    if char.isprintable():
-        return char
-    code = ord(char)
-    if code < 0x100:
-        return f"\\x{code:02x}"
-    return f"\\u{code:04x}" if code < 0x10000 else f"\\U{code:08x}"

@@ -6,7 +6,7 @@ from ...diagnostics import YamaroError
 from ...model.compare import compare, count_defaults, is_used, prefixes_in
 from ...model.values import values_of
 from ...xml.tree import Element
-from .document import RECORD_WIDTH, Body, Entry, Quoted, Value, element_key, literal, write_document
+from .document import RECORD_WIDTH, Body, Entry, Quoted, Value, element_key, literal
 from .elements import (
     ElementWriter,
     add_loose,
@@ -19,6 +19,7 @@ from .elements import (
 from .pairing import Item, is_bare, name_of, pair
 from .part_forms import NoPart, is_short_material, material_entry
 from .parts import Names, PartWriter
+from .writing import write_document
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

@@ -59,14 +59,14 @@ class Loop:
 
     Attributes:
         iterator: the name it gives its item or number.
-        over: the key and value that say what it runs over: `range` or `in`.
+        over: what it runs over, as Python.
         work: what is done each time.
         changes: the texts that parameters are given before the next time, in order.
         last: what is done once when nothing is left.
         comments: above the loop, and above its iterator.
     """
 
-    def __init__(self, iterator: str, over: tuple[str, str], work: list[Node]) -> None:
+    def __init__(self, iterator: str, over: str, work: list[Node]) -> None:
         self.iterator = iterator
         self.over = over
         self.work = work
@@ -82,7 +82,7 @@ class Loop:
         body = Body()
         above, at_iterator = self.comments
         body.note(above)
-        loop = [Entry("iterator", self.iterator, at_iterator), Entry(*self.over)]
+        loop = [Entry("iterator", self.iterator, at_iterator), Entry("in", self.over)]
         body.add("for", Body([*loop, Entry("body", work or None)]))
         body.extend(statements(self.last))
         return body
@@ -268,6 +268,7 @@ class _Reader:
             require(abs(step) == 1)
         else:
             require(relation == ("<" if step > 0 else ">"))
+        require("range" not in self._all_names())
         work = self.after if is_backwards else self.before
         loop = Loop(
             name, range_of(name, source, step, is_backwards), _without_loose_end(work, changed)
@@ -362,7 +363,7 @@ class _Reader:
         is_reversed = first.endswith(("[-1]", ".pop()")) != is_backwards
         items = f"{name}[::-1]" if is_reversed else name
         items = f"map({kind}, {items})" if kind else items
-        loop = Loop(iterator, ("in", items), _without_loose_end(work, others))
+        loop = Loop(iterator, items, _without_loose_end(work, others))
         loop.changes = self._ordered(others)
         return loop, here
 
@@ -391,13 +392,17 @@ class _Reader:
 
     def _new_name(self, name: str) -> str:
         """Return a name for the items of a list that nothing else has."""
-        program = self._program
-        taken = {*program.read, *program.at_top, *program.arguments, *program.properties}
-        taken |= self._defined | set(self._macro.values())
+        taken = self._all_names() | self._program.read | self._defined
         for candidate in (name.removesuffix("s"), "item", f"{name}_item"):
             if candidate not in taken and is_identifier(candidate):
                 return candidate
         raise NoLoop
+
+    def _all_names(self) -> set[str]:
+        """Return the names of all properties, arguments and parameters."""
+        program = self._program
+        parameters = (own.values() for own in program.definitions.values())
+        return {*program.at_top, *program.arguments, *program.properties}.union(*parameters)
 
     def _is_always_new(self, name: str) -> bool:
         """Return whether all calls give a list that only they have, so that none sees it shrink."""

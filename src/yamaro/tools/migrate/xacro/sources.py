@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from ..document import Body, write_document
+from ..document import Body
+from ..writing import write_document
 from .callees import Callees
 from .contents import Contents
 from .file import header_of, sections_of

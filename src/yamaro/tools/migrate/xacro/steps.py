@@ -80,16 +80,15 @@ def moved_bound(source: str, bound: ast.expr, amount: int) -> str:
     return f"{source} {'+' if amount == 1 else '-'} 1"
 
 
-def range_of(name: str, stop: str, step: int, is_backwards: bool) -> tuple[str, str]:
+def range_of(name: str, stop: str, step: int, is_backwards: bool) -> str:
     """Return what counts from a name to `stop`, which is left out; or the other way round."""
     pieces = [name, stop] if step == 1 else [name, stop, str(step)]
-    if not is_backwards:
-        return "range", ", ".join(pieces)
-    if step == -1:
-        return "range", f"{moved_bound(stop, parsed_python(stop), 1)}, {name} + 1"
-    if step == 1:
-        return "range", f"{moved_bound(stop, parsed_python(stop), -1)}, {name} - 1, -1"
-    return "in", f"reversed(range({', '.join(pieces)}))"
+    if is_backwards and step not in (1, -1):
+        return f"reversed(range({', '.join(pieces)}))"
+    if is_backwards:
+        first = moved_bound(stop, parsed_python(stop), -step)
+        pieces = [first, f"{name} + 1"] if step == -1 else [first, f"{name} - 1", "-1"]
+    return f"range({', '.join(pieces)})"
 
 
 def is_whole(text: str) -> bool:

@@ -1,4 +1,4 @@
-"""Leaves out of finished sources what nothing reads, and says short things shortly.
+"""Leaves out of finished sources what nothing reads.
 
 A macro that computed the inertia of a solid is not called any more, and then nobody reads the
 parameters that were handed to it; a file of which nothing is left needs no include.
@@ -10,7 +10,6 @@ import os
 import re
 from collections import Counter
 
-from ....syntax.names import STATEMENTS, is_identifier
 from ..document import Body, Entry, Row
 
 TYPE_CHECKING = False
@@ -20,8 +19,6 @@ if TYPE_CHECKING:
     from .program import XacroProgram
 
 _WORD = re.compile(r"[^\W\d]\w*")
-WIDEST_KEY = 60
-"""Characters that the key of an entry under a condition may have."""
 
 
 def tidy(files: dict[str, Body], main: str, program: XacroProgram) -> None:
@@ -36,9 +33,6 @@ def tidy(files: dict[str, Body], main: str, program: XacroProgram) -> None:
     _drop_parameters(list(files.values()), program)
     _drop_empty_files(files, main)
     _make_local(files, program)
-    for sections in files.values():
-        for body in _bodies_in(sections):
-            _shorten_conditions(body)
 
 
 # --- what nothing reads ---------------------------------------------------------------------------
@@ -193,42 +187,6 @@ def _path_of_include(entry: Entry) -> str:
     if isinstance(entry.value, Body):
         return next((str(own.value) for own in entry.value if own.key == "path"), "")
     return str(entry.value)
-
-
-# --- conditions -----------------------------------------------------------------------------------
-
-
-def _shorten_conditions(body: Body) -> None:
-    """Write an entry under a condition of its own with a key that is empty where it is not."""
-    for entry, following in zip(body.entries, [*body.entries[1:], None], strict=False):
-        if entry.key != "if" or (following is not None and following.key in ("elif", "else")):
-            continue
-        key = _conditional_key(entry.value)
-        if key is None:
-            continue
-        assert isinstance(entry.value, Body)
-        content = entry.value.entries[1].value
-        assert isinstance(content, Body)
-        if any(other.key == key for other in body):
-            continue
-        entry.key, entry.value = key, content.entries[0].value
-
-
-def _conditional_key(statement: object) -> str | None:
-    """Return the key that says the same as a condition around one entry, or None."""
-    if not isinstance(statement, Body) or len(statement.entries) != 2 or statement.opening:
-        return None
-    condition, inner = statement.entries
-    content = inner.value
-    if not isinstance(content, Body) or len(content.entries) != 1 or content.remark:
-        return None
-    entry = content.entries[0]
-    is_plain = is_identifier(entry.key) and entry.key not in (*STATEMENTS, "xyz", "rpy")
-    if not is_plain or entry.comment or entry.ending or content.opening or not condition.value:
-        return None
-    key = f"$('{entry.key}' if {condition.value} else '')"
-    is_clear = not any(mark in key for mark in (": ", " #", '"', "\n"))
-    return key if is_clear and len(key) <= WIDEST_KEY else None
 
 
 # --- walking --------------------------------------------------------------------------------------
