@@ -22,7 +22,6 @@ GIVEN = re.compile(rf"^(?:error|warning)\[({CODE})\]", re.MULTILINE)
 TESTED_ELSEWHERE = {
     "approximated-in-mjcf": "targets/test_emission.py",
     "approximated-in-sdf": "targets/test_emission.py",
-    "approximated-in-urdf": "targets/test_emission.py",
     "approximated-in-usd": "targets/test_emission.py",
     "jail-broken": "test_policy.py",
     "limit-time": "test_policy.py",

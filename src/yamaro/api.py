@@ -56,7 +56,8 @@ def build(
         packages: folders of ROS packages by name, before those that are found.
         has_root: without, there may be no tree in the end, which spares taking it out of a jail.
         output: where the XML is to be written; relative paths of meshes start at its folder. By
-            default at that of the main file.
+            default at that of the main file. A name that ends in a slash is that of a folder, in
+            which the file is called as `Build.file_name` says.
         meshes: how the XML names meshes and textures that are there: "relative", "keep" (as they
             are written), "absolute", "copy" (the files of `Build.assets`, which are not written),
             "package://NAME", or "none", without shapes that are meshes.

@@ -148,6 +148,7 @@ def _document_of(build: Build, first: Build, *, has_root: bool) -> Document:
         losses=packed(build.losses, build.format),
         assets=None if build.format == "urdf" else build.assets,
         robot=build.robot_tree() if has_own else None,
+        file_name=build.file_name,
         notes=[unshared(note) for note in build.notes] if has_own else (),
     )
 
@@ -207,7 +208,11 @@ def _build_of_document(document: Document, target: Target, outcome: Outcome) -> 
         losses = unpacked(document.losses)
     except ValueError as error:
         raise JailAnswerBroken(f"its answer is malformed: {error}") from None
-    return Build(
+    if target.file_name is not None:
+        document.file_name = target.file_name
+    elif not document.file_name or "/" in document.file_name:
+        raise JailAnswerBroken("the answer does not name its file")
+    build = Build(
         lambda: outcome.meshes,
         finished=document.robot if has_own else outcome.root,
         paths=target.paths,
@@ -220,6 +225,8 @@ def _build_of_document(document: Document, target: Target, outcome: Outcome) -> 
         losses=losses,
         assets=document.assets,
     )
+    build.file_name = document.file_name
+    return build
 
 
 def run_in_jail(

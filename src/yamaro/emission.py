@@ -7,6 +7,8 @@ belongs to a URDF, uses the run of that.
 
 from __future__ import annotations
 
+import os
+
 from .arguments import UsageError
 from .diagnostics import Reporter, YamaroError, did_you_mean
 from .phases import add_gazebo, check, evaluate, lower
@@ -35,6 +37,8 @@ if TYPE_CHECKING:
 
     Say = Callable[[str], None]
 
+MOST_LETTERS = 100
+"""Letters of a robot's name that is a file's."""
 TELLTALES = frozenset(("target", "eval", "exec", "globals", "locals", "vars"))
 """The names of which an expression reads one if what it gives may depend on the format."""
 
@@ -47,6 +51,7 @@ def targets_of(
     base: str | None,
     repairs_inertia: bool,
     sdf_version: str | None,
+    output: str | None,
 ) -> list[Target]:
     """Return the output formats asked for; see `yamaro.build`.
 
@@ -70,9 +75,15 @@ def targets_of(
             base=base,
             repairs_inertia=repairs_inertia,
             version=sdf_version or "" if format == "sdf" else "",
+            file_name=_file_name(output),
         )
         for format in formats
     ]
+
+
+def _file_name(output: str | None) -> str | None:
+    """Return what a file is called, "" for none, None if only its folder is known."""
+    return "" if output is None else os.path.basename(output) or None
 
 
 def _check_choice(what: str, value: str, known: Sequence[str]) -> None:
@@ -152,6 +163,12 @@ class _Run:
         files = self.interpreter.files
         return self.interpreter.has_raw_blocks or not TELLTALES.isdisjoint(files.names_read())
 
+    def told_robot(self) -> Robot:
+        """Return the robot with what the file says of it in words, and not in elements of XML."""
+        from .model.reading import read_robot
+
+        return read_robot(self.root, notes=self.notes, recognizes=False)
+
     def robot_of(self) -> Robot:
         """Return the robot; raise YamaroError if the root is not a `<robot>`."""
         if self.robot is None:
@@ -228,6 +245,9 @@ def _written(run: _Run, target: Target, request: Request) -> Build:
     """Return the build of a format; raise YamaroError if it cannot be written."""
     finder, robot, limits = request.paths.finder, run.robot_of(), run.interpreter.limits
     root, document, text = run.root, None, ""
+    file_name = target.file_name
+    if file_name is None:
+        file_name = stem_for(robot, request.stem) + ENDINGS[target.format]
     losses: Sequence[Loss]
     assets: Mapping[str, bytes] | None = None
     if target.format == "urdf":
@@ -235,13 +255,13 @@ def _written(run: _Run, target: Target, request: Request) -> Build:
 
         if request.has_gazebo and run.notes:
             root = add_gazebo(root, run.notes, request.reporter)
-        losses = losses_of(robot, has_gazebo=request.has_gazebo)
+        losses = losses_of(run.told_robot(), has_gazebo=request.has_gazebo)
         written = target.paths.applied_to(root) if run.has_files else root
     else:
-        output = write_target(robot, _wanted(robot, target, request.stem))
+        output = write_target(robot, _wanted(robot, target, request.stem, file_name))
         losses, assets, text = output.losses, output.files, output.text
         written = document = output.root
-    return Build(
+    build = Build(
         lambda: finder.referred_to(root),
         finished=root,
         notes=run.notes,
@@ -254,9 +274,18 @@ def _written(run: _Run, target: Target, request: Request) -> Build:
         losses=losses,
         assets=assets,
     )
+    build.file_name = file_name
+    return build
 
 
-def _wanted(robot: Robot, target: Target, stem: str) -> Wanted:
+def stem_for(robot: Robot, stem: str) -> str:
+    """Return the name of a robot's files without the ending: its own, or else that of its file."""
+    name = robot.name
+    fits = name and not name.startswith(".") and name.isprintable() and len(name) <= MOST_LETTERS
+    return name if fits and not {"/", "\\", ":"} & set(name) else stem
+
+
+def _wanted(robot: Robot, target: Target, stem: str, file_name: str) -> Wanted:
     return Wanted(
         target.format,
         name=stem,
@@ -265,6 +294,7 @@ def _wanted(robot: Robot, target: Target, stem: str) -> Wanted:
         has_meshes=target.has_meshes,
         repairs_inertia=target.repairs_inertia,
         version=target.version,
+        file_name=file_name,
     )
 
 

@@ -8,7 +8,7 @@ import sys
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterable
+    from collections.abc import Iterable, Mapping
     from types import FrameType
 
 # Names that mean standard output. Opened as files they would lead to wherever descriptor 1 points
@@ -35,22 +35,65 @@ def write_file(path: str, chunks: Iterable[bytes]) -> None:
     Raises:
         OSError: with the reason; an old file is then unchanged.
     """
+    old = _old(path)
+    if old is not None and not stat.S_ISREG(old.st_mode):
+        _write_directly(path, chunks)
+        return
+    _replace(os.path.realpath(path), chunks, old)
+
+
+def _old(path: str) -> os.stat_result | None:
+    """Return what is in the place of a file to write, or None; its folder is made if there is none.
+
+    Raises:
+        OSError: it cannot be written.
+    """
     if path.endswith((os.sep, os.altsep or os.sep)):
         raise IsADirectoryError(21, os.strerror(21), path)
     try:
         old = os.stat(path)
     except FileNotFoundError:
-        old = None
-    if old is not None and not stat.S_ISREG(old.st_mode):
-        _write_directly(path, chunks)
-        return
-    if old is not None and not os.access(path, os.W_OK):
+        os.makedirs(os.path.dirname(os.path.realpath(path)), exist_ok=True)
+        return None
+    if stat.S_ISDIR(old.st_mode):
+        raise IsADirectoryError(21, os.strerror(21), path)
+    if stat.S_ISREG(old.st_mode) and not os.access(path, os.W_OK):
         os.close(os.open(path, os.O_WRONLY))  # raises the reason
-    target = os.path.realpath(path)
-    folder = os.path.dirname(target)
-    if old is None:
-        os.makedirs(folder, exist_ok=True)
-    _replace(target, chunks, old)
+    return old
+
+
+def write_files(files: Mapping[str, bytes]) -> None:
+    """Write several files by their paths, as `write_file` does, none before all can be written.
+
+    Raises:
+        OSError: with the reason and the file; all files are then as they were, unless one could not
+            take the place of the old one in the end.
+    """
+    staged: list[tuple[str, str]] = []
+    direct: list[str] = []
+    guard = _TerminationGuard()
+    guard.set()
+    try:
+        for path, data in files.items():
+            old = _old(path)
+            if old is not None and not stat.S_ISREG(old.st_mode):
+                direct.append(path)
+                continue
+            target = os.path.realpath(path)
+            temporary = _temporary(target)
+            guard.paths.append(temporary)
+            staged.append((temporary, target))
+            _write_new(temporary, [data], target, old)
+        for temporary, target in staged:
+            os.replace(temporary, target)
+        for path in direct:
+            _write_directly(path, [files[path]])
+    except BaseException:
+        for temporary, _ in staged:
+            _remove(temporary)
+        raise
+    finally:
+        guard.reset()
 
 
 def is_input(path: str, inputs: Iterable[str]) -> bool:
@@ -101,7 +144,7 @@ def _write_directly(path: str, chunks: Iterable[bytes]) -> None:
 
 def _replace(target: str, chunks: Iterable[bytes], old: os.stat_result | None) -> None:
     """Write `target` by way of a temporary file that is gone afterwards, come what may."""
-    temporary = os.path.join(os.path.dirname(target), f".yamaro-{os.urandom(8).hex()}.tmp")
+    temporary = _temporary(target)
     guard = _TerminationGuard(temporary)
     try:
         guard.set()
@@ -112,6 +155,10 @@ def _replace(target: str, chunks: Iterable[bytes], old: os.stat_result | None) -
         raise
     finally:
         guard.reset()
+
+
+def _temporary(target: str) -> str:
+    return os.path.join(os.path.dirname(target), f".yamaro-{os.urandom(8).hex()}.tmp")
 
 
 def _write_new(path: str, chunks: Iterable[bytes], target: str, old: os.stat_result | None) -> None:
@@ -170,12 +217,16 @@ def _remove(path: str) -> None:
 
 
 class _TerminationGuard:
-    """Removes a file when a signal that ends the process arrives, and then lets it end."""
+    """Removes files when a signal that ends the process arrives, and then lets it end.
 
-    __slots__ = ("_path", "_previous")
+    Attributes:
+        paths: the files.
+    """
 
-    def __init__(self, path: str) -> None:
-        self._path = path
+    __slots__ = ("_previous", "paths")
+
+    def __init__(self, *paths: str) -> None:
+        self.paths = list(paths)
         self._previous: list[int] = []
 
     def set(self) -> None:
@@ -202,6 +253,7 @@ class _TerminationGuard:
         self._previous.clear()
 
     def _end(self, number: int, frame: FrameType | None) -> None:
-        _remove(self._path)
+        for path in self.paths:
+            _remove(path)
         self.reset()
         os.kill(os.getpid(), number)

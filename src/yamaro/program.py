@@ -23,7 +23,7 @@ from .terminal import harmless
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Mapping, Sequence
-    from typing import TypeVar
+    from typing import TypedDict, TypeVar
 
     from .diagnostics import Diagnostic
     from .files.loader import Loader
@@ -32,6 +32,15 @@ if TYPE_CHECKING:
     from .sandbox.outcome import Outcome
     from .source import Source
     from .targets.assets import Assets
+
+    class Targets(TypedDict, total=False):
+        """The arguments of `build` that say which formats are written, and how."""
+
+        target: list[str]
+        base: str | None
+        repair_inertia: bool
+        sdf_version: str | None
+        meshes: str
 
     T = TypeVar("T")
     Say = Callable[[str], None]
@@ -165,13 +174,10 @@ class Program:
             from .emission import targets_of
 
             request.targets = targets_of(
-                target,
-                request.paths,
-                has_meshes=meshes != NONE,
-                base=base,
-                repairs_inertia=repair_inertia,
-                sdf_version=sdf_version,
-            )
+                target, request.paths, has_meshes=meshes != NONE, base=base,
+                repairs_inertia=repair_inertia, sdf_version=sdf_version,
+                output=None if output is None else os.fspath(output),
+            )  # fmt: skip
         return self._compile(request, lambda build: build, say=on_message, has_root=has_root)
 
     def xml_and_warnings(
@@ -285,7 +291,9 @@ class Program:
     ) -> MeshPaths:
         """Return how the output names meshes; raise UsageError if it cannot as asked."""
         start = folder_of(self._path)
-        folder = start if output is None else folder_of(os.fspath(output))
+        folder = start if output is None else os.path.dirname(os.path.abspath(output))
+        if output is not None and not os.path.basename(output):
+            folder = os.path.abspath(output)
         finder = MeshFinder(packages, self._reach, start=start)
         if mode == COPY and output is None:
             raise UsageError(

@@ -22,9 +22,13 @@ class Target:
         base: `fixed` or `free`, or None to do as the robot says.
         repairs_inertia: whether inertia that no body can have is balanced.
         version: of the format, or "" for the default.
+        file_name: what the file of the document is called: "" on standard output, None to call it
+            like the robot.
     """
 
-    __slots__ = ("base", "format", "has_meshes", "paths", "repairs_inertia", "version")
+    __slots__ = (
+        "base", "file_name", "format", "has_meshes", "paths", "repairs_inertia", "version",
+    )  # fmt: skip
 
     def __init__(
         self,
@@ -35,6 +39,7 @@ class Target:
         base: str | None = None,
         repairs_inertia: bool = False,
         version: str = "",
+        file_name: str | None = "",
     ) -> None:
         self.format = format
         self.paths = paths
@@ -42,6 +47,7 @@ class Target:
         self.base = base
         self.repairs_inertia = repairs_inertia
         self.version = version
+        self.file_name = file_name
 
 
 class Request:

@@ -41,6 +41,7 @@ class Build:
 
     Attributes:
         files: the absolute path of every file read, in order.
+        file_name: what its file is called; "" if it was built for no file.
         format: the output format: `urdf` (also for other XML), `sdf`, `mjcf`, `srdf` or `usd`.
         losses: what the format cannot hold as it is, if a format was asked for.
         outputs: the builds of all formats that were asked for together, this one among them.
@@ -58,6 +59,7 @@ class Build:
         "_finished",
         "_robot",
         "_root",
+        "file_name",
         "files",
         "finder",
         "format",
@@ -112,6 +114,7 @@ class Build:
         self.files = files
         self.notes = notes
         self.format = format
+        self.file_name = ""
         self.losses = losses
         self.outputs: dict[str, Build] = {}
 

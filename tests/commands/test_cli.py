@@ -176,6 +176,7 @@ def test_deps_lists_meshes_that_are_files_and_each_once(
     def build(path: str, **options: object) -> types.SimpleNamespace:
         return types.SimpleNamespace(
             warnings=[],
+            outputs={},
             files=["/r/robot.yaml", "/r/b.yaml"],
             meshes=["/r/m.stl", "package://unknown/n.stl", "/r/b.yaml"],
         )

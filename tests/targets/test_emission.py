@@ -2,22 +2,17 @@
 
 from __future__ import annotations
 
-import sys
 from pathlib import Path
-from types import ModuleType
 from typing import TYPE_CHECKING
 
 import pytest
 
+from tests.targets.stub import write_with_stub
 from yamaro import Policy, UsageError, YamaroError, build, load
-from yamaro.diagnostics import failure
 from yamaro.sandbox.jail import check_available
-from yamaro.targets.output import APPROXIMATED, LOST, RENAMED, Loss, Output
-from yamaro.xml.tree import Element
 
 if TYPE_CHECKING:
-    from yamaro.model.robot import Robot
-    from yamaro.targets.output import Wanted
+    from yamaro.targets.output import Loss
 
 ROBOT = """\
 model:
@@ -29,40 +24,9 @@ model:
 """
 
 
-def write(robot: Robot, wanted: Wanted) -> Output:
-    """Write a list of links, in a format that has no joints; refuse a link named `refused`."""
-    if "refused" in robot.links:
-        raise failure("massless-moving", "the link is refused", robot.links["refused"].span)
-    attributes = {
-        "name": robot.name or wanted.name,
-        "fixed": str(wanted.is_fixed).lower(),
-        "version": wanted.version,
-        "meshes": str(wanted.has_meshes).lower(),
-        "repairs": str(wanted.repairs_inertia).lower(),
-    }
-    root = Element(wanted.format, robot.span, attributes=dict(attributes))
-    root.children += [
-        Element("body", link.span, attributes={"name": link.name}) for link in robot.links.values()
-    ]
-    losses = [
-        Loss(LOST, "joints", f"joint '{joint.name}'", joint.span, hint="use links")
-        for joint in robot.joints.values()
-    ]
-    if "square" in robot.links:
-        square = robot.links["square"]
-        losses += [
-            Loss(APPROXIMATED, "squares", "link 'square'", square.span, how="circles"),
-            Loss(RENAMED, "shapes", "link 'square'", square.span, how="circle"),
-        ]
-    return Output(root, losses, {"scene.xml": b"<scene/>\n", "assets/arm-12.stl": b"\0\1"})
-
-
 @pytest.fixture(autouse=True)
 def _formats(monkeypatch: pytest.MonkeyPatch) -> None:
-    for format in ("sdf", "mjcf", "srdf", "usd"):
-        module = ModuleType(f"yamaro.targets.{format}")
-        module.write = write  # type: ignore[attr-defined]
-        monkeypatch.setitem(sys.modules, module.__name__, module)
+    write_with_stub(monkeypatch)
 
 
 @pytest.fixture
@@ -91,7 +55,8 @@ def test_a_build_for_a_format_has_its_document_losses_and_assets(robot: Path) ->
     assert built.root_name == "mjcf"
     assert built.root.elements()[1].span.location()[0] == 5
     assert list(built.robot.joints) == ["arm_joint"]
-    assert built.assets == {"scene.xml": b"<scene/>\n", "assets/arm-12.stl": b"\0\1"}
+    assert built.assets == {"assets/arm-12.stl": b"\0\1"}
+    assert built.file_name == ""
     assert [(loss.kind, loss.what, loss.owner) for loss in built.losses] == [
         ("lost", "joints", "joint 'arm_joint'")
     ]
@@ -212,6 +177,32 @@ def test_the_base_is_fixed_as_the_robot_says(tmp_path: Path, text: str, is_fixed
     assert build(path, target="mjcf").root.attributes["fixed"] == is_fixed
     assert build(path, target="mjcf", base="free").root.attributes["fixed"] == "false"
     assert build(path, target="mjcf", base="fixed").root.attributes["fixed"] == "true"
+
+
+# --- names of files ---------------------------------------------------------------------------
+
+
+def test_files_beside_a_document_know_its_name(robot: Path, tmp_path: Path) -> None:
+    built = build(robot, target="mjcf", output=tmp_path / "arm.xml")
+    assert built.file_name == "arm.xml"
+    assert b"file='arm.xml'" in built.assets["scene.xml"]
+    many = build(robot, target=["urdf", "mjcf", "usd"], output=f"{tmp_path}/out/")
+    assert [each.file_name for each in many.outputs.values()] == [
+        "robot.urdf",
+        "robot.xml",
+        "robot.usda",
+    ]
+
+
+@pytest.mark.parametrize(
+    ("name", "file_name"),
+    [("a b", "a b.sdf"), ("../x", "main.sdf"), (".x", "main.sdf"), ("x" * 101, "main.sdf")],
+)
+def test_a_file_is_called_like_the_robot_if_it_can_be(
+    tmp_path: Path, name: str, file_name: str
+) -> None:
+    path = put(tmp_path / "main.yaml", f"robot: {name!r}\nmodel:\n- link/name=a: {{}}\n")
+    assert build(path, target="sdf", output=f"{tmp_path}/").file_name == file_name
 
 
 # --- several formats --------------------------------------------------------------------------

@@ -27,13 +27,35 @@ def run(arguments: Arguments, streams: Streams) -> int:
         return convert_file(arguments, streams, _dependencies, form=NAMES)
 
     def conclude(build: Build) -> None:
-        """Sum up what was written, for people: programs take what is said for complaints."""
-        if not streams.quiet and not goes_to_standard_output(arguments) and streams.is_terminal():
-            from ..tools.summary import summary_of
-
-            streams.say(f"{arguments.options['output']}: {summary_of(build.encoded())}")
+        if not streams.quiet and not goes_to_standard_output(arguments):
+            _sum_up(build, arguments, streams)
 
     return convert_file(arguments, streams, _document, conclude=conclude)
+
+
+ENDINGS = {".sdf": "sdf", ".srdf": "srdf", ".mjcf": "mjcf", ".usd": "usd", ".usda": "usd"}
+"""The endings that promise another format than URDF."""
+
+
+def _sum_up(build: Build, arguments: Arguments, streams: Streams) -> None:
+    """Sum up what was written, for people: programs take what is said for complaints."""
+    name = arguments.options["output"]
+    if arguments.has("to"):
+        from .formats import summary_of as summary_of_formats
+
+        summary = summary_of_formats(build, arguments)
+    else:
+        format = ENDINGS.get(os.path.splitext(name)[1].lower())
+        if format is not None and "<robot" in "".join(build.pieces[:8])[:200]:
+            says = f"{name} holds URDF; --to {format} writes {format.upper()}"
+            streams.say(f"yamaro: note: {says}")
+        if not streams.is_terminal():
+            return
+        from ..tools.summary import summary_of
+
+        summary = summary_of(build.encoded())
+    if streams.is_terminal():
+        streams.say(f"{name}: {summary}")
 
 
 def _document(build: Build) -> Iterable[bytes]:
@@ -44,7 +66,9 @@ def _dependencies(build: Build) -> list[bytes]:
     """Return a line for each file; refuse a name that programs would read as several."""
     from ..diagnostics import failure_of_all
 
-    names = dict.fromkeys(filter(os.path.isabs, build.files + build.meshes))
+    builds = list(build.outputs.values()) or [build]
+    read = [path for each in builds for path in (*each.files, *each.meshes)]
+    names = dict.fromkeys(filter(os.path.isabs, read))
     for name in names:
         if name.splitlines() != [name]:
             raise failure_of_all(

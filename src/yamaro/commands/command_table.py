@@ -27,13 +27,16 @@ COMMANDS = {
             BUILD,
             ("FILE [name:=value ...]",),
             "compile a robot",
-            "Compile a robot description, in YAML or xacro, to URDF or any other XML.",
+            "Compile a robot description, in YAML, URDF or xacro, to URDF or any other XML, or to "
+            "the formats of simulators.",
             words=FILE_WORDS,
             endings=ENDINGS,
             examples=(
                 "yamaro robot.yaml > robot.urdf",
                 "yamaro robot.yaml -o build/robot.urdf legs:=6 body_mass:=2.5",
                 "yamaro robot.urdf.xacro -o robot.urdf use_sim:=true",
+                "yamaro robot.yaml --to mjcf -o robot.xml",
+                "yamaro robot.urdf --to urdf,sdf,mjcf -o out/",
                 "yamaro check robot.yaml && yamaro tree robot.yaml",
                 "generate_robot | yamaro -",
             ),

@@ -9,7 +9,7 @@ from ..streams import XML
 from .delivery import deliver, deliver_assets, refuse_overwriting
 from .inputs import read_pipe
 from .reports import display_name, sayer, show
-from .settings import make_policy, output_of, read_adjustment, read_packages
+from .settings import make_policy, output_of, read_adjustment, read_packages, targets_of
 from .usage import DONE, INPUT_ERROR, WrongUsage
 
 TYPE_CHECKING = False
@@ -86,6 +86,10 @@ def _deliver_build(
     build: Build, chunks: Iterable[bytes | str], arguments: Arguments, streams: Streams, form: str
 ) -> int:
     """Write what was taken of a build, and the copies of meshes; return the exit status."""
+    if arguments.has("to") and arguments.command == "build" and not arguments.has("deps"):
+        from .formats import deliver_formats
+
+        return deliver_formats(build, chunks, arguments, streams)
     refuse_overwriting(arguments, lambda: [*build.files, *build.meshes])
     status = deliver_assets(lambda: build.assets, arguments, streams)
     return deliver(chunks, arguments, streams, form) if status == DONE else status
@@ -145,9 +149,9 @@ def _build(
                 advice=advice,
                 has_root=has_root,
                 output=output_of(arguments),
-                meshes=arguments.options.get("meshes", "relative"),
                 gazebo=arguments.has("gazebo"),
                 records=records,
+                **targets_of(arguments),
             )
             return build, take(build)
     except UsageError as error:

@@ -81,7 +81,7 @@ def deliver_assets(
     try:
         folder = os.path.dirname(output)
         files = {os.path.join(folder, name): data for name, data in find().items()}
-        new = {path: data for path, data in files.items() if not _is_written(path, data)}
+        new = {path: data for path, data in files.items() if not is_written(path, data)}
     except OSError as error:
         name = os.fspath(error.filename or "a mesh")
         streams.say(f"yamaro: error: cannot copy {quote(name)}: {error.strerror or error}")
@@ -89,7 +89,7 @@ def deliver_assets(
     return deliver_files(new, streams)
 
 
-def _is_written(path: str, data: bytes) -> bool:
+def is_written(path: str, data: bytes) -> bool:
     """Return whether a file is there with this content; raise OSError if it has another."""
     if not os.path.lexists(path):
         return False

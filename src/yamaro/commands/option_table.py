@@ -24,7 +24,8 @@ OPTIONS = {
     for option in (
         Option(
             "output",
-            "write to FILE instead of standard output; after an error, FILE is not changed",
+            "write to FILE instead of standard output, or into a folder: out/; after an error, "
+            "nothing is changed",
             ("build", "watch", "picture", "migrate"),
             short="o",
             value="FILE",
@@ -32,6 +33,7 @@ OPTIONS = {
             completes="files",
             help_in={
                 "picture": ".png or .jpg; .gif or .mp4 for a film; - for a PNG on standard output",
+                "watch": "the file to write, or a folder: out/",
                 "migrate": "write to FILE instead of standard output; a xacro robot of several "
                 "files needs a folder",
             },
@@ -80,6 +82,39 @@ OPTIONS = {
             value="HOW",
             wants="relative, keep, absolute, copy, package://NAME or none",
             completes="relative keep absolute copy package:// none",
+        ),
+        Option(
+            "to",
+            "write these output formats: urdf, sdf, mjcf, srdf, usd, separated by commas; several "
+            "need a folder: -o FOLDER/",
+            ("build", "check", "watch"),
+            value="FORMATS",
+            wants="urdf, sdf, mjcf, srdf or usd",
+            is_repeatable=True,
+            completes="urdf sdf mjcf srdf usd",
+            help_in={"check": "also report what these output formats cannot hold: urdf, sdf, ..."},
+        ),
+        Option(
+            "base",
+            "fix the root of the robot in the world, or let it move freely; by default as the "
+            "robot says",
+            ("build", "check", "watch"),
+            value="HOW",
+            wants="fixed or free",
+            choices=("fixed", "free"),
+        ),
+        Option(
+            "repair-inertia",
+            "balance inertia that no body can have, instead of refusing it",
+            ("build", "check", "watch"),
+        ),
+        Option(
+            "sdf-version",
+            "version of SDF: 1.11 (the default) or 1.9",
+            ("build", "check", "watch"),
+            value="VERSION",
+            wants="1.11 or 1.9",
+            choices=("1.11", "1.9"),
         ),
         Option("gazebo", "also write sensors and surfaces of collisions for Gazebo", ("build",)),
         Option(

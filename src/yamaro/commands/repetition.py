@@ -6,7 +6,7 @@ import sys
 
 from ..source import STANDARD_INPUT
 from .reports import sayer
-from .settings import make_policy, output_of, read_packages
+from .settings import make_policy, output_of, read_packages, targets_of
 from .usage import DONE, WrongUsage
 
 TYPE_CHECKING = False
@@ -75,5 +75,5 @@ def _rebuilder(arguments: Arguments, streams: Streams, policy: Policy, *, looks:
         advice=looks,
         has_root=looks,
         output=output_of(arguments),
-        meshes=arguments.options.get("meshes", "relative"),
+        targets=targets_of(arguments),
     )

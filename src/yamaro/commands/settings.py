@@ -11,6 +11,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from ..diagnostics import Adjustment
     from ..policy import Policy
+    from ..program import Targets
     from .arguments import Arguments
 
 MOST_SECONDS = 1e9
@@ -108,4 +109,26 @@ def output_of(arguments: Arguments) -> str | None:
     from .delivery import goes_to_standard_output
 
     is_xml = arguments.command in (BUILD, "watch")
-    return arguments.output_path if is_xml and not goes_to_standard_output(arguments) else None
+    if not is_xml or goes_to_standard_output(arguments):
+        return None
+    if arguments.has("to") and not arguments.has("deps"):
+        from .formats import path_for_build
+
+        return path_for_build(arguments)
+    return arguments.output_path
+
+
+def targets_of(arguments: Arguments) -> Targets:
+    """Return the arguments of `yamaro.build` that say which formats are written, and how.
+
+    Raises:
+        WrongUsage: a format is unknown, or options do not go together.
+    """
+    if arguments.has("to"):
+        from .formats import targets_in
+
+        return targets_in(arguments)
+    for name in ("base", "repair-inertia", "sdf-version"):
+        if arguments.has(name):
+            raise WrongUsage(f"'--{name}' needs an output format, such as --to sdf")
+    return {"meshes": arguments.options.get("meshes", "relative")}

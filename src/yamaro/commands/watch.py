@@ -33,6 +33,10 @@ def _watch(arguments: Arguments, streams: Streams, rebuilder: Rebuilder) -> None
 
     def write(build: Build) -> bool:
         refuse_overwriting(arguments, lambda: [*build.files, *build.meshes])
+        if arguments.has("to"):
+            from .formats import deliver_formats
+
+            return deliver_formats(build, (), arguments, streams) == DONE
         status = deliver_assets(lambda: build.assets, arguments, streams)
         return status == DONE and deliver(build.encoded(), arguments, streams) == DONE
 

@@ -17,6 +17,7 @@ class Document:
 
     Attributes:
         format: the format.
+        file_name: what its file is called.
         text: the document.
         root: its tree, if it was asked for.
         losses: what the format cannot hold, as warnings.
@@ -26,7 +27,7 @@ class Document:
         notes: what comes with that tree.
     """
 
-    __slots__ = ("assets", "format", "losses", "notes", "robot", "root", "text")
+    __slots__ = ("assets", "file_name", "format", "losses", "notes", "robot", "root", "text")
 
     def __init__(
         self,
@@ -38,8 +39,10 @@ class Document:
         assets: Mapping[str, bytes] | None = None,
         robot: Element | None = None,
         notes: Sequence[Element] = (),
+        file_name: str = "",
     ) -> None:
         self.format = format
+        self.file_name = file_name
         self.text = text
         self.root = root
         self.losses = losses

@@ -284,6 +284,7 @@ class _Packer:
         return pack(
             [
                 _text(document.format),
+                _text(document.file_name),
                 _text(document.text),
                 self._optional_tree(document.root),
                 self._optional_tree(document.robot),
@@ -417,7 +418,7 @@ class _Unpacker:
         return Fix(_read_text(title), edits, is_safe=bool(is_safe))
 
     def document(self, data: bytes, limits: Limits) -> Document:
-        name, packed, root, robot, notes, losses, has_assets, *assets = unpack(data)
+        name, file_name, packed, root, robot, notes, losses, has_assets, *assets = unpack(data)
         text = packed.decode()
         if name != _USD:
             check_document(text, limits)
@@ -434,6 +435,7 @@ class _Unpacker:
             assets=dict(zip(names, contents, strict=True))
             if _read_numbers(has_assets, 1) != [0]
             else None,
+            file_name=_read_inner(file_name) if file_name else "",
         )
 
     def tree(self, data: bytes) -> Element:

@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Mapping, Sequence
 
     from ..policy import Policy
+    from ..program import Targets
     from ..result import Build
 
 
@@ -81,7 +82,7 @@ class Rebuilder:
         advice: bool = False,
         has_root: bool = False,
         output: str | None = None,
-        meshes: str = "relative",
+        targets: Targets | None = None,
     ) -> None:
         """Name the main file; see `yamaro.build`."""
         self.path = path
@@ -95,7 +96,7 @@ class Rebuilder:
         self._advice = advice
         self._has_root = has_root
         self._output = output
-        self._meshes = meshes
+        self._targets: Targets = targets or {}
         self._program: Program | None = None
         self._watch = FileWatch()
         self._last: Turn | None = None
@@ -139,7 +140,7 @@ class Rebuilder:
                 on_message=self._on_message,
                 has_root=self._has_root,
                 output=self._output,
-                meshes=self._meshes,
+                **self._targets,
             )
         except YamaroError as error:
             return Turn(None, error.diagnostics)

@@ -1,0 +1,178 @@
+"""What `--to` asks for, and how documents in several formats are written."""
+
+from __future__ import annotations
+
+import os
+
+from ..output import is_input, write_files
+from ..targets.assets import FOLDER
+from ..targets.output import MARK
+from ..targets.writers import ENDINGS, TITLES
+from ..tools.tree import counted
+from .delivery import deliver, goes_to_standard_output, is_written
+from .usage import DONE, INPUT_ERROR, WrongUsage, near, quote
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+    from ..program import Targets
+    from ..result import Build
+    from ..streams import Streams
+    from .arguments import Arguments
+
+START = 200
+"""Characters in which a file that was generated says so."""
+
+
+def targets_in(arguments: Arguments) -> Targets:
+    """Return what the options ask for.
+
+    Raises:
+        WrongUsage: a format is unknown, or options do not go together.
+    """
+    words = [word for text in arguments.lists["to"] for word in text.split(",")]
+    formats = list(dict.fromkeys(word.strip().lower() for word in words if word.strip()))
+    for format in formats:
+        if format not in ENDINGS:
+            hint = near(format, ENDINGS) or "; choose from " + ", ".join(ENDINGS)
+            raise WrongUsage(f"unknown output format {quote(format)}{hint}")
+    if not formats:
+        raise WrongUsage("'--to' needs output formats: " + ", ".join(ENDINGS))
+    if "sdf" not in formats and arguments.has("sdf-version"):
+        raise WrongUsage("'--sdf-version' needs --to sdf")
+    wanted: Targets = {
+        "target": formats,
+        "base": arguments.options.get("base"),
+        "repair_inertia": arguments.has("repair-inertia"),
+        "sdf_version": arguments.options.get("sdf-version"),
+        "meshes": arguments.options.get("meshes", "relative"),
+    }
+    if arguments.command == "check" or arguments.has("deps"):
+        return wanted
+    if goes_to_standard_output(arguments):
+        if len(formats) > 1:
+            raise WrongUsage("several output formats need a folder: -o out/")
+    elif is_folder(arguments, formats):
+        wanted["meshes"] = arguments.options.get("meshes", "copy")
+    return wanted
+
+
+def is_folder(arguments: Arguments, formats: list[str]) -> bool:
+    """Return whether the output is a folder.
+
+    It is where several formats are written, where its name ends in a slash, and where one is there.
+
+    Raises:
+        WrongUsage: it has to be one, and is a file.
+    """
+    path = arguments.output_path
+    has_slash = path.endswith((os.sep, os.altsep or os.sep))
+    is_one = has_slash or len(formats) > 1 or os.path.isdir(path)
+    if is_one and os.path.exists(path) and not os.path.isdir(path):
+        name = quote(arguments.options["output"])
+        raise WrongUsage(f"{name} is a file, and several output formats need a folder: -o out/")
+    return is_one
+
+
+def path_for_build(arguments: Arguments) -> str:
+    """Return the path of the output for `yamaro.build`, where that of a folder ends in a slash."""
+    formats = targets_in(arguments)["target"]
+    path = arguments.output_path
+    return os.path.join(path, "") if is_folder(arguments, formats) else path
+
+
+def deliver_formats(
+    build: Build, chunks: Iterable[bytes | str], arguments: Arguments, streams: Streams
+) -> int:
+    """Write all documents of a build, and what belongs beside them; return the exit status.
+
+    `chunks` are the document for standard output.
+    Nothing is written before it is known that each file may be: no file that was read is replaced,
+    nor one in `assets/` of other content, nor one beside a document that Yamaro has not generated.
+    """
+    if goes_to_standard_output(arguments):
+        _refuse_assets(build)
+        return deliver(chunks, arguments, streams)
+    builds = list(build.outputs.values())
+    formats = [each.format for each in builds]
+    if is_folder(arguments, formats):
+        folder = arguments.output_path
+        documents = {os.path.join(folder, each.file_name): each for each in builds}
+    else:
+        folder = os.path.dirname(arguments.output_path)
+        documents = {arguments.output_path: build}
+    try:
+        files = _beside(builds, folder)
+    except OSError as error:
+        name = quote(os.fspath(error.filename or "a mesh"))
+        streams.say(f"yamaro: error: cannot write {name}: {error.strerror or error}")
+        return INPUT_ERROR
+    inputs = [path for each in builds for path in (*each.files, *each.meshes)]
+    for path in (*documents, *files):
+        if path not in files or not _is_same(path, files[path]):
+            if is_input(path, inputs):
+                raise WrongUsage(f"the output {quote(path)} is one of the input files")
+    new = {path: data for path, data in files.items() if not _is_same(path, data)}
+    new |= {path: b"".join(each.encoded()) for path, each in documents.items()}
+    try:
+        write_files(new)
+    except OSError as error:
+        name = quote(os.fspath(error.filename or folder))
+        streams.say(f"yamaro: error: cannot write {name}: {error.strerror or error}")
+        return INPUT_ERROR
+    return DONE
+
+
+def _beside(builds: list[Build], folder: str) -> dict[str, bytes]:
+    """Return what belongs beside the documents, by path.
+
+    Raises:
+        OSError: a mesh cannot be read, or another file is in the place of one.
+    """
+    files: dict[str, bytes] = {}
+    for build in builds:
+        for name, data in build.assets.items():
+            path = os.path.join(folder, name)
+            if name.startswith(f"{FOLDER}/"):
+                is_written(path, data)
+            elif not _may_replace(path):
+                continue
+            files[path] = data
+    return files
+
+
+def _is_same(path: str, data: bytes) -> bool:
+    try:
+        return is_written(path, data)
+    except OSError:
+        return False
+
+
+def _may_replace(path: str) -> bool:
+    """Return whether there is no file, or one that says it was generated."""
+    if not os.path.lexists(path):
+        return True
+    if not os.path.isfile(path):
+        return False
+    with open(path, "rb") as file:
+        return MARK.encode() in file.read(START)
+
+
+def summary_of(build: Build, arguments: Arguments) -> str:
+    """Return what was written, in a line."""
+    builds = list(build.outputs.values())
+    is_one = not is_folder(arguments, [each.format for each in builds])
+    listed = TITLES[build.format] if is_one else ", ".join(each.file_name for each in builds)
+    count = len({name for each in builds for name in each.assets})
+    return listed + (f", and {counted(count, 'file')} beside it" if count else "")
+
+
+def _refuse_assets(build: Build) -> None:
+    """Refuse to write a document to standard output that needs files beside it."""
+    if any(name.startswith(f"{FOLDER}/") for name in build.assets):
+        title = TITLES[build.format]
+        raise WrongUsage(
+            f"the {title} of this robot needs files of meshes beside it: name it with -o FILE, or "
+            "write --meshes none"
+        )
