@@ -5,7 +5,7 @@ from __future__ import annotations
 from ..diagnostics import ERROR, Diagnostic, YamaroError, did_you_mean, failure
 from ..xml.tree import Element
 from ..xml.values import format_value
-from .control import ControlWriter
+from .control_block import ControlWriter
 from .notes import RobotNote, take_notes
 from .rigid import link_of, name_of
 
@@ -13,7 +13,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
-    from .control import States
+    from .control_block import States
     from .lowering import Lowering
 
 _TOLERANCE = 1e-9

@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from ..model.shapes import Inertia
     from ..source import Source, Span
     from ..xml.forms import Form
+    from .control import PendingControl
     from .formed import Pattern
     from .mirror import Mirror
     from .naming import Naming
@@ -27,7 +28,7 @@ if TYPE_CHECKING:
         list[Element],
         list[Mirror],
         list[tuple[RobotNote, str]],
-        list[RobotNote],
+        list[PendingControl],
         dict[str, str],
         dict[str, str],
     ]
@@ -59,7 +60,7 @@ class Lowering:
             same wherever it is.
         reports: how often something was reported so far.
         trace: the calls and includes that led to the part that is being lowered.
-        controls: the notes of `control` whose joints are not chosen yet.
+        controls: those whose joints are not chosen yet.
         references: notes with the attribute that may yet be the name of a part.
         pending: the mirrors whose image is made once names are resolved, inner ones first.
         part_links: the link of each part, by the part's name.
@@ -124,7 +125,7 @@ class Lowering:
         self.part_joints: dict[str, str] = {}
         self.pending: list[Mirror] = []
         self.references: list[tuple[RobotNote, str]] = []
-        self.controls: list[RobotNote] = []
+        self.controls: list[PendingControl] = []
         self.link_name = ""
         self.colors: dict[tuple[float, ...], str] = {}
         self.joint_type: str | None = None

@@ -173,10 +173,22 @@ def make_images(lowering: Lowering, robot: Element) -> None:
     for mirror in lowering.pending:
         entered = lowering.enter(mirror)
         made = _with_images(mirror.made, images)
+        _choose_members(lowering, made)
         present = _with_images(robot.children, images)
         images[id(mirror)] = _Image(lowering, mirror, made, present, links).nodes()
         lowering.leave(entered)
     robot.children = _with_images(robot.children, images)
+
+
+def _choose_members(lowering: Lowering, made: list[Node]) -> None:
+    """Let the controls in a body choose among its joints: their images have the mirrored ones."""
+    inside = {id(node) for node in made}
+    own = [control for control in lowering.controls if id(control.note) in inside]
+    if own:
+        from .control import choose_members
+
+        choose_members(lowering, [each for each in made if isinstance(each, Element)], own)
+        lowering.controls = [control for control in lowering.controls if control not in own]
 
 
 def _with_images(nodes: list[Node], images: dict[int, list[Node]]) -> list[Node]:
@@ -206,6 +218,15 @@ def _own_links(lowering: Lowering, mirror: Mirror) -> set[str]:
         elif isinstance(node, Element) and node.name == "link":
             names.add(name_of(node))
     return names
+
+
+_NAMED_NOTES = {
+    "sensor": "sensor",
+    "robot-group": "group",
+    "robot-loop": "loop",
+    "ros2_control": "control",
+}
+"""What is named once in a robot, besides links and joints."""
 
 
 class _Image:
@@ -251,9 +272,12 @@ class _Image:
             else:
                 self._warn_of_poses(copy)
         RobotNames(kept).rename(copies, self.mirror.renaming.apply)
+        found: list[Node] = []
         for original, copy in zip(kept, copies, strict=True):
-            self._check_name(original, copy)
-        return [copy for old, copy in zip(kept, copies, strict=True) if not _repeats(old, copy)]
+            has_name = self._check_name(original, copy)
+            if has_name or not isinstance(original, RobotNote):
+                found += [] if _repeats(original, copy) else [copy]
+        return found
 
     # --- links ---
 
@@ -398,22 +422,27 @@ class _Image:
 
     # --- what cannot be mirrored ---
 
-    def _check_name(self, original: Element, copy: Element) -> None:
-        is_named = original.name in ("link", "joint") or (
-            original.name == "sensor" and isinstance(original, RobotNote)
-        )
-        if not is_named or name_of(original) != name_of(copy):
-            return
+    def _check_name(self, original: Element, copy: Element) -> bool:
+        """Return whether an image can have its name beside the original; else record it."""
+        kind = original.name if original.name in ("link", "joint") else None
+        if isinstance(original, RobotNote):
+            kind = _NAMED_NOTES.get(original.name)
+        if kind is None or name_of(original) != name_of(copy):
+            return True
+        name = name_of(original)
         self.lowering.absorb(
             failure(
                 "mirror-name",
-                f"the {original.name} '{name_of(original)}' has no word that 'rename' replaces, "
-                "so its image would have the same name",
+                f"the {kind} '{name}' has no word that 'rename' replaces, "
+                "so its image would have the same name"
+                if name
+                else f"this `{kind}` has no name, so its image would have the same one",
                 original.value_span("name"),
                 hint="name it with one of the words, such as left_…, or add a word to 'rename'",
                 trace=original.trace,
             )
         )
+        return False
 
     def _check_roots(self) -> None:
         children = {

@@ -5,9 +5,9 @@ Names of parts in them are replaced by those of joints and links when all parts 
 
 from __future__ import annotations
 
-from ..diagnostics import YamaroError, did_you_mean, failure
+from ..diagnostics import YamaroError, failure
 from ..xml.tree import Element
-from ..xml.values import format_value
+from .entries import entries_of, given_once, one_of, truth_of
 from .fields import read_value, word_of
 from .notes import RobotNote, check_keys, names_in
 from .numbers import read_numbers
@@ -21,7 +21,6 @@ LOOP_TYPES = ("fixed", "ball", "revolute")
 BASES = ("fixed", "free")
 GROUP_KEYS = ("chain", "links", "joints", "groups", "parent", "end_effector")
 COLLISION_KEYS = ("samples", "seed", "keep")
-LIST_ITEM = "-"
 
 
 def lower_section(lowering: Lowering, word: RobotWord, out: list[Node]) -> None:
@@ -53,9 +52,9 @@ def _unknown(lowering: Lowering, word: RobotWord, out: list[Node]) -> None:
 
 
 def _states(lowering: Lowering, word: RobotWord, out: list[Node]) -> None:
-    for state in _entries(word, "home: {elbow: 0.5}"):
+    for state in entries_of(word, "home: {elbow: 0.5}"):
         note = _note(lowering, "state", state, {"name": state.name})
-        for key in _entries(state, f"{state.name}: {{elbow: 0.5}}"):
+        for key in entries_of(state, f"{state.name}: {{elbow: 0.5}}"):
             try:
                 value, span = read_value(key)
                 numbers = read_numbers(
@@ -81,12 +80,12 @@ def _states(lowering: Lowering, word: RobotWord, out: list[Node]) -> None:
 
 
 def _groups(lowering: Lowering, word: RobotWord, out: list[Node]) -> None:
-    for group in _entries(word, "arm: {chain: [base_link, tool0]}"):
+    for group in entries_of(word, "arm: {chain: [base_link, tool0]}"):
         check_keys(group, GROUP_KEYS)
         note = _note(lowering, "robot-group", group, {"name": group.name})
         for key in group.elements():
             if key.name == "end_effector":
-                note.attributes["end_effector"] = _truth(key)
+                note.attributes["end_effector"] = truth_of(key)
             elif key.name == "parent":
                 _refer(lowering, note, "parent_link", key)
             else:
@@ -167,7 +166,7 @@ def _pairs(key: Element) -> list[tuple[str, str]]:
 
 
 def _loop(lowering: Lowering, word: RobotWord, out: list[Node]) -> None:
-    keys = _given_once(word, ("name", "type", "between", "axis"))
+    keys = given_once(word, ("name", "type", "between", "axis"))
     for name, example in (("name", "bar"), ("type", "revolute"), ("between", "[bar_end, pin]")):
         if name not in keys:
             raise failure(
@@ -177,7 +176,7 @@ def _loop(lowering: Lowering, word: RobotWord, out: list[Node]) -> None:
                 hint=f"write {name}: {example}",
                 trace=word.trace,
             )
-    kind = _one_of(keys["type"], LOOP_TYPES)
+    kind = one_of(keys["type"], LOOP_TYPES)
     ends = names_in(keys["between"])
     if len(ends) != 2:
         raise failure(
@@ -203,7 +202,7 @@ def _loop(lowering: Lowering, word: RobotWord, out: list[Node]) -> None:
 
 
 def _base(lowering: Lowering, word: RobotWord, out: list[Node]) -> None:
-    out.append(_note(lowering, "base", word, {"type": _one_of(word, BASES)}))
+    out.append(_note(lowering, "base", word, {"type": one_of(word, BASES)}))
 
 
 # --- reading ----------------------------------------------------------------------------------
@@ -213,75 +212,8 @@ def _note(lowering: Lowering, kind: str, key: Element, attributes: dict[str, str
     return RobotNote(kind, key.span, dict(attributes), trace=lowering.trace)
 
 
-def _given_once(word: Element, known: tuple[str, ...]) -> dict[str, Element]:
-    """Return the entries of a word by name.
-
-    Raises:
-        YamaroError: one is unknown, or given twice.
-    """
-    check_keys(word, known)
-    keys: dict[str, Element] = {}
-    for key in word.elements():
-        if key.name in keys:
-            raise failure(
-                "given-twice",
-                f"'{key.name}' is given twice in this `{word.name}`",
-                key.span,
-                hint="remove one of the two",
-                notes=[f"first given at {keys[key.name].span.place()}"],
-                trace=word.trace,
-            )
-        keys[key.name] = key
-    return keys
-
-
-def _entries(owner: Element, example: str) -> list[Element]:
-    """Return the entries of a mapping.
-
-    Raises:
-        YamaroError: it is a text or a list.
-    """
-    for child in owner.children:
-        if not isinstance(child, Element) or child.name == LIST_ITEM:
-            raise failure(
-                "not-a-body",
-                f"'{owner.name}' holds entries such as `name: value`",
-                child.span,
-                hint=f"write {example}",
-                trace=owner.trace,
-            )
-    return owner.elements()
-
-
 def _refer(lowering: Lowering, note: RobotNote, attribute: str, key: Element) -> None:
     value, span = read_value(key)
     note.attributes[attribute] = word_of(key.name, value, span, owner=key)
     note.value_spans = {**(note.value_spans or {}), attribute: span}  # type: ignore[dict-item]
     lowering.references.append((note, attribute))
-
-
-def _truth(key: Element) -> str:
-    text = format_value(read_value(key)[0]).strip()
-    if text not in ("true", "false"):
-        raise failure(
-            "bad-choice",
-            f"'{key.name}' is true or false, and '{text}' is neither",
-            key.span,
-            hint=f"write {key.name}: true",
-            trace=key.trace,
-        )
-    return text
-
-
-def _one_of(key: Element, choices: tuple[str, ...]) -> str:
-    value, span = read_value(key)
-    text = word_of(key.name, value, span, owner=key)
-    if text in choices:
-        return text
-    raise failure(
-        "bad-choice",
-        f"'{key.name}' is one of {', '.join(choices)}, and '{text}' is none of them",
-        span,
-        hint=did_you_mean(text, choices) or f"write {key.name}: {choices[0]}",
-        trace=key.trace,
-    )

@@ -42,4 +42,4 @@ def finish_words(lowering: Lowering, robot: Element) -> None:
     if lowering.controls:
         from .control import choose_members
 
-        choose_members(lowering, robot, lowering.controls)
+        choose_members(lowering, robot.elements(), lowering.controls)

@@ -77,7 +77,7 @@ def _may_hold_parts(interpreter: Interpreter) -> bool:
 def _run_item(
     interpreter: Interpreter, node: RobotWordNode, item: RobotWordItem, scope: Scope
 ) -> RobotWord:
-    word = RobotWord(node.key.text, node.span, trace=interpreter.trace())
+    word = RobotWord(node.key.text, item.span, trace=interpreter.trace())
     before = interpreter.is_inside, interpreter.holder
     interpreter.is_inside, interpreter.holder = True, interpreter.frame
     if isinstance(item.content, Body):

@@ -28,6 +28,7 @@ from .values import is_empty, parse_value
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from ..source import Span
     from ..yaml.nodes import YamlNode
     from .mappings import Pairs
     from .nodes import Content, IncludeNode
@@ -53,9 +54,17 @@ def parse_robot_word(key: ScalarNode, node: YamlNode, context: ParseContext) -> 
     for item in node.items if several and isinstance(node, SequenceNode) else [node]:
         parsed = inner.attempt(_parse_item, key, item, inner)
         if parsed is not None:
+            parsed.span = _first_place(item) if several else parsed.span
             word.items.append(parsed)
     word.faults = inner.errors
     return word
+
+
+def _first_place(item: YamlNode) -> Span:
+    """Return the place of one item of a list: that of its first key."""
+    first = item.pairs[0][0] if isinstance(item, MappingNode) and item.pairs else item
+    span: Span = first.span()
+    return span
 
 
 def parse_raw_block(key: ScalarNode, node: YamlNode, context: ParseContext) -> RobotWordNode:

@@ -1,0 +1,103 @@
+"""The entries of a section: each given once, and what their values may be."""
+
+from __future__ import annotations
+
+from ..diagnostics import did_you_mean, failure
+from ..xml.tree import Element
+from ..xml.values import format_value
+from .fields import read_value, word_of
+from .notes import check_keys
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    pass
+
+LIST_ITEM = "-"
+"""The name of an item in a list that holds mappings or lists."""
+
+
+def given_once(word: Element, known: tuple[str, ...]) -> dict[str, Element]:
+    """Return the entries of a word by name.
+
+    Raises:
+        YamaroError: one is unknown, or given twice.
+    """
+    check_keys(word, known)
+    keys: dict[str, Element] = {}
+    for key in word.elements():
+        if key.name in keys:
+            raise failure(
+                "given-twice",
+                f"'{key.name}' is given twice in this `{word.name}`",
+                key.span,
+                hint="remove one of the two",
+                notes=[f"first given at {keys[key.name].span.place()}"],
+                trace=word.trace,
+            )
+        keys[key.name] = key
+    return keys
+
+
+def entries_of(owner: Element, example: str) -> list[Element]:
+    """Return the entries of a mapping, or of a list of mappings.
+
+    Raises:
+        YamaroError: it is a text or a list of texts.
+    """
+    return _entries_in(owner, owner, example)
+
+
+def _entries_in(body: Element, owner: Element, example: str) -> list[Element]:
+    found: list[Element] = []
+    for child in body.children:
+        if not isinstance(child, Element):
+            raise failure(
+                "not-a-body",
+                f"'{owner.name}' holds entries such as `name: value`",
+                child.span,
+                hint=f"write {example}",
+                trace=owner.trace,
+            )
+        if child.name == LIST_ITEM:
+            found += _entries_in(child, owner, example)
+        else:
+            found.append(child)
+    return found
+
+
+def truth_of(key: Element) -> str:
+    """Return `true` or `false`, which an entry says.
+
+    Raises:
+        YamaroError: it says something else.
+    """
+    value, span = read_value(key)
+    text = format_value(value).strip()
+    if text not in ("true", "false"):
+        raise failure(
+            "bad-choice",
+            f"'{key.name}' is true or false, and '{text}' is neither",
+            span,
+            hint=f"write {key.name}: true",
+            trace=key.trace,
+        )
+    return text
+
+
+def one_of(key: Element, choices: tuple[str, ...]) -> str:
+    """Return the one of some words that an entry says.
+
+    Raises:
+        YamaroError: it says something else.
+    """
+    value, span = read_value(key)
+    text = word_of(key.name, value, span, owner=key)
+    if text in choices:
+        return text
+    raise failure(
+        "bad-choice",
+        f"'{key.name}' is one of {', '.join(choices)}, and '{text}' is none of them",
+        span,
+        hint=did_you_mean(text, choices) or f"write {key.name}: {choices[0]}",
+        trace=key.trace,
+    )
