@@ -10,7 +10,7 @@ from .tags import Tag, given
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Iterable, Sequence
 
     from ..model.extras import Surface
     from ..model.sensors import Sensor
@@ -32,12 +32,13 @@ def times_of(sensor: Sensor) -> list[Tag]:
     ]
 
 
-def details_of(sensor: Sensor, collisions: Sequence[str]) -> list[Tag]:
+def details_of(sensor: Sensor, collisions: Sequence[str], *, has_optical: bool = True) -> list[Tag]:
     """Return what a sensor has of its type.
 
     Args:
         sensor: the sensor.
         collisions: the names of the shapes that a contact sensor feels.
+        has_optical: whether the optical frame of a camera is named, which SDFormat 1.9 has not.
     """
     noise, details = _noise(sensor), sensor.details
     if isinstance(details, Lidar):
@@ -46,7 +47,8 @@ def details_of(sensor: Sensor, collisions: Sequence[str]) -> list[Tag]:
         scan = Tag("scan", [Tag("horizontal", _rays(1, (0.0, 0.0)))])
         return [Tag("lidar", [scan, _range(details.range), *noise])]
     if isinstance(details, Camera):
-        return [Tag("camera", [*_camera(sensor, details), *noise])]
+        optical = [Tag("optical_frame_id", sensor.optical_frame or "")] if has_optical else []
+        return [Tag("camera", [*_camera(sensor, details), *optical, *noise])]
     if sensor.type == "contact":
         return [Tag("contact", [Tag("collision", name) for name in collisions])]
     if sensor.type == "force_torque":
@@ -85,7 +87,6 @@ def _camera(sensor: Sensor, camera: Camera) -> list[Tag]:
         Tag("horizontal_fov", camera.fov),
         Tag("image", given(("width", width), ("height", height), ("format", pixels))),
         Tag("clip", given(("near", camera.clip[0]), ("far", camera.clip[1]))),
-        Tag("optical_frame_id", sensor.optical_frame or ""),
     ]
 
 
@@ -105,11 +106,20 @@ def _by_axis(noise: list[Tag], *names: str) -> list[Tag]:
     return [Tag(name, [Tag(axis, noise) for axis in "xyz"]) for name in names]
 
 
-def surface_of(surface: Surface) -> Tag:
-    """Return the surface of a collision."""
-    friction = given(("mu", surface.friction), ("mu2", surface.friction2))
-    bounce = given(("restitution_coefficient", surface.restitution))
-    contact = given(("kp", surface.stiffness), ("kd", surface.damping))
+def surface_of(surface: Surface | None, more: Iterable[tuple[str, Tag]] = ()) -> Tag:
+    """Return the surface of a collision.
+
+    Args:
+        surface: what is known of it.
+        more: what else is in it for ODE, each with `friction` or `contact`.
+    """
+    friction, bounce, contact = [], [], []
+    if surface is not None:
+        friction = given(("mu", surface.friction), ("mu2", surface.friction2))
+        bounce = given(("restitution_coefficient", surface.restitution))
+        contact = given(("kp", surface.stiffness), ("kd", surface.damping))
+    friction += [tag for section, tag in more if section == "friction"]
+    contact += [tag for section, tag in more if section == "contact"]
     parts = []
     if friction:
         parts.append(Tag("friction", [Tag("ode", friction)]))
@@ -117,4 +127,6 @@ def surface_of(surface: Surface) -> Tag:
         parts.append(Tag("bounce", bounce))
     if contact:
         parts.append(Tag("contact", [Tag("ode", contact)]))
+    if surface is None:
+        return Tag("surface", parts)
     return Tag("surface", parts, span=surface.span, trace=surface.trace)

@@ -72,8 +72,14 @@ def text_of(value: str | float) -> str:
 
 
 def row_of(numbers: Iterable[float]) -> str:
-    """Return several numbers as they are written in a row."""
-    return " ".join(map(text_of, numbers))
+    """Return several numbers as they are written in a row.
+
+    The schema of SDFormat wants a point in a number with an exponent: 1.0e-05.
+    """
+    texts = map(text_of, numbers)
+    return " ".join(
+        text.replace("e", ".0e") if "e" in text and "." not in text else text for text in texts
+    )
 
 
 def given(*pairs: tuple[str, float | str | None]) -> list[Tag]:

@@ -19,7 +19,7 @@ ENDINGS = {"urdf": ".urdf", "sdf": ".sdf", "mjcf": ".xml", "srdf": ".srdf", "usd
 """The output formats, with the ending that the name of a file has."""
 TITLES = {"urdf": "URDF", "sdf": "SDF", "mjcf": "MJCF", "srdf": "SRDF", "usd": "USD"}
 """What the formats are called in messages."""
-SDF_VERSIONS = ("1.11", "1.9")
+SDF_VERSIONS = ("1.11", "1.9", "1.12")
 BASES = ("fixed", "free")
 URDF_ONLY = frozenset(("capsule-needs-urdf-1.1", "lost-in-urdf", "needs-version"))
 """The codes of what concerns a robot only where it is written as URDF."""

@@ -1,0 +1,176 @@
+"""What a URDF says for Gazebo, in `<gazebo>`, as the elements of SDFormat that mean the same.
+
+Plugins and sensors are copied as they are written. What is left has no place in SDFormat, and is
+lost.
+
+Source: the conversion of URDF in SDFormat, parser_urdf.cc, and the specification of SDFormat.
+"""
+
+from __future__ import annotations
+
+from ...diagnostics import INHERITED
+from ...model.noting import content
+from ...model.values import attribute_text
+from ...xml.tree import Element
+from ..output import LOST, Loss
+from ..tags import Tag
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from ...diagnostics import Frame as Step
+    from ...model.robot import Robot
+
+MODEL_TAGS = {
+    **{name: name for name in ("static", "self_collide", "allow_auto_disable", "enable_wind")},
+    "selfCollide": "self_collide",
+}
+"""Elements without a reference, and what they are in a model."""
+LINK_TAGS = {
+    **{name: name for name in ("self_collide", "gravity", "kinematic", "enable_wind")},
+    "selfCollide": "self_collide",
+    "turnGravityOff": "gravity",
+}
+"""Elements of a link, and what they are there."""
+COLLISION_TAGS = {"maxContacts": "max_contacts", "laserRetro": "laser_retro"}
+"""Elements of a link, and what they are in each of its collisions."""
+SURFACE_TAGS = {
+    "fdir1": ("friction", "fdir1"),
+    "minDepth": ("contact", "min_depth"),
+    "maxVel": ("contact", "max_vel"),
+}
+"""Elements of a link, and where they are in the surface of its collisions."""
+ODE_TAGS = {
+    "implicitSpringDamper": "implicit_spring_damper",
+    "cfmDamping": "cfm_damping",
+    "fudgeFactor": "fudge_factor",
+}
+"""Elements of a joint, and what they are for the physics engine ODE."""
+KNOWN = frozenset(("mu1", "mu2", "kp", "kd", "surface", "preserveFixedJoint"))
+"""What the model of the robot has read, and what has no meaning where nothing is lumped."""
+NOWHERE = frozenset(("disableFixedJointLumping", "disableJointLumping", *KNOWN))
+COPIED = frozenset(("plugin", "gripper"))
+TRUE = frozenset(("1", "true"))
+
+
+class GazeboBlocks:
+    """What the `<gazebo>` elements of a robot say.
+
+    Attributes:
+        model: elements for the model.
+        links: elements for links, by their names.
+        joints: elements for joints, by their names.
+        collisions: elements for each collision of a link, by the link's name.
+        surfaces: elements for the surfaces of a link's collisions: `friction` or `contact`, with an
+            element for ODE, by the link's name.
+        blobs: contents for each `visual` or `collision` of a link, by the link's name.
+        sensors: sensors as they are written, with the link or joint that they refer to.
+        losses: what SDFormat has no place for.
+    """
+
+    __slots__ = (
+        "_robot", "blobs", "collisions", "joints", "links", "losses", "model", "sensors",
+        "surfaces",
+    )  # fmt: skip
+
+    def __init__(self, robot: Robot) -> None:
+        self._robot = robot
+        self.model: list[Tag | Element] = []
+        self.links: dict[str, list[Tag]] = {}
+        self.joints: dict[str, list[Tag]] = {}
+        self.collisions: dict[str, list[Tag]] = {}
+        self.surfaces: dict[str, list[tuple[str, Tag]]] = {}
+        self.blobs: dict[str, list[Element]] = {}
+        self.sensors: list[tuple[str, Element]] = []
+        self.losses: list[Loss] = []
+        for block in robot.element.elements():
+            if block.name == "gazebo":
+                trace = None if block.trace is INHERITED else block.trace
+                self._read(block, attribute_text(block, "reference"), trace)
+
+    def _read(self, block: Element, reference: str | None, trace: Step | None) -> None:
+        for each in block.elements():
+            if reference is None:
+                taken = self._take_for_model(each)
+            elif reference in self._robot.links:
+                taken = self._take_for_link(each, reference)
+            elif reference in self._robot.joints:
+                taken = self._take_for_joint(each, reference)
+            else:
+                taken = False
+            if not taken and each.name not in NOWHERE:
+                owner = f"'{reference}'" if reference is not None else "the robot"
+                what = f"Gazebo's <{each.name}>"
+                self.losses.append(Loss(LOST, what, owner, each.span, trace=trace))
+
+    def _take_for_model(self, each: Element) -> bool:
+        name = MODEL_TAGS.get(each.name)
+        if name is not None:
+            self.model.append(_flag(name, each))
+        elif each.name in COPIED:
+            self.model.append(each)
+        return name is not None or each.name in COPIED
+
+    def _take_for_link(self, each: Element, link: str) -> bool:
+        kind = each.name
+        if kind == "sensor":
+            self.sensors.append((link, each))
+        elif kind in ("visual", "collision"):
+            self.blobs.setdefault(link, []).append(each)
+        elif kind in LINK_TAGS:
+            tag = _flag(LINK_TAGS[kind], each, negated=kind == "turnGravityOff")
+            _put(self.links.setdefault(link, []), tag)
+        elif kind in COLLISION_TAGS:
+            _put(self.collisions.setdefault(link, []), _same(COLLISION_TAGS[kind], each))
+        elif kind in SURFACE_TAGS:
+            section, name = SURFACE_TAGS[kind]
+            found = self.surfaces.setdefault(link, [])
+            found[:] = [pair for pair in found if pair[1].name != name]
+            found.append((section, _same(name, each)))
+        else:
+            return False
+        return True
+
+    def _take_for_joint(self, each: Element, joint: str) -> bool:
+        kind = each.name
+        if kind == "sensor":
+            self.sensors.append((joint, each))
+        elif kind in ODE_TAGS:
+            ode = Tag("ode", [_flag(ODE_TAGS[kind], each)])
+            self.joints.setdefault(joint, []).append(ode)
+        elif kind == "provideFeedback":
+            self.joints.setdefault(joint, []).append(_flag("provide_feedback", each))
+        else:
+            return False
+        return True
+
+
+def _put(tags: list[Tag], tag: Tag) -> None:
+    """Add an element, in place of one of its name."""
+    tags[:] = [each for each in tags if each.name != tag.name]
+    tags.append(tag)
+
+
+def physics_of(tags: list[Tag]) -> list[Tag]:
+    """Return the `<physics>` of a joint: what is for ODE is in one element."""
+    if not tags:
+        return []
+    ode = {each.name: each for tag in tags if tag.name == "ode" for each in _inner(tag)}
+    rest = {tag.name: tag for tag in tags if tag.name != "ode"}  # what is said last counts
+    return [Tag("physics", [*([Tag("ode", ode.values())] if ode else []), *rest.values()])]
+
+
+def _inner(tag: Tag) -> list[Tag]:
+    content = tag.content
+    return [] if isinstance(content, (str, float, int)) else [t for t in content if type(t) is Tag]
+
+
+def _flag(name: str, origin: Element, *, negated: bool = False) -> Tag:
+    """Return an element that is true or false, or the number that is written."""
+    text = (content(origin) or "").lower()
+    if text in TRUE or text in ("0", "false", ""):
+        text = "true" if (text in TRUE) != negated else "false"
+    return Tag(name, text, span=origin.span)
+
+
+def _same(name: str, origin: Element) -> Tag:
+    return Tag(name, content(origin) or "", span=origin.span)
