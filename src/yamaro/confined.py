@@ -250,6 +250,7 @@ def run_in_jail(
         YamaroError: there is no result.
         FaultInJail: Yamaro itself failed.
         JailUnavailable: there is no jail; nothing was run.
+        JailAbandoned: the policy says that nobody wants the result.
     """
     from .sandbox.jail import KEPT_VARIABLES, JailError, JailUnavailable, JailWorkFailed, run_jailed
 
@@ -386,6 +387,7 @@ def _jail_limits(policy: Policy) -> JailLimits:
         cpu_seconds=int(seconds + GRACE) + 1,
         memory=limits.memory,
         answer=4 * limits.output + (64 << 20),
+        is_abandoned=policy.is_abandoned,
     )
 
 

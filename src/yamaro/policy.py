@@ -8,7 +8,7 @@ from __future__ import annotations
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Mapping, Sequence
+    from collections.abc import Callable, Mapping, Sequence
 
 TRUSTED = "trusted"
 JAIL = "jail"
@@ -147,9 +147,19 @@ class Policy:
         allowed_paths: files and folders it may read besides its own, if it is not trusted.
         fallback: the policy for code that safe mode refuses, where there is a jail, or None.
         is_confined: whether this process is one that the kernel confines; its jail says so.
+        is_abandoned: is asked now and then while a jail works, and ends it by returning True; None
+            for a conversion whose result is wanted in any case.
     """
 
-    __slots__ = ("allowed_paths", "fallback", "is_confined", "limits", "mode", "timeout")
+    __slots__ = (
+        "allowed_paths",
+        "fallback",
+        "is_abandoned",
+        "is_confined",
+        "limits",
+        "mode",
+        "timeout",
+    )
 
     def __init__(
         self,
@@ -180,6 +190,7 @@ class Policy:
         self.allowed_paths = tuple(allowed_paths)
         self.fallback: Policy | None = None
         self.is_confined = False
+        self.is_abandoned: Callable[[], bool] | None = None
 
     @classmethod
     def looking(

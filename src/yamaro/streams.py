@@ -87,6 +87,16 @@ class Streams:
             raise NotForTerminal
         self._write_out(self._encoded(chunks, form, is_terminal=is_terminal))
 
+    def result_descriptor(self) -> int:
+        """Return the descriptor of standard output, for a protocol that is written piece by piece.
+
+        Raises:
+            OSError: there is none.
+        """
+        if self._out is None:
+            raise OSError(9, os.strerror(9))
+        return self._out.fileno()
+
     def _encoded(
         self, chunks: Iterable[bytes | str], form: str, *, is_terminal: bool
     ) -> Iterable[bytes]:
@@ -192,6 +202,10 @@ class ProcessStreams(Streams):
                 self._out.flush()
         except (OSError, ValueError):
             return
+
+    def result_descriptor(self) -> int:
+        """Return the descriptor that standard output was kept in."""
+        return self._out_fd
 
     def _write_out(self, chunks: Iterable[bytes]) -> None:
         write_all(self._out_fd, chunks)

@@ -1244,7 +1244,7 @@ def on_path() -> dict[str, str]:
             "yamaro ",
             ["yamaro", ""],
             (
-                "a.urdf args bin check completion help migrate picture robot.yaml tree two.yml "
+                "a.urdf args bin check completion help lsp migrate picture robot.yaml tree two.yml "
                 "view watch why"
             ),
         ),

@@ -137,6 +137,13 @@ COMMANDS = {
             examples=("yamaro why robot.yaml elbow_joint/limit@upper",),
         ),
         Command(
+            "lsp",
+            ("[--stdio]",),
+            "serve an editor: diagnostics, completion, hover, rename",
+            "Run a language server on standard input and output. Editors start it; see "
+            "docs/editors.md.",
+        ),
+        Command(
             "completion",
             ("bash|zsh|fish",),
             "print a completion script for a shell",

@@ -54,7 +54,7 @@ def help_of(name: str) -> str:
 def _usage(command: Command) -> list[str]:
     name = "yamaro" if command.name == BUILD else f"yamaro {command.name}"
     lines = [f"{name} [options] {form}" for form in command.forms]
-    if command.name in ("completion", "help"):  # their only options are those of all
+    if command.name in ("completion", "help", "lsp"):  # their only options are those of all
         lines = [f"{name} {form}" for form in command.forms]
     return [("usage: " if number == 0 else "       ") + line for number, line in enumerate(lines)]
 

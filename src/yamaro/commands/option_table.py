@@ -279,6 +279,7 @@ OPTIONS = {
             wants="auto, always or never",
             choices=("auto", "always", "never"),
         ),
+        Option("stdio", "use standard input and output, as by default; editors pass it", ("lsp",)),
         Option("help", "show this help", ALL, short="h"),
         Option("version", "show the version", ALL, short="V"),
     )

@@ -34,6 +34,7 @@ if TYPE_CHECKING:
 
     from ..diagnostics import Diagnostic
     from ..yaml.nodes import YamlNode
+    from ..yaml.reader import Reading
 
 
 def parse(source: Source, *, rules: Rules | None = None) -> Parsed:
@@ -48,6 +49,20 @@ def parse(source: Source, *, rules: Rules | None = None) -> Parsed:
     rules = rules or Rules()
     reporter = Reporter()
     reading = read_on(source, reporter=reporter, limits=rules.limits)
+    return parse_reading(source, reading, reporter=reporter, rules=rules)
+
+
+def parse_reading(
+    source: Source, reading: Reading, *, reporter: Reporter, rules: Rules | None = None
+) -> Parsed:
+    """Return the syntax tree of a file that has been read, for those who need its nodes too.
+
+    Args:
+        source: the file.
+        reading: what `read_on` gave of it.
+        reporter: that of `read_on`; it takes the warnings of parsing, too.
+        rules: what holds for it; by default that of a trusted file.
+    """
     context = ParseContext(reporter, rules)
     document = Document(source)
     if reading.root is not None:

@@ -14,6 +14,7 @@ from __future__ import annotations
 import sys
 
 from .limits import (
+    JailAbandoned,
     JailAnswerBroken,
     JailAnswerTooLong,
     JailCpuTimeOver,
@@ -35,6 +36,7 @@ if TYPE_CHECKING:
 
 __all__ = [
     "KEPT_VARIABLES",
+    "JailAbandoned",
     "JailAnswerBroken",
     "JailAnswerTooLong",
     "JailCpuTimeOver",

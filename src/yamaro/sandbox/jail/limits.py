@@ -2,11 +2,17 @@
 
 from __future__ import annotations
 
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
 
 class JailLimits:
     """What the work may use before it is ended."""
 
-    __slots__ = ("answer", "cpu_seconds", "memory", "open_files", "seconds", "threads")
+    __slots__ = (
+        "answer", "cpu_seconds", "is_abandoned", "memory", "open_files", "seconds", "threads",
+    )  # fmt: skip
 
     def __init__(
         self,
@@ -17,6 +23,7 @@ class JailLimits:
         open_files: int = 256,
         threads: int = 256,
         answer: int = 256 << 20,
+        is_abandoned: Callable[[], bool] | None = None,
     ) -> None:
         """Set the limits.
 
@@ -28,6 +35,7 @@ class JailLimits:
             open_files: open at once.
             threads: at once.
             answer: bytes of the answer.
+            is_abandoned: returns whether nobody wants the answer any more; asked while waiting.
         """
         self.seconds = seconds
         self.cpu_seconds = cpu_seconds
@@ -35,6 +43,7 @@ class JailLimits:
         self.open_files = open_files
         self.threads = threads
         self.answer = answer
+        self.is_abandoned = is_abandoned
 
 
 class JailError(Exception):
@@ -75,6 +84,10 @@ class JailAnswerTooLong(JailError):
     """The answer is longer than an answer may be."""
 
     limit = "answer"
+
+
+class JailAbandoned(Exception):
+    """Nobody wants the answer any more; so this is not an error that anyone should report."""
 
 
 class JailAnswerBroken(JailError):

@@ -17,6 +17,7 @@ from .calls import architecture, here, lift
 from .child import Cell, live_in_jail
 from .landlock import Ruleset
 from .limits import (
+    JailAbandoned,
     JailAnswerBroken,
     JailAnswerTooLong,
     JailCpuTimeOver,
@@ -194,6 +195,8 @@ class Child:
             if now >= self._deadline:
                 raise JailTimeOver(f"it takes longer than {self._limits.seconds:g} s")
             if now >= next_look:
+                if self._limits.is_abandoned is not None and self._limits.is_abandoned():
+                    raise JailAbandoned("the answer is not wanted any more")
                 self._look_at_threads()
                 next_look = now + _WATCH_INTERVAL
             if not poll.poll(1000 * min(_WATCH_INTERVAL, self._deadline - now)):

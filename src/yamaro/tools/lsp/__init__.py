@@ -1,0 +1,1 @@
+"""The language server: `yamaro lsp`."""

@@ -1,0 +1,205 @@
+"""Builds of main files in a jail, in a thread of their own, with the texts that are in the editor.
+
+A build is given up as soon as a newer edit makes its result worthless.
+"""
+
+from __future__ import annotations
+
+import queue
+import threading
+
+from ...arguments import UsageError
+from ...diagnostics import YamaroError
+from ...files.loader import FileLoader, check_size
+from ...files.packages import PackageFinder
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable, Mapping, Sequence
+
+    from ...diagnostics import Diagnostic
+    from ...model.robot import Robot
+    from ...xml.tree import Element
+    from .settings import Settings
+    from .values import Values
+
+
+class OverlayLoader(FileLoader):
+    """Reads what is open in the editor from there, and all else from the disk."""
+
+    def __init__(self, texts: Mapping[str, str], loader: FileLoader) -> None:
+        """Hold the texts that are open, by absolute paths; the rest as another loader reads it."""
+        super().__init__(loader.limits, loader.reach)
+        self.texts = texts
+
+    def read(self, path: str) -> bytes:
+        """Return a file's content; raise LoadError if there is none."""
+        text = self.texts.get(path)
+        if text is None:
+            return super().read(path)
+        if self.reach is not None:
+            self.reach.check(path)
+        data = text.encode("utf-8", "surrogatepass")
+        check_size(len(data), self.limits)
+        return data
+
+
+class Result:
+    """The result of a build, good or bad.
+
+    Attributes:
+        main: the file that was built.
+        files: the files that were read, as far as that is known.
+        diagnostics: what is to be said of them.
+        root: the finished tree, or None if there is none.
+        fault: what went wrong in Yamaro itself, or None.
+    """
+
+    def __init__(self, main: str) -> None:
+        """Begin with nothing."""
+        self.main = main
+        self.files: Sequence[str] = [main]
+        self.diagnostics: Sequence[Diagnostic] = []
+        self.root: Element | None = None
+        self.fault: str | None = None
+        self._read_robot: Callable[[], Robot] | None = None
+        self._robot: Robot | None = None
+        self._values: Values | None = None
+
+    @property
+    def robot(self) -> Robot | None:
+        """Return the robot, or None if there is none."""
+        if self._robot is None and self._read_robot is not None:
+            try:
+                self._robot = self._read_robot()
+            except YamaroError:
+                self._read_robot = None
+        return self._robot
+
+    @property
+    def values(self) -> Values:
+        """Return what is written where in the tree, and what was read there."""
+        if self._values is None:
+            from .values import Values
+
+            self._values = Values(self.root)
+        return self._values
+
+
+class Job:
+    """A build that was asked for."""
+
+    def __init__(self, main: str, texts: Mapping[str, str]) -> None:
+        """Build a main file, with the texts of all files that are open."""
+        self.main = main
+        self.texts = texts
+        self.is_abandoned = False
+
+    def run(self, settings: Settings) -> Result | None:
+        """Return the result; None if the build was given up."""
+        from ...confined import FaultInJail
+        from ...sandbox.jail import JailAbandoned
+
+        if self.is_abandoned:
+            return None
+        result = Result(self.main)
+        try:
+            self._build(settings, result)
+        except YamaroError as error:
+            result.diagnostics = error.diagnostics
+            result.files = [self.main, *_files_of(error.diagnostics)]
+        except UsageError:  # the file is gone, or an argument that the user has set is not one
+            pass
+        except JailAbandoned:
+            return None
+        except FaultInJail as error:
+            result.fault = f"{error.kind}: {error} at {error.place}"
+        return None if self.is_abandoned else result
+
+    def _build(self, settings: Settings, result: Result) -> None:
+        from ...main_file import reach_of
+        from ...program import Program
+
+        policy = settings.policy(lambda: self.is_abandoned)
+        reach = reach_of(self.main, policy, settings.packages)
+        program = Program(
+            self.main,
+            loader=OverlayLoader(self.texts, FileLoader(policy.limits, reach)),
+            policy=policy,
+            packages=settings.packages,
+        )
+        build = program.build(
+            command_line=settings.arguments_of(self.main),
+            advice=True,
+            records=True,
+            on_message=_drop,
+        )
+        result.diagnostics = build.warnings
+        result.files = build.files
+        result.root = build.root
+        result._read_robot = lambda: build.robot
+
+
+def _drop(message: str) -> None:
+    """Take what a file prints: nobody asked for it."""
+
+
+def _files_of(diagnostics: Sequence[Diagnostic]) -> list[str]:
+    """Return the files that diagnostics name, with those of the includes that led there."""
+    paths: dict[str, None] = {}
+    for diagnostic in diagnostics:
+        paths[diagnostic.span.source.path] = None
+        frame, count = diagnostic.trace, 0
+        while frame is not None and count < 100:
+            paths[frame.span.source.path] = None
+            frame, count = frame.parent, count + 1
+    return [path for path in paths if path]
+
+
+class Builder:
+    """A thread that works off jobs, one after the other."""
+
+    def __init__(self, settings: Settings, done: Callable[[object], None]) -> None:
+        """Start it; `done` is called in it with each result, and with what a task returns."""
+        self._settings = settings
+        self._done = done
+        self._jobs: queue.SimpleQueue[Job | Callable[[], object]] = queue.SimpleQueue()
+        self._current: dict[str, Job] = {}
+        threading.Thread(target=self._run, name="builds", daemon=True).start()
+
+    def build(self, main: str, texts: Mapping[str, str]) -> None:
+        """Build a main file, and give up a build of the same file that was asked for before."""
+        self.abandon(main)
+        job = self._current[main] = Job(main, texts)
+        self._jobs.put(job)
+
+    def abandon(self, main: str) -> None:
+        """Give up the build of a main file, if there is one."""
+        job = self._current.pop(main, None)
+        if job is not None:
+            job.is_abandoned = True
+
+    def work(self, task: Callable[[], object]) -> None:
+        """Do something else after the jobs that wait."""
+        self._jobs.put(task)
+
+    def _run(self) -> None:
+        while True:
+            job = self._jobs.get()
+            try:
+                result = job.run(self._settings) if isinstance(job, Job) else job()
+            except Exception as error:  # must not end the thread
+                result = _fault_of(job, error)
+            if result is not None:
+                self._done(result)
+
+
+def _fault_of(job: object, error: Exception) -> Result:
+    result = Result(job.main if isinstance(job, Job) else "")
+    result.fault = f"{type(error).__name__}: {error}"
+    return result
+
+
+def finder_of(settings: Settings) -> PackageFinder:
+    """Return what finds packages."""
+    return PackageFinder(given=settings.packages)

@@ -1,0 +1,207 @@
+"""Diagnostics in the editor: what a file says unrun, at each change, and what builds say of it."""
+
+from __future__ import annotations
+
+import re
+
+from ...diagnostics import ERROR, Diagnostic, trace_lines
+from ...policy import NO_JAIL, UNSAFE
+from ...source import Source, Span
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Sequence
+
+    from .builds import Result
+    from .texts import Text
+    from .wire import Json
+    from .workspace import Workspace
+
+_ERROR, _WARNING, _INFORMATION = 1, 2, 3
+_UNNECESSARY, _DEPRECATED = 1, 2
+_TAGS = {
+    "unused-geometry": _UNNECESSARY,
+    "ignored-limit": _UNNECESSARY,
+    "unread-variable": _UNNECESSARY,
+    "xacro-deprecated": _DEPRECATED,
+}
+_PLACED = re.compile(r"(.*) at (.+):(\d+):(\d+)$", re.DOTALL)
+MOST = 500
+"""Diagnostics of one file that are sent."""
+
+
+def diagnostics_of(workspace: Workspace, path: str) -> list[Diagnostic]:
+    """Return all that is to be said of a file now: what it says unrun, and what builds said."""
+    text = workspace.text_of(path)
+    opened = path in workspace.open
+    found = list(text.findings) if text is not None and opened else []
+    is_faulty = any(each.severity == ERROR for each in found)
+    for result in workspace.results.values():
+        for diagnostic in settled(result):
+            if home_of(diagnostic, result) != path:
+                continue
+            if is_faulty and result.main == path:
+                continue  # it was built of another text
+            moved = _moved(diagnostic, text)
+            if moved is not None:
+                found.append(moved)
+    return _once(found)
+
+
+def settled(result: Result) -> list[Diagnostic]:
+    """Return the diagnostics of a build; code that needs trust is one remark and no error."""
+    kept = [each for each in result.diagnostics if each.code not in (UNSAFE, NO_JAIL)]
+    refused = [each for each in result.diagnostics if each.code in (UNSAFE, NO_JAIL)]
+    if refused:
+        first = refused[0].copy()
+        first.code = NEEDS_TRUST
+        first.message = f"this file needs trust to be built: {first.message}"
+        first.hint = "the setting 'trust' of your editor can be 'jail'; names and keys are checked"
+        kept.append(first)
+    return kept
+
+
+NEEDS_TRUST = UNSAFE
+"""The code of the remark on a file that safe mode refuses."""
+
+
+def home_of(diagnostic: Diagnostic, result: Result) -> str:
+    """Return the file to show a diagnostic in: the main file for what is at no place of a file."""
+    return diagnostic.span.source.path or result.main
+
+
+def _moved(diagnostic: Diagnostic, text: Text | None) -> Diagnostic | None:
+    """Return a diagnostic of an earlier text at its place in the text of now; None if it is gone.
+
+    Nothing is known of the stretch that has changed since.
+    """
+    span = diagnostic.span
+    if text is None or not span.source.path or span.source.text == text.text:
+        return diagnostic
+    old, new = span.source.text, text.text
+    if span.source.path != text.path:
+        return diagnostic
+    same = _common(old, new)
+    end = _common(old[same:][::-1], new[same:][::-1])
+    if span.end <= same:
+        shift = 0
+    elif span.start >= len(old) - end:
+        shift = len(new) - len(old)
+    else:
+        return None
+    copy = diagnostic.copy()
+    copy.span = Span(text.source, span.start + shift, span.end + shift)
+    return copy
+
+
+def _common(one: str, other: str) -> int:
+    """Return how many characters two texts begin with in common."""
+    most = min(len(one), len(other))
+    if one[:most] == other[:most]:
+        return most
+    least = 0
+    while most - least > 1:
+        middle = (least + most) // 2
+        if one[:middle] == other[:middle]:
+            least = middle
+        else:
+            most = middle
+    return least
+
+
+def _once(diagnostics: Iterable[Diagnostic]) -> list[Diagnostic]:
+    """Return diagnostics without those that say the same of the same place."""
+    found: dict[tuple[object, ...], Diagnostic] = {}
+    for each in diagnostics:
+        found.setdefault((each.code, each.message, each.span.start, each.span.end), each)
+    return sorted(found.values(), key=lambda each: each.span.start)[:MOST]
+
+
+class Publisher:
+    """Knows what the editor shows, so that what is gone is cleared there."""
+
+    def __init__(self, workspace: Workspace) -> None:
+        """Begin with nothing shown."""
+        self._workspace = workspace
+        self._shown: set[str] = set()
+
+    def message(self, path: str) -> Json | None:
+        """Return the notification with the diagnostics of a file; None if nothing is to be sent."""
+        workspace = self._workspace
+        found = diagnostics_of(workspace, path)
+        opened = workspace.open.get(path)
+        if not found and opened is None and path not in self._shown:
+            return None
+        (self._shown.add if found else self._shown.discard)(path)
+        parameters: Json = {
+            "uri": workspace.uri(path),
+            "diagnostics": [diagnostic_json(workspace, each, path) for each in found],
+        }
+        if opened is not None and opened.version is not None:
+            parameters["version"] = opened.version
+        return {"method": "textDocument/publishDiagnostics", "params": parameters}
+
+    def shown(self) -> list[str]:
+        """Return the files that the editor shows diagnostics of."""
+        return sorted(self._shown)
+
+
+def diagnostic_json(workspace: Workspace, diagnostic: Diagnostic, path: str) -> Json:
+    """Return a diagnostic as the protocol has it."""
+    span = diagnostic.span
+    if not span.source.path:
+        span = Span(Source("", name=path, path=path), 0, 0)
+    severity = _ERROR if diagnostic.severity == ERROR else _WARNING
+    if diagnostic.code == NEEDS_TRUST and diagnostic.message.startswith("this file needs trust"):
+        severity = _INFORMATION
+    result: Json = {
+        "range": workspace.range(span),
+        "severity": severity,
+        "code": diagnostic.code,
+        "source": "yamaro",
+        "message": _message(diagnostic),
+    }
+    related = _related(workspace, diagnostic)
+    if related:
+        result["relatedInformation"] = related
+    tag = _TAGS.get(diagnostic.code)
+    if tag is not None:
+        result["tags"] = [tag]
+    return result
+
+
+def _message(diagnostic: Diagnostic) -> str:
+    lines = [diagnostic.message]
+    if diagnostic.hint:
+        lines.append(f"hint: {diagnostic.hint}")
+    lines += [f"note: {note}" for note in diagnostic.notes[:20] if not _PLACED.match(note)]
+    return "\n".join(lines)
+
+
+def _related(workspace: Workspace, diagnostic: Diagnostic) -> Sequence[Json]:
+    """Return the places that notes name, and the calls and includes that led to the place."""
+    related = []
+    for note in diagnostic.notes[:20]:
+        place = _PLACED.match(note)
+        if place is not None:
+            position = {"line": int(place[3]) - 1, "character": int(place[4]) - 1}
+            path = place[2]
+            if path == diagnostic.span.source.name:
+                path = diagnostic.span.source.path
+            related.append(
+                {
+                    "location": {
+                        "uri": workspace.uri(path),
+                        "range": {"start": position, "end": position},
+                    },
+                    "message": place[1],
+                }
+            )
+    frame = diagnostic.trace
+    lines = trace_lines(diagnostic.trace)
+    while frame is not None and len(related) < min(len(lines) + 20, 40):
+        if frame.span.source.path:
+            location = workspace.location(frame.span)
+            related.append({"location": location, "message": f"{frame.kind}: {frame.name}"})
+        frame = frame.parent
+    return related

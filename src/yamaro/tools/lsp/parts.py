@@ -1,0 +1,200 @@
+"""The parts, links, joints and frames that a file names, and where it refers to them, unrun."""
+
+from __future__ import annotations
+
+import re
+
+from ...source import Span
+from ...yaml.nodes import MappingNode, ScalarNode, SequenceNode
+from .cursor import word_of
+from .names import pairs_of_mappings
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Iterator, Sequence
+
+    from ...yaml.nodes import YamlNode
+
+_ATTRIBUTES = re.compile(
+    r"(?:[/,]\s*)(link|joint|reference|parent|child|joint1|joint2|link1|link2)\s*:?=\s*"
+    r"['\"]?([^,'\"]*[^,'\"\s])"
+)
+_NAMES = re.compile(r"(?:[/,]\s*)name\s*:?=\s*['\"]?([^,'\"]*[^,'\"\s])")
+_NAMED = ("link", "joint", "frame", "sensor")
+_SCALARS = {
+    "parent": "joint",
+    "child": "joint",
+    "to": "attach",
+    "at": "attach",
+    "of": "mirror",
+    "frame": "sensor",
+}
+"""Keys whose value names a link, part or frame, by what they are in."""
+_LISTS = frozenset(("between", "chain", "links", "joints", "keep", "end_effector"))
+
+
+class Named:
+    """Something with a name: a part, link, joint, frame or sensor.
+
+    Attributes:
+        kind: the word.
+        name: as it is written; None if it is computed.
+        span: where the name is written.
+        key: the key of the whole.
+        node: what is under it.
+        link: the name of its link; None if it has none, or it is computed.
+        joint: the name of its joint.
+    """
+
+    __slots__ = ("joint", "key", "kind", "link", "name", "node", "span")
+
+    def __init__(self, kind: str, name: str, span: Span, key: ScalarNode, node: YamlNode) -> None:
+        self.kind = kind
+        self.name = None if "$" in name else name
+        self.span = span
+        self.key = key
+        self.node = node
+        self.link: str | None = None
+        self.joint: str | None = None
+
+    def answers_to(self, name: str) -> bool:
+        """Return whether a name means it."""
+        return name in (self.name, self.link, self.joint) and "$" not in name
+
+
+class Reference:
+    """A place where a file names a link, joint, part or frame."""
+
+    __slots__ = ("is_computed", "name", "span")
+
+    def __init__(self, name: str, span: Span) -> None:
+        self.name = name
+        self.span = span
+        self.is_computed = "$" in name
+
+
+class Parts:
+    """What a file names, and where it refers to names.
+
+    Attributes:
+        named: in the order of the file.
+        references: likewise.
+    """
+
+    def __init__(self, root: YamlNode | None) -> None:
+        """Look through the nodes of a file."""
+        self.named: list[Named] = []
+        self.references: list[Reference] = []
+        self._patterns = _naming(root)
+        self._seen: set[int] = set()
+        self._walk(root, [])
+
+    def at(self, offset: int) -> Named | Reference | None:
+        """Return the name that an offset is in."""
+        both: list[Named | Reference] = [*self.named, *self.references]
+        for each in both:
+            if each.span.start <= offset <= each.span.end:
+                return each
+        return None
+
+    def _walk(self, node: YamlNode | None, path: list[str]) -> None:
+        if node is None or isinstance(node, ScalarNode) or id(node) in self._seen:
+            return
+        self._seen.add(id(node))
+        if isinstance(node, SequenceNode):
+            for item in node.items:
+                self._walk(item, path)
+            return
+        for key, value in node.pairs:
+            word = word_of(key.text)
+            self._take(key, word, value, path)
+            self._walk(value, [*path, word])
+
+    def _take(self, key: ScalarNode, word: str, value: YamlNode, path: Sequence[str]) -> None:
+        if word == "part":
+            self._take_part(key, value)
+        elif word in _NAMED and "/" in key.text:
+            self._take_named(key, word, value)
+        if "=" in key.text:
+            for found in _ATTRIBUTES.finditer(key.text):
+                self._refer(key, found.start(2), found.end(2))
+        above = path[-1] if path else ""
+        if isinstance(value, ScalarNode) and self._is_reference(word, above, path):
+            self._refer(value, 0, len(value.text))
+        elif isinstance(value, SequenceNode) and word in _LISTS:
+            for item in value.items:
+                if isinstance(item, ScalarNode):
+                    self._refer(item, 0, len(item.text))
+        if path[:1] == ["states"] and len(path) == 2 and isinstance(value, ScalarNode):
+            self._refer(key, 0, len(key.text))
+
+    def _is_reference(self, word: str, above: str, path: Sequence[str]) -> bool:
+        if word == "mimic" or (word == "joint" and above == "mimic"):
+            return True
+        if word == "parent" and "groups" in path[:1]:
+            return True
+        return _SCALARS.get(word) == above or (word in ("joints",) and path[:1] == ["control"])
+
+    def _refer(self, node: ScalarNode, start: int, end: int) -> None:
+        text = node.text[start:end]
+        span = node.span(start, end) if (start, end) != (0, len(node.text)) else _inside(node)
+        if text and not any(each.span.start == span.start for each in self.references[-2:]):
+            self.references.append(Reference(text, span))
+
+    def _take_part(self, key: ScalarNode, value: YamlNode) -> None:
+        for own, name in pairs_of_mappings(value):
+            if own.text == "name" and isinstance(name, ScalarNode) and name.text:
+                named = Named("part", name.text, _inside(name), key, value)
+                self._set_names(named, name.text)
+                self.named.append(named)
+
+    def _set_names(self, named: Named, text: str) -> None:
+        words = text.split()
+        if named.name is None:
+            return
+        if len(words) == 2:
+            named.joint, named.link = words
+        elif len(words) == 1:
+            joint, link = self._patterns
+            named.joint = joint.replace("*", words[0]) if "$" not in joint else None
+            named.link = link.replace("*", words[0]) if "$" not in link else None
+
+    def _take_named(self, key: ScalarNode, word: str, value: YamlNode) -> None:
+        found = _NAMES.search(key.text)
+        if found is None:
+            return
+        span = key.span(found.start(1), found.end(1))
+        named = Named(word, found[1], span, key, value)
+        if word == "joint":
+            named.joint = named.name
+        else:
+            named.link = named.name
+        self.named.append(named)
+
+
+def _inside(node: ScalarNode) -> Span:
+    """Return the place of a scalar without its quotes."""
+    if not node.style or not node.text:
+        return node.span()
+    return Span(node.source, node.offset(0), node.offset(len(node.text) - 1) + 1)
+
+
+def _naming(root: YamlNode | None) -> tuple[str, str]:
+    """Return the patterns by which joints and links are named."""
+    joint, link = "*_joint", "*_link"
+    for key, value in pairs_of_mappings(root):
+        if key.text == "naming":
+            for own, pattern in pairs_of_mappings(value):
+                if isinstance(pattern, ScalarNode) and "*" in pattern.text:
+                    joint = pattern.text if own.text == "joint" else joint
+                    link = pattern.text if own.text == "link" else link
+    return joint, link
+
+
+def mappings_in(node: YamlNode) -> Iterator[MappingNode]:
+    """Yield a mapping, or those in a list."""
+    if isinstance(node, MappingNode):
+        yield node
+    for item in node.items if isinstance(node, SequenceNode) else ():
+        if isinstance(item, MappingNode):
+            yield item

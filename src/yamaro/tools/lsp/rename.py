@@ -1,0 +1,260 @@
+"""Renames a variable, function, parameter, iterator or part in all files of a program.
+
+What cannot be renamed safely is refused with the reason: names that are computed, assigned in
+`process`, from Python, or passed on the command line.
+"""
+
+from __future__ import annotations
+
+import re
+from fnmatch import fnmatchcase
+
+from ...source import Span
+from ...syntax.argument_types import ArgumentEntry
+from ...syntax.names import is_function_name, is_identifier, python_name
+from ...syntax.nodes import IncludeNode, VariableEntry
+from .bindings import Place, Program, visible_names
+from .names import ARGUMENT, ASSIGNED, CALLED, FILE, IMPORTED, VARIABLE
+from .parts import Named, Reference
+from .wire import RequestFailed
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Iterator, Sequence
+
+    from .texts import Text
+    from .wire import Json
+    from .workspace import Workspace
+
+_PART_NAME = re.compile(r"[^\s$,'\"#:{}\[\]&*!|>%@`]+")
+
+
+def answer(workspace: Workspace, parameters: Json) -> Json:
+    """Return the edits; raise RequestFailed with the reason if there are none."""
+    text = workspace.text_at(parameters)
+    renaming = Renaming(workspace, text, workspace.offset_in(text, parameters))
+    return workspace_edit(workspace, renaming.edits(str(parameters["newName"])))
+
+
+def workspace_edit(workspace: Workspace, edits: Sequence[tuple[Span, str]]) -> Json:
+    """Return edits as the protocol has them, with the versions of open files if it can."""
+    by_path: dict[str, list[Json]] = {}
+    for span, new in edits:
+        edit = {"range": workspace.range(span), "newText": new}
+        by_path.setdefault(span.source.path, []).append(edit)
+    client = (workspace.client.get("workspace") or {}).get("workspaceEdit") or {}
+    if not client.get("documentChanges"):
+        return {"changes": {workspace.uri(path): own for path, own in by_path.items()}}
+    changes = []
+    for path, own in by_path.items():
+        opened = workspace.open.get(path)
+        version = opened.version if opened is not None else None
+        document = {"uri": workspace.uri(path), "version": version}
+        changes.append({"textDocument": document, "edits": own})
+    return {"documentChanges": changes}
+
+
+class Renaming:
+    """What is under the cursor, if it can be renamed."""
+
+    def __init__(self, workspace: Workspace, text: Text, offset: int) -> None:
+        """Find it.
+
+        Raises:
+            RequestFailed: it cannot be renamed; the text says why.
+        """
+        if not text.is_yaml:
+            raise RequestFailed("names in URDF and xacro files cannot be renamed here")
+        self._workspace = workspace
+        self._text = text
+        self._program = Program(workspace, text.path)
+        self._place = self._program.at(text, offset)
+        self._places: list[Place] = []
+        self._part: Named | None = None
+        self._word = ""
+        if self._place is not None:
+            self.span, self.name = self._place.span, self._place.name
+            self._places = self._program.places(self._place)
+            self._check_name(self._place)
+            return
+        found = text.parts.at(offset)
+        if found is None:
+            raise RequestFailed("there is no variable, function, parameter or part here")
+        self.span, self.name = self._find_part(found, offset)
+
+    def edits(self, new: str) -> list[tuple[Span, str]]:
+        """Return the places to change and what to write there.
+
+        Raises:
+            RequestFailed: the new name is not valid, or taken.
+        """
+        if self._part is not None:
+            return self._part_edits(self._part, new)
+        self._check_new_name(new)
+        return [(place.span, new) for place in self._places]
+
+    # --- variables and functions ------------------------------------------------------------
+
+    def _check_name(self, place: Place) -> None:
+        name = place.name
+        if not self._places:
+            if place.use is not None and isinstance(place.use.owner, IncludeNode):
+                raise RequestFailed(f"'{name}' is a variable of a file that cannot be read here")
+            raise RequestFailed(
+                f"'{name}' is not declared in these files: it is predefined or from Python"
+            )
+        for each in self._places:
+            self._check_place(each)
+        computed = [text for text in self._program.texts if text.names.has_computed]
+        is_variable = any(
+            each.declaration is not None and each.declaration.kind == VARIABLE
+            for each in self._places
+        )
+        if computed and is_variable:
+            file = computed[0].path
+            raise RequestFailed(f"'{name}' may be meant by a name that is computed in {file}")
+
+    def _check_place(self, each: Place) -> None:
+        name, declaration, use = each.name, each.declaration, each.use
+        if each.span.written() != name:
+            raise RequestFailed(f"'{name}' is written as '{each.span.written()}' elsewhere")
+        is_assigned = declaration is not None and declaration.kind == ASSIGNED
+        if is_assigned or (use is not None and use.is_assigned):
+            raise RequestFailed(f"'{name}' is assigned in `process` at {each.span.place()}")
+        if declaration is None:
+            return
+        if declaration.kind == IMPORTED:
+            raise RequestFailed(f"'{name}' comes from Python")
+        node = declaration.node
+        if isinstance(node, VariableEntry) and len(node.values) > 1:
+            raise RequestFailed(f"'{name}' is given several times at {each.span.place()}")
+        if declaration.context.kind == FILE and declaration.kind in (VARIABLE, ARGUMENT):
+            self._check_passed(each, node)
+
+    def _check_passed(self, each: Place, node: object) -> None:
+        """Raise RequestFailed for what is passed on the command line."""
+        path, name = each.text.path, each.name
+        if self._workspace.mains_of(path) != [path]:
+            return
+        passed = [text.partition(":=")[0] for text in self._workspace.settings.arguments_of(path)]
+        if isinstance(node, ArgumentEntry) or name in passed:
+            raise RequestFailed(f"'{name}' is passed on the command line")
+
+    def _check_new_name(self, new: str) -> None:
+        assert self._place is not None
+        is_called = any(
+            each.declaration is not None and each.declaration.kind in CALLED
+            for each in self._places
+        )
+        if is_called:
+            if not is_function_name(new) or "." in new:
+                raise RequestFailed(f"'{new}' is not a name of a function: write a capital first")
+        elif not is_identifier(new) or python_name(new) != new:
+            raise RequestFailed(f"'{new}' is not a name of a variable")
+        for each in self._places:
+            found = each.declaration or each.use
+            assert found is not None
+            for other in visible_names(self._program, each.text, found.context):
+                declared = other.declaration
+                assert declared is not None
+                if other.name == new and (declared.kind in CALLED) == is_called:
+                    raise RequestFailed(f"'{new}' is declared already, at {other.span.place()}")
+
+    # --- parts ------------------------------------------------------------------------------
+
+    def _find_part(self, found: Named | Reference, offset: int) -> tuple[Span, str]:
+        """Return the word under the cursor, having found the part it means."""
+        if found.name is None or "$" in found.name:
+            raise RequestFailed(f"the name '{found.span.written()}' is computed")
+        named: list[Named] = [found] if isinstance(found, Named) else []
+        if isinstance(found, Reference):
+            named = [
+                each
+                for text in self._program.texts
+                for each in text.parts.named
+                if each.answers_to(found.name)
+            ]
+        if not named:
+            raise RequestFailed(f"no part is named '{found.name}' in these files")
+        if len({(each.span.source.path, each.span.start) for each in named}) > 1:
+            raise RequestFailed(f"several parts are named '{found.name}'")
+        part = self._part = named[0]
+        assert part.name is not None
+        words = part.name.split()
+        self._word = words[0]
+        if len(words) == 2:
+            at = offset - found.span.start if found is part else -1
+            is_second = at > part.name.find(words[1]) - 1 if at >= 0 else found.name == words[1]
+            self._word = words[is_second]
+        if found is part:
+            start = part.span.start + part.span.written().find(self._word)
+            return Span(part.span.source, start, start + len(self._word)), self._word
+        return found.span, found.name
+
+    def _part_edits(self, part: Named, new: str) -> list[tuple[Span, str]]:
+        renamed = self._renamed(part, new)
+        start = part.span.start + part.span.written().rfind(self._word)
+        own = Span(part.span.source, start, start + len(self._word))
+        edits = [(own, renamed[self._word])]
+        for text in self._program.texts:
+            for each in text.parts.references:
+                if each.name in renamed:
+                    edits.append((each.span, renamed[each.name]))
+                else:
+                    self._check_reference(each, renamed)
+            for other in text.parts.named:
+                if other is not part and other.name in renamed.values():
+                    raise RequestFailed(f"'{other.name}' is named already, {other.span.place()}")
+        return edits
+
+    def _renamed(self, part: Named, new: str) -> dict[str, str]:
+        """Return the old names and the new ones: of the part, its link and its joint."""
+        assert part.name is not None
+        is_pair = len(part.name.split()) == 2
+        if self.name != self._word:  # a reference such as wheel_link, whose part is `wheel`
+            before, _, after = self.name.partition(self._word)
+            if not (new.startswith(before) and new.endswith(after)):
+                raise RequestFailed(f"the part is named '{self._word}': keep '{before}*{after}'")
+            new = new[len(before) : len(new) - len(after)]
+        if not _PART_NAME.fullmatch(new):
+            raise RequestFailed(f"'{new}' is not a name of a part: write one word")
+        renamed = {self._word: new}
+        for name in (part.link, part.joint):
+            if name is not None and not is_pair and self._word in name:
+                renamed[name] = name.replace(self._word, new, 1)
+        return renamed
+
+    def _check_reference(self, each: Reference, renamed: dict[str, str]) -> None:
+        """Raise RequestFailed for a reference that may mean the part and cannot be changed."""
+        if each.is_computed:
+            pattern = "".join(_pattern(each.name))
+            if any(re.fullmatch(pattern, old, re.DOTALL) for old in renamed):
+                raise RequestFailed(f"a computed name may mean it, at {each.span.place()}")
+        elif "*" in each.name:
+            for old, new in renamed.items():
+                if fnmatchcase(old, each.name) != fnmatchcase(new, each.name):
+                    raise RequestFailed(f"the pattern at {each.span.place()} would not fit")
+        elif self._has_prefixes() and any(each.name.endswith(old) for old in renamed):
+            raise RequestFailed(f"'{each.name}' may mean it, at {each.span.place()}")
+
+    def _has_prefixes(self) -> bool:
+        return any(
+            include.node.own_prefix is not None
+            for text in self._program.texts
+            for include in text.names.includes
+        )
+
+
+def _pattern(text: str) -> Iterator[str]:
+    """Yield a regular expression for what a text with `$(…)` may become."""
+    from ...syntax.template import skip_expression
+
+    at = 0
+    while at < len(text):
+        after = skip_expression(text, at)
+        if after > at:
+            yield ".*"
+            at = after
+        else:
+            yield re.escape(text[at])
+            at += 1

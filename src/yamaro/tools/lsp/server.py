@@ -1,0 +1,371 @@
+"""The language server: takes the messages of an editor one by one, and answers them."""
+
+from __future__ import annotations
+
+import os
+import queue
+import threading
+import time
+from importlib import import_module
+
+from .positions import agreed_encoding
+from .settings import Settings
+from .wire import (
+    INTERNAL_ERROR,
+    INVALID_PARAMS,
+    INVALID_REQUEST,
+    METHOD_NOT_FOUND,
+    NOT_INITIALIZED,
+    PARSE_ERROR,
+    BrokenMessage,
+    RequestFailed,
+)
+from .workspace import Workspace, folders_of, scan
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from .builds import Builder, Result
+    from .findings import Publisher
+    from .wire import Json, Wire
+
+FEATURES = {
+    "textDocument/documentSymbol": "symbols",
+    "textDocument/definition": "definition",
+    "textDocument/references": "references",
+    "textDocument/documentHighlight": "highlights",
+    "textDocument/prepareRename": "rename_range",
+    "textDocument/rename": "rename",
+}
+"""The requests that a feature answers: the module with the function `answer`."""
+
+PARENT_INTERVAL = 10.0
+"""Seconds after which to look whether the editor still runs."""
+
+
+class Server:
+    """One session with an editor."""
+
+    def __init__(self, wire: Wire) -> None:
+        """Begin before `initialize`."""
+        self._wire = wire
+        self._events: queue.SimpleQueue[tuple[str, Json]] = queue.SimpleQueue()
+        self._workspace = Workspace()
+        self._publisher: Publisher | None = None
+        self._builder: Builder | None = None
+        self._is_initialized = False
+        self._is_shut_down = False
+        self._parent: int | None = None
+        self._edited: dict[str, None] = {}  # files whose parse is to be published
+        self._due: dict[str, float] = {}  # when a main file is to be built
+        self._is_lock_free = True
+
+    def run(self) -> int:
+        """Serve until the editor is gone or says so; return the exit status."""
+        threading.Thread(target=self._listen, name="listener", daemon=True).start()
+        while True:
+            try:
+                kind, value = self._events.get(timeout=self._patience())
+            except queue.Empty:
+                if not self._rest():
+                    return 1
+                continue
+            try:
+                if kind == "message":
+                    status = self._take(value)
+                    if status is not None:
+                        return status
+                elif kind == "broken":
+                    self._send_error(None, PARSE_ERROR, value)
+                elif kind == "end":
+                    return 0 if self._is_shut_down else 1
+                else:
+                    self._take_result(value)
+            except OSError:  # nobody reads
+                return 1
+
+    def _listen(self) -> None:
+        while True:
+            try:
+                message = self._wire.read()
+            except BrokenMessage as error:
+                self._events.put(("broken", str(error)))
+                continue
+            except (OSError, ValueError):
+                message = None
+            if message is None:
+                self._events.put(("end", None))
+                return
+            self._events.put(("message", message))
+
+    # --- what waits -------------------------------------------------------------------------
+
+    def _patience(self) -> float:
+        """Return how many seconds to wait for an event."""
+        if self._edited:
+            return 0.0
+        if not self._due:
+            return PARENT_INTERVAL
+        return max(min(self._due.values()) - time.monotonic(), 0.0)
+
+    def _rest(self) -> bool:
+        """Do what has waited for a pause; return whether the editor still runs."""
+        edited, self._edited = self._edited, {}
+        for path in edited:
+            self._publish(path)
+            self._touch(path, pause=self._workspace.settings.pause)
+        now = time.monotonic()
+        for main in [main for main, due in self._due.items() if due <= now]:
+            del self._due[main]
+            self._build(main)
+        return edited != {} or self._due != {} or self._has_parent()
+
+    def _has_parent(self) -> bool:
+        if self._parent is None or os.name == "nt":
+            return True
+        try:
+            os.kill(self._parent, 0)
+        except ProcessLookupError:
+            return False
+        except OSError:
+            return True
+        return True
+
+    def _build(self, main: str) -> None:
+        if self._builder is None:
+            from .builds import Builder
+
+            self._builder = Builder(
+                self._workspace.settings, lambda result: self._events.put(("done", result))
+            )
+        self._builder.build(main, self._workspace.texts())
+
+    def _touch(self, path: str, *, pause: float) -> None:
+        """Plan the builds that a change of a file calls for, and give up those that run."""
+        text = self._workspace.text_of(path)
+        if text is not None:
+            self._workspace.note_includes(path, self._workspace.includes_of(text))
+        due = time.monotonic() + pause
+        for main in self._workspace.mains_of(path):
+            if self._builder is not None:
+                self._builder.abandon(main)
+            if os.path.isabs(main):
+                self._due[main] = due
+
+    def _take_result(self, result: Result | dict[str, frozenset[str]]) -> None:
+        """Take what a build or the look through the workspace gave."""
+        workspace = self._workspace
+        if isinstance(result, dict):
+            is_news = [workspace.note_includes(path, files) for path, files in result.items()]
+            if any(is_news):
+                for path in list(workspace.open):
+                    self._touch(path, pause=0.0)
+                self._forget_builds()
+            return
+        if result.fault is not None:
+            self._log(f"yamaro: {result.fault}")
+        workspace.results[result.main] = result
+        if result.root is not None:
+            workspace.good[result.main] = result
+        self._forget_builds()
+        self._publish_all()
+
+    def _forget_builds(self) -> None:
+        """Forget the results of files that are parts of other programs, or not needed any more."""
+        workspace = self._workspace
+        wanted = {main for path in workspace.open for main in workspace.mains_of(path)}
+        for main in [main for main in workspace.results if main not in wanted]:
+            del workspace.results[main]
+            workspace.good.pop(main, None)
+
+    # --- messages to the editor -------------------------------------------------------------
+
+    def _publish(self, path: str) -> None:
+        if self._publisher is None:
+            from .findings import Publisher
+
+            self._publisher = Publisher(self._workspace)
+        message = self._publisher.message(path)
+        if message is not None:
+            self._wire.write(message)
+
+    def _publish_all(self) -> None:
+        from .findings import home_of
+
+        paths = dict.fromkeys(self._workspace.open)
+        for result in self._workspace.results.values():
+            paths.update(dict.fromkeys(home_of(each, result) for each in result.diagnostics))
+        if self._publisher is not None:
+            paths.update(dict.fromkeys(self._publisher.shown()))
+        for path in paths:
+            self._publish(path)
+
+    def _log(self, text: str) -> None:
+        self._wire.write({"method": "window/logMessage", "params": {"type": 1, "message": text}})
+
+    def _send_error(self, identity: Json, code: int, text: str) -> None:
+        self._wire.write({"id": identity, "error": {"code": code, "message": text}})
+
+    # --- messages of the editor -------------------------------------------------------------
+
+    def _take(self, message: Json) -> int | None:
+        """Handle a message; return the exit status if it is the last."""
+        if not isinstance(message, dict):
+            self._send_error(None, INVALID_REQUEST, "a message is an object")
+            return None
+        method, identity = message.get("method"), message.get("id")
+        if method is None:  # the answer to a request of ours
+            return None
+        if method == "exit":
+            return 0 if self._is_shut_down else 1
+        parameters = message.get("params")
+        if "id" in message:
+            self._answer(identity, str(method), {} if parameters is None else parameters)
+        elif self._is_initialized and not self._is_shut_down:
+            self._notice(str(method), parameters)
+        return None
+
+    def _answer(self, identity: Json, method: str, parameters: Json) -> None:
+        if self._is_shut_down:
+            self._send_error(identity, INVALID_REQUEST, "the server is shut down")
+            return
+        if not self._is_initialized and method != "initialize":
+            self._send_error(identity, NOT_INITIALIZED, "the first request is 'initialize'")
+            return
+        try:
+            result = self._result(method, parameters)
+        except RequestFailed as error:
+            self._send_error(identity, error.code, str(error))
+        except (KeyError, TypeError, AttributeError, ValueError) as error:
+            self._send_error(identity, INVALID_PARAMS, f"{type(error).__name__}: {error}")
+            if _is_fault(error):
+                self._report(method, error)
+        except Exception as error:
+            self._send_error(identity, INTERNAL_ERROR, f"{type(error).__name__}: {error}")
+            self._report(method, error)
+        else:
+            self._wire.write({"id": identity, "result": result})
+
+    def _report(self, method: str, error: Exception) -> None:
+        """Log a fault of the server with its traceback."""
+        import traceback
+
+        self._log(f"{method}:\n" + "".join(traceback.format_exception(error)))
+
+    def _result(self, method: str, parameters: Json) -> Json:
+        if method == "initialize":
+            return self._initialize(parameters)
+        if method == "shutdown":
+            self._is_shut_down = True
+            return None
+        name = FEATURES.get(method)
+        if name is None:
+            raise RequestFailed(f"unknown method '{method}'", METHOD_NOT_FOUND)
+        feature: Callable[[Workspace, Json], Json] = import_module(f".{name}", __package__).answer
+        return feature(self._workspace, parameters)
+
+    def _initialize(self, parameters: Json) -> Json:
+        from ... import __version__
+        from .capabilities import capabilities
+
+        workspace = self._workspace
+        workspace.client = parameters.get("capabilities") or {}
+        offered = (workspace.client.get("general") or {}).get("positionEncodings")
+        workspace.encoding = agreed_encoding(offered)
+        workspace.settings = Settings(parameters.get("initializationOptions"))
+        workspace.folders = folders_of(parameters)
+        parent = parameters.get("processId")
+        self._parent = parent if isinstance(parent, int) else None
+        self._is_initialized = True
+        return {
+            "capabilities": capabilities(workspace.encoding),
+            "serverInfo": {"name": "yamaro", "version": __version__},
+        }
+
+    def _notice(self, method: str, parameters: Json) -> None:
+        notice = _NOTICES.get(method)
+        if notice is None:
+            return
+        try:
+            notice(self, parameters)
+        except (KeyError, TypeError, AttributeError, ValueError) as error:
+            self._log(f"{method}: {type(error).__name__}: {error}")
+            if _is_fault(error):
+                self._report(method, error)
+        except OSError:
+            raise
+        except Exception as error:
+            self._report(method, error)
+
+    def _initialized(self, parameters: Json) -> None:
+        settings, folders = self._workspace.settings, list(self._workspace.folders)
+        if folders:
+            from .builds import Builder
+
+            self._builder = Builder(settings, lambda result: self._events.put(("done", result)))
+            self._builder.work(lambda: scan(folders, settings))
+
+    def _opened(self, parameters: Json) -> None:
+        document = parameters["textDocument"]
+        opened = self._workspace.add(document["uri"], document.get("version"), document["text"])
+        self._publish(opened.text.path)
+        self._touch(opened.text.path, pause=0.0)
+
+    def _changed(self, parameters: Json) -> None:
+        document = parameters["textDocument"]
+        opened = self._workspace.change(
+            document["uri"], document.get("version"), parameters["contentChanges"]
+        )
+        path = opened.text.path
+        for main in self._workspace.mains_of(path):
+            if self._builder is not None:
+                self._builder.abandon(main)
+        self._edited[path] = None
+
+    def _saved(self, parameters: Json) -> None:
+        from .uris import path_of
+
+        self._touch(path_of(parameters["textDocument"]["uri"]), pause=0.0)
+
+    def _closed(self, parameters: Json) -> None:
+        from .uris import path_of
+
+        path = path_of(parameters["textDocument"]["uri"])
+        mains = self._workspace.mains_of(path)
+        self._workspace.open.pop(path, None)
+        self._edited.pop(path, None)
+        self._forget_builds()
+        for main in mains:
+            if main in self._workspace.results:
+                self._due[main] = time.monotonic()
+            else:
+                self._due.pop(main, None)
+        self._publish_all()
+
+    def _files_changed(self, parameters: Json) -> None:
+        from .uris import path_of
+
+        for change in parameters["changes"]:
+            path = path_of(change["uri"])
+            for main, result in self._workspace.results.items():
+                if path in result.files and path not in self._workspace.open:
+                    self._due[main] = time.monotonic() + self._workspace.settings.pause
+
+
+def _is_fault(error: Exception) -> bool:
+    """Return whether an exception is likely one of ours: raised deeper than a request is read."""
+    depth, step = 0, error.__traceback__
+    while step is not None:
+        depth, step = depth + 1, step.tb_next
+    return depth > 5
+
+
+_NOTICES: dict[str, Callable[[Server, Json], None]] = {
+    "initialized": Server._initialized,
+    "textDocument/didOpen": Server._opened,
+    "textDocument/didChange": Server._changed,
+    "textDocument/didSave": Server._saved,
+    "textDocument/didClose": Server._closed,
+    "workspace/didChangeWatchedFiles": Server._files_changed,
+}

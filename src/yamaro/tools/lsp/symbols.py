@@ -1,0 +1,200 @@
+"""The symbols of a file: its sections, parts, functions, variables, and elements with a name."""
+
+from __future__ import annotations
+
+from ...yaml.nodes import MappingNode, ScalarNode, SequenceNode
+from .cursor import word_of
+from .names import pairs_of_mappings
+from .positions import range_of
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from ...xml.tree import Element
+    from ...yaml.nodes import YamlNode
+    from .texts import Text
+    from .wire import Json
+    from .workspace import Workspace
+
+_MODULE, _NAMESPACE, _CLASS, _PROPERTY, _FIELD = 2, 3, 5, 7, 8
+_FUNCTION, _VARIABLE, _CONSTANT, _OBJECT, _KEY = 12, 13, 14, 19, 20
+_MOST_DEPTH = 40
+_WITHOUT_INNER = ("naming", "base", "import", "print", "process")
+
+
+def answer(workspace: Workspace, parameters: Json) -> Json:
+    """Return the symbols of a file as a tree, or as a list for editors that know no trees."""
+    text = workspace.text_at(parameters)
+    builder = _Symbols(workspace, text)
+    if text.is_yaml:
+        found = builder.of_root(text.root)
+    else:
+        found = builder.of_element(text.xml)
+    own = (workspace.client.get("textDocument") or {}).get("documentSymbol") or {}
+    if own.get("hierarchicalDocumentSymbolSupport"):
+        return found
+    return _flat(found, parameters["textDocument"]["uri"], "")
+
+
+def _flat(symbols: list[Json], uri: str, container: str) -> list[Json]:
+    found = []
+    for each in symbols:
+        location = {"uri": uri, "range": each["range"]}
+        found.append({"name": each["name"], "kind": each["kind"], "location": location})
+        if container:
+            found[-1]["containerName"] = container
+        found += _flat(each.get("children", []), uri, each["name"])
+    return found
+
+
+class _Symbols:
+    def __init__(self, workspace: Workspace, text: Text) -> None:
+        self._encoding = workspace.encoding
+        self._text = text
+
+    def of_root(self, root: YamlNode | None) -> list[Json]:
+        found = []
+        for key, value in pairs_of_mappings(root):
+            word = word_of(key.text)
+            if word in ("variables", "arguments"):
+                kind = _VARIABLE if word == "variables" else _CONSTANT
+                inner = self._entries(value, kind)
+            elif word == "functions":
+                inner = self._functions(value)
+            elif word in _WITHOUT_INNER or (word == "robot" and isinstance(value, ScalarNode)):
+                inner = []
+            else:
+                inner = self._body(value, 0)
+            name, detail = key.text, ""
+            if isinstance(value, ScalarNode) and value.text:
+                detail = " ".join(value.text.split())[:80]
+            found.append(self._symbol(name, _NAMESPACE, key, value, inner, detail=detail))
+        return found
+
+    def _entries(self, node: YamlNode, kind: int) -> list[Json]:
+        found = []
+        for key, value in pairs_of_mappings(node):
+            name = key.text.partition("/")[0].strip() or key.text
+            written = self._text.text[value.start : value.end]
+            detail = " ".join(written.split())[:80]
+            found.append(self._symbol(name, kind, key, value, [], detail=detail))
+        return found
+
+    def _functions(self, node: YamlNode) -> list[Json]:
+        found = []
+        for key, value in pairs_of_mappings(node):
+            name, bracket, rest = key.text.partition("(")
+            detail = f"({rest}" if bracket else ""
+            body = value
+            for own, inner in pairs_of_mappings(value):
+                if own.text == "input" and isinstance(inner, ScalarNode):
+                    detail = f"({' '.join(inner.text.split())})"
+                if own.text == "body":
+                    body = inner
+            name = name.partition("/")[0].strip() or key.text
+            inner_symbols = self._body(body, 0)
+            found.append(self._symbol(name, _FUNCTION, key, value, inner_symbols, detail=detail))
+        return found
+
+    def _body(self, node: YamlNode, depth: int) -> list[Json]:
+        """Return the symbols in statements: parts, calls, elements with a name, declarations."""
+        found: list[Json] = []
+        if depth > _MOST_DEPTH:
+            return found
+        for key, value in pairs_of_mappings(node):
+            word = word_of(key.text)
+            if word == "part":
+                found.append(self._part(key, value, depth))
+            elif word == "variables":
+                found += self._entries(value, _VARIABLE)
+            elif word == "functions":
+                found += self._functions(value)
+            elif word[:1].isupper() and word.replace(".", "").isidentifier():
+                inner = self._body(value, depth + 1)
+                found.append(self._symbol(key.text, _OBJECT, key, value, inner, detail="call"))
+            elif "name=" in key.text or word in ("attach", "mirror", "include"):
+                inner = self._body(value, depth + 1)
+                found.append(self._symbol(_title(key, value), _FIELD, key, value, inner))
+            else:
+                found += self._body(value, depth + 1)
+        return found
+
+    def _part(self, key: ScalarNode, value: YamlNode, depth: int) -> Json:
+        name, detail = "part", ""
+        for own, inner in pairs_of_mappings(value):
+            if own.text == "name" and isinstance(inner, ScalarNode) and inner.text:
+                name = inner.text
+            if word_of(own.text) == "joint":
+                for entry, scalar in pairs_of_mappings(inner):
+                    if entry.text == "type" and isinstance(scalar, ScalarNode):
+                        detail = scalar.text
+        return self._symbol(name, _CLASS, key, value, self._body(value, depth + 1), detail=detail)
+
+    def _symbol(
+        self,
+        name: str,
+        kind: int,
+        key: ScalarNode,
+        value: YamlNode,
+        inner: list[Json],
+        *,
+        detail: str = "",
+    ) -> Json:
+        end = self._trimmed(key.end, value.end)
+        whole = range_of(key.source, key.start, end, self._encoding)
+        symbol = {
+            "name": name or "?",
+            "kind": kind,
+            "range": whole,
+            "selectionRange": range_of(key.source, key.start, key.end, self._encoding),
+        }
+        if detail:
+            symbol["detail"] = detail
+        if inner:
+            symbol["children"] = inner
+        return symbol
+
+    def _trimmed(self, start: int, end: int) -> int:
+        """Return where what ends at an offset ends without the white space behind it."""
+        text = self._text.text
+        while end > start and text[end - 1 : end].isspace():
+            end -= 1
+        return max(start, end)
+
+    # --- XML --------------------------------------------------------------------------------
+
+    def of_element(self, root: Element | None) -> list[Json]:
+        """Return the elements with a name, each with those in it."""
+        if root is None:
+            return []
+        found = []
+        for child in root.elements():
+            name = child.attributes.get("name", child.attributes.get("filename"))
+            if name is None:
+                continue
+            span = child.span
+            whole = range_of(span.source, span.start, span.end, self._encoding)
+            symbol = {
+                "name": str(name),
+                "detail": child.name,
+                "kind": _FUNCTION if child.name == "xacro:macro" else _CLASS,
+                "range": whole,
+                "selectionRange": whole,
+            }
+            inner = self.of_element(child)
+            if inner:
+                symbol["children"] = inner
+            found.append(symbol)
+        return found
+
+
+def _title(key: ScalarNode, value: YamlNode) -> str:
+    """Return what to call an element or statement."""
+    if word_of(key.text) in ("attach", "mirror", "include"):
+        scalars = [value] if isinstance(value, ScalarNode) else []
+        if isinstance(value, (MappingNode, SequenceNode)):
+            pairs = pairs_of_mappings(value)
+            scalars = [
+                each for own, each in pairs if own.text == "path" and isinstance(each, ScalarNode)
+            ]
+        return f"{key.text} {scalars[0].text}" if scalars else key.text
+    return key.text

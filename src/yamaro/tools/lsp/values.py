@@ -1,0 +1,55 @@
+"""What a build made of what is written: the values of expressions, and of variables where set."""
+
+from __future__ import annotations
+
+from ...source import RecordedSpan, Span
+from ...xml.tree import Element, Text
+from ...xml.values import format_value
+
+Key = tuple[str, int]
+"""A file and the offset at which something is written."""
+MOST_ELEMENTS = 200_000
+
+
+class Values:
+    """The values in a finished tree by the places they come from.
+
+    Attributes:
+        written: what each value, as a whole, came out as, in order.
+        set: the values of the variables that were read, by where they were set.
+        read: likewise, by the place of the value that read them, and the name.
+    """
+
+    def __init__(self, root: Element | None) -> None:
+        """Look through a tree, or nothing."""
+        self.written: dict[Key, dict[str, None]] = {}
+        self.set: dict[Key, dict[str, None]] = {}
+        self.read: dict[tuple[str, int, str], dict[str, None]] = {}
+        pending = [root] if root is not None else []
+        count = 0
+        while pending and count < MOST_ELEMENTS:
+            element = pending.pop()
+            count += 1
+            for name, value in element.attributes.items():
+                if value is not None:
+                    self._note(element.value_span(name), value)
+            for child in element.children:
+                if isinstance(child, Element):
+                    pending.append(child)
+                elif isinstance(child, Text):
+                    self._note(child.span, child.value)
+
+    def _note(self, span: Span, value: object) -> None:
+        if not isinstance(span, RecordedSpan):
+            return
+        key = (span.source.path, span.start)
+        self.written.setdefault(key, {}).setdefault(format_value(value))
+        for other in (span, span.name_span, *span.others):
+            if not isinstance(other, RecordedSpan):
+                continue
+            for reading in other.readings:
+                where = (other.source.path, other.start, reading.name)
+                self.read.setdefault(where, {}).setdefault(reading.value)
+                if reading.span is not None:
+                    at = (reading.span.source.path, reading.span.start)
+                    self.set.setdefault(at, {}).setdefault(reading.value)

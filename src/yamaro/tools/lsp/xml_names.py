@@ -1,0 +1,110 @@
+"""Names in the XML files of a program: URDF and xacro."""
+
+from __future__ import annotations
+
+import re
+
+from ...source import Source, Span
+from ...xml.tree import Element
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from .texts import Text
+    from .workspace import Workspace
+
+_DEFINES = {"xacro:property": "name", "xacro:arg": "name"}
+_PATHS = (("xacro:include", "filename"), ("mesh", "filename"), ("texture", "filename"))
+_WORD = re.compile(r"[\w.:/-]+")
+_REFERRING = {("parent", "link"), ("child", "link"), ("mimic", "joint"), ("gazebo", "reference")}
+
+
+def elements_in(root: Element | None) -> Iterator[Element]:
+    """Yield all elements of a tree, in order."""
+    pending = [root] if root is not None else []
+    while pending:
+        element = pending.pop()
+        yield element
+        pending.extend(reversed(element.elements()))
+
+
+def written_paths(text: Text) -> list[tuple[str, Span]]:
+    """Return the paths that a file names, with their places."""
+    return [
+        (str(element.attributes[attribute]), element.value_span(attribute))
+        for element in elements_in(text.xml)
+        for name, attribute in _PATHS
+        if element.name == name and attribute in element.attributes
+    ]
+
+
+def includes_in(text: Text) -> list[str]:
+    """Return the paths of the files that a xacro file includes."""
+    return [
+        str(element.attributes["filename"])
+        for element in elements_in(text.xml)
+        if element.name == "xacro:include" and "filename" in element.attributes
+    ]
+
+
+def word_at(text: Text, offset: int) -> str:
+    """Return the name that an offset is in, or right behind."""
+    start = text.text.rfind("\n", 0, offset) + 1
+    end = text.text.find("\n", offset)
+    line = text.text[start : end if end >= 0 else len(text.text)]
+    for found in _WORD.finditer(line):
+        if found.start() <= offset - start <= found.end():
+            return found[0]
+    return ""
+
+
+def is_in_expression(text: Text, offset: int) -> bool:
+    """Return whether an offset is in `${…}` or `$(…)`."""
+    line = text.text[text.text.rfind("\n", 0, offset) + 1 : offset]
+    opened = max(line.rfind("${"), line.rfind("$("))
+    return opened >= 0 and not re.search(r"[})]", line[opened:])
+
+
+def definitions_in_xml(workspace: Workspace, text: Text, offset: int) -> list[Span]:
+    """Return where what is at an offset of an XML file is defined."""
+    from .paths import paths_in
+
+    for path in paths_in(workspace, text):
+        if path.span.start <= offset <= path.span.end:
+            return [Span(Source("", name=path.path, path=path.path), 0, 0)]
+    word = word_at(text, offset)
+    if not word:
+        return []
+    texts = [each for each in workspace.program_of(text.path) if not each.is_yaml]
+    if is_in_expression(text, offset):
+        names = {word, word.split(".")[-1]}
+        return [
+            span
+            for each in texts
+            for name, span, kind in defined_in(each)
+            if name in names and kind in _DEFINES
+        ]
+    tag = word.removeprefix("xacro:").rpartition(":")[2].rpartition(".")[2]
+    wanted = ("xacro:macro",) if _is_tag(text, offset) else ("link", "joint", "material")
+    return [
+        span
+        for each in texts
+        for name, span, kind in defined_in(each)
+        if name in (word, tag) and kind in wanted
+    ]
+
+
+def _is_tag(text: Text, offset: int) -> bool:
+    """Return whether an offset is in the name of a tag."""
+    start = max(text.text.rfind("<", 0, offset), text.text.rfind("</", 0, offset))
+    return start >= 0 and not re.search(r"[\s>]", text.text[start:offset])
+
+
+def defined_in(text: Text) -> Iterator[tuple[str, Span, str]]:
+    """Yield what an XML file defines: the name, its place, and the element's name."""
+    for element in elements_in(text.xml):
+        name = element.attributes.get("name")
+        is_known = element.name in (*_DEFINES, "xacro:macro", "link", "joint", "material")
+        if name is not None and is_known:
+            yield str(name), element.value_span("name"), element.name
