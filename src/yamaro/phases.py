@@ -66,6 +66,11 @@ def lower(
             resolve_mesh=finder.resolve,
             may_read=finder.allows,
         )
+    if interpreter.has_blocks:
+        from .robot.raw_blocks import take_raw_blocks
+
+        root, blocks = take_raw_blocks(root)
+        notes = [*notes, *blocks]
     return (_put_together(root) if interpreter.is_yaml else root), notes
 
 

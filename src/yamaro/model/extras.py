@@ -252,11 +252,34 @@ class Base(Noted):
         self.type = self._text("type")
 
 
+class RawXml(Noted):
+    """XML that is written in a file for one output format.
+
+    Attributes:
+        format: the output format.
+        link: the name of the link that it is for, or None.
+        joint: the name of the joint that it is for; None as well for the robot as a whole.
+    """
+
+    __slots__ = ("format", "joint", "link")
+
+    def __init__(self, element: Element) -> None:
+        super().__init__(element)
+        self.format = self._text("format")
+        self.link = attribute_text(element, "link")
+        self.joint = attribute_text(element, "joint")
+
+    @property
+    def elements(self) -> list[Element]:
+        """Return the elements, in the order written."""
+        return self.element.elements()
+
+
 class Extras:
     """What the notes of a robot say; see the properties of `Robot`."""
 
     __slots__ = (
-        "actuators", "base", "collision_settings", "controls", "groups", "loops", "sensors",
+        "actuators", "base", "collision_settings", "controls", "groups", "loops", "raw", "sensors",
         "states", "surfaces",
     )  # fmt: skip
 
@@ -279,6 +302,7 @@ class Extras:
         self.groups: Mapping[str, Group] = {each.name: each for each in groups}
         loops = map(Loop, _of(notes, "robot-loop"))
         self.loops: Mapping[str, Loop] = {each.name: each for each in loops}
+        self.raw = tuple(map(RawXml, _of(notes, "raw-block")))
         self.controls = tuple(map(Control, _of(notes, "ros2_control")))
         settings = [CollisionSettings(each) for each in _of(notes, "collisions")]
         self.collision_settings = settings[-1] if settings else None

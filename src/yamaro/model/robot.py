@@ -45,6 +45,7 @@ if TYPE_CHECKING:
         Extras,
         Group,
         Loop,
+        RawXml,
         State,
         Surface,
     )
@@ -304,6 +305,10 @@ class Robot(Written):
     def base(self) -> Base | None:
         """Return how the robot is placed in the world, as the main file says it, or None."""
         return self._more().base
+
+    def raw(self, format: str) -> list[RawXml]:
+        """Return the XML that is written for one output format, such as `mjcf`."""
+        return [each for each in self._more().raw if each.format == format]
 
     # --- kinematics and mass ---
 

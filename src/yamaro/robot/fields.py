@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from ..diagnostics import YamaroError, failure, suggest
 from ..xml.names import bad_name_character
-from ..xml.tree import Comment, Element, Text
+from ..xml.tree import Comment, Element, RawBlock, Text
 from ..xml.values import LiteralList, format_value
 from .places import PartPlace, home_of
 
@@ -63,7 +63,7 @@ def sort_fields(
                     rest.append(child)
         elif isinstance(child, Text):
             fields.has_text |= _refuse_text(lowering, owner, child, place)
-        elif place.has_parts or isinstance(child, Comment):
+        elif place.has_parts or isinstance(child, (Comment, RawBlock)):
             rest.append(child)
         else:
             refuse_part(lowering, child, place.name)

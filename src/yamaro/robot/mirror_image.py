@@ -11,7 +11,7 @@ Algorithms, section 2.8, for the transformation of inertia.
 from __future__ import annotations
 
 from ..model.pose import Pose
-from ..xml.tree import Comment, Element, Text
+from ..xml.tree import Comment, Element, RawBlock, Text
 from ..xml.values import format_value
 
 TYPE_CHECKING = False
@@ -222,7 +222,9 @@ def change_text(element: Element, attribute: str, change: Callable[[str], str]) 
 
 def holds_pose(element: Element) -> bool:
     """Return whether some XML may hold a pose, which is not mirrored."""
-    words = ("pose", "origin", "xyz", "rpy")
+    words: tuple[str, ...] = ("pose", "origin", "xyz", "rpy")
+    if isinstance(element, RawBlock):
+        words += ("pos", "quat", "euler", "axisangle", "zaxis", "fromto", "axis", "gravity")
     pending: list[Node] = [element]
     while pending:
         node = pending.pop()

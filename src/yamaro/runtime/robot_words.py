@@ -10,9 +10,10 @@ from __future__ import annotations
 from ..diagnostics import YamaroError
 from ..syntax.names import RAW_BLOCKS
 from ..syntax.nodes import Body, TextContent
-from ..xml.tree import Element, RobotWord, Text
+from ..xml.tree import Element, PartElement, RawBlock, RobotWord, Text
 from .includes import run_include
 from .markup import run_element
+from .predefined import TARGET
 from .scope import Scope
 
 TYPE_CHECKING = False
@@ -55,8 +56,33 @@ def _run_raw_block(
     if node.faults:
         raise YamaroError(fault.copy() for fault in node.faults)
     for item in node.items:
-        if item.body is not None:
+        if item.body is None:
+            continue
+        if interpreter.target == TARGET:
             interpreter.run_body(item.body, scope, out)
+        else:
+            _run_for_format(interpreter, node, item.body, scope, out)
+
+
+def _run_for_format(
+    interpreter: Interpreter, node: RobotWordNode, body: Body, scope: Scope, out: list[Node]
+) -> None:
+    """Append a block of XML for a format other than URDF.
+
+    In a model, parts and other words of a robot in it are the robot's.
+    """
+    block = RawBlock(node.key.text, node.span, trace=interpreter.trace(), verbatim=True)
+    content: list[Node] = []
+    depths = interpreter.part_depth, interpreter.element_depth
+    if any(depths):
+        interpreter.part_depth, interpreter.element_depth = 0, 2
+    interpreter.run_body(body, scope, content)
+    interpreter.part_depth, interpreter.element_depth = depths
+    block.children = [each for each in content if not isinstance(each, PartElement)]
+    if block.children:
+        interpreter.has_blocks = True
+        out.append(block)
+    out += [each for each in content if isinstance(each, PartElement)]
 
 
 def _is_in_part(interpreter: Interpreter) -> bool:

@@ -12,7 +12,10 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Iterator, Sequence
 
 _BODIES = ("link", "joint")
-_REFERS = re.compile("link|joint|frame|body|reference|parent|child|mimic", re.IGNORECASE)
+_REFERS = re.compile(
+    "link|joint|frame|body|reference|parent|child|mimic|site|objname|refname|relative_to|attached",
+    re.IGNORECASE,
+)
 """Tags and attributes that name links and joints, in extensions of URDF that are in no schema."""
 _DEVICES = (
     *("transmission", "actuator", "sensor", "ros2_control", "gpio"),

@@ -205,6 +205,16 @@ class RobotWord(PartElement):
     __slots__ = ()
 
 
+class RawBlock(Element):
+    """XML for one output format other than URDF, in a link, a joint or the robot.
+
+    Its name is the format. It is taken out of the robot at the end of lowering, so that it is
+    renamed with what it is in.
+    """
+
+    __slots__ = ()
+
+
 Node = Element | Text | Comment
 
 
