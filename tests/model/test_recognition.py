@@ -375,7 +375,7 @@ def test_ros2_control() -> None:
     )
     assert (control.has_transmissions, control.state) == (True, None)
     actuator = robot.actuators["turn"]
-    assert (actuator.command, actuator.commands) == ("position", ("effort", "position"))
+    assert (actuator.command, actuator.commands) == ("effort", ("effort", "position"))
     assert actuator.gear == 50
     assert (robot.sensors["tilt"].type, robot.sensors["tilt"].frame) == ("imu", "eye_link")
 
@@ -540,8 +540,8 @@ def test_what_words_say_is_read_from_the_file_that_is_written(name: str, tmp_pat
         assert [(s.link, s.index, s.values()) for s in robot.surfaces] == [
             (s.link, s.index, s.values()) for s in words.surfaces
         ]
-        assert [(a.joint, a.command) for a in robot.actuators.values()] == [
-            (a.joint, a.command) for a in words.actuators.values()
+        assert [(a.joint, a.command, a.commands) for a in robot.actuators.values()] == [
+            (a.joint, a.command, a.commands) for a in words.actuators.values()
         ]
         assert [
             (c.name or "r", c.type, c.plugin, c.joints, c.sensors, c.params, c.has_transmissions)

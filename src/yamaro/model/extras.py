@@ -53,12 +53,12 @@ class Actuator(Noted):
 
     Attributes:
         joint: the name of the joint.
-        command: `position`, `velocity` or `effort`.
+        command: `position`, `velocity` or `effort`: the first of those that it takes.
         kp: the gain of position, in N·m/rad or N/m; of velocity in a velocity actuator; or None.
         kd: the gain of velocity, in N·m·s/rad or N·s/m, or None.
         armature: the inertia of the rotor seen at the joint, in kg·m² or kg, or None.
         gear: turns of the motor for one of the joint; 1 by default.
-        commands: all commands that it takes, if a file says them; else `command`.
+        commands: all commands that it takes; files may say others than these three.
     """
 
     __slots__ = ("armature", "command", "commands", "gear", "joint", "kd", "kp")

@@ -34,7 +34,7 @@ SURFACE_PATHS = {
 }
 """Where a `<surface>` of SDFormat says the same."""
 COMMANDS = ("position", "velocity", "effort")
-"""The commands of an actuator; the first of them that a joint takes is the one it is given."""
+"""The commands of an actuator; the first of them that is written is the one it has."""
 INTERFACES = {
     "PositionJointInterface": "position",
     "PosVelJointInterface": "position",
@@ -166,7 +166,7 @@ class _Actuators:
     def _add(self, origin: Element, trace: Step | None, commands: list[str]) -> None:
         name = attribute_text(origin, "name") or ""
         joint = self._robot.joints.get(name)
-        known = [command for command in COMMANDS if command in commands]
+        known = [command for command in commands if command in COMMANDS]
         if not known or joint is None or joint.type == FIXED or joint.mimic is not None:
             return
         if name in self._said or name in self._notes:

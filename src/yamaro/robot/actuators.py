@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from ..diagnostics import YamaroError, did_you_mean, failure
 from ..xml.values import format_value
-from .fields import read_value, word_of
-from .notes import RobotNote, check_keys, refuse_attributes
+from .fields import empty_value, read_value
+from .notes import RobotNote, check_keys, names_in, refuse_attributes
 from .numbers import read_numbers
 
 TYPE_CHECKING = False
@@ -46,22 +46,41 @@ def _read(lowering: Lowering, word: Element, joint: Element) -> RobotNote:
         value, span = read_value(key)
         places[key.name] = span
         if key.name == "command":
-            command = word_of("command", value, span, owner=word)
-            if command not in COMMANDS:
-                raise failure(
-                    "bad-choice",
-                    f"'command' is one of {', '.join(COMMANDS)}, and '{command}' is none of them",
-                    span,
-                    hint=did_you_mean(command, COMMANDS) or "write command: position",
-                    trace=word.trace,
-                )
-            note.attributes["command"] = command
+            commands = _commands(key)
+            note.attributes["command"] = commands[0]
+            if len(commands) > 1:
+                note.attributes["commands"] = " ".join(commands)
         else:
             numbers = read_numbers(
                 lowering, value, span, count=1, name=key.name, trace=key.trace, kind=KINDS[key.name]
             )
             note.attributes[key.name] = numbers.text
     return note
+
+
+def _commands(key: Element) -> list[str]:
+    """Return the commands that an actuator takes, of which the first is the usual one."""
+    names = names_in(key)
+    if not names:
+        raise empty_value(key)
+    for number, (name, span) in enumerate(names):
+        if name not in COMMANDS:
+            raise failure(
+                "bad-choice",
+                f"'command' is one of {', '.join(COMMANDS)}, and '{name}' is none of them",
+                span,
+                hint=did_you_mean(name, COMMANDS) or "write command: position",
+                trace=key.trace,
+            )
+        if name in [earlier for earlier, _ in names[:number]]:
+            raise failure(
+                "given-twice",
+                f"the command '{name}' is given twice",
+                span,
+                hint="remove one of the two",
+                trace=key.trace,
+            )
+    return [name for name, _ in names]
 
 
 def _check_joint(word: Element, joint: Element) -> None:

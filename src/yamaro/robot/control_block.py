@@ -126,9 +126,10 @@ class ControlWriter:
 
     def _joint(self, made: _Maker, name: str, initial: str | None, *, commands: bool) -> Element:
         actuator = self._actuators.get(name)
-        command = "position" if actuator is None else str(actuator.attributes["command"])
+        given = {"command": "position"} if actuator is None else actuator.attributes
+        names = str(given.get("commands", given["command"])).split()
         joint = made.element("joint", {"name": name})
-        if commands:
+        for command in names if commands else ():
             interface = made.element("command_interface", {"name": command})
             for which, value in zip(("min", "max"), self._range(name, command), strict=True):
                 if value is not None:
@@ -139,7 +140,7 @@ class ControlWriter:
             position.children.append(made.param("initial_value", initial))
         velocity = made.element("state_interface", {"name": "velocity"})
         joint.children += [position, velocity]
-        if command == "effort":
+        if "effort" in names:
             joint.children.append(made.element("state_interface", {"name": "effort"}))
         return joint
 
