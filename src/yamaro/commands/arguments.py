@@ -148,11 +148,27 @@ def _check_arguments(arguments: Arguments) -> None:
         return
     if not arguments.words:
         raise WrongUsage(_missing_file(command))
-    most = 2 if command == "why" else 1
+    if arguments.has("git"):
+        _check_words_of_git(arguments.words)
+        return
+    most = 2 if command in _SECOND_WORDS else 1
     if len(arguments.words) < most:
-        raise WrongUsage("'yamaro why' needs an ADDRESS after the file: elbow_joint/limit@upper")
+        raise WrongUsage(f"'yamaro {command}' needs {_SECOND_WORDS[command]}")
     if len(arguments.words) > most:
         raise WrongUsage(_second_file(*arguments.words[most - 1 : most + 1]))
+
+
+_SECOND_WORDS = {
+    "why": "an ADDRESS after the file: elbow_joint/limit@upper",
+    "diff": "two files: HEAD:robot.yaml robot.yaml",
+}
+"""What is missing where there is only one word, for the commands that take two."""
+
+
+def _check_words_of_git(words: list[str]) -> None:
+    """Check what git gives a diff driver: a file of both sides, or a renamed one."""
+    if len(words) not in (7, 9):
+        raise WrongUsage("'--git' is for git: git config diff.yamaro.command 'yamaro diff --git'")
 
 
 def _missing_file(command: str) -> str:

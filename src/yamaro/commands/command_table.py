@@ -137,6 +137,24 @@ COMMANDS = {
             examples=("yamaro why robot.yaml elbow_joint/limit@upper",),
         ),
         Command(
+            "diff",
+            ("A B [name:=value ...]",),
+            "show what changed from one robot to another, by meaning",
+            "Compare two robots by meaning: links, joints, masses, limits, poses and all else. "
+            "Exit with 0 if they mean the same, 1 if they differ, 2 for errors.",
+            words=(
+                ("A, B", "a YAML file, a URDF or a xacro file; or REV:path, the file in git"),
+                ("name:=value", "set a variable of both"),
+            ),
+            looks=True,
+            endings=ENDINGS,
+            examples=(
+                "yamaro diff HEAD:robot.yaml robot.yaml",
+                "yamaro diff robot.yaml robot.yaml --a reach:=0.8 --b reach:=1.2",
+                "git config diff.yamaro.command 'yamaro diff --git'",
+            ),
+        ),
+        Command(
             "lsp",
             ("[--stdio]",),
             "serve an editor: diagnostics, completion, hover, rename",

@@ -104,6 +104,8 @@ def _command(name: str) -> Run:
         from .args import run
     elif name == "why":
         from .why import run
+    elif name == "diff":
+        from .diff import run
     elif name == "lsp":
         from .lsp import run
     elif name == "completion":

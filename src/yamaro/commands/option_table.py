@@ -11,13 +11,14 @@ from .rows import Option
 
 ALL = tuple(COMMANDS)
 BUILDING = ("build", "check", "tree", "view", "watch", "picture", "why")
-"""The commands that build a file of the user's."""
-WORKING = (*BUILDING, "migrate")
+"""The commands that build one file of the user's, and show its messages."""
+WORKING = (*BUILDING, "migrate", "diff")
 """The commands that run a file."""
 READING = (*WORKING, "args")
 """The commands that read a file."""
 PICTURE = ("picture",)
 VIEW = ("view",)
+DIFF = ("diff",)
 
 OPTIONS = {
     option.name: option
@@ -59,8 +60,8 @@ OPTIONS = {
         Option(
             "json",
             "write a JSON Schema (2020-12) of the arguments",
-            ("args", "why"),
-            help_in={"why": "write the answer as JSON"},
+            ("args", "why", "diff"),
+            help_in={"why": "write the answer as JSON", "diff": "write the changes as JSON"},
         ),
         Option(
             "help-args",
@@ -117,6 +118,36 @@ OPTIONS = {
             choices=("1.11", "1.9"),
         ),
         Option("gazebo", "also write sensors and surfaces of collisions for Gazebo", ("build",)),
+        Option(
+            "a",
+            "set a variable of the first file only",
+            DIFF,
+            value="name:=value",
+            wants="name:=value",
+            is_repeatable=True,
+        ),
+        Option(
+            "b",
+            "set a variable of the second file only",
+            DIFF,
+            value="name:=value",
+            wants="name:=value",
+            is_repeatable=True,
+        ),
+        Option(
+            "tolerance",
+            "how far numbers may differ, as a part of the larger one; 1e-9 by default",
+            DIFF,
+            value="N",
+            wants="a number",
+        ),
+        Option("stat", "only write how much changed", DIFF, excludes=("json",)),
+        Option("exit-zero", "exit with 0 for robots that differ too", DIFF),
+        Option(
+            "git",
+            "take the seven words that git gives a diff driver, in place of A and B",
+            DIFF,
+        ),
         Option(
             "port",
             "serve the page at that port; by default at any free port",

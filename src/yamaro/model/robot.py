@@ -36,6 +36,8 @@ if TYPE_CHECKING:
     from ..diagnostics import Diagnostic
     from ..source import Span
     from ..xml.tree import Element
+    from .changes.change import Changes
+    from .changes.context import SameFile
     from .compare import Difference
     from .extras import (
         Actuator,
@@ -258,6 +260,12 @@ class Robot(Written):
             self._extras = Extras(notes)
         return self._extras
 
+    def noted(self) -> Extras:
+        """Return what words of YAML say besides links and joints, and not what elements say."""
+        from .extras import Extras
+
+        return Extras(self._notes)
+
     @property
     def sensors(self) -> Mapping[str, Sensor]:
         """Return the sensors by name, in order: those of words, then those in `<gazebo>`."""
@@ -368,6 +376,34 @@ class Robot(Written):
         from .compare import compare
 
         return compare(self.element, other.element)
+
+    def changes(
+        self,
+        other: Robot,
+        *,
+        tolerance: float = 1e-9,
+        same_file: SameFile | None = None,
+        has_extras: bool = True,
+    ) -> Changes:
+        """Return what changed from this robot to another one, by meaning, as `yamaro diff` does.
+
+        Links and joints are compared by name, or as renamed where the content is the same;
+        rotations as rotations, inertias along the axes of the link, materials by their look.
+
+        Args:
+            other: the robot after the changes.
+            tolerance: how far numbers may differ, as a part of the larger one; rotations in
+                radians.
+            same_file: called with the name of a mesh or texture and its place, in this robot and
+                in the other; says whether the files have the same content, None if it is not
+                known. By default files are compared by name.
+            has_extras: whether to compare what URDF has no elements for, such as sensors.
+        """
+        from .changes.robots import compare_robots
+
+        return compare_robots(
+            self, other, tolerance=tolerance, same_file=same_file, has_extras=has_extras
+        )
 
     def need_link(self, name: str) -> Link:
         """Return a link; raise ValueError, with a suggestion, if there is none of that name."""

@@ -1,0 +1,1 @@
+"""What changed from one robot to another, by meaning."""

@@ -1,0 +1,225 @@
+"""What the comparisons of links, joints and all else share: tolerance, names, and the changes."""
+
+from __future__ import annotations
+
+from .change import ADDED, CHANGED, REMOVED, Change
+from .tolerance import Tolerance, angle_between, distance_between
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable, Sequence
+
+    from ...source import Span
+    from ..pose import Pose
+    from ..robot import Robot
+    from .matching import Matching
+
+    SameFile = Callable[[str, Span, str, Span], bool | None]
+    """Whether two files have the same content, by their names as written and where; None if one
+    of them is not there."""
+
+Place = tuple["Span | None", "Span | None"]
+NOWHERE: Place = (None, None)
+
+
+class Owner:
+    """What a value belongs to.
+
+    Attributes:
+        of: what it is: see `Change.of`.
+        name: its name in the first robot.
+        new_name: its name in the second robot if that is another one.
+        places: where it is written in both.
+    """
+
+    __slots__ = ("name", "new_name", "of", "places")
+
+    def __init__(self, of: str, name: str, *, new_name: str | None, places: Place) -> None:
+        self.of = of
+        self.name = name
+        self.new_name = new_name if new_name != name else None
+        self.places = places
+
+
+class Comparing:
+    """One comparison of two robots.
+
+    Attributes:
+        first, second: the robots.
+        matching: which link and joint is which.
+        tolerance: which values are equal.
+        changes: those found so far.
+    """
+
+    __slots__ = ("_same_file", "changes", "first", "matching", "second", "tolerance")
+
+    def __init__(
+        self,
+        first: Robot,
+        second: Robot,
+        *,
+        matching: Matching,
+        tolerance: Tolerance,
+        same_file: SameFile | None,
+    ) -> None:
+        self.first = first
+        self.second = second
+        self.matching = matching
+        self.tolerance = tolerance
+        self.changes: list[Change] = []
+        self._same_file = same_file
+
+    # --- noting what differs ---
+
+    def change(
+        self,
+        owner: Owner,
+        what: str,
+        before: object,
+        after: object,
+        *,
+        unit: str = "",
+        remark: str = "",
+        places: Place | None = None,
+    ) -> None:
+        """Note a value that differs."""
+        first, second = places or owner.places
+        self.changes.append(
+            Change(
+                *(CHANGED, owner.of, owner.name),
+                what=what,
+                before=before,
+                after=after,
+                new_name=owner.new_name,
+                unit=unit,
+                remark=remark,
+                first=first or owner.places[0],
+                second=second or owner.places[1],
+            )
+        )
+
+    def add(
+        self, of: str, name: str, *, is_new: bool, value: object = None, place: Span | None = None
+    ) -> None:
+        """Note what is only in the second robot, or only in the first."""
+        kind, before, after = (ADDED, None, value) if is_new else (REMOVED, value, None)
+        first, second = (None, place) if is_new else (place, None)
+        self.changes.append(
+            Change(kind, of, name, before=before, after=after, first=first, second=second)
+        )
+
+    # --- comparing values ---
+
+    def number(
+        self,
+        owner: Owner,
+        what: str,
+        values: Sequence[float | None],
+        *,
+        unit: str = "",
+        remark: str = "",
+        places: Place | None = None,
+    ) -> None:
+        """Compare two numbers, None for one that is left out."""
+        before, after = values
+        if not self.tolerance.same(before, after):
+            self.change(owner, what, before, after, unit=unit, remark=remark, places=places)
+
+    def text(
+        self, owner: Owner, what: str, values: Sequence[object], *, places: Place | None = None
+    ) -> None:
+        """Compare two texts, or other values that are equal or not."""
+        before, after = values
+        if before != after:
+            self.change(owner, what, before, after, places=places)
+
+    def row(
+        self,
+        owner: Owner,
+        what: str,
+        values: Sequence[Sequence[float] | None],
+        *,
+        unit: str = "",
+        remark: str = "",
+        places: Place | None = None,
+    ) -> None:
+        """Compare two rows of numbers."""
+        before, after = values
+        if not self.tolerance.same_row(before, after):
+            one, other = (None if row is None else list(row) for row in values)
+            self.change(owner, what, one, other, unit=unit, remark=remark, places=places)
+
+    def pose(self, owner: Owner, what: str, one: Pose, other: Pose, places: Place) -> None:
+        """Compare two poses."""
+        tolerance = self.tolerance
+        if tolerance.same_pose(one, other):
+            return
+        before: dict[str, object] = {}
+        after: dict[str, object] = {}
+        remarks = []
+        if not tolerance.same_row(one.position, other.position):
+            before["xyz"], after["xyz"] = list(one.position), list(other.position)
+            remarks.append(f"moved {length_text(distance_between(one.position, other.position))}")
+        if not tolerance.same_rotation(one.rotation, other.rotation):
+            before["rpy"], after["rpy"] = list(one.rpy), list(other.rpy)
+            remarks.append(f"turned {angle_text(angle_between(one.rotation, other.rotation))}")
+        places = (one.span or places[0], other.span or places[1])
+        self.change(owner, what, before, after, remark=", ".join(remarks), places=places)
+
+    def file(
+        self, owner: Owner, what: str, names: Sequence[str], places: tuple[Span, Span]
+    ) -> None:
+        """Compare two files that meshes or textures name: by content, and else by name."""
+        before, after = names
+        same = None
+        if self._same_file is not None:
+            same = self._same_file(before, places[0], after, places[1])
+        if before == after:
+            if same is False:
+                remark = "the content of the file differs"
+                self.change(owner, what, before, after, remark=remark, places=places)
+        elif not same or _last(before) != _last(after):
+            remark = "with the same content" if same else ""
+            self.change(owner, what, before, after, remark=remark, places=places)
+
+    # --- names ---
+
+    def link(self, name: str) -> str:
+        """Return what a link of the first robot is called in the second."""
+        return self.matching.links.get(name, name)
+
+    def joint(self, name: str) -> str:
+        """Return what a joint of the first robot is called in the second."""
+        return self.matching.joints.get(name, name)
+
+    def body(self, name: str) -> str:
+        """Return what a link or joint of the first robot is called in the second."""
+        return self.matching.links.get(name) or self.joint(name)
+
+    def named(
+        self,
+        owner: Owner,
+        what: str,
+        values: tuple[str | None, str | None],
+        rename: Callable[[str], str],
+        *,
+        places: Place | None = None,
+    ) -> None:
+        """Compare two names of links or joints, which may have been renamed."""
+        before, after = values
+        if (None if before is None else rename(before)) != after:
+            self.change(owner, what, before, after, places=places)
+
+
+def _last(name: str) -> str:
+    return name.replace("\\", "/").rpartition("/")[2]
+
+
+def length_text(metres: float) -> str:
+    """Return a length for people: in millimetres below one metre."""
+    return f"{metres:.3g} m" if metres >= 1 else f"{metres * 1000:.3g} mm"
+
+
+def angle_text(radians: float) -> str:
+    """Return an angle for people, in degrees."""
+    return f"{radians * 57.29577951308232:.3g}°"

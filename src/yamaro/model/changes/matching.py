@@ -1,0 +1,108 @@
+"""Which link and which joint of one robot is which of the other: by name, or renamed."""
+
+from __future__ import annotations
+
+from .signatures import joint_signature, link_signature
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from ..joint import Joint
+    from ..robot import Robot
+
+
+class Matching:
+    """The names that links and joints have in both robots.
+
+    Attributes:
+        links, joints: by the name in the first robot, that in the second.
+    """
+
+    __slots__ = ("_first", "_second", "joints", "links")
+
+    def __init__(self, first: Robot, second: Robot) -> None:
+        """Match what has the same name, and then what was renamed."""
+        self._first = first
+        self._second = second
+        self.links = {name: name for name in first.links if name in second.links}
+        self.joints = {name: name for name in first.joints if name in second.joints}
+        if len(self.links) < len(first.links) and len(self.links) < len(second.links):
+            self._match_renamed_links()
+        if len(self.joints) < len(first.joints) and len(self.joints) < len(second.joints):
+            self._match_renamed_joints()
+
+    def _match_renamed_links(self) -> None:
+        """Match links of other names: those at the root, and then from parents to children."""
+        self._match_root()
+        waiting = [name for name in self._first.links if name in self.links]
+        while waiting:
+            parent = waiting.pop()
+            waiting += self._match_children(parent)
+
+    def _match_root(self) -> None:
+        """Match the only root of each robot, if its links have the same content or children."""
+        roots, others = self._first.roots, self._second.roots
+        if len(roots) != 1 or len(others) != 1:
+            return
+        (root,), (other,) = roots, others
+        if root.name in self.links or other.name in self.links.values():
+            return
+        below = {joint.name for joint in self._first.joints_below(root.name)}
+        shared = below & {joint.name for joint in self._second.joints_below(other.name)}
+        if shared or link_signature(root) == link_signature(other):
+            self.links[root.name] = other.name
+
+    def _match_children(self, parent: str) -> list[str]:
+        """Match renamed links directly below a link; return their names in the first robot."""
+        taken = set(self.links.values())
+        mine = [j for j in self._first.joints_below(parent) if j.child not in self.links]
+        others = [j for j in self._second.joints_below(self.links[parent]) if j.child not in taken]
+        matched = []
+        for joint, other in self._pairs_of(mine, others):
+            self.links[joint.child] = other.child
+            matched.append(joint.child)
+        return matched
+
+    def _pairs_of(self, mine: list[Joint], others: list[Joint]) -> list[tuple[Joint, Joint]]:
+        """Return which joints hold the same link: the surest matches first."""
+        pairs: list[tuple[Joint, Joint]] = []
+        for key in (_by_name, self._by_content, self._by_link):
+            alike: dict[object, tuple[list[Joint], list[Joint]]] = {}
+            for index, row in enumerate((mine, others)):
+                for joint in row:
+                    alike.setdefault(key(joint, index == 0), ([], []))[index].append(joint)
+            for some, theirs in alike.values():
+                if key != self._by_link or len(some) == len(theirs) == 1:
+                    pairs += zip(some, theirs)  # noqa: B905 - those without a partner stay
+            taken = {id(joint) for pair in pairs for joint in pair}
+            mine = [joint for joint in mine if id(joint) not in taken]
+            others = [joint for joint in others if id(joint) not in taken]
+        return pairs
+
+    def _by_content(self, joint: Joint, is_first: bool) -> object:
+        robot = self._first if is_first else self._second
+        return (joint_signature(joint), link_signature(robot.links[joint.child]))
+
+    def _by_link(self, joint: Joint, is_first: bool) -> object:
+        """Return the content of the link alone; what is empty is like nothing else."""
+        link = (self._first if is_first else self._second).links[joint.child]
+        return id(link) if link.is_empty else link_signature(link)
+
+    def _match_renamed_joints(self) -> None:
+        """Match joints of other names that hold the same link."""
+        taken = set(self.joints.values())
+        for child, other in self.links.items():
+            mine, theirs = self._first.parent_joint(child), self._second.parent_joint(other)
+            if mine is None or theirs is None or mine.name in self.joints:
+                continue
+            if theirs.name not in taken:
+                self.joints[mine.name] = theirs.name
+                taken.add(theirs.name)
+
+    def renamed(self) -> dict[str, str]:
+        """Return the names in the second robot that differ, with those in the first."""
+        pairs = (*self.links.items(), *self.joints.items())
+        return {new: old for old, new in pairs if new != old}
+
+
+def _by_name(joint: Joint, _: bool) -> object:
+    return joint.name

@@ -1,0 +1,357 @@
+"""Changes as text for people: one line for each, and what follows from it."""
+
+from __future__ import annotations
+
+from ...model.changes.change import ADDED, CHANGED, REMOVED, RENAMED
+from ...model.changes.context import angle_text, length_text
+from ...model.changes.tolerance import distance_between
+from ...terminal import BLUE, BOLD, DIM, RED, YELLOW, painted, printable
+from .values import ARROW, value_text, values_text
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable, Sequence
+
+    from ...model.changes.change import Change, Changes, Moved
+    from ...model.robot import Robot
+    from ...source import Span
+
+    Name = Callable[[Span], str]
+
+MARKS = {ADDED: "+", REMOVED: "-", CHANGED: "~", RENAMED: ">"}
+STYLES = {ADDED: BLUE, REMOVED: RED, CHANGED: YELLOW, RENAMED: YELLOW}
+HEADINGS = {
+    "robot": "robot",
+    "link": "links",
+    "joint": "joints",
+    "material": "materials",
+    "sensor": "sensors",
+    "actuator": "actuators",
+    "surface": "surfaces",
+    "state": "states",
+    "group": "groups",
+    "loop": "loops",
+    "collisions": "collisions",
+    "element": "other elements",
+}
+"""The kinds of things in the order in which they are shown."""
+MOST_NAMES = 4
+"""Names to show in a row; of more of them, one less."""
+LEAST_MOVED = 1e-7
+"""Metres that a centre of mass moves if it moves at all."""
+
+
+class Line:
+    """One line.
+
+    Attributes:
+        changes: those that it shows: one, or the same one of several things.
+        text: what it says after the names.
+        moved: what the changes move.
+        below: further lines that belong to it.
+    """
+
+    __slots__ = ("below", "changes", "moved", "text")
+
+    def __init__(self, change: Change, text: str) -> None:
+        self.changes = [change]
+        self.text = text
+        self.moved = [] if change.moved is None else [change.moved]
+        self.below: list[str] = []
+
+    @property
+    def change(self) -> Change:
+        """Return the first change."""
+        return self.changes[0]
+
+    @property
+    def names(self) -> list[str]:
+        """Return the names of what changed."""
+        return list(dict.fromkeys(change.name for change in self.changes))
+
+    def take(self, other: Line) -> None:
+        """Add the same change of something else."""
+        self.changes += other.changes
+        self.moved += other.moved
+
+
+class DiffText:
+    """Writes the changes between two robots as text."""
+
+    def __init__(self, changes: Changes, robots: tuple[Robot, Robot], *, name: Name) -> None:
+        """Prepare.
+
+        Args:
+            changes: what changed.
+            robots: the two robots.
+            name: gives the name of the file that a place is in.
+        """
+        self._changes = changes
+        self._first, self._second = robots
+        self._name = name
+        self._removed = self._names(REMOVED, "link")
+        self._added = self._names(ADDED, "link")
+        self._renamed = {
+            change.name: change.new_name
+            for change in changes.changes
+            if change.kind == RENAMED and change.of == "joint"
+        }
+
+    def _names(self, kind: str, of: str) -> dict[str, Change]:
+        return {c.name: c for c in self._changes.changes if c.kind == kind and c.of == of}
+
+    def render(self, labels: tuple[str, str], *, color: bool = False) -> str:
+        """Return the text, which is empty if nothing changed."""
+        if not self._changes.changes:
+            return ""
+        heads = (f"--- {printable(labels[0])}", f"+++ {printable(labels[1])}")
+        lines = [_painted(head, BOLD, color) for head in heads]
+        for of, heading in HEADINGS.items():
+            rows = self._rows([change for change in self._changes.changes if change.of == of])
+            if rows:
+                lines.append(_painted(heading, BOLD, color))
+                for group in _grouped(rows):
+                    lines += self._lines_of(group, color)
+        lines += self.totals()
+        return "\n".join(map(_safe, lines)) + "\n"
+
+    def _lines_of(self, rows: list[Line], color: bool) -> list[str]:
+        """Return the lines about one thing, or about several that changed in the same way."""
+        change = rows[0].change
+        mark = _painted(MARKS[change.kind], STYLES[change.kind], color)
+        names = _several([printable(name) for name in rows[0].names])
+        lines = []
+        begin = f"  {mark} {names}"
+        if len(rows) > 1:
+            lines.append(begin)
+            begin = "     "
+        for row in rows:
+            place = self._place(row)
+            parts = [part for part in (begin, printable(row.text)) if part]
+            if place:
+                parts.append(_painted(f"({printable(place)})", DIM, color))
+            lines.append("  ".join(parts) if begin.strip() else " ".join(parts))
+            if row.moved:
+                lines.append(f"        {_moved_text(row.moved)}")
+            lines += [f"        {line}" for line in row.below]
+        return lines
+
+    # --- rows ---
+
+    def _rows(self, changes: Sequence[Change]) -> list[Line]:
+        """Return the lines of changes of one kind of thing; the same change of several as one."""
+        rows: list[Line] = []
+        known: dict[str, Line] = {}
+        for change in changes:
+            row = self._row(change)
+            if row is None:
+                continue
+            if change.kind == CHANGED:
+                twin = known.setdefault(row.text, row)
+                if twin is not row and change.name not in twin.names:
+                    twin.take(row)
+                    continue
+            rows.append(row)
+        return _joined(rows)
+
+    def _row(self, change: Change) -> Line | None:
+        row: Line | None
+        if change.kind == CHANGED:
+            values = values_text(change)
+            row = Line(change, f"{change.what} {values}" if change.what else values)
+        elif change.kind == RENAMED:
+            text = self._renamed_text(change)
+            row = Line(change, text) if text else None
+        elif change.of == "link":
+            row = self._one_sided_link(change)
+        elif change.of == "joint":
+            row = self._one_sided_joint(change)
+        else:
+            value = change.after if change.kind == ADDED else change.before
+            row = Line(change, "" if value is None else value_text(value))
+        return row
+
+    def _renamed_text(self, change: Change) -> str:
+        """Return the new name, of a link with its joint's; "" for a joint renamed with its link."""
+        if change.of == "joint":
+            child = self._first.joints[change.name].child
+            if self._changes.links.get(child, child) != child:
+                return ""
+        text = f"{ARROW.strip()} {change.new_name}"
+        if change.of == "link":
+            joint = self._first.parent_joint(change.name)
+            new = None if joint is None else self._renamed.get(joint.name)
+            if joint is not None and new is not None:
+                text += f", with its joint {joint.name}{ARROW}{new}"
+        return text
+
+    def _one_sided_link(self, change: Change) -> Line | None:
+        """Return the line of a link that only one robot has; None for one below another such."""
+        robot, others = (
+            (self._second, self._added) if change.kind == ADDED else (self._first, self._removed)
+        )
+        joint = robot.parent_joint(change.name)
+        if joint is not None and joint.parent in others:
+            return None
+        facts = change.after if change.kind == ADDED else change.before
+        assert isinstance(facts, dict)
+        parts = []
+        if "mass" in facts:
+            parts.append(f"{value_text(facts['mass'], 4)} kg")
+        if joint is not None:
+            parts.append(f"on {joint.parent} by {joint.name} ({joint.type})")
+        row = Line(change, ", ".join(parts))
+        below = _below(robot, change.name, others)
+        if below:
+            count = f"{len(below)} links" if len(below) > 1 else "the link"
+            row.below.append(f"and {count} below it: {_several(list(map(printable, below)))}")
+        return row
+
+    def _one_sided_joint(self, change: Change) -> Line | None:
+        """Return the line of a joint that only one robot has; None if its link is such too."""
+        robot, others = (
+            (self._second, self._added) if change.kind == ADDED else (self._first, self._removed)
+        )
+        joint = robot.joints[change.name]
+        above = robot.parent_joint(joint.child)
+        if joint.child in others and above is not None and above.name == joint.name:
+            return None
+        return Line(change, f"{joint.type}, {joint.parent}{ARROW}{joint.child}")
+
+    # --- what follows ---
+
+    def totals(self) -> list[str]:
+        """Return the lines about the robot as a whole."""
+        lines = []
+        before, after = self._changes.mass
+        if value_text(before) != value_text(after):
+            lines.append(f"total mass: {value_text(before)}{ARROW}{value_text(after)} kg")
+        one, other = self._changes.center
+        if one is not None and other is not None:
+            distance = distance_between(one, other)
+            if distance > LEAST_MOVED:
+                lines.append(f"centre of mass: moved {length_text(distance)}")
+        return [*lines, motion_text(self._changes)]
+
+    def _place(self, row: Line) -> str:
+        """Return where all changes of a line are written, or "" for several places."""
+        places = {self._place_of(change) for change in row.changes}
+        return places.pop() if len(places) == 1 else ""
+
+    def _place_of(self, change: Change) -> str:
+        """Return where a change is written, in the first file and in the second."""
+        places = [
+            (self._name(span), span.location()[0])
+            for span in (change.first, change.second)
+            if span is not None
+        ]
+        if not places:
+            return ""
+        (name, line), (new, new_line) = places[0], places[-1]
+        if name == new or name.endswith(f":{new}"):
+            return f"{new}:{line}" if line == new_line else f"{new}:{line}{ARROW}{new_line}"
+        return f"{name}:{line}{ARROW}{new}:{new_line}"
+
+
+def motion_text(changes: Changes) -> str:
+    """Return whether the robots move the same, as a line."""
+    motion = changes.motion
+    if motion.is_same:
+        ranges = f", but the limits of {_several(list(motion.ranges))} differ"
+        return "moves the same: yes" + (ranges if motion.ranges else "")
+    opposite = ""
+    if motion.opposite:
+        opposite = f"; the same with the opposite sign of {_several(list(motion.opposite))}"
+    return f"moves the same: no, {motion.reason}{opposite}"
+
+
+def summary_text(changes: Changes) -> str:
+    """Return how much changed, on a line: `links: 1 added, 2 changed; joints: 3 changed`."""
+    parts = []
+    for of, heading in HEADINGS.items():
+        counts = [
+            f"{len(names)} {kind}"
+            for kind in (ADDED, REMOVED, RENAMED, CHANGED)
+            if (names := {c.name for c in changes.changes if c.of == of and c.kind == kind})
+        ]
+        if counts:
+            parts.append(f"{heading}: {', '.join(counts)}")
+    return "; ".join([*parts, motion_text(changes)]) + "\n" if parts else ""
+
+
+def _joined(rows: list[Line]) -> list[Line]:
+    """Return the rows in which equal values of one thing are joined: those of both its shapes."""
+    known: dict[tuple[object, ...], Line] = {}
+    kept = []
+    for row in rows:
+        if row.change.kind == CHANGED and row.change.what:
+            key = (tuple(row.names), values_text(row.change))
+            if key in known:
+                first = known[key]
+                values = first.text.removesuffix(key[1]).strip()
+                first.text = f"{values}, {row.change.what} {key[1]}"
+                continue
+            known[key] = row
+        kept.append(row)
+    return kept
+
+
+def _grouped(rows: list[Line]) -> list[list[Line]]:
+    """Return the rows, those one after the other about the same things together."""
+    groups: list[list[Line]] = []
+    for row in rows:
+        last = groups[-1][0] if groups else None
+        if (
+            last is not None
+            and last.change.kind == row.change.kind == CHANGED
+            and last.names == row.names
+        ):
+            groups[-1].append(row)
+        else:
+            groups.append([row])
+    return groups
+
+
+def _moved_text(moved: list[Moved]) -> str:
+    """Return which links some changes move, and how far the furthest one."""
+    worst = max(moved, key=lambda each: (each.distance, each.angle))
+    parts = []
+    if worst.distance > LEAST_MOVED:
+        parts.append(f"by {length_text(worst.distance)}")
+    if worst.angle > LEAST_MOVED:
+        parts.append(f"turned {angle_text(worst.angle)}")
+    how = " and ".join(parts) + ("" if worst.is_at_zero else " when the joints move")
+    links = list(dict.fromkeys([worst.link, *(name for each in moved for name in each.links)]))
+    if len(links) == 1:
+        return f"moves {printable(worst.link)} {how}"
+    return f"moves {len(links)} links, the furthest {how}: {_several(list(map(printable, links)))}"
+
+
+def _below(robot: Robot, link: str, among: dict[str, Change]) -> list[str]:
+    """Return the links below one that are among some, in depth-first order."""
+    found: dict[str, None] = {}
+    pending = [link]
+    while pending:
+        joints = robot.joints_below(pending.pop())
+        children = [j.child for j in joints if j.child in among and j.child not in found]
+        found.update(dict.fromkeys(children))
+        pending += reversed(children)
+    found.pop(link, None)
+    return list(found)
+
+
+def _several(names: list[str]) -> str:
+    """Return names in a row, the first ones of many."""
+    if len(names) <= MOST_NAMES:
+        return ", ".join(names)
+    shown = names[: MOST_NAMES - 1]
+    return f"{', '.join(shown)} and {len(names) - len(shown)} more"
+
+
+def _painted(text: str, style: str, color: bool) -> str:
+    return painted(text, style) if color else text
+
+
+def _safe(line: str) -> str:
+    """Return a line whose parts have been escaped already, without line breaks."""
+    return line.replace("\n", " ")
