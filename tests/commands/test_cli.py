@@ -1244,8 +1244,8 @@ def on_path() -> dict[str, str]:
             "yamaro ",
             ["yamaro", ""],
             (
-                "a.urdf args bin check completion diff help lsp migrate picture robot.yaml tree "
-                "two.yml view watch why"
+                "a.urdf args bin check completion diff fmt help lsp migrate picture robot.yaml "
+                "tree two.yml view watch why"
             ),
         ),
         ("yamaro ro", ["yamaro", "ro"], "robot.yaml"),

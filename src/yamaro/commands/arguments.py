@@ -154,7 +154,7 @@ def _check_arguments(arguments: Arguments) -> None:
     most = 2 if command in _SECOND_WORDS else 1
     if len(arguments.words) < most:
         raise WrongUsage(f"'yamaro {command}' needs {_SECOND_WORDS[command]}")
-    if len(arguments.words) > most:
+    if len(arguments.words) > most and not COMMANDS[command].takes_several:
         raise WrongUsage(_second_file(*arguments.words[most - 1 : most + 1]))
 
 

@@ -162,6 +162,18 @@ COMMANDS = {
             "docs/editors.md.",
         ),
         Command(
+            "fmt",
+            ("FILE...",),
+            "format YAML files in one style",
+            "Bring YAML files into one style: indentation, spaces and blank lines. Comments, "
+            "order, quotes and numbers stay as they are written. The files are not run.",
+            words=(("FILE", "a YAML file; - formats standard input to standard output"),),
+            looks=True,
+            endings=("yaml", "yml"),
+            examples=("yamaro fmt robot.yaml leg.yaml", "yamaro fmt --check *.yaml"),
+            takes_several=True,
+        ),
+        Command(
             "completion",
             ("bash|zsh|fish",),
             "print a completion script for a shell",

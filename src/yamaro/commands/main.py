@@ -108,6 +108,8 @@ def _command(name: str) -> Run:
         from .diff import run
     elif name == "lsp":
         from .lsp import run
+    elif name == "fmt":
+        from .fmt import run
     elif name == "completion":
         from .completion import run
     else:

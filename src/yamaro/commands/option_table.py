@@ -63,6 +63,10 @@ OPTIONS = {
             ("args", "why", "diff"),
             help_in={"why": "write the answer as JSON", "diff": "write the changes as JSON"},
         ),
+        Option("check", "change no file; exit with 1 if one is not formatted", ("fmt",)),
+        Option(
+            "diff", "change no file; show what would change, and exit with 1 if anything", ("fmt",)
+        ),
         Option(
             "help-args",
             "list the arguments of the file and exit, as 'yamaro args' does",
@@ -227,8 +231,9 @@ OPTIONS = {
         Option(
             "quiet",
             "show errors only: no warnings and no output of 'print'",
-            READING,
+            (*READING, "fmt"),
             short="q",
+            help_in={"fmt": "do not name the files"},
         ),
         Option("strict", "treat warnings as errors", BUILDING),
         Option(
@@ -288,7 +293,7 @@ OPTIONS = {
         Option(
             "limit",
             "change a limit, such as turns=5000000",
-            READING,
+            (*READING, "fmt"),
             value="NAME=N",
             wants="NAME=NUMBER",
             is_repeatable=True,
@@ -305,7 +310,7 @@ OPTIONS = {
         Option(
             "color",
             "colour messages: auto (the default), always or never",
-            READING,
+            (*READING, "fmt"),
             value="WHEN",
             wants="auto, always or never",
             choices=("auto", "always", "never"),

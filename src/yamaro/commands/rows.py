@@ -15,9 +15,13 @@ class Command:
         looks: whether it only looks at a file, which is not trusted then by default.
         endings: of the files that are completed, without the dot.
         examples: command lines.
+        takes_several: whether any number of files may follow.
     """
 
-    __slots__ = ("about", "endings", "examples", "forms", "looks", "name", "summary", "words")
+    __slots__ = (
+        "about", "endings", "examples", "forms", "looks", "name", "summary", "takes_several",
+        "words",
+    )  # fmt: skip
 
     def __init__(
         self,
@@ -30,6 +34,7 @@ class Command:
         looks: bool = False,
         endings: tuple[str, ...] = (),
         examples: tuple[str, ...] = (),
+        takes_several: bool = False,
     ) -> None:
         """Describe a command."""
         self.name = name
@@ -40,6 +45,7 @@ class Command:
         self.looks = looks
         self.endings = endings
         self.examples = examples
+        self.takes_several = takes_several
 
 
 class Option:

@@ -109,11 +109,15 @@ class Recovery:
     def _is_caused_by_hiding(self, fault: Diagnostic, line: int) -> bool:
         """Return whether a fault is likely to be there only because something is hidden."""
         return (
-            self._is_blank(line, self._text)
+            self._is_blanked(line)
             or (line == self._behind and fault.code in _STRUCTURE)
             # Faults are met in order, so this one goes across what is hidden.
             or fault.span.start < self._furthest
         )
+
+    def _is_blanked(self, line: int) -> bool:
+        """Return whether all of a line is hidden; one of white space was never anything else."""
+        return self._is_blank(line, self._text) and not self._is_blank(line, self._source.text)
 
     def _hide_in(self, line: int, at: int, extent: int) -> None:
         """Hide the value, the entry or all of a line, and what belongs to it below."""

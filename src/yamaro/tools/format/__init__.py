@@ -1,0 +1,1 @@
+"""One style for YAML files: `yamaro fmt`."""
