@@ -53,7 +53,9 @@ def test_units_of_arguments_go_with_them_to_the_main_file(tmp_path: Path) -> Non
         <b/>
         """,
     )
-    assert "  length: 2  # in metres\n  colour: red  # its paint\n" in made["r.yaml"]
+    assert (
+        "  length: {default: 2, help: in metres}\n  colour: {default: red, help: its paint}\n"
+    ) in made["r.yaml"]
     assert "include: lib.yaml  # the library\n" in made["r.yaml"]
     assert "metres" not in made["lib.yaml"]
 

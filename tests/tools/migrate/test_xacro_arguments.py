@@ -31,7 +31,7 @@ def test_an_argument_stays_apart_from_a_parameter_of_its_name(tmp_path: Path) ->
         "",
         "other_",
     )
-    assert "  n: main_\n  arg_n: $(n)\n" in made
+    assert "arguments:\n  n: main_\nvariables:\n  arg_n: $(n)\n" in made
     assert "link/name=$(arg_n)$(n)mount:" in made
 
 

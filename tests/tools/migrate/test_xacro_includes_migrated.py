@@ -181,9 +181,9 @@ def test_an_optional_file_that_is_not_there_is_left_out_and_told(tmp_path: Path)
 def test_a_difference_with_other_arguments_is_told(tmp_path: Path) -> None:
     chosen = (
         """<xacro:if value="${'$(arg v)' == '02'}"><link name="two"/></xacro:if>"""
-        """<xacro:if value="${'$(arg v)' == '01'}"><link name="one"/></xacro:if>"""
+        """<xacro:if value="${'$(arg v)' == '1'}"><link name="one"/></xacro:if>"""
     )
-    migration = moved(tmp_path, {"r.xacro": f'<xacro:arg name="v" default="01"/>{chosen}'})
+    migration = moved(tmp_path, {"r.xacro": f'<xacro:arg name="v" default="1"/>{chosen}'})
     assert [str(each) for each in migration.differences] == [
         "with v:=02, robot 'r', link 'two': is missing"
     ]

@@ -80,9 +80,9 @@ def test_macros_become_functions_and_properties_variables(tmp_path: Path) -> Non
     )
     assert made["r.yaml"] == textwrap.dedent("""\
         robot: r
+        arguments:
+          prefix: {default: my_, help: The wheels}
         variables:
-          # The wheels
-          prefix: my_
           radius: 0.1
           width: $(radius / 2)
         functions:

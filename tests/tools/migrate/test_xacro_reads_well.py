@@ -30,13 +30,11 @@ def test_comments_above_arguments_and_blocks_go_with_them(tmp_path: Path) -> Non
         <xacro:property name="paint"><p/></xacro:property>
         """,
     )
-    assert made["r.yaml"].splitlines()[:6] == [
+    assert made["r.yaml"].splitlines()[:4] == [
         "robot: r",
-        "variables:",
-        "  # how long it is",
-        "  length: 2",
-        "  # what colour it has",
-        "  colour: red",
+        "arguments:",
+        "  length: {default: 2, help: how long it is}",
+        "  colour: {default: red, help: what colour it has}",
     ]
     assert made["lib.yaml"] == textwrap.dedent("""\
         # the arguments are declared in r.yaml
@@ -246,7 +244,7 @@ def test_of_several_defaults_of_an_argument_that_of_the_main_file_counts_if_it_i
         """,
         lib='<xacro:arg name="n" default="2"/><b n="$(arg n)"/>',
     )
-    assert "  n/global: 1\n" in made["r.yaml"]
+    assert "arguments:\n  n: 1\n" in made["r.yaml"]
     assert "is None" not in made["r.yaml"] + made["lib.yaml"]
 
 
@@ -347,7 +345,8 @@ def test_an_argument_is_global_only_if_another_file_reads_it(tmp_path: Path) -> 
         <xacro:macro name="m" params="size"><b v="${size}"/></xacro:macro>
         """,
     )
-    assert "  size: 2\n  width/global: 3\n" in made["r.yaml"]
+    assert "arguments:\n  size: 2\n  width: 3\nmodel:\n" in made["r.yaml"]
+    assert "  variables:\n    width/global: $(width)\n" in made["r.yaml"]
 
 
 INERTIA = """\
@@ -422,7 +421,7 @@ def test_a_file_of_which_nothing_is_left_is_not_included(tmp_path: Path) -> None
     )
     assert list(made) == ["r.yaml", "lib.yaml"]
     assert made["r.yaml"] == (
-        "robot: r\nvariables:\n  n: 1\nmodel:\n  include: lib.yaml\n  a/n=$(n):\n"
+        "robot: r\narguments:\n  n: 1\nmodel:\n  include: lib.yaml\n  a/n=$(n):\n"
     )
 
 
@@ -523,8 +522,9 @@ def test_variables_of_opposite_conditions_have_conditional_values(tmp_path: Path
     )
     assert made["r.yaml"] == textwrap.dedent("""\
         robot: r
-        variables:
+        arguments:
           is_left: true
+        variables:
           # which side
           side: $('left' if is_left else 'right')
           sign: $(1 if is_left else -1)
@@ -658,7 +658,7 @@ def test_a_variable_is_local_if_other_files_only_have_parameters_of_its_name(
         </xacro:macro>
         """,
     )
-    assert "variables:\n  size: 2\n  given/global: 3\n" in made["r.yaml"]
+    assert "  variables:\n    given/global: $(given)\n" in made["r.yaml"]
 
 
 def test_a_variable_that_others_may_change_stays_global(tmp_path: Path) -> None:

@@ -158,7 +158,7 @@ def _attribute(value: str) -> str:
 def _as_python(value: str) -> str:
     """Return a text as one expression: for one that holds both kinds of quotes."""
     pieces = []
-    for piece, is_expression in _pieces(value):
+    for piece, is_expression in pieces_of(value):
         if is_expression:
             pieces.append(f"str({piece[2:-1]})")
         elif piece:
@@ -168,13 +168,13 @@ def _as_python(value: str) -> str:
 
 def without_expressions(text: str) -> str:
     """Return a text with `$()` in place of each expression."""
-    return "".join("$()" if is_expression else piece for piece, is_expression in _pieces(text))
+    return "".join("$()" if is_expression else piece for piece, is_expression in pieces_of(text))
 
 
 def words_of(text: str) -> list[str]:
     """Return the words of a text; an expression is no more than a piece of one."""
     words = [""]
-    for piece, is_expression in _pieces(text):
+    for piece, is_expression in pieces_of(text):
         if is_expression:
             words[-1] += piece
             continue
@@ -184,7 +184,7 @@ def words_of(text: str) -> list[str]:
     return [word for word in words if word]
 
 
-def _pieces(text: str) -> Iterator[tuple[str, bool]]:
+def pieces_of(text: str) -> Iterator[tuple[str, bool]]:
     """Return the pieces of a text, and of each whether it is an expression."""
     if "$(" not in text:
         yield text, False

@@ -80,6 +80,13 @@ def is_argument(text: str, name: str) -> bool:
     return text.strip() == f"$(arg {name})"
 
 
+def is_property_of(element: Element, name: str) -> bool:
+    """Return whether an element makes a property of the argument of a name, under that name."""
+    if element.name != "xacro:property" or element.attributes.get("name") != name:
+        return False
+    return is_argument(format_value(element.attributes.get("value")), name)
+
+
 def arguments_in(root: Element, *, with_own: bool = False) -> set[str]:
     """Return the arguments that an element reads.
 

@@ -162,18 +162,10 @@ def _migrate(
     program = XacroProgram(source, host, given, exact=exact)
     expected = expanded_by_xacro(source.path, given, host)
     judge = Judge(folder, host, given, expected or program.result, exact=exact)
-    migration = first = judge.tried(program, wanted)
-    if first.is_wrong and first.layout.theirs:
-        migration = judge.tried(program, (ALL,))
-    if migration.is_wrong and len(program.runs.done) > 1:
-        alone = XacroProgram(source, host, given, exact=exact, with_others=False)
-        migration = judge.tried(alone, wanted)
-    if migration.is_wrong:
-        migration = first
+    migration = judge.best(program, wanted)
+    if migration.is_wrong and migration.has_section:
+        migration = judge.best(program, wanted, with_section=False)
     migration.is_compared_with_xacro = expected is not None
-    if not migration.faults:
-        for run in program.runs.done[1:]:
-            migration.differences += judge.differences_with(run, migration)
     return migration
 
 
@@ -197,9 +189,30 @@ class Judge:
         self._exact = exact
         self._programs: dict[tuple[object, ...], Program] = {}
 
-    def tried(self, program: XacroProgram, wanted: Collection[str]) -> XacroMigration:
+    def best(
+        self, program: XacroProgram, wanted: Collection[str], *, with_section: bool = True
+    ) -> XacroMigration:
+        """Return the sources of a robot that make it, or the first ones if none do.
+
+        They are compared for all arguments that the robot was expanded with.
+        """
+        migration = first = self._tried(program, wanted, with_section=with_section)
+        if first.is_wrong and first.layout.theirs:
+            migration = self._tried(program, (ALL,), with_section=with_section)
+        if migration.is_wrong and len(program.runs.done) > 1:
+            migration = self._tried(program.alone(), wanted, with_section=with_section)
+        if migration.is_wrong:
+            migration = first
+        if not migration.faults:
+            for run in program.runs.done[1:]:
+                migration.differences += self.differences_with(run, migration)
+        return migration
+
+    def _tried(
+        self, program: XacroProgram, wanted: Collection[str], *, with_section: bool
+    ) -> XacroMigration:
         """Return the sources of a robot, with their faults and differences."""
-        migration = migrate_program(program, wanted)
+        migration = migrate_program(program, wanted, with_section=with_section)
         try:
             built, migration.allowed = self._built(migration, self._given)
             migration.differences = compare(self._expected, built, exact=self._exact)

@@ -74,7 +74,8 @@ def _arguments(writer: FileWriter) -> Body:
             writer.lose(argument.span, str(error))
             continue
         body.note(argument.remark)
-        body.add(writer.variable(name) + writer.scope_of(name), value or "")
+        scope = writer.scope_of(name) if writer.program.is_shared_argument(name) else ""
+        body.add(writer.variable(name) + scope, value or "")
         body.note_end(argument.ending)
     for name in writer.program.arguments:
         if name in writer.program.hidden.used:

@@ -13,7 +13,7 @@ from ....xml.tree import Comment, Element
 from ....xml.values import format_value
 from ..document import spaced
 from ..elements import comments_at_ends, tidy_text, walk
-from .arguments import HiddenArguments, arguments_in
+from .arguments import HiddenArguments, arguments_in, is_property_of
 from .callers import Callers, names_of_callers
 from .macros import Argument, Macro
 from .names import camel, defined_in, outside_expressions, texts_in, used_in
@@ -57,6 +57,7 @@ class XacroProgram:
         hidden: the arguments that something of the same name hides.
         has_computed_calls: whether it calls macros whose names are computed.
         result: what the robot expands to.
+        given: the names of the arguments given.
         exact: whether an origin that is missing has to stay missing.
     """
 
@@ -88,6 +89,8 @@ class XacroProgram:
         self.included = self.files.included
         self.result = self.runs.done[0].result
         self.exact = exact
+        self.given = set(arguments)
+        self._asked = source, host, arguments, exact
         self._take_values()
         self._gather_names()
         self._settle_arguments()
@@ -371,12 +374,32 @@ class XacroProgram:
             places += [own for macro in self.definitions.values() for own in walk(macro.element)]
         return any(own.name == "xacro:arg" and own.attributes.get("name") == name for own in places)
 
+    def is_shared_argument(self, name: str) -> bool:
+        """Return whether another file reads an argument, or a property of its name that is it."""
+        if name in self.hidden.everywhere:
+            return False
+        return any(
+            (path != self.main and name in self.arguments_read(root))
+            or any(is_property_of(own, name) for own in walk(root))
+            for path, root in self.roots.items()
+        )
+
     def is_typed_argument(self, name: str) -> bool:
         """Return whether the default of an argument is a number or truth value, and no text."""
         argument = self.arguments.get(name)
         if argument is None or name in self.spelled:
             return False
         return not isinstance(guess_value(argument.default), str)
+
+    def alone(self) -> XacroProgram:
+        """Return the robot as it is with the arguments given, without a look at others."""
+        source, host, given, exact = self._asked
+        return XacroProgram(source, host, given, exact=exact, with_others=False)
+
+    def values_tried(self, name: str) -> set[str]:
+        """Return the values that an argument had in the expansions, or was to have in others."""
+        found = {run.values[name] for run in self.runs.done if name in run.values}
+        return found | {changed[name] for changed in self.files.untried if name in changed}
 
     def _spelled(self) -> dict[str, str]:
         """Return the arguments whose texts say more than the numbers that they mean.

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from ..document import Body
 from ..writing import write_document
+from .argument_section import declare_arguments
 from .callees import Callees
 from .contents import Contents
 from .file import header_of, sections_of
@@ -39,6 +40,7 @@ class XacroMigration:
         faults: the errors of the sources, if they cannot be built.
         layout: which files became sources, and which stayed as they are.
         allowed: the codes to allow when they are built, since parsers refuse the robot.
+        has_section: whether the main file has a section `arguments`.
     """
 
     def __init__(self, files: dict[str, str], main: str, root: Element) -> None:
@@ -52,6 +54,7 @@ class XacroMigration:
         self.is_compared_with_xacro = False
         self.faults: list[Diagnostic] = []
         self.allowed: Sequence[str] = ()
+        self.has_section = False
         self.layout: Layout
 
     @property
@@ -60,12 +63,15 @@ class XacroMigration:
         return bool(self.faults or self.differences)
 
 
-def migrate_program(program: XacroProgram, wanted: Collection[str] = ()) -> XacroMigration:
+def migrate_program(
+    program: XacroProgram, wanted: Collection[str] = (), *, with_section: bool = True
+) -> XacroMigration:
     """Return sources that make the same robot, for the arguments given at least.
 
     Args:
         program: the robot.
         wanted: the packages whose files become sources even if they could stay as they are.
+        with_section: whether arguments are declared in a section, if that is possible.
     """
     contents = Contents(program)
     layout = Layout(program, wanted)
@@ -91,6 +97,8 @@ def migrate_program(program: XacroProgram, wanted: Collection[str] = ()) -> Xacr
     )
     sources = {output: sections for output, (sections, _) in written.items()}
     tidy(sources, migration.main, program)
+    if with_section:
+        migration.has_section = declare_arguments(sources, migration.main, program)
     migration.origins = {path: name for path, name in layout.outputs.items() if name in sources}
     for output, sections in sources.items():
         header = written[output][1]
@@ -99,11 +107,16 @@ def migrate_program(program: XacroProgram, wanted: Collection[str] = ()) -> Xacr
         copy = layout.output_of_data(path)
         if copy is not None:
             migration.files[copy] = text
+    migration.lost += _untried(program)
+    return migration
+
+
+def _untried(program: XacroProgram) -> Iterator[tuple[Span, str, str]]:
+    """Return which arguments the robot was not expanded with, since there are too many."""
+    span = program.roots[program.main].span
     for changed in program.files.untried:
         given = ", ".join(f"{name}:={value}" for name, value in changed.items())
-        span = program.roots[program.main].span
-        migration.lost.append((span, f"not tried with {given}", "migrate it with these as well"))
-    return migration
+        yield span, f"not tried with {given}", "migrate it with these as well"
 
 
 def _drop_functions(names: set[str], files: list[Body]) -> None:

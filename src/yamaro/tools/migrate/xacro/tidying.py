@@ -42,10 +42,12 @@ def _drop_aliases(files: list[Body], names: set[str]) -> None:
     """Leave out arguments under names of their own that nothing reads."""
     used = {word for sections in files for word in _words_of_values(sections)}
     for sections in files:
-        for body in _bodies_in(sections):
+        for body in bodies_in(sections):
             for entry in [entry for entry in body if entry.key == "variables"]:
                 if isinstance(entry.value, Body):
-                    _keep(entry.value, lambda own: _stem(own) not in names or _stem(own) in used)
+                    _keep(
+                        entry.value, lambda own: stem_of(own) not in names or stem_of(own) in used
+                    )
                 if isinstance(entry.value, Body) and not entry.value:
                     body.entries.remove(entry)
 
@@ -59,7 +61,7 @@ def _drop_parameters(files: list[Body], program: XacroProgram) -> None:
     computed = {
         word
         for sections in files
-        for entry in _entries_in(sections)
+        for entry in entries_in(sections)
         if entry.key.startswith("$(")
         for word in _WORD.findall(entry.key)
     }
@@ -98,7 +100,7 @@ def _drop_inputs(function: Body, names: set[str]) -> None:
 
 
 def _drop_arguments(sections: Body, function: str, names: set[str]) -> None:
-    for entry in _entries_in(sections):
+    for entry in entries_in(sections):
         if entry.key.rpartition(".")[2] == function and isinstance(entry.value, Body):
             _keep(entry.value, lambda own: own.key not in names)
             entry.value = entry.value or None
@@ -112,11 +114,11 @@ def _functions_in(files: list[Body]) -> dict[str, Body]:
     """Return the functions by name, without those of which there are several of a name."""
     found: dict[str, list[Body]] = {}
     for sections in files:
-        for entry in _entries_in(sections):
+        for entry in entries_in(sections):
             if entry.key == "functions" and isinstance(entry.value, Body):
                 for function in entry.value:
                     if isinstance(function.value, Body):
-                        found.setdefault(_stem(function), []).append(function.value)
+                        found.setdefault(stem_of(function), []).append(function.value)
     return {name: bodies[0] for name, bodies in found.items() if len(bodies) == 1}
 
 
@@ -131,9 +133,9 @@ def _make_local(files: dict[str, Body], program: XacroProgram) -> None:
         for root in program.roots.values():
             others |= _words_in_macro(root)
     times = Counter(
-        _stem(own)
+        stem_of(own)
         for sections in files.values()
-        for entry in _entries_in(sections)
+        for entry in entries_in(sections)
         if entry.key == "variables" and isinstance(entry.value, Body)
         for own in entry.value
     )
@@ -155,7 +157,7 @@ def _drop_empty_files(files: dict[str, Body], main: str) -> None:
     includes = [
         _path_of_include(entry)
         for sections in files.values()
-        for entry in _entries_in(sections)
+        for entry in entries_in(sections)
         if entry.key == "include"
     ]
     if any("$(" in path for path in includes):
@@ -164,7 +166,7 @@ def _drop_empty_files(files: dict[str, Body], main: str) -> None:
         for path in empty:
             del files[path]
         for own, sections in files.items():
-            for body in _bodies_in(sections):
+            for body in bodies_in(sections):
                 body.entries[:] = [
                     entry
                     for entry in body
@@ -192,22 +194,23 @@ def _path_of_include(entry: Entry) -> str:
 # --- walking --------------------------------------------------------------------------------------
 
 
-def _bodies_in(body: Body) -> Iterator[Body]:
+def bodies_in(body: Body) -> Iterator[Body]:
     """Return a body and all in it."""
     yield body
     for entry in list(body):
         if isinstance(entry.value, Body):
-            yield from _bodies_in(entry.value)
+            yield from bodies_in(entry.value)
 
 
-def _entries_in(body: Body) -> Iterator[Entry]:
-    for own in _bodies_in(body):
+def entries_in(body: Body) -> Iterator[Entry]:
+    """Return the entries of a body and of all in it."""
+    for own in bodies_in(body):
         yield from list(own)
 
 
 def _words_in(body: Body) -> Iterator[str]:
     """Return all words in keys and values."""
-    for entry in _entries_in(body):
+    for entry in entries_in(body):
         yield from _WORD.findall(entry.key)
         if isinstance(entry.value, str):
             yield from _WORD.findall(entry.value)
@@ -215,7 +218,7 @@ def _words_in(body: Body) -> Iterator[str]:
 
 def _words_of_values(body: Body) -> Iterator[str]:
     """Return all words in values, and in keys where these are expressions."""
-    for entry in _entries_in(body):
+    for entry in entries_in(body):
         if "$(" in entry.key:
             yield from _WORD.findall(entry.key)
         if isinstance(entry.value, str):
@@ -224,7 +227,7 @@ def _words_of_values(body: Body) -> Iterator[str]:
 
 def _words_read(body: Body) -> Iterator[str]:
     """Return the same without the names of parameters."""
-    for entry in _entries_in(body):
+    for entry in entries_in(body):
         if "$(" in entry.key:
             yield from _WORD.findall(entry.key)
         if entry.key == "input" and isinstance(entry.value, Row):
@@ -251,7 +254,7 @@ def _words_in_macro(element: object) -> set[str]:
     }
 
 
-def _stem(entry: Entry) -> str:
+def stem_of(entry: Entry) -> str:
     """Return the name in a key without its scope."""
     return entry.key.partition("/")[0]
 
