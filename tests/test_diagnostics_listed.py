@@ -21,12 +21,10 @@ GIVEN = re.compile(rf"^(?:error|warning)\[({CODE})\]", re.MULTILINE)
 # Codes that depend on the machine, or on another command, so that no golden case can hold them.
 TESTED_ELSEWHERE = {
     "approximated-in-mjcf": "targets/test_emission.py",
-    "approximated-in-sdf": "targets/test_emission.py",
     "approximated-in-usd": "targets/test_emission.py",
     "jail-broken": "test_policy.py",
     "limit-time": "test_policy.py",
     "lost-in-mjcf": "targets/test_emission.py",
-    "lost-in-sdf": "targets/test_emission.py",
     "lost-in-srdf": "targets/test_emission.py",
     "lost-in-usd": "targets/test_emission.py",
     "missing-extra": "robot/test_part.py",
@@ -36,7 +34,6 @@ TESTED_ELSEWHERE = {
     "not-migrated": "tools/migrate/test_migrate_command.py",
     "not-urdf": "runtime/test_xml_main.py",
     "renamed-in-mjcf": "targets/test_emission.py",
-    "renamed-in-sdf": "targets/test_emission.py",
     "renamed-in-usd": "targets/test_emission.py",
     "unknown-package": "check/test_check.py",
 }

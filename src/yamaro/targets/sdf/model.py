@@ -5,7 +5,9 @@ from __future__ import annotations
 from ...model.joint import FIXED, FLOATING
 from ...model.pose import IDENTITY
 from ..bodies import WORLD, Bodies
+from ..foreign_xml import foreign_losses
 from ..output import APPROXIMATED, LOST, Loss, Output
+from ..raw_xml import RawXmlOf
 from ..section_losses import lost_sections
 from ..tags import Tag, row_of
 from .copied_sensors import SensorCopier
@@ -46,6 +48,8 @@ class _Model:
         self._losses: list[Loss] = self._names.losses
         self._blocks = GazeboBlocks(robot)
         self._losses += self._blocks.losses
+        self._losses += foreign_losses(robot, taken=("gazebo",))
+        self._raw = RawXmlOf(robot, "sdf")
         self._copier = SensorCopier(self._version, self._losses)
         self._copied = {str(each.attributes.get("name")) for _, each in self._blocks.sensors}
         self._shapes = Shapes(robot, wanted, self._names, self._blocks, self._losses)
@@ -71,6 +75,8 @@ class _Model:
         parts += self._fixed_roots()
         parts += [self._loop(loop) for loop in robot.loops.values()]
         parts += self._blocks.model
+        parts += self._raw.robot
+        self._losses += self._raw.left()
         canonical = next((self._names.links[name] for name in self._members), None)
         model = Tag("model", parts, name=robot.name or self._wanted.name, canonical_link=canonical)
         root = Tag("sdf", [model], version=self._version).made(robot.span, None)
@@ -92,6 +98,7 @@ class _Model:
             parts += self._shapes.of(member, name)
         for member in members:
             parts += self._sensors(member, name)
+            parts += self._raw.in_link(member.name)
         parts += self._blocks.links.get(name, ())
         body = Tag(
             "link",
@@ -194,6 +201,7 @@ class _Model:
             if each.joint == joint.name and each.name not in self._copied
         ]
         more += physics_of(self._blocks.joints.get(joint.name, []))
+        more += self._raw.in_joint(joint.name)
         tag = self._joint_writer.tag(
             joint,
             parent=self._body_of(joint.parent),
