@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from .token_types import MODIFIERS, TYPES
+
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from .wire import Json
@@ -23,4 +25,16 @@ def capabilities(encoding: str) -> Json:
         "referencesProvider": True,
         "documentHighlightProvider": True,
         "renameProvider": {"prepareProvider": True},
+        "hoverProvider": True,
+        "completionProvider": {"triggerCharacters": list(" :/.($=,{")},
+        "signatureHelpProvider": {"triggerCharacters": [":", ","]},
+        "documentLinkProvider": {"resolveProvider": False},
+        "foldingRangeProvider": True,
+        "semanticTokensProvider": {
+            "legend": {"tokenTypes": list(TYPES), "tokenModifiers": list(MODIFIERS)},
+            "full": True,
+            "range": False,
+        },
+        "inlayHintProvider": True,
+        "codeActionProvider": {"codeActionKinds": ["quickfix"]},
     }

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 
 from ...diagnostics import ERROR, Diagnostic, trace_lines
+from ...fixes import Edit, Fix
 from ...policy import NO_JAIL, UNSAFE
 from ...source import Source, Span
 
@@ -91,7 +92,19 @@ def _moved(diagnostic: Diagnostic, text: Text | None) -> Diagnostic | None:
         return None
     copy = diagnostic.copy()
     copy.span = Span(text.source, span.start + shift, span.end + shift)
+    copy.fix = None if diagnostic.fix is None else _shifted(diagnostic.fix, text, shift)
     return copy
+
+
+def _shifted(fix: Fix, text: Text, shift: int) -> Fix | None:
+    """Return a fix for a text in which its places have moved; None if they hold something else."""
+    edits = []
+    for edit in fix.edits:
+        span = Span(text.source, edit.span.start + shift, edit.span.end + shift)
+        if span.written() != edit.span.written():
+            return None
+        edits.append(Edit(span, edit.text))
+    return Fix(fix.title, edits, is_safe=fix.is_safe)
 
 
 def _common(one: str, other: str) -> int:

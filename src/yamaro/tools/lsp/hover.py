@@ -1,0 +1,194 @@
+"""What is shown of the word under the cursor: values, masses and poses, the row of the manual."""
+
+from __future__ import annotations
+
+from ...source import Span
+from ...syntax.argument_types import ArgumentEntry
+from ...syntax.nodes import FunctionNode, Parameter, VariableEntry
+from ...yaml.nodes import ScalarNode
+from .bindings import Place, Program
+from .contexts import place_of
+from .cursor import cursor_at, word_of
+from .manual import PREDEFINED, VALUES, about
+from .robots import part_lines
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+    from .texts import Text
+    from .wire import Json
+    from .workspace import Workspace
+
+MOST_VALUES = 5
+"""Values of one variable that are shown."""
+
+
+def answer(workspace: Workspace, parameters: Json) -> Json:
+    """Return the hover as Markdown, or None if there is nothing to say."""
+    text = workspace.text_at(parameters)
+    offset = workspace.offset_in(text, parameters)
+    if text.is_yaml:
+        lines, span = _in_yaml(workspace, text, offset)
+    else:
+        from .xml_hover import hover_in_xml
+
+        lines, span = hover_in_xml(workspace, text, offset)
+    if not lines:
+        return None
+    result: Json = {"contents": {"kind": "markdown", "value": "\n\n".join(lines)}}
+    if span is not None:
+        result["range"] = workspace.range(span)
+    return result
+
+
+def _in_yaml(workspace: Workspace, text: Text, offset: int) -> tuple[list[str], Span | None]:
+    program = Program(workspace, text.path)
+    place = program.at(text, offset)
+    if place is not None:
+        lines = _of_name(workspace, program, place)
+        if lines:
+            return lines, place.span
+    part = text.parts.at(offset)
+    if part is not None:
+        lines = part_lines(workspace, program, text, part)
+        if lines:
+            return lines, part.span
+    return _of_word(workspace, program, text, offset)
+
+
+# --- names ------------------------------------------------------------------------------------
+
+
+def _of_name(workspace: Workspace, program: Program, place: Place) -> list[str]:
+    found = program.declarations(place)
+    if not found:
+        known = PREDEFINED.get(place.name)
+        return [f"**{place.name}**: {known}"] if known is not None else []
+    first = found[0]
+    declared = first.declaration
+    if declared is None:
+        return [f"**{place.name}**: passed at {first.span.place()}"]
+    node = declared.node
+    scope = "" if declared.scope == "local" else f", {declared.scope}"
+    lines = [f"**{declared.name}** ({declared.kind}{scope})"]
+    if isinstance(node, FunctionNode):
+        lines = [f"```yaml\n{node.signature()}\n```"]
+    elif isinstance(node, Parameter):
+        lines.append(f"`{node.text}`")
+    elif isinstance(node, ArgumentEntry):
+        lines += _argument_lines(node)
+    elif isinstance(node, VariableEntry):
+        written = _written(first.text, node)
+        if written:
+            lines.append(f"```yaml\n{written}\n```")
+    comment = _comment_above(first.text, declared.span)
+    if comment:
+        lines.append(comment)
+    values = _values(workspace, place, found)
+    if values:
+        lines.append(f"value: {_listed(values)}")
+    return lines
+
+
+def _argument_lines(entry: ArgumentEntry) -> list[str]:
+    from ..declared_arguments import about as about_argument
+    from ..declared_arguments import declared_of
+
+    declared = declared_of(entry)
+    lines = [about_argument(declared)]
+    if declared.default_text is not None:
+        lines.append(f"default: `{declared.default_text}`")
+    return [line for line in lines if line]
+
+
+def _written(text: Text, entry: VariableEntry) -> str:
+    """Return the line of a variable."""
+    line, _ = entry.span.location()
+    return text.source.line_text(line).strip().removeprefix("- ")[:200]
+
+
+def _comment_above(text: Text, span: Span) -> str:
+    """Return the comment in the lines right above a declaration."""
+    line, _ = span.location()
+    lines: list[str] = []
+    while line > 1:
+        line -= 1
+        written = text.source.line_text(line).strip()
+        if not written.startswith("#"):
+            break
+        lines.insert(0, written.lstrip("# "))
+    return "\n".join(lines)
+
+
+def _values(workspace: Workspace, place: Place, found: list[Place]) -> Iterable[str]:
+    """Return the values that a variable had in the last build, where it is read or set."""
+    values: dict[str, None] = {}
+    for result in workspace.results_of(place.text.path):
+        if result.root is None:
+            continue
+        for each in found:
+            values.update(result.values.set.get((each.text.path, each.span.start), {}))
+            values.update(result.values.set.get((each.text.path, each.span.start - 1), {}))
+        if not values and place.use is not None:
+            values.update(_read_around(result.values.read, place))
+    return values
+
+
+def _read_around(
+    read: dict[tuple[str, int, str], dict[str, None]], place: Place
+) -> dict[str, None]:
+    """Return the values that were read by the scalar around a place."""
+    root = place.text.root
+    scalar = cursor_at(root, place.span.start).scalar
+    if scalar is None:
+        return {}
+    return read.get((place.text.path, scalar.start, place.name), {})
+
+
+def _listed(values: Iterable[str]) -> str:
+    shown = list(values)
+    text = ", ".join(f"`{value[:200]}`" for value in shown[:MOST_VALUES])
+    return f"{text}, …" if len(shown) > MOST_VALUES else text
+
+
+# --- words ------------------------------------------------------------------------------------
+
+
+def _of_word(
+    workspace: Workspace, program: Program, text: Text, offset: int
+) -> tuple[list[str], Span | None]:
+    """Return what the manual says of a key, or what a value came out as."""
+    cursor = cursor_at(text.root, offset)
+    scalar = cursor.scalar
+    if scalar is None:
+        return [], None
+    if not cursor.is_key:
+        return _of_value(workspace, text, scalar, cursor.keys)
+    word = word_of(scalar.text)
+    lines = []
+    known = about(place_of(cursor.keys).name, word)
+    if known is not None:
+        lines.append(f"**{word}**: {known}")
+    if word == "part":
+        named = [each for each in text.parts.named if each.key is scalar]
+        for each in named:
+            lines += part_lines(workspace, program, text, each)
+    elif isinstance(cursor.value, ScalarNode):
+        lines += _of_value(workspace, text, cursor.value, cursor.keys)[0]
+    return lines, scalar.span()
+
+
+def _of_value(
+    workspace: Workspace, text: Text, scalar: ScalarNode, keys: list[ScalarNode]
+) -> tuple[list[str], Span | None]:
+    lines = []
+    for result in workspace.results_of(text.path):
+        written = result.values.written.get((text.path, scalar.start))
+        if written:
+            lines.append(f"in the output: {_listed(written)}")
+    key = word_of(keys[-1].text) if keys else ""
+    place = place_of(keys[:-1]).name
+    if not lines and "$" not in scalar.text and scalar.text in VALUES.get((place, key), ()):
+        lines.append(f"**{key}**: {about(place, key)}")
+    return lines, scalar.span()
