@@ -155,12 +155,15 @@ def _read_type(lowering: Lowering, key: Element, fields: Fields) -> JointType:
     word = word_of("type", value, span, owner=key)
     if word in JOINT_TYPES:
         return JointType(word, span, key_span)
+    from ..suggestions import meant_word
+
     raise failure(
         "joint-type",
         f"'{word}' is not a joint type",
         span,
         hint=joint_type_hint(word),
         trace=key.trace,
+        fix=meant_word(word, JOINT_TYPES, span)[1],
     )
 
 

@@ -77,16 +77,17 @@ def find_function(
         assert value is None or isinstance(value, (Function, Block))
         return value
     notes = notes_on(f"the function '{last}'", where_declared(last), span)
-    hint = did_you_mean(name, function_names(scope))
+    from ..suggestions import meant
+
+    hint, fix = meant(name, function_names(scope), span)
     if hint is None and name.lower() in STATEMENTS:
         hint = f"the statement is written `{name.lower()}:`; the XML element <{name}>:"
     elif hint is None and not notes:
         hint = f"for an XML element of that name, write <{name}>:"
         if scope.context.closure is not None and not namespace:
             hint += f"; declare a block in the function's `input` as **{name}"
-    raise failure(
-        "undefined-function", f"function '{name}' is not defined", span, hint=hint, notes=notes
-    )
+    message = f"function '{name}' is not defined"
+    raise failure("undefined-function", message, span, hint=hint, notes=notes, fix=fix)
 
 
 def _namespace(path: str, scope: Scope) -> Namespace | None:

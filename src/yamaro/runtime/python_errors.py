@@ -125,12 +125,16 @@ class Explainer:
     def _undefined(self, name: str, span: Span, scope: Scope, frame: Frame | None) -> YamaroError:
         # Where the name is declared says more than what other names look like it.
         notes = notes_on(f"'{name}'", self._where_declared(name), span)
-        hint = None if notes else did_you_mean(name, variable_names(scope))
+        from ..fixes import respelling
+        from ..suggestions import meant
+
+        hint, fix = (None, None) if notes else meant(name, variable_names(scope), span)
         if name.lower() in YAML_1_1_BOOLEANS and len(name) > 1:  # n is the name of a number
-            meant = YAML_1_1_BOOLEANS[name.lower()]
-            hint = f"write {meant}: in YAML 1.2 '{name}' is an ordinary word"
-        if not notes and (hint is None or name[1:]):
-            hint = _hint_for_unit(name, span) or hint
+            boolean = YAML_1_1_BOOLEANS[name.lower()]
+            hint = f"write {boolean}: in YAML 1.2 '{name}' is an ordinary word"
+            fix = respelling(span, name, boolean)
+        if not notes and (hint is None or name[1:]) and (other := _hint_for_unit(name, span)):
+            hint, fix = other, None
         return failure(
             "undefined-name",
             f"name '{name}' is not defined",
@@ -138,6 +142,7 @@ class Explainer:
             hint=hint,
             notes=notes,
             trace=frame,
+            fix=fix,
         )
 
 

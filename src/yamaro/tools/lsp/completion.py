@@ -31,6 +31,7 @@ _MARK = "yamaroCursor"
 _WORD = re.compile(r"[\w.]*$")
 _KEY_LINE = re.compile(r"\s*(?:- +)*$")
 _FLOW_KEY = re.compile(r"[{,]\s*$")
+_ATTRIBUTES = re.compile(r"<?([\w.:-]*[\w.-])\s*/((?:(?!: ).)*)")
 _PYTHON_KEYS = ("condition", "in", "range")
 MOST = 1_000
 """Items that are offered."""
@@ -72,6 +73,10 @@ class Completion:
         head = re.match(r"(?:(?:if|elif)\b|for\b.*\bin\b)", stripped)
         if head is not None and stripped[head.end() :][:1] in (" ", "("):
             self._names(stripped)
+            return
+        attributes = _ATTRIBUTES.fullmatch(stripped)
+        if attributes is not None:
+            self._attributes(attributes[1], attributes[2])
             return
         word = _WORD.search(before)
         typed = word[0] if word is not None else ""
@@ -118,9 +123,6 @@ class Completion:
     def _offer(self, cursor: Cursor, typed: str, *, is_key: bool) -> None:
         keys = cursor.keys
         scalar = cursor.scalar
-        if scalar is not None and cursor.is_key and not is_key:
-            self._attributes(scalar)
-            return
         if is_key and scalar is not None and cursor.is_key:
             self._keys(place_of(keys), cursor)
             return
@@ -185,19 +187,16 @@ class Completion:
                 if file is not None and file.is_yaml:
                     self._items.add_passed(file, present)
 
-    def _attributes(self, key: ScalarNode) -> None:
+    def _attributes(self, name: str, written: str) -> None:
         """Offer the attributes in a key `name/attribute=value`, or the scopes of a name."""
-        before = key.text.partition(_MARK)[0]
-        name, slash, rest = before.partition("/")
-        last = rest.rpartition(",")[2]
-        if not slash:
-            self._items.add_words("statement", ())
-        elif "=" in last:
+        last = written.rpartition(",")[2]
+        if "=" in last:
             attribute = last.partition("=")[0].strip().removesuffix(":")
-            self._items.add_attribute_values(self._program(), word_of(name), attribute)
+            self._items.add_attribute_values(self._program(), name, attribute)
         else:
-            self._items.add_attributes(word_of(name))
-            self._items.add_scopes()
+            self._items.add_attributes(name)
+            if "=" not in written:
+                self._items.add_scopes()
 
     # --- values -----------------------------------------------------------------------------
 

@@ -185,7 +185,7 @@ def _of_value(
     lines = []
     for result in workspace.results_of(text.path):
         written = result.values.written.get((text.path, scalar.start))
-        if written:
+        if written and list(written) != [scalar.text]:
             lines.append(f"in the output: {_listed(written)}")
     key = word_of(keys[-1].text) if keys else ""
     place = place_of(keys[:-1]).name

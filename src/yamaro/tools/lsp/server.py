@@ -8,6 +8,7 @@ import threading
 import time
 from importlib import import_module
 
+from . import FEATURES
 from .positions import agreed_encoding
 from .settings import Settings
 from .wire import (
@@ -29,24 +30,6 @@ if TYPE_CHECKING:
     from .builds import Builder, Result
     from .findings import Publisher
     from .wire import Json, Wire
-
-FEATURES = {
-    "textDocument/documentSymbol": "symbols",
-    "textDocument/definition": "definition",
-    "textDocument/references": "references",
-    "textDocument/documentHighlight": "highlights",
-    "textDocument/prepareRename": "rename_range",
-    "textDocument/rename": "rename",
-    "textDocument/hover": "hover",
-    "textDocument/completion": "completion",
-    "textDocument/signatureHelp": "signature_help",
-    "textDocument/documentLink": "links",
-    "textDocument/foldingRange": "folding",
-    "textDocument/semanticTokens/full": "tokens",
-    "textDocument/inlayHint": "hints",
-    "textDocument/codeAction": "fixes",
-}
-"""The requests that a feature answers: the module with the function `answer`."""
 
 PARENT_INTERVAL = 10.0
 """Seconds after which to look whether the editor still runs."""

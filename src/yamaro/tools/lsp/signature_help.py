@@ -26,7 +26,7 @@ def answer(workspace: Workspace, parameters: Json) -> Json:
         return None
     program = Program(workspace, text.path)
     context = text.names.context_at(offset)
-    signatures = []
+    signatures: list[Json] = []
     for place in program.functions(text, name, context):
         node = place.declaration.node if place.declaration is not None else None
         if isinstance(node, FunctionNode):
