@@ -284,3 +284,41 @@ def test_code_that_needs_trust_is_one_remark(client, tmp_path):
     client.wait_for(lambda: client.codes(uri) != [])
     found = client.diagnostics[uri]
     assert [(each["severity"], "needs trust" in each["message"]) for each in found] == [(3, True)]
+
+
+def _edited(text, edits):
+    """Apply edits of whole lines or parts of them."""
+    lines = text.split("\n")
+    starts = [0]
+    for line in lines:
+        starts.append(starts[-1] + len(line) + 1)
+
+    def offset(position):
+        return min(starts[position["line"]] + position["character"], len(text))
+
+    for edit in sorted(edits, key=lambda edit: offset(edit["range"]["start"]), reverse=True):
+        start, end = offset(edit["range"]["start"]), offset(edit["range"]["end"])
+        text = text[:start] + edit["newText"] + text[end:]
+    return text
+
+
+def test_formatting_gives_what_fmt_gives(client, tmp_path):
+    from yamaro.source import Source
+    from yamaro.tools.format.formatting import formatted
+
+    for number, text in enumerate(
+        (
+            "robot:   r\nmodel:\n    - part:\n        name:   a\n\n\n\n# end\n",
+            "robot:   r\r\nmodel:\r\n    - part:\r\n        name:   a",
+            ARM,
+        )
+    ):
+        uri = client.open(tmp_path / f"{number}.yaml", text)
+        options = {"tabSize": 8, "insertSpaces": True}
+        parameters = {"textDocument": {"uri": uri}, "options": options}
+        edits = client.request("textDocument/formatting", parameters)
+        wanted = formatted(Source(text, name="a"))
+        assert _edited(text, edits) == wanted
+    uri = client.open(tmp_path / "broken.yaml", "a: [\n")
+    parameters["textDocument"] = {"uri": uri}
+    assert "error" in client.ask("textDocument/formatting", parameters)

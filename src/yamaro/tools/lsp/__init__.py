@@ -17,6 +17,7 @@ FEATURES = {
     "textDocument/semanticTokens/full": "tokens",
     "textDocument/inlayHint": "hints",
     "textDocument/codeAction": "fixes",
+    "textDocument/formatting": "formatting",
 }
 """The requests that a feature answers: the module with the function `answer`."""
 FEATURE_MODULES = tuple(FEATURES.values())

@@ -36,5 +36,6 @@ def capabilities(encoding: str) -> Json:
             "range": False,
         },
         "inlayHintProvider": True,
+        "documentFormattingProvider": True,
         "codeActionProvider": {"codeActionKinds": ["quickfix"]},
     }
