@@ -39,6 +39,7 @@ def build(
     base: str | None = None,
     repair_inertia: bool = False,
     sdf_version: str | None = None,
+    on_progress: Callable[[float], None] | None = None,
 ) -> Build:
     """Compile a file.
 
@@ -72,7 +73,8 @@ def build(
         base: whether the root is "fixed" in the world or "free", in a format that says so; by
             default as the robot says.
         repair_inertia: balance inertia that no body can have, instead of refusing it.
-        sdf_version: "1.11" (the default) or "1.9".
+        sdf_version: "1.11" (the default), "1.9" or "1.12".
+        on_progress: is called with how far the work is, from 0 to 1, where a format takes long.
 
     Raises:
         YamaroError: the input has errors; it holds them, and the warnings found before.
@@ -86,7 +88,7 @@ def build(
         command_line=command_line, variables=variables, strict=strict, advice=advice,
         on_message=on_message, has_root=has_root, output=output, meshes=meshes, gazebo=gazebo,
         records=records, target=target, base=base, repair_inertia=repair_inertia,
-        sdf_version=sdf_version,
+        sdf_version=sdf_version, on_progress=on_progress,
     )  # fmt: skip
 
 

@@ -52,6 +52,7 @@ def targets_of(
     repairs_inertia: bool,
     sdf_version: str | None,
     output: str | None,
+    progress: Callable[[float], None] | None = None,
 ) -> list[Target]:
     """Return the output formats asked for; see `yamaro.build`.
 
@@ -76,6 +77,7 @@ def targets_of(
             repairs_inertia=repairs_inertia,
             version=sdf_version or "" if format == "sdf" else "",
             file_name=_file_name(output),
+            progress=progress,
         )
         for format in formats
     ]
@@ -295,6 +297,7 @@ def _wanted(robot: Robot, target: Target, stem: str, file_name: str) -> Wanted:
         repairs_inertia=target.repairs_inertia,
         version=target.version,
         file_name=file_name,
+        progress=target.progress,
     )
 
 

@@ -153,6 +153,7 @@ class Program:
         base: str | None = None,
         repair_inertia: bool = False,
         sdf_version: str | None = None,
+        on_progress: Callable[[float], None] | None = None,
     ) -> Build:
         """Compile the file; see `yamaro.build`.
 
@@ -176,7 +177,7 @@ class Program:
             request.targets = targets_of(
                 target, request.paths, has_meshes=meshes != NONE, base=base,
                 repairs_inertia=repair_inertia, sdf_version=sdf_version,
-                output=None if output is None else os.fspath(output),
+                output=None if output is None else os.fspath(output), progress=on_progress,
             )  # fmt: skip
         return self._compile(request, lambda build: build, say=on_message, has_root=has_root)
 

@@ -24,10 +24,12 @@ class Target:
         version: of the format, or "" for the default.
         file_name: what the file of the document is called: "" on standard output, None to call it
             like the robot.
+        progress: is called with how far long work is, or None.
     """
 
     __slots__ = (
-        "base", "file_name", "format", "has_meshes", "paths", "repairs_inertia", "version",
+        "base", "file_name", "format", "has_meshes", "paths", "progress", "repairs_inertia",
+        "version",
     )  # fmt: skip
 
     def __init__(
@@ -40,6 +42,7 @@ class Target:
         repairs_inertia: bool = False,
         version: str = "",
         file_name: str | None = "",
+        progress: Callable[[float], None] | None = None,
     ) -> None:
         self.format = format
         self.paths = paths
@@ -48,6 +51,7 @@ class Target:
         self.repairs_inertia = repairs_inertia
         self.version = version
         self.file_name = file_name
+        self.progress = progress
 
 
 class Request:

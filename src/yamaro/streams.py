@@ -130,6 +130,10 @@ class Streams:
         """
         self._put(harmless(text, colored=colored) + "\n")
 
+    def put_in_line(self, text: str) -> None:
+        """Write text over the line of the terminal in which the cursor is; "" clears it."""
+        self._put(f"\r\x1b[K{harmless(text)}")
+
     def _put(self, text: str) -> None:
         """Write text, which is escaped already, to standard error."""
         if self._err is None:
@@ -209,6 +213,10 @@ class ProcessStreams(Streams):
 
     def _write_out(self, chunks: Iterable[bytes]) -> None:
         write_all(self._out_fd, chunks)
+
+    def put_in_line(self, text: str) -> None:
+        """Write text over the line of the terminal in which the cursor is; "" clears it."""
+        self._put(f"\r\x1b[K{harmless(text)}")
 
     def _put(self, text: str) -> None:
         """Write text, which is escaped already, to standard error."""

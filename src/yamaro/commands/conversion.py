@@ -131,6 +131,7 @@ def _build(
     """Build the file; return the build and what to write."""
     from .. import api
     from ..arguments import UsageError
+    from .progress import progress_on
 
     try:
         with warnings.catch_warnings():
@@ -143,16 +144,13 @@ def _build(
                 packages=read_packages(arguments),
                 command_line=arguments.assignments,
                 strict=arguments.has("strict"),
-                allow=arguments.lists.get("allow", ()),
-                deny=arguments.lists.get("deny", ()),
-                on_message=sayer(streams),
-                advice=advice,
-                has_root=has_root,
+                allow=arguments.lists.get("allow", ()), deny=arguments.lists.get("deny", ()),
+                on_message=sayer(streams), on_progress=progress_on(streams),
+                advice=advice, has_root=has_root, records=records,
                 output=output_of(arguments),
                 gazebo=arguments.has("gazebo"),
-                records=records,
                 **targets_of(arguments),
-            )
+            )  # fmt: skip
             return build, take(build)
     except UsageError as error:
         raise WrongUsage(str(error)) from None

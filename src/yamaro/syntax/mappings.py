@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ..diagnostics import YamaroError, failure
+from ..diagnostics import failure
 from ..source import Span
 from ..yaml.nodes import MappingNode, ScalarNode, SequenceNode
 from .context import ParseContext
@@ -14,6 +14,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from ..diagnostics import YamaroError
     from ..yaml.nodes import YamlNode
 
 Pairs = list[tuple[ScalarNode, "YamlNode"]]
@@ -26,7 +27,7 @@ def pairs_of(node: YamlNode, what: str, context: ParseContext) -> Pairs:
         YamaroError: it is something else.
     """
     if isinstance(node, MappingNode):
-        return _without_cut_heads(node, context) if node.is_flow else node.pairs
+        return node.pairs
     if isinstance(node, ScalarNode):
         if is_empty(node):
             warn_of_hidden_value(node, context)
@@ -40,9 +41,8 @@ def pairs_of(node: YamlNode, what: str, context: ParseContext) -> Pairs:
     pairs: Pairs = []
     for item in node.items:
         if isinstance(item, MappingNode):
-            pairs.extend(_without_cut_heads(item, context) if item.is_flow else item.pairs)
+            pairs.extend(item.pairs)
         else:
-            _refuse_cut_head(item)
             raise failure(
                 "not-a-body",
                 f"in {what}, each item of the list must be an entry such as `name: value`",
@@ -50,29 +50,6 @@ def pairs_of(node: YamlNode, what: str, context: ParseContext) -> Pairs:
                 hint=item_hint(item),
             )
     return pairs
-
-
-def _without_cut_heads(node: MappingNode, context: ParseContext) -> Pairs:
-    """Return the pairs of a mapping in `{ }`; none if a comma cuts a head, as in `{if f(a, b): …}`.
-
-    The error is kept.
-    """
-    try:
-        for key, _ in node.pairs:
-            _refuse_cut_head(key)
-    except YamaroError as error:
-        context.keep(error)
-        return []
-    return node.pairs
-
-
-def _refuse_cut_head(node: YamlNode) -> None:
-    if isinstance(node, ScalarNode):
-        text = node.text
-        if text.startswith(("if", "elif", "for")) or "(" in text:
-            from ..yaml.cut_heads import refuse_cut_head
-
-            refuse_cut_head(node)
 
 
 def is_mapping(node: YamlNode) -> bool:

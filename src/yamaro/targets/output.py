@@ -4,7 +4,7 @@ from __future__ import annotations
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Mapping, Sequence
+    from collections.abc import Callable, Mapping, Sequence
 
     from ..diagnostics import Frame as Step
     from ..source import Span
@@ -67,11 +67,12 @@ class Wanted:
         version: of the format, or "" for the default.
         file_name: what the file of the document is called, for files beside it that refer to it;
             "" on standard output, where nothing is beside it.
+        progress: is called with how far long work is, from 0 to 1; or None.
     """
 
     __slots__ = (
-        "file_name", "format", "has_meshes", "is_fixed", "name", "paths", "repairs_inertia",
-        "version",
+        "file_name", "format", "has_meshes", "is_fixed", "name", "paths", "progress",
+        "repairs_inertia", "version",
     )  # fmt: skip
 
     def __init__(
@@ -85,6 +86,7 @@ class Wanted:
         repairs_inertia: bool = False,
         version: str = "",
         file_name: str = "",
+        progress: Callable[[float], None] | None = None,
     ) -> None:
         self.format = format
         self.name = name
@@ -94,6 +96,7 @@ class Wanted:
         self.repairs_inertia = repairs_inertia
         self.version = version
         self.file_name = file_name
+        self.progress = progress
 
 
 class Output:

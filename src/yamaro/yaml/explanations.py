@@ -7,7 +7,6 @@ from __future__ import annotations
 
 from ..diagnostics import failure
 from .brackets import find_close
-from .cut_heads import explain_cut_head
 from .libyaml import Parser, YAMLError
 from .nodes import quoted
 
@@ -473,7 +472,6 @@ def _text_behind_quote(given: GivenText, key: str, value: str, where: int, at: i
 
 _READING_TAGS = ("while parsing a tag", "while scanning a tag")
 EXPLANATIONS = (
-    explain_cut_head,
     _colon_in_key,
     _tag,
     _tab,

@@ -14,25 +14,57 @@ if TYPE_CHECKING:
     from ...diagnostics import Frame as Step
     from ...xml.tree import Node
 
-WORDS = frozenset(
-    """
-    air_pressure air_speed altimeter always_on angular_velocity anti_aliasing aspect_ratio
-    bias_mean bias_stddev box_type c1 c2 c3 camera camera_info_topic center clip collision contact
-    custom_function custom_rpy cutoff_angle cx cy depth_camera distortion
-    dynamic_bias_correlation_time dynamic_bias_stddev enable_metrics enable_orientation
-    env_texture_size essid f far force force_torque format frame frequency fun fx fy gain geometry
-    gps grav_dir_x height horizontal horizontal_fov image imu intrinsics k1 k2 k3 lens lidar
-    linear_acceleration localization logical_camera magnetometer max max_angle max_frequency mean
-    measure_direction min min_angle min_frequency navsat near noise orientation_reference_frame
-    output p1 p2 p_cx p_cy p_fx p_fy path plugin pose position_sensing power precision pressure
-    projection radius range ray reference_altitude resolution rfid rfidtag s samples save
-    scale_to_hfov scan segmentation_type sensitivity sensor sonar stddev topic torque transceiver
-    trigger_topic triggered tx ty type update_rate velocity_sensing vertical vertical_position
-    vertical_velocity visibility_mask visualize width x y z
-    """.split()
-)
-"""The elements that SDFormat 1.9 knows in a sensor, at any depth."""
-SINCE_1_11 = frozenset(("optical_frame_id",))
+WORDS = """
+sensor: air_pressure altimeter always_on camera contact enable_metrics force_torque gps imu lidar
+sensor: logical_camera magnetometer navsat pose ray rfid rfidtag sonar topic transceiver
+sensor: update_rate visualize
+air_pressure: pressure reference_altitude
+altimeter: vertical_position vertical_velocity
+angular_velocity: x y z
+camera: box_type camera_info_topic clip depth_camera distortion horizontal_fov image lens noise pose
+camera: save segmentation_type trigger_topic triggered visibility_mask
+clip: far near
+contact: collision topic
+custom_function: c1 c2 c3 f fun
+depth_camera: clip output
+distortion: center k1 k2 k3 p1 p2
+force: x y z
+force_torque: force frame measure_direction torque
+gps: position_sensing velocity_sensing
+horizontal: max_angle min_angle noise resolution samples
+image: anti_aliasing format height width
+imu: angular_velocity enable_orientation linear_acceleration orientation_reference_frame
+intrinsics: cx cy fx fy s
+lens: custom_function cutoff_angle env_texture_size intrinsics projection scale_to_hfov type
+lidar: noise range scan visibility_mask
+linear_acceleration: x y z
+logical_camera: aspect_ratio far horizontal_fov near
+magnetometer: x y z
+navsat: position_sensing velocity_sensing
+noise: bias_mean bias_stddev dynamic_bias_correlation_time dynamic_bias_stddev mean precision stddev
+noise: type
+orientation_reference_frame: custom_rpy grav_dir_x localization
+position_sensing: horizontal vertical
+pressure: noise
+projection: p_cx p_cy p_fx p_fy tx ty
+range: max min resolution
+ray: noise range scan visibility_mask
+save: path
+scan: horizontal vertical
+sonar: geometry max min radius
+torque: x y z
+transceiver: essid frequency gain max_frequency min_frequency power sensitivity
+velocity_sensing: horizontal vertical
+vertical: max_angle min_angle noise resolution samples
+vertical_position: noise
+vertical_velocity: noise
+x: noise
+y: noise
+z: noise
+"""
+"""What SDFormat 1.9 knows in the elements of a sensor: the element around, and those in it."""
+OPTICAL = "optical_frame_id"
+"""Names a frame of a camera, since 1.11."""
 FRAME_IDS = frozenset(("gz_frame_id", "ignition_frame_id", "frame_id"))
 """What names the frame of the measurements; SDFormat itself can since 1.12."""
 
@@ -49,7 +81,7 @@ class SensorCopier:
     def __init__(self, version: str, losses: list[Loss]) -> None:
         """Start with a version of SDFormat; `losses` takes what it does not know."""
         self._version = version
-        self._words = WORDS if version == "1.9" else WORDS | SINCE_1_11
+        self._words = _table()
         self.losses = losses
 
     def copied(self, sensor: Element, frame: str | None, trace: Step | None) -> Element:
@@ -65,12 +97,27 @@ class SensorCopier:
                 children.append(child)
             elif child.name in FRAME_IDS and self._version == "1.12":
                 children.append(Tag("frame_id", child.text().strip()).made(child.span, trace))
-            elif child.name in self._words:
+            elif self._knows(element.name, child.name):
                 children.append(child.with_children(self._known(child, owner, trace)))
             else:
                 what = f"Gazebo's <{child.name}>"
                 self.losses.append(Loss(LOST, what, owner, child.span, trace=trace))
         return children
+
+    def _knows(self, parent: str, child: str) -> bool:
+        if child == OPTICAL:
+            return parent == "camera" and self._version != "1.9"
+        known = self._words.get(parent)
+        return known is None or child in known
+
+
+def _table() -> dict[str, set[str]]:
+    """Return the elements that are known, by the name of the element around."""
+    found: dict[str, set[str]] = {}
+    for row in WORDS.strip().splitlines():
+        parent, _, children = row.partition(":")
+        found.setdefault(parent, set()).update(children.split())
+    return found
 
 
 def _placed(sensor: Element, frame: str) -> Element:

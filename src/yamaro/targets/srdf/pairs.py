@@ -1,0 +1,90 @@
+"""Pairs of links that need no check for collisions, each with the reason.
+
+- Adjacent: a joint joins them, or joints with links without shapes in between.
+- Default: they touch in the default state, so that contact cannot be avoided.
+- Always: they touch at nearly all positions.
+- Never: they touch at no random position, and at none that a search from the nearest ones finds.
+
+Source: MoveIt calls them so. The search is ours, since sampling alone misses rare contacts.
+"""
+
+from __future__ import annotations
+
+from itertools import combinations
+
+from ...model.extras import DEFAULT_SAMPLES, DEFAULT_SEED
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+    from ...model.robot import Robot
+    from ..output import Wanted
+
+ADJACENT, DEFAULT, ALWAYS, NEVER = "Adjacent", "Default", "Always", "Never"
+
+
+class Pair:
+    """Two links, the first before the second in the alphabet, and why they need no check."""
+
+    __slots__ = ("first", "reason", "second")
+
+    def __init__(self, first: str, second: str, reason: str) -> None:
+        self.first = first
+        self.second = second
+        self.reason = reason
+
+
+def disabled_pairs(robot: Robot, wanted: Wanted) -> list[Pair]:
+    """Return the pairs that need no check, in the order of the alphabet.
+
+    Raises:
+        YamaroError: what samples is not installed, or a mesh cannot be read.
+    """
+    solid = [name for name, link in robot.links.items() if link.collisions]
+    settings = robot.collision_settings
+    kept = {_sorted(*pair) for pair in settings.keep} if settings is not None else set()
+    found = dict.fromkeys(adjacent_pairs(robot, set(solid)), ADJACENT)
+    rest = [pair for pair in map(_both, combinations(solid, 2)) if pair not in found]
+    rest = [pair for pair in rest if pair not in kept]
+    if rest:
+        from .sampling import reasons_for
+
+        samples = DEFAULT_SAMPLES if settings is None else settings.samples
+        seed = DEFAULT_SEED if settings is None else settings.seed
+        found |= reasons_for(robot, rest, wanted, samples=samples, seed=seed)
+    return [Pair(*pair, found[pair]) for pair in sorted(found) if pair not in kept]
+
+
+def _sorted(first: str, second: str) -> tuple[str, str]:
+    return (first, second) if first <= second else (second, first)
+
+
+def _both(pair: tuple[str, str]) -> tuple[str, str]:
+    return _sorted(*pair)
+
+
+def adjacent_pairs(robot: Robot, solid: Iterable[str]) -> set[tuple[str, str]]:
+    """Return the pairs that joints join, with no other link with shapes between them.
+
+    Args:
+        robot: the robot.
+        solid: the names of the links with shapes.
+    """
+    solid = set(solid)
+    near: dict[str, set[str]] = {name: set() for name in robot.links}
+    for joint in robot.joints.values():
+        if joint.parent in near and joint.child in near:
+            near[joint.parent].add(joint.child)
+            near[joint.child].add(joint.parent)
+    found = set()
+    for start in solid:
+        seen, waiting = {start}, [start]
+        for link in waiting:
+            for other in near[link] - seen:
+                seen.add(other)
+                if other in solid:
+                    found.add(_sorted(start, other))
+                else:
+                    waiting.append(other)
+    return found
