@@ -235,10 +235,16 @@ class CheckContext:
                     all_found[key] = found
         return all_found
 
-    def near(self, word: str, candidates: Collection[str]) -> str | None:
-        """Return the hint "did you mean 'x'?", or None when nothing is near."""
+    def near(
+        self, word: str, candidates: Collection[str], span: Span
+    ) -> tuple[str | None, Fix | None]:
+        """Return hint and fix for a name that is written at a span, see `suggestions.meant`."""
         near = self.near_word(word, candidates)
-        return f"did you mean '{near}'?" if near is not None else None
+        if near is None:
+            return None, None
+        from ..fixes import respelling
+
+        return f"did you mean '{near}'?", respelling(span, word, near)
 
     def near_word(self, word: str, candidates: Collection[str]) -> str | None:
         """Return the candidate that `word` is a misspelling of, or None."""

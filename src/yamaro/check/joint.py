@@ -5,7 +5,7 @@ from __future__ import annotations
 from math import hypot
 
 from ..model.joint import CONTINUOUS, LIMITED, PLANAR, REVOLUTE, SINGLE
-from ..model.urdf_schema import JOINT_TYPES, joint_type_hint
+from ..model.urdf_schema import JOINT_TYPES, joint_type_hint, joint_type_meant
 from ..model.values import attribute_text
 from ..xml.tree import Element
 from .context import JOINTS, CheckContext, shown
@@ -52,12 +52,15 @@ def _name(joint: Element) -> str:
 
 
 def _report_type(kind: str, joint: Element, context: CheckContext) -> None:
+    from ..fixes import respelling
+
     context.error(
         "unknown-joint-type",
         f"joint '{_name(joint)}' has the type '{kind}', which is not a URDF joint type",
         joint,
         attribute="type",
         hint=joint_type_hint(kind),
+        fix=respelling(joint.value_span("type"), kind, joint_type_meant(kind), is_safe=True),
     )
 
 

@@ -24,13 +24,15 @@ def check_materials(robot: Robot, context: CheckContext) -> None:
         if name in known or name in inside:
             continue
         context.outermost = link
+        hint, fix = context.near(name, [*known, *sorted(inside)], material.value_span("name"))
         context.warn(
             "unknown-material",
             f"the material '{name}' of {label(link)} is not defined",
             material,
             attribute="name",
-            hint=context.near(name, [*known, *sorted(inside)])
+            hint=hint
             or f"define it: `material/name={name}:` with `color/rgba=0.8 0.8 0.8 1:` in it",
+            fix=fix,
         )
 
 

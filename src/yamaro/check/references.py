@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from ..model.values import attribute_text, child_named
 from ..xml.tree import Element
-from .context import REFERENCES, CheckContext
+from .context import REFERENCES, CheckContext, place_of
 from .tree import is_fixed, near_name
 
 TYPE_CHECKING = False
@@ -46,14 +46,17 @@ def _check_gazebo(gazebo: Element, tree: Tree, context: CheckContext) -> None:
     name = attribute_text(gazebo, "reference")
     if not name or name in tree.links or name in tree.joints:
         return
+    span = gazebo.value_span("reference")
+    hint, fix = near_name(span, name, tree, "_link", context)
+    if hint is None:
+        hint, fix = near_name(span, name, tree, "_joint", context)
     context.warn(
         "unknown-reference",
         f"this block refers to '{name}', which is not a link or joint of the robot",
         gazebo,
         attribute="reference",
-        hint=near_name(name, tree, "_link", context)
-        or near_name(name, tree, "_joint", context)
-        or "refer to an existing link or joint; Gazebo ignores the block",
+        hint=hint or "refer to an existing link or joint; Gazebo ignores the block",
+        fix=fix,
     )
 
 
@@ -84,13 +87,15 @@ def _check_sensor(sensor: Element, tree: Tree, context: CheckContext) -> None:
     name = attribute_text(parent, "link")
     if parent is None or not name or name in tree.links:
         return
+    hint, fix = near_name(parent.value_span("link"), name, tree, "_link", context)
     context.warn(
         "unknown-reference",
         f"the sensor '{attribute_text(sensor, 'name') or ''}' is on '{name}', which is not a link "
         "of the robot",
         parent,
         attribute="link",
-        hint=near_name(name, tree, "_link", context) or "refer to an existing link",
+        hint=hint or "refer to an existing link",
+        fix=fix,
     )
 
 
@@ -108,12 +113,15 @@ def _report_joint(
     tree: Tree,
     context: CheckContext,
 ) -> None:
+    span = place_of(element, attribute)
+    hint, fix = near_name(span, name, tree, "_joint", context)
     context.warn(
         "unknown-joint",
         f"{holder} names '{name}', which is not a joint of the robot",
         element,
         attribute=attribute,
-        hint=near_name(name, tree, "_joint", context) or "refer to an existing joint",
+        hint=hint or "refer to an existing joint",
+        fix=fix,
     )
 
 

@@ -5,7 +5,6 @@ It is the one walk over all elements, and calls the checks of what their values 
 
 from __future__ import annotations
 
-from ..diagnostics import did_you_mean
 from ..model.shapes import SHAPE_WORDS
 from ..model.urdf_schema import (
     ANY,
@@ -33,6 +32,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable
 
+    from ..fixes import Fix
     from .context import Children
 
     ValueCheck = Callable[[Element, Children, Element, CheckContext], None]
@@ -353,9 +353,13 @@ def _check_unknown_attribute(
         hint = (
             f"remove it: the matrix is symmetric, and '{REPEATED_INERTIA[name]}' has the same value"
         )
+        fix = None
     else:
+        from ..suggestions import meant
+
         absent = [known for known in rule.attributes if known not in element.attributes]
-        hint = did_you_mean(name, absent) or _choices("attributes", element.name, rule.attributes)
+        near, fix = meant(name, absent, element.name_span(name))
+        hint = near or _choices("attributes", element.name, rule.attributes)
     context.warn(
         "unknown-attribute",
         f"URDF has no attribute '{name}' in {_holder(element, owner)}; parsers ignore it",
@@ -363,6 +367,7 @@ def _check_unknown_attribute(
         attribute=name,
         is_of_name=True,
         hint=hint,
+        fix=fix,
     )
 
 
@@ -436,28 +441,28 @@ def _check_unknown_child(
     if element.name == "geometry":
         is_needed = names.isdisjoint(SHAPE_WORDS)
     tell = context.error if is_needed else context.warn
-    tell(
-        "unknown-element",
-        message,
-        child,
-        hint=_hint_for_stray(child, element, names, rule),
-    )
+    hint, fix = _hint_for_stray(child, element, names, rule)
+    tell("unknown-element", message, child, hint=hint, fix=fix)
 
 
-def _hint_for_stray(child: Element, element: Element, present: set[str], rule: ElementRule) -> str:
+def _hint_for_stray(
+    child: Element, element: Element, present: set[str], rule: ElementRule
+) -> tuple[str, Fix | None]:
+    """Return what to write for an element that URDF does not have there, and perhaps the fix."""
+    from ..suggestions import meant
+
     name = child.name
     if name in rule.attributes:
         text = child.text().strip() or "…"
-        return f"in URDF it is an attribute: `{element.name}/{name}={text}:`"
+        return f"in URDF it is an attribute: `{element.name}/{name}={text}:`", None
     if name in GAZEBO_ONLY:
-        return f"Gazebo reads '{name}' in a separate block, `gazebo/reference=my_link:`"
+        return f"Gazebo reads '{name}' in a separate block, `gazebo/reference=my_link:`", None
     if name == "gazebo":
-        return f"write it directly under the robot: `gazebo/reference=my_{element.name}:`"
-    near = did_you_mean(
-        name, [word for word, many in rule.children.items() if many != ONCE or word not in present]
-    )
+        return f"write it directly under the robot: `gazebo/reference=my_{element.name}:`", None
+    words = [word for word, many in rule.children.items() if many != ONCE or word not in present]
+    near, fix = meant(name, words, child.span)
     if near:
-        return near
+        return near, fix
     if name in PARENTS:
-        return f"'{name}' belongs in {PARENTS[name]}"
-    return _choices("elements", element.name, rule.children)
+        return f"'{name}' belongs in {PARENTS[name]}", None
+    return _choices("elements", element.name, rule.children), None

@@ -13,9 +13,11 @@ if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
     from typing import TypeVar
 
+    from ..fixes import Fix
     from ..model.joint import Joint
     from ..model.link import Link
     from ..model.robot import Robot
+    from ..source import Span
 
     Named = TypeVar("Named", Link, Joint)
 
@@ -195,27 +197,31 @@ def _reference(joint: Joint, role: str, tree: Tree, context: CheckContext) -> st
     if element is None or name is None or name in tree.links:
         return name
     context.outermost = joint.element
+    hint, fix = near_name(element.value_span("link"), name, tree, "_link", context)
     context.error(
         f"unknown-{role}",
         f"the {role} '{name}' of joint '{joint.written('name')}' is not a link of the robot",
         element,
         attribute="link",
-        hint=near_name(name, tree, "_link", context)
-        or f"add a link named '{name}', or refer to an existing link",
+        hint=hint or f"add a link named '{name}', or refer to an existing link",
+        fix=fix,
     )
     return None
 
 
-def near_name(name: str, tree: Tree, ending: str, context: CheckContext) -> str | None:
-    """Return the hint at a name that is near, also where the name of its part is the near one."""
+def near_name(
+    span: Span, name: str, tree: Tree, ending: str, context: CheckContext
+) -> tuple[str | None, Fix | None]:
+    """Return hint and fix for a name, also where the name of a part is the near one."""
+    from ..fixes import respelling
+
     parts = tree.parts(ending)
-    if name in parts:
-        return f"did you mean '{parts[name]}'?"
-    near = context.near(name, tree.named(ending))
-    if near is not None:
-        return near
-    part = context.near_word(name, parts)
-    return f"did you mean '{parts[part]}'?" if part is not None else None
+    near = parts.get(name) or context.near_word(name, tree.named(ending))
+    if near is None:
+        part = context.near_word(name, parts)
+        near = None if part is None else parts[part]
+    hint = f"did you mean '{near}'?" if near is not None else None
+    return hint, respelling(span, name, near)
 
 
 def _report_two_parents(child: str, first: Joint, second: Joint, context: CheckContext) -> None:
@@ -349,12 +355,15 @@ def _check_mimics(robot: Robot, tree: Tree, context: CheckContext) -> None:
         name = joint.name
         context.outermost = joint.element
         if master not in tree.joints:
+            span = mimic.element.value_span("joint")
+            hint, fix = near_name(span, master, tree, "_joint", context)
             context.error(
                 "unknown-mimic",
                 f"joint '{name}' mimics '{master}', which is not a joint of the robot",
                 mimic.element,
                 attribute="joint",
-                hint=near_name(master, tree, "_joint", context) or "refer to an existing joint",
+                hint=hint or "refer to an existing joint",
+                fix=fix,
             )
         elif tree.joints.get(name) is joint:
             masters[name] = master

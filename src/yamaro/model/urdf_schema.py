@@ -6,7 +6,7 @@ acceleration, deceleration and jerk limits. The table is data; `check_schema` ap
 
 from __future__ import annotations
 
-from ..diagnostics import did_you_mean
+from ..diagnostics import did_you_mean, suggest
 from .shapes import SHAPE_WORDS, SIMPLE_SHAPES
 
 TYPE_CHECKING = False
@@ -200,6 +200,11 @@ OTHER_FORMATS = {"sdf": "SDF", "world": "SDF", "model": "SDF", "mujoco": "MJCF"}
 
 OUTERMOST = ("link", "joint", "material", "gazebo", "transmission", "ros2_control", "sensor")
 """Element names well known directly under `robot`, where any other name may stand as well."""
+
+
+def joint_type_meant(word: str) -> str | None:
+    """Return the type of joint that `word` is probably meant to be, or None."""
+    return OTHER_JOINT_TYPES.get(word.lower()) or suggest(word, JOINT_TYPES)
 
 
 def joint_type_hint(word: str) -> str:

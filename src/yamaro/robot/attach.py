@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ..diagnostics import YamaroError, did_you_mean, failure
+from ..diagnostics import YamaroError, failure
 from ..xml.robot_names import RobotNames
 from ..xml.tree import Element, IncludedRobot, Text
 from .joint import lower_joint
@@ -52,12 +52,16 @@ def lower_attach(lowering: Lowering, word: RobotWord, out: list[Node]) -> None:
 def _check_keys(word: RobotWord, keys: dict[str, Element]) -> None:
     for name, key in keys.items():
         if name not in KEYS:
+            from ..suggestions import meant_word
+
+            hint, fix = meant_word(name, KEYS, key.span)
             raise failure(
                 "unknown-key",
                 f"`attach` has no entry '{name}'",
                 key.span,
-                hint=did_you_mean(name, KEYS) or "what is passed to a file needs a `path`",
+                hint=hint or "what is passed to a file needs a `path`",
                 trace=word.trace,
+                fix=fix,
             )
     if "to" not in keys:
         raise failure(
@@ -191,12 +195,16 @@ def _place_at(
     links = {name_of(link) for link in robot.elements() if link.name == "link"}
     link = name if name in links else parts.get(name)
     if link is None:
+        from ..suggestions import meant
+
+        hint, fix = meant(name, (*links, *parts), _place(at))
         raise failure(
             "unknown-link",
             f"'at' names '{name}', and the attached robot has no such link, part or frame",
             _place(at),
-            hint=did_you_mean(name, (*links, *parts)) or f"its root is '{root}', the default",
+            hint=hint or f"its root is '{root}', the default",
             trace=at.trace,
+            fix=fix,
         )
     if link == root:
         return

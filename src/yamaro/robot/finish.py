@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ..diagnostics import ERROR, Diagnostic, YamaroError, did_you_mean, failure
+from ..diagnostics import ERROR, Diagnostic, YamaroError, failure
 from ..xml.tree import Element
 from ..xml.values import format_value
 from .control_block import ControlWriter
@@ -13,6 +13,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
+    from ..fixes import Fix
     from .control_block import States
     from .lowering import Lowering
 
@@ -154,13 +155,17 @@ def _check_joint(lowering: Lowering, names: _Names, note: Element) -> bool:
     name = str(note.attributes["joint"])
     joint = names.joints.get(name)
     if joint is None:
+        from ..suggestions import meant
+
+        hint, fix = meant(name, list(names.joints), note.value_span("joint"))
         _error(
             lowering,
             "unknown-joint",
             f"there is no joint '{name}' in the robot",
             note,
             "joint",
-            hint=did_you_mean(name, list(names.joints)) or "name a joint or a part of the robot",
+            hint=hint or "name a joint or a part of the robot",
+            fix=fix,
         )
         return False
     if note.name != "joint":
@@ -183,23 +188,35 @@ def _check_joint(lowering: Lowering, names: _Names, note: Element) -> bool:
 
 def _unknown_link(lowering: Lowering, note: Element, attribute: str, known: set[str]) -> None:
     name = str(note.attributes[attribute])
+    from ..suggestions import meant
+
+    span = note.value_span(attribute)
+    hint, fix = meant(name, list(known), span)
     lowering.absorb(
         failure(
             "unknown-link",
             f"there is no link '{name}' in the robot",
-            note.value_span(attribute),
-            hint=did_you_mean(name, list(known)) or "name a link, a frame or a part of the robot",
+            span,
+            hint=hint or "name a link, a frame or a part of the robot",
             trace=note.trace,
+            fix=fix,
         )
     )
 
 
 def _error(
-    lowering: Lowering, code: str, message: str, note: Element, attribute: str, *, hint: str
+    lowering: Lowering,
+    code: str,
+    message: str,
+    note: Element,
+    attribute: str,
+    *,
+    hint: str,
+    fix: Fix | None = None,
 ) -> None:
     """Report an error that can be allowed: the robot can be written anyway."""
     lowering.reports += 1
     span = note.value_span(attribute)
     lowering.reporter.add(
-        Diagnostic(code, message, span, hint=hint, severity=ERROR, trace=note.trace)
+        Diagnostic(code, message, span, hint=hint, severity=ERROR, trace=note.trace, fix=fix)
     )

@@ -243,19 +243,20 @@ def _read_shape_word(lowering: Lowering, key: Element) -> tuple[str, str, Span]:
 
     if mesh_ending(word) in MESH_ENDINGS:
         return "mesh", word, span
+    from ..fixes import respelling
+
+    near = suggest(kind, COUNTS)
     raise failure(
         "unknown-shape",
         f"'{word}' is neither a shape nor a mesh file",
         span,
-        hint=_shape_hint(word),
+        hint=f"did you mean '{near}'?" if near else _shape_hint(word),
         trace=key.trace,
+        fix=respelling(span, word, near, is_safe=True),
     )
 
 
 def _shape_hint(word: str) -> str:
-    near = suggest(word.lower(), COUNTS)
-    if near:
-        return f"did you mean '{near}'?"
     if "." in word or "/" in word:
         from ..model.mesh_integrals import MESH_ENDINGS
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from math import pi
 
 from ..diagnostics import YamaroError, failure
-from ..model.urdf_schema import JOINT_TYPES, joint_type_hint
+from ..model.urdf_schema import JOINT_TYPES, joint_type_hint, joint_type_meant
 from ..xml.tree import Element
 from ..xml.values import format_number, format_value
 from .fields import read_record, read_value, sort_fields, with_attributes, word_of
@@ -155,7 +155,7 @@ def _read_type(lowering: Lowering, key: Element, fields: Fields) -> JointType:
     word = word_of("type", value, span, owner=key)
     if word in JOINT_TYPES:
         return JointType(word, span, key_span)
-    from ..suggestions import meant_word
+    from ..fixes import respelling
 
     raise failure(
         "joint-type",
@@ -163,7 +163,7 @@ def _read_type(lowering: Lowering, key: Element, fields: Fields) -> JointType:
         span,
         hint=joint_type_hint(word),
         trace=key.trace,
-        fix=meant_word(word, JOINT_TYPES, span)[1],
+        fix=respelling(span, word, joint_type_meant(word), is_safe=True),
     )
 
 

@@ -112,12 +112,16 @@ def _read_keys(mirror: Mirror, word: RobotWord) -> None:
             has_names = True
             mirror.renaming = WordRenaming(_words(key))
         elif key.name != "body":
+            from ..suggestions import meant_word
+
+            hint, fix = meant_word(key.name, KEYS, key.span)
             raise failure(
                 "unknown-key",
                 f"`mirror` has no entry '{key.name}'",
                 key.span,
-                hint=did_you_mean(key.name, KEYS) or f"its entries are {', '.join(KEYS)}",
+                hint=hint or f"its entries are {', '.join(KEYS)}",
                 trace=word.trace,
+                fix=fix,
             )
     if not has_names:
         raise failure(
@@ -132,12 +136,16 @@ def _read_keys(mirror: Mirror, word: RobotWord) -> None:
 def _choice(key: Element, choices: tuple[str, ...]) -> str:
     text = key.text().strip()
     if text not in choices or key.elements():
+        from ..suggestions import meant_word
+
+        hint, fix = meant_word(text, choices, _place(key))
         raise failure(
             "bad-choice",
             f"'{key.name}' is one of {', '.join(choices)}, not '{text}'",
             _place(key),
-            hint=did_you_mean(text, choices) or f"write {key.name}: {choices[0]}",
+            hint=hint or f"write {key.name}: {choices[0]}",
             trace=key.trace,
+            fix=fix,
         )
     return text
 

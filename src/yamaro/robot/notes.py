@@ -7,7 +7,7 @@ change the names in it with all others. At the end the notes are taken out.
 
 from __future__ import annotations
 
-from ..diagnostics import did_you_mean, failure
+from ..diagnostics import failure
 from ..xml.tree import Element, Text
 from ..xml.values import LiteralList, format_value
 
@@ -43,12 +43,16 @@ def check_keys(word: Element, known: Collection[str]) -> None:
     """Raise YamaroError if a word has an entry that means nothing there."""
     for key in word.elements():
         if key.name not in known or key.verbatim:
+            from ..suggestions import meant_word
+
+            hint, fix = meant_word(key.name, known, key.span)
             raise failure(
                 "unknown-key",
                 f"'{key.name}' is not an entry of `{word.name}`",
                 key.span,
-                hint=did_you_mean(key.name, known) or f"its entries are {', '.join(sorted(known))}",
+                hint=hint or f"its entries are {', '.join(sorted(known))}",
                 trace=word.trace,
+                fix=fix,
             )
 
 

@@ -253,12 +253,16 @@ def _value(wanted: Wanted, word: str, place: Span, name: str, trace: Frame | Non
 def _unit_in_row(
     number: str, unit: str, place: Span, name: str, trace: Frame | None
 ) -> YamaroError:
+    from ..fixes import replacement
+
+    is_there = place.written().split() == [number, unit]
     return failure(
         "unit-in-row",
         f"the unit '{unit}' in {label_of(name)} is apart from its number",
         place,
         hint=f"write {number}{unit}",
         trace=trace,
+        fix=replacement(place, f"{number}{unit}", is_safe=True) if is_there else None,
     )
 
 
@@ -266,6 +270,8 @@ def _unknown_unit(
     wanted: Wanted, word: str, fault: UnknownUnit, place: Span, trace: Frame | None
 ) -> YamaroError:
     fitting = [unit for each in wanted.dimensions or () for unit in units_of(each)]
+    from ..fixes import respelling
+
     meant = meant_by(fault.unit)
     if fault.unit in _NAMES_IN_PYTHON:
         number = word[: fault.start].strip()
@@ -285,6 +291,7 @@ def _unknown_unit(
         _within(place, word, fault.start, fault.start + len(fault.unit)),
         hint=hint,
         trace=trace,
+        fix=respelling(place, fault.unit, meant, is_safe=True),
     )
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ..diagnostics import YamaroError, did_you_mean, failure
+from ..diagnostics import YamaroError, failure
 from ..xml.tree import Element
 from ..xml.values import format_value
 from .fields import read_value, sort_fields, word_of
@@ -170,6 +170,9 @@ def _kind(word: Element, keys: dict[str, Element], types: dict[str, tuple[str, .
         return kind
     other = JOINT_SENSORS if types is LINK_SENSORS else LINK_SENSORS
     home = "joint" if other is JOINT_SENSORS else "link"
+    from ..suggestions import meant_word
+
+    hint, fix = (None, None) if kind in other else meant_word(kind, types, span)
     raise failure(
         "unknown-sensor-type",
         f"'{kind}' is a sensor of a {home}"
@@ -178,8 +181,9 @@ def _kind(word: Element, keys: dict[str, Element], types: dict[str, tuple[str, .
         span,
         hint=f"move the sensor into the {home} of a part"
         if kind in other
-        else did_you_mean(kind, types) or f"the types are {', '.join(types)}",
+        else hint or f"the types are {', '.join(types)}",
         trace=word.trace,
+        fix=fix,
     )
 
 
@@ -190,6 +194,9 @@ def _check_keys(keys: dict[str, Element], kind: str, types: dict[str, tuple[str,
         if name in known:
             continue
         others = [other for other, others_own in types.items() if name in others_own]
+        from ..suggestions import meant_word
+
+        hint, fix = (None, None) if others else meant_word(name, known, key.span)
         raise failure(
             "sensor-key" if others else "unknown-key",
             f"'{name}' is for {' and '.join(others)}, and this is {kind}"
@@ -198,8 +205,9 @@ def _check_keys(keys: dict[str, Element], kind: str, types: dict[str, tuple[str,
             key.span,
             hint=f"{kind} takes {', '.join(own or COMMON_KEYS[1:])}"
             if others
-            else did_you_mean(name, known) or f"{kind} takes {', '.join(known)}",
+            else hint or f"{kind} takes {', '.join(known)}",
             trace=key.trace,
+            fix=fix,
         )
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 
-from ..diagnostics import Diagnostic, InputFault, Reporter, YamaroError, did_you_mean, failure
+from ..diagnostics import Diagnostic, InputFault, Reporter, YamaroError, failure
 from ..safe.namespace import MISSING
 from ..source import COMMAND_LINE, Source, Span
 from ..syntax.argument_section import is_literal, spelling_of
@@ -184,17 +184,21 @@ def _unknown(
     include: IncludeNode | None,
 ) -> list[Diagnostic]:
     """Return an error for each name that is passed and not declared."""
+    from ..suggestions import meant
+
     known = {entry.name: None for entry in entries}
     faults = []
     places = {each.name: each.span for each in include.arguments} if include is not None else {}
     for name in [name for name in scope if name in scope.passed and name not in known]:
         span = places.get(name) or scope.place_of(name) or Span(scope.home.source, 0, 0)
+        hint, fix = meant(name, known, span)
         faults.append(
             Diagnostic(
                 "unknown-argument",
                 f"'{scope.home.source.name}' has no argument '{name}'",
                 span,
-                hint=did_you_mean(name, known) or _listed(list(known)),
+                hint=hint or _listed(list(known)),
+                fix=fix,
             )
         )
     return faults

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ..diagnostics import Frame, YamaroError, add_trace, did_you_mean, failure
+from ..diagnostics import Frame, YamaroError, add_trace, failure
 from ..safe.namespace import MISSING, Namespace
 from ..source import Span
 from ..syntax.names import STATEMENTS
@@ -31,6 +31,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Mapping, Sequence
     from typing import Any
 
+    from ..fixes import Fix
     from ..xml.tree import Node
     from .interpreter import Interpreter
 
@@ -195,12 +196,16 @@ def _parameter_of(
         )
     parameter = parameters.get(argument.name)
     if parameter is None:
+        from ..suggestions import meant
+
+        hint, fix = meant(argument.name, parameters, argument.span)
         raise _bad_call(
             "unknown-argument",
             f"'{node.name}' has no parameter '{argument.name}'",
             argument.span,
             node,
-            hint=did_you_mean(argument.name, parameters),
+            hint=hint,
+            fix=fix,
         )
     return parameter
 
@@ -274,9 +279,10 @@ def _bad_call(
     *,
     hint: str | None = None,
     notes: Sequence[str] = (),
+    fix: Fix | None = None,
 ) -> YamaroError:
     note = f"it is defined as {node.signature()} at {node.span.place()}"
-    return failure(code, message, span, hint=hint, notes=[*notes, note])
+    return failure(code, message, span, hint=hint, notes=[*notes, note], fix=fix)
 
 
 def run_call(

@@ -14,6 +14,8 @@ if TYPE_CHECKING:
     from typing import Any
 
     from ..diagnostics import YamaroError
+    from ..fixes import Fix
+    from ..source import Span
 
 _TESTS = ("not ", "not(", "and ", "or ", "if ")
 """What an expression has in it that asks whether one of its parts is true."""
@@ -86,7 +88,20 @@ def _refusal(value: Any, condition: PythonCode, scope: Scope, evaluator: Evaluat
         hint=_hint(value, asked) if isinstance(value, str) else f"call it: {asked}()",
         notes=notes_on_names(names, scope),
         trace=evaluator.frame,
+        fix=_fix_of_word(condition.span(), value),
     )
+
+
+def _fix_of_word(span: Span, value: Any) -> Fix | None:
+    """Return the fix for `no`, `off` and their like, which YAML 1.1 took for truth values."""
+    from ..fixes import replacement
+    from .python_errors import YAML_1_1_BOOLEANS
+
+    word = span.written()
+    meant = YAML_1_1_BOOLEANS.get(word.lower())
+    if meant is None or word != value:
+        return None
+    return replacement(span, meant, is_safe=True)
 
 
 def _hint(text: str, asked: str) -> str:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 
-from ..diagnostics import Frame, Reporter, YamaroError, did_you_mean, failure
+from ..diagnostics import Frame, Reporter, YamaroError, failure
 from ..files.loader import LoadError
 from ..files.packages import PackageFinder, package_hint
 from ..source import Source, Span
@@ -197,11 +197,15 @@ class Files:
         except LoadError as error:
             neighbours = self._library.loader.neighbours(absolute)
             likely = [name for name in neighbours if name.endswith((".yaml", ".yml"))]
+            from ..suggestions import meant
+
+            hint, fix = meant(os.path.basename(absolute), likely or neighbours, span)
             raise failure(
                 error.code,
                 f"the file '{path}' cannot be included: {error}",
                 span,
-                hint=error.hint or did_you_mean(os.path.basename(absolute), likely or neighbours),
+                hint=error.hint or hint,
+                fix=None if error.hint else fix,
                 notes=[f"searched for {absolute}"],
             ) from None
         self.note(absolute)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import builtins
 
-from ..diagnostics import Frame, Reporter, did_you_mean
+from ..diagnostics import Frame, Reporter
 from ..syntax.includes import is_computed
 from .predefined import CONSTANTS
 
@@ -57,11 +57,15 @@ def warn_of_unread(places: Mapping[str, Span], files: Files, reporter: Reporter)
     }
     for name, span in () if is_open else places.items():
         if name not in known and name not in read:
+            from ..suggestions import meant
+
+            hint, fix = meant(name, _variables(known), span)
             reporter.warn(
                 "unknown-variable",
                 f"nothing in the program declares or reads the variable '{name}'",
                 span,
-                hint=did_you_mean(name, _variables(known)),
+                hint=hint,
+                fix=fix,
             )
 
 
@@ -79,7 +83,9 @@ def warn_of_unread_includes(includes: Iterable[Passed], files: Files, reporter: 
             name = argument.name or ""
             if name in known or name in read:
                 continue
-            hint = did_you_mean(name, _variables(known | read - _ALWAYS_KNOWN))
+            from ..suggestions import meant
+
+            hint, fix = meant(name, _variables(known | read - _ALWAYS_KNOWN), argument.span)
             if hint is None and name == "prefix":
                 hint = PREFIX_HINT
             reporter.warn(
@@ -88,6 +94,7 @@ def warn_of_unread_includes(includes: Iterable[Passed], files: Files, reporter: 
                 argument.span,
                 hint=hint,
                 trace=passed.frame,
+                fix=fix,
             )
 
 

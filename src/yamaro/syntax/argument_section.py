@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ..diagnostics import InputFault, Reporter, YamaroError, did_you_mean, failure
+from ..diagnostics import InputFault, Reporter, YamaroError, failure, suggest
 from ..units import UnknownUnit, parse_unit
 from ..xml.values import is_number
 from ..yaml.nodes import MappingNode, ScalarNode, SequenceNode
@@ -31,6 +31,7 @@ from .values import parse_value
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from ..fixes import Fix
     from ..source import Source, Span
     from ..yaml.nodes import YamlNode
     from .document import Document
@@ -189,8 +190,10 @@ def _entries_of(node: MappingNode, context: ParseContext) -> dict[str, tuple[Sca
     for key, value in node.pairs:
         word = key.text
         if word not in ENTRIES:
-            near = _OTHER_WORDS.get(word.lower())
-            hint = f"did you mean '{near}'?" if near else did_you_mean(word, ENTRIES)
+            from ..fixes import respelling
+
+            near = _OTHER_WORDS.get(word.lower()) or suggest(word, ENTRIES)
+            hint = f"did you mean '{near}'?" if near else None
             raise failure(
                 "unknown-key",
                 f"an argument has no entry '{word}'",
@@ -198,6 +201,7 @@ def _entries_of(node: MappingNode, context: ParseContext) -> dict[str, tuple[Sca
                 hint=hint
                 or f"its entries are {', '.join(ENTRIES)}; a mapping as the default is written "
                 "under `default:`",
+                fix=respelling(key.span(), word, near, is_safe=True),
             )
         refuse_twice(found.get(word), key, "argument")
         if word != "help" and word != "default":
@@ -221,8 +225,10 @@ def _refuse_expressions(node: YamlNode, word: str) -> None:
             _refuse_expressions(item, word)
 
 
-def _bad(message: str, span: Span, *, hint: str | None = None) -> YamaroError:
-    return failure("bad-argument", message, span, hint=hint)
+def _bad(
+    message: str, span: Span, *, hint: str | None = None, fix: Fix | None = None
+) -> YamaroError:
+    return failure("bad-argument", message, span, hint=hint, fix=fix)
 
 
 def _text_of(value: Value | None) -> str:
@@ -244,13 +250,15 @@ def _parse_kind(
         return
     kind = _text_of(literal["type"])
     if kind not in TYPES:
-        near = _OTHER_TYPES.get(kind.lower())
+        from ..fixes import respelling
+
+        near = _OTHER_TYPES.get(kind.lower()) or suggest(kind, TYPES)
+        span = found["type"][1].span()
         raise _bad(
             f"'{kind}' is not a type of arguments",
-            found["type"][1].span(),
-            hint=f"did you mean '{near}'?"
-            if near
-            else did_you_mean(kind, TYPES) or f"the types are {', '.join(TYPES)}",
+            span,
+            hint=f"did you mean '{near}'?" if near else f"the types are {', '.join(TYPES)}",
+            fix=respelling(span, kind, near, is_safe=True),
         )
     entry.kind = kind
     entry.is_null_allowed = _is_null(entry.default)

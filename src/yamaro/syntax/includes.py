@@ -87,7 +87,7 @@ def parse_include_of(key: ScalarNode, pairs: Pairs, context: ParseContext) -> In
         else:
             rest.append((own, value))
     if path_pair is None:
-        raise _without_path(key, [own.text for own, _ in rest])
+        raise _without_path(key, [own for own, _ in rest])
     path = _parse_path(path_pair[1], path_pair[0], context)
     if namespace_pair and isinstance(path_pair[1], ScalarNode) and is_xml_file(path_pair[1].text):
         rest.append(namespace_pair)  # XML has no names to put into one, but xacro files arguments
@@ -124,8 +124,10 @@ def _argument_name(key: ScalarNode, context: ParseContext) -> str:
     )
 
 
-def _without_path(key: ScalarNode, names: list[str]) -> YamaroError:
-    word = key.text
+def _without_path(key: ScalarNode, keys: list[ScalarNode]) -> YamaroError:
+    from ..fixes import respelling
+
+    word, names = key.text, [each.text for each in keys]
     near = suggest("path", names) or next((n for n in names if n in OTHER_WORDS), None)
     return failure(
         "missing-key",
@@ -134,6 +136,9 @@ def _without_path(key: ScalarNode, names: list[str]) -> YamaroError:
         hint=f"did you mean `path` instead of '{near}'?"
         if near
         else f"write path: other.yaml{', or a body' if word == 'attach' else ''}",
+        fix=respelling(keys[names.index(near)].span(), near, "path", is_safe=True)
+        if near
+        else None,
     )
 
 

@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from ..diagnostics import YamaroError
+    from ..fixes import Fix
     from ..yaml.nodes import YamlNode
 
 Pairs = list[tuple[ScalarNode, "YamlNode"]]
@@ -37,6 +38,7 @@ def pairs_of(node: YamlNode, what: str, context: ParseContext) -> Pairs:
             f"{what} needs entries such as `name: value`, not a text",
             node.span(),
             hint=body_hint(node.text),
+            fix=_fix_of_text(node),
         )
     pairs: Pairs = []
     for item in node.items:
@@ -48,6 +50,7 @@ def pairs_of(node: YamlNode, what: str, context: ParseContext) -> Pairs:
                 f"in {what}, each item of the list must be an entry such as `name: value`",
                 item.span(),
                 hint=item_hint(item),
+                fix=_fix_of_text(item) if isinstance(item, ScalarNode) else None,
             )
     return pairs
 
@@ -115,6 +118,24 @@ def body_hint(text: str) -> str:
     if find_outside(text, " ", 0, len(text)) < 0 or "/" in text:
         return f"write `{text}:` with a colon for an entry without a value"
     return "write each entry as `name: value`, on a separate line"
+
+
+def _fix_of_text(node: ScalarNode) -> Fix | None:
+    """Return the fix that makes an entry of a text, as `body_hint` says."""
+    from ..fixes import replacement
+
+    text, span = node.text, node.span()
+    if node.style or span.written() != text:
+        return None
+    if is_function_name(text):
+        return replacement(span, f"{text}:", is_safe=True)
+    variable, equals, value = text.partition("=")
+    if equals and is_identifier(variable.strip()) and value[:1] != "=":
+        return replacement(span, f"{variable.strip()}: {value.strip()}", is_safe=True)
+    name, colon, value = text.partition(":")
+    if colon and is_identifier(name) and value:
+        return replacement(span, f"{name}: {value}", is_safe=value[:1] != "/")
+    return None
 
 
 def _entries_hint(text: str, known: Sequence[str]) -> str:

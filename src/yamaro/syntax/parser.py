@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ..diagnostics import Reporter, did_you_mean, failure, suggest
+from ..diagnostics import Reporter, failure, suggest
 from ..source import Source, Span
 from ..yaml.nodes import MappingNode, ScalarNode, SequenceNode
 from ..yaml.reader import read_on
@@ -290,12 +290,16 @@ def _refuse_beside_model(span: Span, model: Span, context: ParseContext) -> None
     """Raise YamaroError for a root element, or a key taken for one, beside `model:`."""
     if any(error.code == "two-roots" for error in context.errors):
         return
+    from ..suggestions import meant
+
+    hint, fix = meant(span.written(), [ARGUMENTS], span)
     raise failure(
         "two-roots",
         f"'{span.written()}' is not a section, and a root element is not allowed beside `model:`",
         span,
-        hint=did_you_mean(span.written(), [ARGUMENTS])
+        hint=hint
         or "put elements of a robot under `model:`; a file has a `model` or a root element",
+        fix=fix,
         notes=[f"`model:` is at {model.place()}"],
     )
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ..diagnostics import did_you_mean, failure
+from ..diagnostics import failure
 from ..source import Span
 from ..yaml.nodes import ScalarNode
 from .context import ParseContext
@@ -30,11 +30,16 @@ def split_scope(key: ScalarNode, what: str) -> tuple[int, str]:
         return len(text), "local"
     scope = text[slash + 1 :].strip()
     if scope not in SCOPES:
+        from ..suggestions import meant_word
+
+        span = key.span(slash + 1) if scope else key.span()
+        hint, fix = meant_word(scope, SCOPES, span)
         raise failure(
             "unknown-scope",
             f"'{scope}' is not a scope of a {what}",
-            key.span(slash + 1) if scope else key.span(),
-            hint=did_you_mean(scope, SCOPES) or f"the scopes are {', '.join(SCOPES)}",
+            span,
+            hint=hint or f"the scopes are {', '.join(SCOPES)}",
+            fix=fix,
         )
     return slash, scope
 

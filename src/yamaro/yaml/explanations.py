@@ -6,39 +6,33 @@ Each takes what the YAML parser said and returns the error to show, or None if t
 from __future__ import annotations
 
 from ..diagnostics import failure
+from ..fixes import Edit, Fix, replacement
 from .brackets import find_close
 from .libyaml import Parser, YAMLError
 from .nodes import quoted
+from .quotes import (
+    colon_in_key,
+    expression_in_brackets,
+    line_around,
+    needs_quotes,
+    quoting,
+    text_behind_quote,
+)
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from typing import Protocol
-
-    from ..source import Span
-
-    class GivenText(Protocol):
-        """What is being read: the text, and how its offsets map to the file."""
-
-        text: str
-
-        def span(self, start: int, end: int) -> Span:
-            """Return the place of a stretch of the text."""
+    from .quotes import GivenText
 
 
 MAX_KEY = 1024
+MAX_EDITS = 1000
+"""Edits of one fix."""
 _NO_BREAK_SPACE = "\u00a0"
-
-
-def _line_around(text: str, at: int) -> tuple[int, int]:
-    """Return start and end of the line that holds offset `at`."""
-    start = max(text.rfind("\n", 0, at), text.rfind("\r", 0, at)) + 1
-    ends = [end for end in (text.find("\n", at), text.find("\r", at)) if end >= 0]
-    return start, min(ends) if ends else len(text)
 
 
 def _tab(given: GivenText, problem: str, context: str, begin: int, at: int) -> Exception | None:
     text = given.text
-    start, end = _line_around(text, at)
+    start, end = line_around(text, at)
     margin = text[start:end][: len(text[start:end]) - len(text[start:end].lstrip())]
     if "\t" not in margin or not ("tab" in problem or start <= at <= start + len(margin)):
         return None
@@ -57,18 +51,32 @@ def _no_break_space(
     """Explain an indentation pasted from a web page, which YAML takes for letters."""
     text = given.text
     found = text.find(_NO_BREAK_SPACE)
-    _, end = _line_around(text, at)
+    _, end = line_around(text, at)
     while 0 <= found < end:
-        start, _ = _line_around(text, found)
+        start, _ = line_around(text, found)
         if not text[start:found].strip():
+            span = given.span(found, found + 1)
             return failure(
                 "yaml-tab",
                 "YAML does not allow no-break spaces (U+00A0) in the indentation",
-                given.span(found, found + 1),
+                span,
                 hint="replace it with a space; it often comes from pasting a web page",
+                fix=_without_no_break_spaces(given),
             )
         found = text.find(_NO_BREAK_SPACE, found + 1)
     return None
+
+
+def _without_no_break_spaces(given: GivenText) -> Fix:
+    """Return the fix that makes the indentation of all lines of ordinary spaces."""
+    edits: list[Edit] = []
+    at = given.text.find(_NO_BREAK_SPACE)
+    while at >= 0 and len(edits) < MAX_EDITS:
+        start, _ = line_around(given.text, at)
+        if not given.text[start:at].strip():
+            edits.append(Edit(given.span(at, at + 1), " "))
+        at = given.text.find(_NO_BREAK_SPACE, at + 1)
+    return Fix("replace the no-break spaces in the indentation", edits, is_safe=True)
 
 
 def _start_of_value(
@@ -80,40 +88,15 @@ def _start_of_value(
     if "alphabetic" in problem:
         at = begin
     if text[at : at + 1] == "\t":
+        span = given.span(at, at + 1)
         return failure(
             "yaml-tab",
             "YAML does not allow a tab here",
-            given.span(at, at + 1),
+            span,
             hint="replace the tab with a space",
+            fix=replacement(span, " ", is_safe=True),
         )
-    return _needs_quotes(given, at)
-
-
-def _needs_quotes(given: GivenText, at: int) -> Exception:
-    """Return the error for a key or value at `at` whose first character YAML reserves."""
-    text = given.text
-    char = text[at : at + 1]
-    start, end = _line_around(text, at)
-    comment = text.find(" #", at, end)
-    value = text[at : comment if comment >= 0 else end].rstrip()
-    before = text[start:at].lstrip()
-    what, behind = "value", ""
-    if not before.strip("- ") and ": " in f"{value} ":
-        value, behind, _ = f"{value} ".partition(": ")
-        what, behind = "key", ":"
-    elif "{" in before or "[" in before:
-        ends = [index for index, each in enumerate(value) if index and each in ",]}"]
-        behind = value[ends[0] :] if ends else ""
-        value = value[: ends[0]].rstrip() if ends else value
-    hint = f"write {before}{quoted(value)}{behind}"
-    if char == "%" and before.endswith("{"):
-        hint = "conditions and loops are the statements `if:` and `for:`"
-    return failure(
-        "yaml-quote",
-        f"a {what} cannot begin with {char} in YAML unless it is quoted",
-        given.span(at, at + max(len(value), 1)),
-        hint=hint,
-    )
+    return needs_quotes(given, at)
 
 
 def _open_quote(
@@ -145,12 +128,7 @@ def _open_bracket(
     dollar = text.rfind("$(", begin, at)
     close = find_close(text, dollar + 2) if dollar >= 0 else -1
     if close > at:
-        return failure(
-            "yaml-quote",
-            f"an expression that contains {found} must be quoted inside {{ }} and [ ]",
-            given.span(dollar, close + 1),
-            hint=f"write {quoted(text[dollar : close + 1])}",
-        )
+        return expression_in_brackets(given, found, dollar, close + 1)
     if found and "\n" not in text[begin:at]:
         return failure(
             "yaml-open",
@@ -196,7 +174,7 @@ def _tag(given: GivenText, problem: str, context: str, begin: int, at: int) -> E
         return None
     text = given.text
     start = begin if text[begin : begin + 1] == "!" else at
-    _, end = _line_around(text, start)
+    _, end = line_around(text, start)
     written = text[start:end].split()[0] if text[start:end].strip() else "!"
     return failure(
         "yaml-tag",
@@ -211,7 +189,7 @@ def _second_anchor(
 ) -> Exception | None:
     """Explain an anchor behind which YAML allows neither a second one nor an alias."""
     text = given.text
-    start, _ = _line_around(text, at)
+    start, _ = line_around(text, at)
     before = text[start:at].rstrip().rpartition(" ")[2]
     if text[at : at + 1] not in ("&", "*") or not before.startswith("&"):
         return None
@@ -228,7 +206,7 @@ def _second_anchor(
 
 def _colon(given: GivenText, problem: str, context: str, begin: int, at: int) -> Exception | None:
     text = given.text
-    start, end = _line_around(text, at)
+    start, end = line_around(text, at)
     if "mapping values are not allowed" in problem:
         return _second_colon(given, start, end, at)
     if "expected ':'" not in problem:
@@ -242,14 +220,16 @@ def _colon(given: GivenText, problem: str, context: str, begin: int, at: int) ->
 def _no_colon(given: GivenText, begin: int) -> Exception:
     """Return the error for the line that begins at `begin` and is not a `key: value`."""
     text = given.text
-    _, end = _line_around(text, begin)
+    _, end = line_around(text, begin)
     key, colon, value = text[begin:end].partition(":")
     if colon and key.isidentifier():
+        span = given.span(begin + len(key), begin + len(key) + 1)
         return failure(
             "yaml-syntax",
             "there is no space after the ':', so this is neither a key nor a value",
-            given.span(begin + len(key), begin + len(key) + 1),
+            span,
             hint=f"write {key}: {value.strip()}",
+            fix=replacement(span, ": ", is_safe=value[:1] != "/"),
         )
     return failure(
         "yaml-syntax",
@@ -263,9 +243,9 @@ def _no_colon(given: GivenText, begin: int) -> Exception:
 
 def _line_without_key_above(text: str, start: int) -> int | None:
     """Return where the line above `start` begins if it is as deep and holds no key, or None."""
-    _, end = _line_around(text, start)
+    _, end = line_around(text, start)
     line = text[start:end]
-    above, above_end = _line_around(text, max(start - 1, 0))
+    above, above_end = line_around(text, max(start - 1, 0))
     before = text[above:above_end]
     margin = len(before) - len(before.lstrip())
     is_key = ": " in before or before.rstrip().endswith(":")
@@ -291,12 +271,15 @@ def _second_colon(given: GivenText, start: int, end: int, at: int) -> Exception:
     key, colon, value = line.partition(": ")
     if colon and start + len(key) < at:
         where = start + len(key) + 2
+        where += len(value) - len(value.lstrip())
         value = value.strip()
+        span = given.span(where, max(where + len(value), where + 1))
         return failure(
             "yaml-quote",
             "a value that contains ': ' must be quoted",
-            given.span(where, max(where + len(value), where + 1)),
+            span,
             hint=f"write {key.strip()}: {quoted(value)}",
+            fix=quoting(span, value),
         )
     above = _line_without_key_above(text, start)
     if above is not None:
@@ -310,32 +293,12 @@ def _second_colon(given: GivenText, start: int, end: int, at: int) -> Exception:
     )
 
 
-def _colon_in_key(
-    given: GivenText, problem: str, context: str, begin: int, at: int
-) -> Exception | None:
-    """Return the error for `item/a=$({'k': 1}['k']):`, where an expression in a key has a `: `."""
-    start, end = _line_around(given.text, at)
-    line = given.text[start:end]
-    before = line.partition(": ")[0]
-    key = line.rpartition(":")[0]
-    is_open = "$(" in before and before.count("(") > before.count(")")
-    if not is_open or before == key or key.count("(") != key.count(")"):
-        return None
-    where = len(key) - len(key.lstrip(" -"))
-    return failure(
-        "yaml-quote",
-        "a key that contains ': ' must be quoted",
-        given.span(start + where, start + len(key)),
-        hint=f"write {quoted(key[where:])}:",
-    )
-
-
 def _misplaced(
     given: GivenText, problem: str, context: str, begin: int, at: int
 ) -> Exception | None:
     """Explain a sign that stands where YAML gives it another meaning."""
     text = given.text
-    start, end = _line_around(text, at)
+    start, end = line_around(text, at)
     line = text[start:end]
     if "sequence entries are not allowed" in problem:
         key, _, item = line.strip().partition(": - ")
@@ -363,7 +326,7 @@ def _misplaced(
     if text[at : at + 1] in (",", "]", "}") and not line[: at - start].rstrip().endswith(
         ("]", "}")
     ):
-        return _needs_quotes(given, at)
+        return needs_quotes(given, at)
     return None
 
 
@@ -371,7 +334,7 @@ def _directive(
     given: GivenText, problem: str, context: str, begin: int, at: int
 ) -> Exception | None:
     """Explain a line that begins with %, which makes it a directive."""
-    start, end = _line_around(given.text, at)
+    start, end = line_around(given.text, at)
     if "incompatible YAML" in problem:
         return failure(
             "yaml-syntax",
@@ -391,7 +354,7 @@ def _directive(
 
 def _rest(given: GivenText, problem: str, context: str, begin: int, at: int) -> Exception | None:
     text = given.text
-    start, end = _line_around(text, at)
+    start, end = line_around(text, at)
     before = text[start:at].rstrip()
     if "document start" in problem and not before:
         return failure(
@@ -410,7 +373,7 @@ def _rest(given: GivenText, problem: str, context: str, begin: int, at: int) -> 
             colon = ""
             where, value = start + len(key) - len(key.lstrip(" -")), key.lstrip(" -")
         value = value.strip()
-        return _text_behind_quote(given, key.strip() if colon else "", value, where, at)
+        return text_behind_quote(given, key.strip() if colon else "", value, where, at)
     if "block" not in context and "document start" not in problem:
         return None
     column = at - start + len(text[at:end]) - len(text[at:end].lstrip())
@@ -451,28 +414,9 @@ def _start_of_quoted(text: str, end: int) -> int | None:
     return None
 
 
-def _text_behind_quote(given: GivenText, key: str, value: str, where: int, at: int) -> Exception:
-    """Return the error for a value whose quotes or brackets close before its end."""
-    text = given.text
-    closing = text[:at].rstrip()[-1]
-    advice, meant = "quote the whole value:", value
-    extra = value[len(text[where:at].rstrip()) :].strip()
-    if extra and not extra.strip("]}"):
-        advice, meant = "delete the extra text, or quote the whole value:", value
-    if text[at - 1] == closing == value[0] == value[-1] and text[at].isalnum():
-        advice, meant = f"a {closing} inside the text ends it; write", value[1:-1]
-    shown = f"{key}: {quoted(meant)}" if key else quoted(meant)
-    return failure(
-        "yaml-quote",
-        f"text follows the closing {closing} of this value",
-        given.span(where, max(where + len(value), where + 1)),
-        hint=f"{advice} {shown}",
-    )
-
-
 _READING_TAGS = ("while parsing a tag", "while scanning a tag")
 EXPLANATIONS = (
-    _colon_in_key,
+    colon_in_key,
     _tag,
     _tab,
     _no_break_space,

@@ -10,7 +10,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any, NoReturn
 
-    from .explanations import GivenText
+    from .quotes import GivenText
 
 
 def refuse_yaml(error: Any, given: GivenText) -> NoReturn:
