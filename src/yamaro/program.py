@@ -300,22 +300,23 @@ class Program:
             raise UsageError(
                 "'copy' needs an output file (-o FILE); the meshes are copied beside it"
             )
-        try:
-            return MeshPaths(mode, folder, finder, self._assets(finder) if mode == COPY else None)
-        except ValueError as error:
-            raise UsageError(str(error)) from None
-
-    def _assets(self, finder: MeshFinder) -> Assets:
-        """Return the copies of meshes, which are looked into in a jail if they are not trusted."""
-        from .confined import Reader
-        from .targets.assets import Assets
 
         def run(work: Callable[[], bytes]) -> bytes:
+            from .confined import Reader
+
             if self._policy.is_confined:
                 return work()
             return Reader(self._policy, readable=finder.roots, name=self._path).run(work)
 
-        return Assets(finder, run)
+        assets: Assets | None = None
+        if mode == COPY:
+            from .targets.assets import Assets
+
+            assets = Assets(finder, run)
+        try:
+            return MeshPaths(mode, folder, finder, assets, run=run)
+        except ValueError as error:
+            raise UsageError(str(error)) from None
 
     def _main_file(self) -> Source:
         if self._source is None:

@@ -79,14 +79,14 @@ class Assets:
         base = os.path.basename(path)
         if not companions:
             stem, ending = os.path.splitext(base)
-            name = f"{FOLDER}/{_marked(stem, _digest([data]))}{ending}"
+            name = f"{FOLDER}/{named_by_content(stem, ending, [data])}"
             return name, {name: path}
         top = os.path.commonpath([os.path.dirname(each) for each in (path, *companions)])
         inner = {_inside(top, each): each for each in (path, *companions)}
         contents: list[bytes] = []
         for name, source in sorted(inner.items()):
             contents += [os.fsencode(name), read_start(source, LARGEST_FILE)]
-        folder = f"{FOLDER}/{_marked(os.path.splitext(base)[0], _digest(contents))}"
+        folder = f"{FOLDER}/{named_by_content(os.path.splitext(base)[0], '', contents)}"
         return (
             f"{folder}/{_inside(top, path)}",
             {f"{folder}/{name}": source for name, source in inner.items()},
@@ -155,9 +155,10 @@ def _digest(contents: Iterable[bytes]) -> str:
     return digest.hexdigest()[:_DIGITS]
 
 
-def _marked(stem: str, digest: str) -> str:
-    """Return a name with a digest; that of a copy is not marked twice."""
-    return stem if stem.endswith(f"-{digest}") else f"{stem}-{digest}"
+def named_by_content(stem: str, ending: str, contents: Iterable[bytes]) -> str:
+    """Return a name marked with a digest of contents; that of a copy is not marked twice."""
+    mark = f"-{_digest(contents)}"
+    return f"{stem.removesuffix(mark)}{mark}{ending}"
 
 
 def _inside(folder: str, path: str) -> str:

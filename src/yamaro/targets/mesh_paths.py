@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
     from ..source import Span
     from ..xml.tree import Node
-    from .assets import Assets
+    from .assets import Assets, Run
 
     Rename = Callable[[str, Span], str]
 
@@ -37,12 +37,19 @@ class MeshPaths:
     Attributes:
         assets: the copies of files, with the mode `COPY`.
         finder: finds files and packages.
+        run: runs what parses files that others wrote, in a jail if they are not trusted.
     """
 
-    __slots__ = ("_folder", "_mode", "_package", "assets", "finder")
+    __slots__ = ("_folder", "_mode", "_package", "assets", "finder", "run")
 
     def __init__(
-        self, mode: str, folder: str, finder: MeshFinder, assets: Assets | None = None
+        self,
+        mode: str,
+        folder: str,
+        finder: MeshFinder,
+        assets: Assets | None = None,
+        *,
+        run: Run | None = None,
     ) -> None:
         """Name files for an output in a folder.
 
@@ -52,6 +59,7 @@ class MeshPaths:
             folder: where the output is, absolute.
             finder: finds files and packages.
             assets: the copies, with the mode `COPY`.
+            run: see the attribute; None calls it.
 
         Raises:
             ValueError: the package is not found, or there is no such mode.
@@ -60,6 +68,7 @@ class MeshPaths:
         self._folder = folder
         self._mode = mode
         self.assets = assets
+        self.run: Run = run or (lambda work: work())
         self._package = ""
         name = mode.removeprefix(PACKAGE)
         if name != mode:

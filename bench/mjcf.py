@@ -1,0 +1,214 @@
+"""Writes a corpus of public robots as MJCF, and judges what comes out.
+
+    python bench/mjcf.py [CORPUS] [--only REGEX] [--stands] [--time]
+
+CORPUS is as in bench/robots.py. Each robot that pinocchio reads is written as URDF and as MJCF,
+without meshes where their files are not there. What MuJoCo makes of the MJCF is compared with what
+pinocchio makes of the URDF, at random positions: poses of links and frames, mass matrix, inverse
+dynamics, mass, limits, damping, efforts. pinocchio and Drake, if it is there, read the MJCF too.
+A robot agrees if all differences are below 1e-9 of the greatest value; what was reported as a loss
+is left out. The table counts robots: those that agree, those that are not written with the codes
+of the reasons, and those that differ although nothing says so.
+"""
+
+from __future__ import annotations
+
+import argparse
+import collections
+import csv
+import os
+import pickle
+import re
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+ROOT = Path(__file__).parents[1]
+sys.path.insert(0, str(ROOT))
+
+import yamaro  # noqa: E402 - after the path
+from tests.targets.mechanics import (  # noqa: E402
+    DrakeMjcf,
+    Mujoco,
+    NotJudged,
+    PinocchioMjcf,
+    PinocchioUrdf,
+    differences,
+    joint_differences,
+    mimic_differences,
+    missing_frames,
+)
+
+UNKNOWN = "/opt/ros/unknown/share"
+POSITIONS = 20
+TOLERANCE = 1e-9
+
+
+def robots(corpus: Path) -> Iterator[tuple[str, Path]]:
+    """Yield the finished URDF of each robot of the corpus, with its name."""
+    for table, folder, column in (("urdf", "src", "path"), ("xacro", "", "expected")):
+        with (corpus / f"{table}.tsv").open(encoding="utf-8", newline="") as file:
+            for row in csv.DictReader(file, delimiter="\t"):
+                yield row[column], corpus / folder / row[column]
+
+
+def text_of(path: Path, corpus: Path) -> str:
+    text = path.read_text("utf-8", "replace")
+    return text.replace("@CORPUS@", str(corpus)).replace("@UNKNOWN@", UNKNOWN)
+
+
+class Tally:
+    def __init__(self) -> None:
+        self.counts: collections.Counter[str] = collections.Counter()
+        self.names: dict[str, list[str]] = collections.defaultdict(list)
+
+    def add(self, kind: str, name: str, detail: str = "") -> None:
+        self.counts[kind] += 1
+        self.names[kind].append(f"{name}  {detail}" if detail else name)
+
+    def show(self) -> None:
+        for kind, count in sorted(self.counts.items()):
+            print(f"{count:5}  {kind}")
+
+
+def written(path: Path, text: str, **options: Any) -> Any:
+    """Return the MJCF of a robot: without meshes where one is not there."""
+    try:
+        return yamaro.build(path, text=text, target="mjcf", on_message=print, **options)
+    except yamaro.YamaroError as error:
+        if {each.code for each in error.diagnostics if each.severity == "error"} != {
+            "missing-mesh"
+        }:
+            raise
+    return yamaro.build(path, text=text, target="mjcf", meshes="none", on_message=print, **options)
+
+
+def judge(name: str, path: Path, corpus: Path, tally: Tally, repairs: bool) -> None:
+    text = text_of(path, corpus)
+    if "$(" in text or "${" in text:  # of xacro, which is expanded
+        text = yamaro.build(path, text=text, on_message=print).xml()
+    try:
+        build = written(path, text, repair_inertia=repairs)
+    except yamaro.YamaroError as error:
+        codes = {each.code for each in error.diagnostics if each.severity == "error"}
+        tally.add(f"2 not written: {', '.join(sorted(codes))}", name)
+        return
+    except Exception as error:
+        tally.add("9 BROKEN", name, repr(error)[:300])
+        return
+    tally.add("1 written", name)
+    mjcf = build.xml()
+    is_fixed = not any(
+        joint.endswith("_free") for joint in re.findall(r'<freejoint name="([^"]*)"', mjcf)
+    )
+    reference, joints = None, {}
+    try:
+        reference = PinocchioUrdf(text, is_fixed=is_fixed)
+        joints = reference.joints
+    except NotJudged as error:
+        tally.add("0 not judged", name, str(error))
+    except Exception as error:
+        tally.add("0 not read by pinocchio", name, str(error).strip().splitlines()[0][:120])
+    try:
+        model = Mujoco(mjcf, build.assets, joints)
+    except Exception as error:
+        tally.add("9 MUJOCO REFUSES", name, str(error).replace("\n", " ")[:300])
+        return
+    tally.add("3 compiled by MuJoCo", name)
+    if reference is None:
+        return
+    compare(name, build, reference, model, tally)
+
+
+def apart(make: Any, mjcf: str, files: dict[str, bytes], reference: Any) -> dict[str, float]:
+    """Return the differences, worked out in another process: Drake ends its own on some faults."""
+    reader, writer = os.pipe()
+    sys.stdout.flush()
+    child = os.fork()
+    if not child:
+        try:
+            found: Any = differences(reference, make(mjcf, files, reference.joints), POSITIONS)
+        except Exception as error:
+            found = error
+        try:
+            answer = pickle.dumps(found)
+        except Exception:
+            answer = pickle.dumps(RuntimeError(str(found)))
+        os.write(writer, answer)
+        os._exit(0)
+    os.close(writer)
+    with open(reader, "rb") as file:
+        data = file.read()
+    os.waitpid(child, 0)
+    if not data:
+        raise RuntimeError("it ended the process")
+    answer = pickle.loads(data)
+    if isinstance(answer, Exception):
+        raise answer
+    return answer
+
+
+def compare(name: str, build: Any, reference: Any, model: Any, tally: Tally) -> None:
+    told = {loss.owner for loss in build.losses}
+    lost = (
+        missing_frames(reference, model)
+        - {loss.owner.split("'")[1] for loss in build.losses if "'" in loss.owner}
+        - {"world"}
+    )
+    wrong = {
+        f"{joint}: {', '.join(what)}"
+        for joint, what in joint_differences(reference.description, model.model).items()
+        if f"joint '{joint}'" not in told
+    }
+    wrong |= {f"{each}: mimic" for each in mimic_differences(reference.description, model.model)}
+    wrong |= {f"{each}: no body or site" for each in lost}
+    for title, make in (("MuJoCo", None), ("pinocchio", PinocchioMjcf), ("Drake", DrakeMjcf)):
+        try:
+            found = (
+                differences(reference, model, POSITIONS)
+                if make is None
+                else apart(make, build.xml(), build.assets, reference)
+            )
+        except ImportError:
+            continue
+        except NotJudged as error:
+            tally.add(f"5 not judged by {title}", name, str(error))
+            continue
+        except Exception as error:
+            tally.add(f"5 {title} does not read it", name, str(error).replace("\n", " ")[:200])
+            continue
+        bad = {what: size for what, size in found.items() if not size <= TOLERANCE}
+        detail = " ".join(f"{what}={size:.1e}" for what, size in bad.items())
+        if title == "MuJoCo":
+            detail += "; ".join(sorted(wrong)[:6])
+        if detail:
+            tally.add(f"9 {title} DIFFERS", name, detail)
+        else:
+            tally.add(f"4 {title} agrees", name)
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser()
+    parser.add_argument("corpus", nargs="?", type=Path, default=ROOT.parent / "shared" / "corpus")
+    parser.add_argument("--only", default="")
+    parser.add_argument("--repair-inertia", action="store_true")
+    given = parser.parse_args()
+    corpus = given.corpus.resolve()
+    tally = Tally()
+    for name, path in robots(corpus):
+        if re.search(given.only, name):
+            try:
+                judge(name, path, corpus, tally, given.repair_inertia)
+            except Exception as error:
+                tally.add("9 BROKEN", name, repr(error)[:300])
+    for kind in sorted(tally.names):
+        if kind[0] in "0259":
+            for each in tally.names[kind]:
+                print(f"{kind}: {each}")
+    print()
+    tally.show()
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,196 @@
+"""Mass and inertia that simulators refuse: reported before they do, or balanced.
+
+Source: the rules are those of a body of any shape, A + B ≥ C for its principal moments, and of
+MuJoCo's compiler, which takes no rounding into account.
+"""
+
+from __future__ import annotations
+
+from ..diagnostics import Diagnostic
+from ..model.joint import FIXED
+from ..model.pose import Pose
+from ..model.principal import principal_axes
+from ..model.rotations import multiply
+from ..xml.values import format_number
+from .output import APPROXIMATED, Loss
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from ..model.joint import Joint
+    from ..model.link import Inertial, Link
+    from ..model.robot import Robot
+    from ..model.rotations import Vector
+
+ROUNDING = 1e-9
+"""How far, as part of the greatest moment, moments may break the rule because they are rounded."""
+NOISE = 1e-14
+"""How far they may because of how they are worked out here; this is not reported."""
+LEAST = 1e-15
+"""The mass and the moments of a body that moves must be greater. Source: mjMINVAL of MuJoCo."""
+REPAIR_HINT = "correct the numbers; --repair-inertia takes the nearest that a body can have"
+
+
+class Principal:
+    """The mass of a link and its principal moments, which a body can have.
+
+    Attributes:
+        mass: in kg.
+        moments: about the centre of mass, in kg·m².
+        pose: T_link_axes: from the centre of mass, along the axes of the moments.
+        is_changed: whether the moments are others than those that are written.
+    """
+
+    __slots__ = ("is_changed", "mass", "moments", "pose")
+
+    def __init__(self, mass: float, moments: Vector, pose: Pose, *, is_changed: bool) -> None:
+        self.mass = mass
+        self.moments = moments
+        self.pose = pose
+        self.is_changed = is_changed
+
+
+class Inertias:
+    """The masses of a robot.
+
+    Attributes:
+        by_link: by the names of links; those without mass and inertia are left out.
+        losses: the moments that were changed.
+        errors: what a simulator would refuse.
+    """
+
+    __slots__ = ("by_link", "errors", "losses")
+
+    def __init__(self, robot: Robot, *, is_fixed: bool, repairs: bool) -> None:
+        """Work them out.
+
+        Args:
+            robot: the robot.
+            is_fixed: whether its root is fixed in the world.
+            repairs: whether moments that no body can have are changed instead of refused.
+        """
+        self.by_link: dict[str, Principal] = {}
+        self.losses: list[Loss] = []
+        self.errors: list[Diagnostic] = []
+        for link in robot.links.values():
+            inertial = link.inertial
+            if inertial is not None and (inertial.mass or any(inertial.inertia)):
+                self.by_link[link.name] = self._read(link, inertial, repairs=repairs)
+        self._check_moving(robot, is_fixed=is_fixed)
+
+    def _read(self, link: Link, inertial: Inertial, *, repairs: bool) -> Principal:
+        moments, rotation = principal_axes(inertial.matrix())
+        turned = multiply(inertial.pose.rotation, rotation)
+        pose = Pose(turned, inertial.pose.position)
+        size = max(map(abs, moments))
+        change = max(0.0, -min(moments), 2 * max(moments) - sum(moments))
+        if change <= NOISE * size:
+            return Principal(inertial.mass, moments, pose, is_changed=False)
+        is_rounding = change <= ROUNDING * size
+        if not is_rounding and not repairs:
+            self._refuse(link, inertial, moments)
+        else:
+            self._change(link, inertial, is_rounding=is_rounding)
+        return Principal(inertial.mass, balanced(moments), pose, is_changed=True)
+
+    def _refuse(self, link: Link, inertial: Inertial, moments: Vector) -> None:
+        shown = ", ".join(f"{moment:.6g}" for moment in sorted(moments))
+        rule = "the greatest is more than the sum of the others"
+        if min(moments) < 0:
+            rule = "one is negative"
+        element = inertial.inner("inertia")
+        self.errors.append(
+            Diagnostic(
+                "inertia-triangle",
+                f"no body has the inertia of the link '{link.name}': its principal moments are "
+                f"{shown}, and {rule}",
+                inertial.span if element is None else element.span,
+                hint=REPAIR_HINT,
+                trace=inertial.trace_in(link),
+            )
+        )
+
+    def _change(self, link: Link, inertial: Inertial, *, is_rounding: bool) -> None:
+        what = "moments of inertia that no body has"
+        if is_rounding:
+            what = "moments of inertia that no body has because they are rounded"
+        self.losses.append(
+            Loss(
+                APPROXIMATED,
+                what,
+                f"link '{link.name}'",
+                inertial.span,
+                trace=inertial.trace_in(link),
+                how="the nearest that a body can have",
+            )
+        )
+
+    # --- links that move and weigh nothing ---
+
+    def _check_moving(self, robot: Robot, *, is_fixed: bool) -> None:
+        """Report what moves without mass, with all that is fixed to it."""
+        upper: dict[str, str] = {}
+        for link in _from_the_roots(robot):
+            joint = robot.parent_joint(link.name)
+            rests = joint is not None and joint.type == FIXED
+            upper[link.name] = upper[joint.parent] if joint is not None and rests else link.name
+        heavy = {upper[name] for name in self.by_link if name in upper and self._is_heavy(name)}
+        for name in dict.fromkeys(upper.values()):
+            joint = robot.parent_joint(name)
+            if name not in heavy and (joint is not None or not is_fixed):
+                self._refuse_massless(robot.links[name], joint)
+
+    def _is_heavy(self, name: str) -> bool:
+        found = self.by_link[name]
+        return found.mass > LEAST and min(found.moments) > LEAST
+
+    def _refuse_massless(self, link: Link, joint: Joint | None) -> None:
+        lacks = "inertia" if link.mass > 0 else "mass"
+        how = f"is moved by the joint '{joint.name}'" if joint is not None else "moves freely"
+        hint = f"add the {lacks} that it has, or make the joint fixed"
+        if joint is None:
+            hint = f"add the {lacks} that it has, or --base fixed"
+        self.errors.append(
+            Diagnostic(
+                "massless-moving",
+                f"the link '{link.name}' {how}, but has no {lacks}, and no link that is fixed to "
+                "it has",
+                link.span_of("name"),
+                hint=hint,
+                trace=link.trace,
+            )
+        )
+
+
+def balanced(moments: Vector) -> Vector:
+    """Return the nearest moments that a body can have: A + B ≥ C, and none below 0.
+
+    The excess of the greatest is shared out equally, which is the nearest point of the plane
+    A + B = C.
+    """
+    found = [max(moment, 0.0) for moment in moments]
+    excess = 2 * max(found) - sum(found)
+    if excess > 0:
+        greatest = found.index(max(found))
+        found = [moment + excess / 3 for moment in found]
+        found[greatest] -= 2 * excess / 3
+    return (found[0], found[1], found[2])
+
+
+def written_moments(moments: Vector) -> Vector:
+    """Return moments that keep the rule also after they are written with 15 digits."""
+    found = [float(format_number(max(moment, 0.0))) for moment in moments]
+    greatest = found.index(max(found))
+    rest = sum(found[:greatest]) + sum(found[greatest + 1 :])
+    moment, step = min(found[greatest], rest), 1e-15
+    while float(format_number(moment)) > rest:
+        moment, step = rest * (1 - step), 2 * step
+    found[greatest] = float(format_number(moment))
+    return (found[0], found[1], found[2])
+
+
+def _from_the_roots(robot: Robot) -> list[Link]:
+    """Return the links, each after the one above it."""
+    found = list(robot.roots)
+    for link in found:
+        found += [robot.links[joint.child] for joint in robot.joints_below(link.name)]
+    return found

@@ -1,0 +1,122 @@
+"""What the meshes and textures of a robot hold, for formats that take them only in other forms.
+
+What parses files that others wrote runs in a jail if they are not trusted. A file is parsed once,
+whatever its name is and however often it is shown.
+"""
+
+from __future__ import annotations
+
+import os
+
+from ..files.regular import read_start
+from ..meshes.formats import LARGEST_FILE, MeshFileError, MissingLibraryError, mesh_format
+from ..sandbox.jail.limits import JailError
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from ..files.mesh_files import MeshFinder
+    from ..meshes.surfaces import MeshSurfaces
+    from ..source import Span
+
+    Run = Callable[[Callable[[], bytes]], bytes]
+
+
+class MeshContents:
+    """Reads the files that shapes and materials name."""
+
+    __slots__ = ("_bytes", "_finder", "_run", "_surfaces", "_textures")
+
+    def __init__(self, finder: MeshFinder, run: Run) -> None:
+        """Read files.
+
+        Args:
+            finder: finds them, and decides which may be read.
+            run: runs what parses them, in a jail if they are not trusted.
+        """
+        self._finder = finder
+        self._run = run
+        self._bytes: dict[str, bytes] = {}
+        self._surfaces: dict[bytes, MeshSurfaces] = {}
+        self._textures: dict[bytes, bytes] = {}
+
+    def path_of(self, filename: str, span: Span) -> str | None:
+        """Return the path of a file that is referred to at a span; None if it is not there."""
+        return self._finder.reachable(filename, span)
+
+    def bytes_of(self, path: str) -> bytes:
+        """Return what is in a file.
+
+        Raises:
+            MeshFileError: it cannot be read, or is too large.
+        """
+        found = self._bytes.get(path)
+        if found is None:
+            try:
+                found = read_start(path, LARGEST_FILE + 1)
+            except OSError as error:
+                raise MeshFileError(error.strerror or str(error)) from error
+            if len(found) > LARGEST_FILE:
+                raise MeshFileError(f"it is larger than {LARGEST_FILE >> 20} MB")
+            self._bytes[path] = found
+        return found
+
+    def format_of(self, path: str) -> str:
+        """Return the format of a mesh.
+
+        Raises:
+            MeshFileError: it cannot be read, or has no format that is read.
+        """
+        found = mesh_format(self.bytes_of(path))
+        if found is None:
+            raise MeshFileError("it has no format that is read")
+        return found
+
+    def surfaces_of(self, path: str) -> MeshSurfaces:
+        """Return the surfaces of a mesh, with their colours and textures.
+
+        Raises:
+            MeshFileError: it cannot be read.
+            MissingLibraryError: its format needs a library that is not installed.
+        """
+        key = self._key(path)
+        if key not in self._surfaces:
+            try:
+                from ..meshes.answers import read_packed, unpacked
+            except ImportError as error:
+                raise MissingLibraryError(error.name or str(error)) from error
+            data = self._answer(lambda: read_packed(path, self._finder.allows))
+            self._surfaces[key] = unpacked(data)
+        return self._surfaces[key]
+
+    def texture_of(self, path: str) -> bytes:
+        """Return an image as PNG, as it is if it is one.
+
+        Raises:
+            MeshFileError: it cannot be read.
+            MissingLibraryError: its format needs a library that is not installed.
+        """
+        from ..meshes.images import is_png, png_of
+
+        data = self.bytes_of(path)
+        if is_png(data):
+            return data
+        key = self._key(path)
+        if key not in self._textures:
+            self._textures[key] = self._answer(lambda: png_of(data))
+        return self._textures[key]
+
+    def _answer(self, work: Callable[[], bytes]) -> bytes:
+        try:
+            return self._run(work)
+        except JailError as error:
+            if error.limit in ("memory", "answer"):
+                raise MeshFileError("it takes too much memory") from None
+            raise MeshFileError(f"reading it was ended: {error}") from None
+
+    def _key(self, path: str) -> bytes:
+        """Return what the content of a file is kept by; files beside it may count, as textures."""
+        from hashlib import sha256
+
+        return sha256(self.bytes_of(path)).digest() + os.fsencode(os.path.dirname(path))

@@ -1,0 +1,163 @@
+"""Gains for actuators that are given none: stiff enough to carry the robot's weight."""
+
+from __future__ import annotations
+
+from math import hypot
+
+from ...model.joint import PRISMATIC
+from ...model.kinematics import link_poses
+from ...model.rotations import multiply, rotate, transposed
+from .surfaces import TIME_STEP
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from ...model.joint import Joint
+    from ...model.pose import Pose
+    from ...model.rotations import Rotation, Vector
+    from .writing import Writing
+
+GRAVITY = 9.81
+"""MuJoCo's default, in m/s²."""
+SAG = 0.01
+"""How far the weight may move a joint, as part of its range; of 1 rad or 1 m without limits."""
+SLOWEST, FASTEST = 10.0, 0.5 / TIME_STEP
+"""The least and the greatest natural frequency of a joint with its load, in rad/s; the time step
+cannot follow a faster one."""
+LEAST_INERTIA = 1e-6
+"""In kg·m² or kg, for what has none."""
+SLIP = 0.05
+"""The part of its greatest speed by which a velocity actuator slips at its greatest effort."""
+SETTLING = 0.01
+"""The time in s in which a velocity actuator without limits changes the speed of its load."""
+
+
+class Load:
+    """What a joint moves.
+
+    Attributes:
+        mass: in kg.
+        first: ∫x dm, in the axes of the root, about its origin.
+        second: ∫x·xᵀ dm, the same.
+        reach: how far from the root's origin links are, as points.
+    """
+
+    __slots__ = ("first", "mass", "points", "second")
+
+    def __init__(self) -> None:
+        self.mass = 0.0
+        self.first = [0.0, 0.0, 0.0]
+        self.second = [[0.0] * 3 for _ in range(3)]
+        self.points: list[Vector] = []
+
+    def add(self, other: Load) -> None:
+        """Add what another joint moves."""
+        self.mass += other.mass
+        self.points += other.points
+        for i in range(3):
+            self.first[i] += other.first[i]
+            for j in range(3):
+                self.second[i][j] += other.second[i][j]
+
+    def add_body(self, mass: float, center: Vector, inertia: Rotation) -> None:
+        """Add a body, with its inertia about its centre of mass along the root's axes."""
+        half_trace = (inertia[0][0] + inertia[1][1] + inertia[2][2]) / 2
+        self.mass += mass
+        self.points.append(center)
+        for i in range(3):
+            self.first[i] += mass * center[i]
+            for j in range(3):
+                own = (half_trace if i == j else 0.0) - inertia[i][j]
+                self.second[i][j] += own + mass * center[i] * center[j]
+
+    def about(self, point: Vector, axis: Vector) -> float:
+        """Return the moment of inertia about an axis through a point, in kg·m²."""
+        found = 0.0
+        for i in range(3):
+            for j in range(3):
+                moved = self.second[i][j] - point[i] * self.first[j] - self.first[i] * point[j]
+                moved += self.mass * point[i] * point[j]
+                found += moved * ((1.0 if i == j else 0.0) - axis[i] * axis[j])
+        return found
+
+
+class Gains:
+    """Works out gains, at the positions where joints rest."""
+
+    __slots__ = ("_loads", "_poses", "_weight", "_writing")
+
+    def __init__(self, writing: Writing) -> None:
+        self._writing = writing
+        self._poses: Mapping[str, Pose] = {}
+        self._loads: dict[str, Load] = {}
+        self._weight = 0.0
+
+    def of_position(self, joint: Joint) -> float:
+        """Return the stiffness of a joint, in N·m/rad or N/m.
+
+        At most `SAG` of the joint's range gives way under the weight of what it carries: of all
+        above it, and for a robot that stands on its joints of the whole robot. The load with this
+        stiffness swings at least with `SLOWEST` and at most with `FASTEST`.
+        """
+        inertia, weight = self._inertia_and_weight(joint)
+        low, high = joint.range if joint.lower is not None else (0.0, 1.0)
+        room = min(max(high - low, 1e-3), 1.0)
+        wanted = max(weight / (SAG * room), inertia * SLOWEST * SLOWEST)
+        return _rounded(min(wanted, inertia * FASTEST * FASTEST))
+
+    def of_velocity(self, joint: Joint) -> float:
+        """Return the gain of a velocity actuator, in N·m·s/rad or N·s/m."""
+        limit = joint.limit
+        if limit is not None and limit.effort and limit.velocity:
+            return _rounded(abs(limit.effort / (SLIP * limit.velocity)))
+        return _rounded(self._inertia_and_weight(joint)[0] / SETTLING)
+
+    def _inertia_and_weight(self, joint: Joint) -> tuple[float, float]:
+        """Return the inertia that a joint moves, and the greatest effort of its weight."""
+        if not self._loads:
+            self._read()
+        load, pose = self._loads[joint.child], self._poses[joint.child]
+        axis = rotate(pose.rotation, joint.axis)
+        armature = self._armature(joint)
+        mass = load.mass
+        if not self._writing.wanted.is_fixed:
+            mass = self._weight
+        if joint.type == PRISMATIC:
+            return max(load.mass + armature, LEAST_INERTIA), GRAVITY * mass
+        inertia = load.about(pose.position, axis) + armature
+        reach = max((_distance(point, pose.position, axis) for point in load.points), default=0.0)
+        return max(inertia, LEAST_INERTIA), GRAVITY * mass * reach
+
+    def _armature(self, joint: Joint) -> float:
+        actuator = self._writing.robot.actuators.get(joint.name)
+        return actuator.armature or 0.0 if actuator is not None else 0.0
+
+    def _read(self) -> None:
+        """Work out what is above each link, from the leaves to the roots."""
+        robot = self._writing.robot
+        rest = {joint.name: joint.rest for joint in robot.free_joints()}
+        self._poses = link_poses(robot, rest)
+        self._weight = robot.mass
+        for link in reversed(self._writing.plan.order):
+            load = self._loads.setdefault(link.name, Load())
+            inertial, pose = link.inertial, self._poses[link.name]
+            if inertial is not None and inertial.mass:
+                turn = multiply(pose.rotation, inertial.pose.rotation)
+                matrix = multiply(multiply(turn, inertial.matrix()), transposed(turn))
+                load.add_body(inertial.mass, pose.apply(inertial.pose.position), matrix)
+            joint = robot.parent_joint(link.name)
+            if joint is not None:
+                self._loads.setdefault(joint.parent, Load()).add(load)
+
+
+def _distance(point: Vector, origin: Vector, axis: Vector) -> float:
+    """Return how far a point is from an axis through an origin."""
+    x, y, z = (a - b for a, b in zip(point, origin, strict=True))
+    a, b, c = axis
+    return hypot(y * c - z * b, z * a - x * c, x * b - y * a)
+
+
+def _rounded(value: float) -> float:
+    """Return a number with two digits: more would say more than is known."""
+    return float(f"{value:.2g}")

@@ -1,0 +1,97 @@
+"""Keyframes: the robot's states, and where it rests if it says nothing of `home`."""
+
+from __future__ import annotations
+
+from ...model.kinematics import joint_positions, link_poses
+from ...model.pose import IDENTITY
+from .joints import numbers_of
+from .writing import Writing, made, row
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from ...model.extras import State
+    from ...model.kinematics import Position
+    from ...model.pose import Pose
+    from ...xml.tree import Element
+
+HOME = "home"
+_JOINTS = ("joint", "freejoint")
+
+
+def add_keyframes(writing: Writing) -> None:
+    """Append a keyframe for each state, `home` first."""
+    order = _joints_in(writing.sections["worldbody"])
+    if not order:
+        return
+    states = dict(writing.robot.states)
+    home = states.pop(HOME, None)
+    _add(writing, HOME, home, order)
+    for name, state in states.items():
+        _add(writing, name, state, order)
+
+
+def home_positions(writing: Writing) -> dict[str, Position]:
+    """Return the positions of the robot's joints at home, by name."""
+    return _positions(writing, writing.robot.states.get(HOME))
+
+
+def home_poses(writing: Writing) -> dict[str, Pose]:
+    """Return T_root_link of every link at home, by name."""
+    return link_poses(writing.robot, _given(writing, writing.robot.states.get(HOME)))
+
+
+def _add(writing: Writing, name: str, state: State | None, order: list[str]) -> None:
+    positions = _positions(writing, state)
+    numbers: list[float] = []
+    for joint in order:
+        source, part = writing.motions[joint]
+        numbers += numbers_of(part, positions.get(source, 0.0), _origin(writing, source))
+    controls = [
+        _number(positions.get(joint)) * gear if command == "position" else 0.0
+        for joint, command, gear in writing.controls
+    ]
+    attributes = {
+        "name": name,
+        "qpos": row(numbers),
+        "ctrl": row(controls) if controls else None,
+    }
+    owner = state or writing.robot
+    trace = state.trace if state is not None else None
+    writing.add("keyframe", made("key", owner, attributes, trace))
+
+
+def _positions(writing: Writing, state: State | None) -> dict[str, Position]:
+    return joint_positions(writing.robot, _given(writing, state))
+
+
+def _given(writing: Writing, state: State | None) -> Mapping[str, Position]:
+    """Return the positions of independent joints: of a state, or where they rest."""
+    free = writing.robot.free_joints()
+    said = state.positions if state is not None else {}
+    return {joint.name: said.get(joint.name, joint.rest) for joint in free}
+
+
+def _number(position: Position | None) -> float:
+    return position if isinstance(position, float) else 0.0
+
+
+def _origin(writing: Writing, source: str) -> Pose:
+    """Return T_world_joint of a joint that is free in the world."""
+    joint = writing.robot.joints.get(source)
+    if joint is None or joint.parent not in writing.plan.static:
+        return IDENTITY
+    return writing.plan.static[joint.parent] @ joint.origin
+
+
+def _joints_in(worldbody: Element) -> list[str]:
+    """Return the names of the joints in the order in which `qpos` has them."""
+    found: list[str] = []
+    pending = [worldbody]
+    while pending:
+        element = pending.pop()
+        inner = element.elements()
+        found += [str(each.attributes["name"]) for each in inner if each.name in _JOINTS]
+        pending += [each for each in reversed(inner) if each.name == "body"]
+    return found

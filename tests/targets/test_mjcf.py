@@ -1,0 +1,169 @@
+"""MJCF against MuJoCo, and against pinocchio's reading of the URDF."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import yamaro
+from tests.consumers.oracles import require_module
+from tests.targets.mechanics import (
+    Mujoco,
+    PinocchioMjcf,
+    PinocchioUrdf,
+    differences,
+    joint_differences,
+    mimic_differences,
+    missing_frames,
+)
+
+ROOT = Path(__file__).parents[2]
+EXAMPLES = ("pan_tilt/pan_tilt", "leg_robot/robot", "hexapod/hexapod", "quadruped/quadruped",
+            "arm/arm", "diff_drive/diff_drive")  # fmt: skip
+
+
+def mjcf_of(path: Path, **options: Any) -> yamaro.Build:
+    return yamaro.build(path, target="mjcf", on_message=lambda line: None, **options)
+
+
+def judged(path: Path, **options: Any) -> tuple[yamaro.Build, PinocchioUrdf, Mujoco]:
+    """Return a robot as MJCF, as pinocchio reads its URDF, and as MuJoCo reads the MJCF."""
+    require_module("pinocchio")
+    require_module("mujoco")
+    build = mjcf_of(path, **options)
+    urdf = yamaro.build(path, on_message=lambda line: None).xml()
+    is_fixed = re.search(r'<freejoint name="[^"]*_free"', build.xml()) is None
+    reference = PinocchioUrdf(urdf, is_fixed=is_fixed)
+    return build, reference, Mujoco(build.xml(), dict(build.assets), reference.joints)
+
+
+@pytest.mark.parametrize("name", EXAMPLES)
+def test_examples_move_as_their_urdf_does(name: str) -> None:
+    build, reference, model = judged(ROOT / "examples" / f"{name}.yaml")
+    assert max(differences(reference, model, 5).values()) < 1e-9
+    assert not missing_frames(reference, model) - {"world"}
+    assert not joint_differences(reference.description, model.model)
+    assert not mimic_differences(reference.description, model.model)
+    other = PinocchioMjcf(build.xml(), dict(build.assets), reference.joints)
+    assert max(differences(reference, other, 5).values()) < 1e-9
+
+
+def test_joints_of_several_numbers_move_as_in_the_urdf(tmp_path: Path) -> None:
+    path = tmp_path / "robot.yaml"
+    part = "{{name: {}, joint: {{type: {}, parent: {}, axis: z, xyz: {}, rpy: {}}}, {}}}"
+    link = "link: {mass: 2, geometry: box, scale: 0.1 0.2 0.3, xyz: 0.1 0.2 0.3, rpy: 1 2 3}"
+    parts = [
+        part.format("cart", "planar", "base", "1 2 3", "0 0 1", link),
+        part.format("arm", "floating", "cart", "0.1 0.2 0.3", "1 0.5 0.2", link),
+        part.format("other", "floating", "base", "1 0 1", "1 0.5 0.2", link),
+        part.format("hand", "continuous", "arm", "0.3 0 0", "0 1 0", link),
+    ]
+    lines = ["robot: odd", "model:", f"- part: {{name: base, {link}}}"]
+    path.write_text("\n".join([*lines, *(f"- part: {each}" for each in parts)]) + "\n")
+    for base in ("fixed", "free"):
+        _, reference, model = judged(path, base=base)
+        assert max(differences(reference, model, 10).values()) < 1e-9
+
+
+def test_keyframes_hold_states_in_the_order_of_the_joints(tmp_path: Path) -> None:
+    mujoco = require_module("mujoco")
+    path = tmp_path / "robot.yaml"
+    path.write_text(STATES)
+    model = mujoco.MjModel.from_xml_string(mjcf_of(path).xml())
+    home = model.key("home")
+    assert home.qpos.tolist()[:7] == [0, 0, 0, 1, 0, 0, 0]
+    at = {name: model.joint(name).qposadr[0] for name in ("a_joint", "b_joint", "c_joint")}
+    assert home.qpos[at["a_joint"]] == 0.25
+    assert home.qpos[at["b_joint"]] == pytest.approx(0.5 * 0.25 + 0.1, abs=1e-14)
+    assert home.qpos[at["c_joint"]] == 1.5  # in the middle of limits that exclude 0
+    assert home.ctrl.tolist() == [0.25, 1.5 * 4]
+    assert model.key("up").qpos[at["a_joint"]] == 0.75
+
+
+STATES = """
+robot: stated
+model:
+- part: {name: base, link: {mass: 1, geometry: sphere, scale: 0.1}}
+- part:
+    name: a
+    joint: {type: continuous, parent: base, axis: z, actuator: {kp: 5}}
+    link: {mass: 1, geometry: sphere, scale: 0.1}
+- part:
+    name: b
+    joint:
+      type: continuous
+      parent: base
+      axis: z
+      mimic: {joint: a_joint, multiplier: 0.5, offset: 0.1}
+    link: {mass: 1, geometry: sphere, scale: 0.1}
+- part:
+    name: c
+    joint:
+      type: revolute
+      parent: b
+      axis: z
+      limit: {lower: 1, upper: 2, effort: 8, velocity: 1}
+      actuator: {kp: 32, kd: 16, gear: 4}
+    link: {mass: 1, geometry: sphere, scale: 0.1}
+states:
+  up: {a: 0.75}
+  home: {a: 0.25}
+"""
+
+
+def test_actuators_are_those_of_the_joint_through_a_gear(tmp_path: Path) -> None:
+    mujoco = require_module("mujoco")
+    path = tmp_path / "robot.yaml"
+    path.write_text(STATES)
+    model = mujoco.MjModel.from_xml_string(mjcf_of(path, base="fixed").xml())
+    data = mujoco.MjData(model)
+    data.qpos[model.joint("c_joint").qposadr[0]] = 1.1
+    data.ctrl[model.actuator("c_joint").id] = 1.2 * 4
+    mujoco.mj_forward(model, data)
+    dof = model.joint("c_joint").dofadr[0]
+    # The control is the motor's angle: 0.1 rad at the joint, with 32 N·m/rad there.
+    assert data.qfrc_actuator[dof] == pytest.approx(3.2, rel=1e-12)
+    data.qvel[dof] = 0.05
+    mujoco.mj_forward(model, data)
+    assert data.qfrc_actuator[dof] == pytest.approx(3.2 - 16 * 0.05, rel=1e-12)
+
+
+def test_the_scene_holds_the_robot_and_a_floor_that_it_stands_on(tmp_path: Path) -> None:
+    mujoco = require_module("mujoco")
+    build = mjcf_of(ROOT / "examples" / "quadruped" / "quadruped.yaml", base="free")
+    for name, content in {**build.assets, "quadruped.xml": build.xml().encode()}.items():
+        (tmp_path / name).write_bytes(content)
+    model = mujoco.MjModel.from_xml_path(str(tmp_path / "scene.xml"))
+    data = mujoco.MjData(model)
+    mujoco.mj_resetDataKeyframe(model, data, model.key("home").id)
+    mujoco.mj_forward(model, data)
+    distances = [
+        mujoco.mj_geomDistance(model, data, model.geom("floor").id, geom, 10.0, None)
+        for geom in range(model.ngeom)
+        if model.geom_contype[geom] and model.geom(geom).name != "floor"
+    ]
+    assert min(distances) == pytest.approx(0, abs=1e-9)
+
+
+def test_inertia_with_products_is_the_same_in_mujoco(tmp_path: Path) -> None:
+    mujoco = require_module("mujoco")
+    path = tmp_path / "robot.yaml"
+    path.write_text(
+        "robot: r\nmodel:\n- part: {name: base, link: {inertial: "
+        "{mass: 2, xyz: 1 2 3, rpy: 0.1 0.2 0.3, inertia: 0.3 0.02 0.03 0.4 0.05 0.5}}}\n"
+    )
+    model = mujoco.MjModel.from_xml_string(mjcf_of(path).xml())
+    turn = np.zeros(9)
+    mujoco.mju_quat2Mat(turn, model.body_iquat[1])
+    rotation = turn.reshape(3, 3)
+    found = rotation @ np.diag(model.body_inertia[1]) @ rotation.T
+    from scipy.spatial.transform import Rotation
+
+    given = np.array([[0.3, 0.02, 0.03], [0.02, 0.4, 0.05], [0.03, 0.05, 0.5]])
+    outer = Rotation.from_euler("xyz", [0.1, 0.2, 0.3]).as_matrix()
+    assert np.abs(found - outer @ given @ outer.T).max() < 1e-14
+    assert model.body_ipos[1].tolist() == [1, 2, 3]
