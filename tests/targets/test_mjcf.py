@@ -167,3 +167,12 @@ def test_inertia_with_products_is_the_same_in_mujoco(tmp_path: Path) -> None:
     outer = Rotation.from_euler("xyz", [0.1, 0.2, 0.3]).as_matrix()
     assert np.abs(found - outer @ given @ outer.T).max() < 1e-14
     assert model.body_ipos[1].tolist() == [1, 2, 3]
+
+
+CASES = sorted((ROOT / "tests" / "cases" / "targets").glob("mjcf*.xml"))
+
+
+@pytest.mark.parametrize("path", CASES, ids=lambda path: path.stem)
+def test_mujoco_reads_every_golden_case(path: Path) -> None:
+    mujoco = require_module("mujoco")
+    assert mujoco.MjModel.from_xml_path(str(path)).nkey >= 0

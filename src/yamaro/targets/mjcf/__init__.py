@@ -17,6 +17,7 @@ from .equalities import add_loops, add_mimics
 from .geoms import add_geoms
 from .keyframes import add_keyframes
 from .leftovers import lose_leftovers
+from .raw import add_raw
 from .scene import scene
 from .sensors import add_sensors
 from .writing import Writing
@@ -44,13 +45,15 @@ def write(robot: Robot, wanted: Wanted) -> Output:
     add_excludes(writing)
     add_mimics(writing)
     add_loops(writing)
+    raw = add_raw(writing)
     sort_bodies(writing)
-    add_keyframes(writing)
+    add_keyframes(writing, raw)
     lose_leftovers(writing)
     if writing.errors:
         raise YamaroError(writing.errors)
     root = Element("mujoco", robot.span, {"model": writing.model}, trace=robot.element.trace)
     root.children += head(writing)
     root.children += [each for each in writing.sections.values() if each.children]
+    root.children += raw
     files = {SCENE: scene(writing, wanted.file_name or f"{wanted.name}.xml"), **writing.files}
     return Output(root, writing.losses, files)

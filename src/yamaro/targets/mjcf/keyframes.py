@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from ...model.kinematics import joint_positions, link_poses
 from ...model.pose import IDENTITY
+from ..output import LOST
 from .joints import numbers_of
 from .writing import Writing, made, row
 
@@ -20,16 +21,27 @@ HOME = "home"
 _JOINTS = ("joint", "freejoint")
 
 
-def add_keyframes(writing: Writing) -> None:
-    """Append a keyframe for each state, `home` first."""
+def add_keyframes(writing: Writing, raw: list[Element]) -> None:
+    """Append a keyframe for each state, `home` first.
+
+    Args:
+        writing: the run.
+        raw: the XML that the file holds for the model; its actuators come after ours.
+    """
     order = _joints_in(writing.sections["worldbody"])
     if not order:
         return
+    if not writing.motions.keys() >= set(order):  # of joints that the file has for MJCF alone
+        for state in writing.robot.states.values():
+            owner, what = f"'{state.name}'", "states of robots with joints of their own in MJCF"
+            writing.lose(LOST, what, owner, state.span, trace=state.trace)
+        return
+    others = sum(len(each.elements()) for each in raw if each.name == "actuator")
     states = dict(writing.robot.states)
     home = states.pop(HOME, None)
-    _add(writing, HOME, home, order)
+    _add(writing, HOME, home, order, others)
     for name, state in states.items():
-        _add(writing, name, state, order)
+        _add(writing, name, state, order, others)
 
 
 def home_positions(writing: Writing) -> dict[str, Position]:
@@ -42,7 +54,8 @@ def home_poses(writing: Writing) -> dict[str, Pose]:
     return link_poses(writing.robot, _given(writing, writing.robot.states.get(HOME)))
 
 
-def _add(writing: Writing, name: str, state: State | None, order: list[str]) -> None:
+def _add(writing: Writing, name: str, state: State | None, order: list[str], others: int) -> None:
+    """Append a keyframe: a number for each of `qpos`, and for each actuator, also for others."""
     positions = _positions(writing, state)
     numbers: list[float] = []
     for joint in order:
@@ -52,6 +65,7 @@ def _add(writing: Writing, name: str, state: State | None, order: list[str]) -> 
         _number(positions.get(joint)) * gear if command == "position" else 0.0
         for joint, command, gear in writing.controls
     ]
+    controls += [0.0] * others
     attributes = {
         "name": name,
         "qpos": row(numbers),
@@ -92,6 +106,6 @@ def _joints_in(worldbody: Element) -> list[str]:
     while pending:
         element = pending.pop()
         inner = element.elements()
-        found += [str(each.attributes["name"]) for each in inner if each.name in _JOINTS]
+        found += [str(each.attributes.get("name")) for each in inner if each.name in _JOINTS]
         pending += [each for each in reversed(inner) if each.name == "body"]
     return found

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from ..foreign_xml import foreign_losses
 from ..output import LOST
 
 TYPE_CHECKING = False
@@ -12,7 +13,7 @@ SRDF_HINT = "--to srdf writes them"
 
 
 def lose_leftovers(writing: Writing) -> None:
-    """Report the hardware, the groups and the settings of a robot."""
+    """Report the hardware, the groups and the settings of a robot, and XML of other programs."""
     robot = writing.robot
     for control in robot.controls:
         owner = f"'{control.name or robot.name}'"
@@ -24,3 +25,4 @@ def lose_leftovers(writing: Writing) -> None:
     if settings is not None:
         owner, what = "`collisions`", "pairs of links that never collide"
         writing.lose(LOST, what, owner, settings.span, trace=settings.trace, hint=SRDF_HINT)
+    writing.losses += foreign_losses(robot)
