@@ -6,6 +6,7 @@ from ...model.compare import ZEROS, same_words
 from ...model.values import values_of
 from ...syntax.names import RAW_BLOCKS
 from ...xml.tree import Element
+from .degrees import Degrees
 from .document import RECORD_WIDTH, Body, Entry, joined, spaced
 from .elements import ElementWriter, add_loose, comments_at_ends, note_comments
 from .pairing import has_text, name_of
@@ -28,7 +29,7 @@ from .solids import is_inertia_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Mapping
 
 RECORDS = ("limit", "dynamics", "mimic", "safety_controller", "calibration")
 SECTIONS = ("visual", "collision", "inertial")
@@ -83,11 +84,14 @@ class PartWriter:
         *,
         resolves: bool = False,
         exact: bool = False,
+        constants: Mapping[str, float] | None = None,
     ) -> None:
         """Take what writes elements, the names, and what writes a material in short, or None.
 
-        With `exact`, an origin, or a value of one, that is missing is kept missing.
+        With `exact`, an origin, or a value of one, that is missing is kept missing. `constants`
+        are the numbers that names in expressions always have.
         """
+        self._degrees = Degrees(constants or {})
         self._elements = elements
         self._names = names
         self._material = material
@@ -125,6 +129,21 @@ class PartWriter:
             entries.insert(0 if joint_first else len(entries), self._joint_entry(joint))
         body.entries += entries
         return Entry("part", body)
+
+    def pose_entries(self, owner: Element, origin: Element | None) -> list[Entry] | None:
+        """Return the entries that give an origin, or None if an element has to give it."""
+        if pose_of(origin, exact=self._exact) is None:
+            return None
+        body = Body()
+        try:
+            PartWriter._add_pose(self, owner, origin, body)
+        except NoPart:
+            return None
+        return body.entries
+
+    def key_of(self, name: str, attributes: dict[str, str]) -> str:
+        """Return the key of an element."""
+        return self._elements.key(name, attributes)
 
     # --- joints ---------------------------------------------------------------------------------
 
@@ -189,6 +208,11 @@ class PartWriter:
         if child.name == "limit" and not is_whole_limit(attributes, kind):
             return self._element(child)
         if child.name in RECORDS and not any(name[0].isupper() for name in attributes):
+            if not self._exact and child.name != "mimic":
+                degrees = self._degrees
+                attributes = {
+                    key: degrees.of_attribute(key, value, kind) for key, value in attributes.items()
+                }
             entries = [Entry(key, value) for key, value in attributes.items()]
             return Entry(child.name, Body(entries, in_braces=True, width=RECORD_WIDTH))
         return self._element(child)
@@ -338,6 +362,8 @@ class PartWriter:
         if pose is not None:
             for name, row in pose.items():
                 words = numbers_of(row, 3)
+                if name == "rpy" and not self._exact:
+                    words = self._degrees.row(words)
                 if not same_words(words, ZEROS):
                     body.add(name, words)
         elif origin is None:

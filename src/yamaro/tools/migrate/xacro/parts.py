@@ -30,7 +30,7 @@ from .contents import UnknownContent
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator
+    from collections.abc import Callable, Iterator, Mapping
     from typing import Protocol
 
     from ....xml.tree import Node
@@ -195,6 +195,7 @@ class XacroPartWriter(PartWriter):
         around: Macro | None,
         *,
         exact: bool,
+        constants: Mapping[str, float],
     ) -> None:
         """Take what the part is in.
 
@@ -205,6 +206,7 @@ class XacroPartWriter(PartWriter):
             solids: the macros that give the inertia of a solid.
             around: the macro that the part is in.
             exact: whether an origin that is missing has to stay missing.
+            constants: the numbers that names always have.
         """
         self._host = host
         self._translate = translate
@@ -216,7 +218,9 @@ class XacroPartWriter(PartWriter):
         self._known: dict[int, Counts] = {}
         self._has_one_inertial = False
         elements = _PartElements(host, self._originals)
-        super().__init__(elements, Names([]), material_entry, resolves=True, exact=exact)
+        super().__init__(
+            elements, Names([]), material_entry, resolves=True, exact=exact, constants=constants
+        )
 
     def entry(self, link: Element, joint: Element | None, *, joint_first: bool) -> Entry | None:
         """Return a joint and a link as a part, or None if they are more than a part can say."""

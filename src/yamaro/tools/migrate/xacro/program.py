@@ -15,6 +15,7 @@ from ..document import spaced
 from ..elements import comments_at_ends, tidy_text, walk
 from .arguments import HiddenArguments, arguments_in, is_property_of
 from .callers import Callers, names_of_callers
+from .known_numbers import known_numbers
 from .macros import Argument, Macro
 from .names import camel, defined_in, outside_expressions, texts_in, used_in
 from .namespaces import Namespaces
@@ -56,6 +57,7 @@ class XacroProgram:
         included_by_macros: the files that macros include: their properties are the macros' own.
         hidden: the arguments that something of the same name hides.
         has_computed_calls: whether it calls macros whose names are computed.
+        known_numbers: the numbers that names always have.
         result: what the robot expands to.
         given: the names of the arguments given.
         exact: whether an origin that is missing has to stay missing.
@@ -106,6 +108,7 @@ class XacroProgram:
         self._declare_given(arguments)
         self.included_by_macros = self._included_by_macros()
         self._readers = Readers(self)
+        self.known_numbers = known_numbers(self)
 
     def _take_values(self) -> None:
         """Note what the expansions showed of expressions."""

@@ -224,6 +224,7 @@ class FileWriter(ElementWriter):
             self.solids,
             self.here.macro,
             exact=self.program.exact,
+            constants=self.program.known_numbers,
         )
 
     def write_statement(self, node: Element, body: Body, place: Write) -> None:
