@@ -6,7 +6,7 @@ from ...diagnostics import YamaroError
 from ...model.compare import compare, count_defaults, is_used, prefixes_in
 from ...model.values import values_of
 from ...xml.tree import Element
-from .document import RECORD_WIDTH, Body, Entry, Quoted, Value, element_key, literal
+from .document import RECORD_WIDTH, Body, Entry, Quoted, Value, element_key, joined, literal
 from .elements import (
     ElementWriter,
     add_loose,
@@ -16,6 +16,7 @@ from .elements import (
     tidy_text,
     walk,
 )
+from .frames import Frames
 from .pairing import Item, is_bare, name_of, pair
 from .part_forms import NoPart, is_short_material, material_entry
 from .parts import Names, PartWriter
@@ -165,6 +166,7 @@ class _Model:
         self._plain = plain
         self._names = Names(root.elements())
         self._parts = PartWriter(elements, self._names, variables.material, exact=exact)
+        self._frames = Frames()
 
     def body(self) -> Body:
         endings = comments_at_ends(self._root.children)
@@ -176,19 +178,35 @@ class _Model:
         for item in items:
             for node in item.above:
                 add_loose(node, body, endings)
-            for entry in self._entries(item):
-                body.append(entry)
+            if not self._is_taken(item, body):
+                for entry in self._entries(item):
+                    body.append(entry)
             for node in item.beside:
                 add_loose(node, body, endings)
         for node in loose:
             add_loose(node, body, endings)
         return body
 
+    def _is_taken(self, item: Item, body: Body) -> bool:
+        """Return whether an item became a frame of the part above it."""
+        if item.element.name != "link" or self._is_plain(item):
+            return False
+        frame = self._frames.take(item.element, item.joint, self._parts)
+        if frame is None:
+            return False
+        frame.comment, body.remark = joined(body.remark, frame.comment), ""
+        body.latest = frame
+        return True
+
     def _entries(self, item: Item) -> list[Entry]:
         link, joint = item.element, item.joint
+        if link.name in ("link", "joint"):
+            self._frames.begin(None)
         if link.name == "link" and not self._is_plain(item):
             try:
-                return [self._parts.part(link, joint, joint_first=item.is_joint_first)]
+                part = self._parts.part(link, joint, joint_first=item.is_joint_first)
+                self._frames.begin(part, name_of(link))
+                return [part]
             except NoPart:
                 self._plain.update(id(element) for element in (link, joint) if element is not None)
                 self._names.remove(link, joint)

@@ -8,7 +8,7 @@ from contextlib import contextmanager
 from ....syntax.names import is_identifier
 from ....xml.tree import Comment, Element, Text
 from ....xml.values import format_value
-from ..document import Body, Entry, Value, literal
+from ..document import Body, Entry, Value, joined, literal
 from ..elements import (
     ElementWriter,
     add_loose,
@@ -18,7 +18,9 @@ from ..elements import (
     note_comments,
     tidy_text,
     tidy_value,
+    walk,
 )
+from ..frames import Frames
 from ..pairing import has_text
 from .calls import write_block, write_call, write_call_by_name
 from .conditions import write_condition
@@ -160,6 +162,7 @@ class FileWriter(ElementWriter):
         body = Body()
         endings = comments_at_ends(nodes)
         nodes = in_order(nodes, endings, self.program)
+        frames = Frames()
         for step in self._steps(nodes, endings):
             node = step.node
             if isinstance(node, Comment):
@@ -169,11 +172,37 @@ class FileWriter(ElementWriter):
             elif isinstance(node, Element):
                 body.latest = None
                 try:
-                    self._statement(node, step, body)
+                    if not self._is_frame(step, frames, body):
+                        self._statement(node, step, body)
+                        self._note_part(step, frames, body)
                 except CannotMigrate as error:
                     self.lose(node.span, str(error))
                     body.note(f"not migrated: <{node.name}>: {error}")
         return body
+
+    def _is_frame(self, step: Step, frames: Frames, body: Body) -> bool:
+        """Return whether a link with its joint became a frame of the part above."""
+        link, joint = step.node, step.joint
+        if not isinstance(link, Element) or joint is None or self.here.place is not None:
+            return False
+        if any(map(is_statement, (*link.elements(), *walk(joint)))):
+            return False
+        writer = self.part_writer()
+        frame = frames.take(writer.spelled(link), writer.spelled(joint), writer)
+        if frame is None:
+            return False
+        frame.comment, body.remark = joined(body.remark, frame.comment), ""
+        body.latest = frame
+        return True
+
+    def _note_part(self, step: Step, frames: Frames, body: Body) -> None:
+        """Note the part that was written, into which frames below it go."""
+        node = step.node
+        last = body.entries[-1] if body.entries else None
+        if isinstance(node, Element) and node.name == "link" and last is not None:
+            frames.begin(last, self._translate(format_value(node.attributes.get("name"))))
+        else:
+            frames.begin(None)
 
     def _write_text(self, node: Text, body: Body) -> None:
         """Write a text between elements; the space around it keeps it from others."""
