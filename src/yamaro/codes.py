@@ -17,7 +17,7 @@ ADJUSTABLE = frozenset(
     fixed-mimic function-replaced gimbal-rpy hidden-value ignored-limit joint-cycle large-mesh
     leftover-expression limit-order long-chain massless-moving mimic-cycle
     mirror-axis mirror-raw misplaced-key misplaced-part missing-attribute missing-element
-    missing-extra missing-limit missing-mesh-file misspelt-statement needs-version
+    missing-extra missing-limit missing-mesh-file misspelt-statement needs-version open-loop
     negative-value no-link no-range not-a-number not-urdf odd-density odd-inertia odd-mass
     prefix-not-passed quaternion-not-unit repeated-element root-inertia several-roots
     several-shapes several-surfaces slash-in-name soft-limit-outside state-outside-limit two-parents

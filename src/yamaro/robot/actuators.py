@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from ..diagnostics import YamaroError, did_you_mean, failure
 from ..xml.values import format_value
+from .entries import given_once
 from .fields import empty_value, read_value
-from .notes import RobotNote, check_keys, names_in, refuse_attributes
+from .notes import RobotNote, names_in, refuse_attributes
 from .numbers import read_numbers
 
 TYPE_CHECKING = False
@@ -17,7 +18,6 @@ if TYPE_CHECKING:
 COMMANDS = ("position", "velocity", "effort")
 KEYS = ("command", "kp", "kd", "armature", "gear")
 KINDS = {"kp": "stiffness", "kd": "damping", "armature": "armature", "gear": "number"}
-"""What the number of a key is, by the joint's type."""
 """What is commanded; the gains; the inertia and the ratio of the gear."""
 
 
@@ -31,7 +31,7 @@ def lower_actuator(lowering: Lowering, word: Element, joint: Element, out: list[
 
 def _read(lowering: Lowering, word: Element, joint: Element) -> RobotNote:
     refuse_attributes(word)
-    check_keys(word, KEYS)
+    keys = given_once(word, KEYS)
     _check_joint(word, joint)
     lowering.joint_type = format_value(joint.attributes.get("type"))
     note = RobotNote(
@@ -42,7 +42,7 @@ def _read(lowering: Lowering, word: Element, joint: Element) -> RobotNote:
     )
     places: dict[str, Span] = {}
     note.value_spans = places
-    for key in word.elements():
+    for key in keys.values():
         value, span = read_value(key)
         places[key.name] = span
         if key.name == "command":
@@ -54,8 +54,27 @@ def _read(lowering: Lowering, word: Element, joint: Element) -> RobotNote:
             numbers = read_numbers(
                 lowering, value, span, count=1, name=key.name, trace=key.trace, kind=KINDS[key.name]
             )
+            _check_number(key, numbers.values[0], span)
             note.attributes[key.name] = numbers.text
     return note
+
+
+def _check_number(key: Element, number: float, span: Span) -> None:
+    """Raise YamaroError for a negative gain or inertia, and for a gear that does not turn."""
+    if number > 0 or (number == 0) != (key.name == "gear"):
+        return
+    raise failure(
+        "bad-number",
+        "'gear' is not 0: it is how often the motor turns for one turn of the joint"
+        if key.name == "gear"
+        else f"'{key.name}' takes a number from 0, and this is {format_value(number)}",
+        span,
+        hint=f"write {key.name}: {_EXAMPLES[key.name]}",
+        trace=key.trace,
+    )
+
+
+_EXAMPLES = {"kp": "50", "kd": "2", "armature": "0.01", "gear": "50"}
 
 
 def _commands(key: Element) -> list[str]:

@@ -97,8 +97,8 @@ class ControlWriter:
             self._places[name] = place
             return
         raise failure(
-            "duplicate-control",
-            f"two controls are called '{name}'",
+            "duplicate-name",
+            f"there are two controls named '{name}'",
             place,
             hint="give each a `name`; the default is the robot's"
             if "name" not in control.attributes

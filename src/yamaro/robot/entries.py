@@ -17,15 +17,15 @@ LIST_ITEM = "-"
 
 
 def given_once(word: Element, known: tuple[str, ...]) -> dict[str, Element]:
-    """Return the entries of a word by name.
+    """Return the entries of a word by name; one reached again, as by `if`, counts.
 
     Raises:
-        YamaroError: one is unknown, or given twice.
+        YamaroError: one is unknown, or given twice in the same mapping.
     """
     check_keys(word, known)
     keys: dict[str, Element] = {}
     for key in word.elements():
-        if key.name in keys:
+        if key.name in keys and keys[key.name].body is key.body:
             raise failure(
                 "given-twice",
                 f"'{key.name}' is given twice in this `{word.name}`",

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from ..diagnostics import ERROR, Diagnostic, YamaroError, failure
+from ..diagnostics import ERROR, Diagnostic, YamaroError, did_you_mean, failure
 from ..xml.tree import Element
 from ..xml.values import format_value
 from .control_block import ControlWriter
 from .notes import RobotNote, take_notes
+from .numbers import read_numbers
 from .rigid import link_of, name_of
 
 TYPE_CHECKING = False
@@ -30,8 +31,14 @@ def finish_notes(lowering: Lowering, robot: Element) -> tuple[Element, list[Robo
         return robot, notes
     names = _Names(robot)
     states = merged_states(notes)
+    _refuse_names_twice(lowering, notes)
+    _check_groups(lowering, [note for note in notes if note.name == GROUP])
     for note in notes:
         _check(lowering, names, note)
+    if any(note.name == "robot-loop" for note in notes):
+        from .loop_gaps import warn_of_open_loops
+
+        warn_of_open_loops(lowering, robot, notes)
     writer = ControlWriter(robot, notes, states)
     for note in notes:
         if note.name == "ros2_control":
@@ -78,9 +85,58 @@ class _Names:
         return True
 
 
+GROUP = "robot-group"
+_NAMED = {"sensor": "sensor", GROUP: "group", "robot-loop": "loop"}
+"""What is named once in a robot, besides links, joints and controls."""
+
+
+def _refuse_names_twice(lowering: Lowering, notes: Iterable[RobotNote]) -> None:
+    seen: dict[tuple[str, str], RobotNote] = {}
+    for note in notes:
+        kind, name = _NAMED.get(note.name), name_of(note)
+        if kind is None:
+            continue
+        first = seen.setdefault((kind, name), note)
+        if first is not note and not _have_own_frames(first, note):
+            lowering.absorb(
+                failure(
+                    "duplicate-name",
+                    f"there are two {kind}s named '{name}'",
+                    note.value_span("name"),
+                    hint="give each its own name; `attach` puts a `prefix` before names",
+                    notes=[f"the other one is at {first.value_span('name').place()}"],
+                    trace=note.trace,
+                )
+            )
+
+
+def _check_groups(lowering: Lowering, groups: list[RobotNote]) -> None:
+    """Record the groups that others name and that are not there."""
+    names = [name_of(group) for group in groups]
+    for group in groups:
+        for member in group.elements():
+            name = name_of(member)
+            if member.name == GROUP and name not in names:
+                lowering.absorb(
+                    failure(
+                        "unknown-group",
+                        f"there is no group '{name}'",
+                        member.value_span("name"),
+                        hint=did_you_mean(name, names) or f"the groups are {', '.join(names)}",
+                        trace=group.trace,
+                    )
+                )
+
+
+def _have_own_frames(one: RobotNote, other: RobotNote) -> bool:
+    """Return whether both are sensors with frames of their name: those are reported as links."""
+    return all(each.attributes.get("frame") == each.attributes.get("name") for each in (one, other))
+
+
 def _check(lowering: Lowering, names: _Names, note: RobotNote) -> None:
     """Record what a note says of links and joints that the robot does not have."""
     if note.name == "state":
+        _refuse_twice(lowering, note)
         for joint in note.elements():
             _check_state(lowering, names, joint)
         return
@@ -125,10 +181,54 @@ def _is_known(names: _Names, chain: Element) -> bool:
     return all(end in names.links for end in ends)
 
 
+def _refuse_twice(lowering: Lowering, state: RobotNote) -> None:
+    """Record a joint that has two positions in a state, such as by its part's name too."""
+    seen: dict[str, Element] = {}
+    for joint in state.elements():
+        name = str(joint.attributes["joint"])
+        first = seen.setdefault(name, joint)
+        if first is not joint:
+            lowering.absorb(
+                failure(
+                    "given-twice",
+                    f"the state '{name_of(state)}' has two positions of the joint '{name}'",
+                    joint.value_span("joint"),
+                    hint="remove one of the two",
+                    notes=[f"first given at {first.value_span('joint').place()}"],
+                    trace=state.trace,
+                )
+            )
+
+
+def _fits_joint(lowering: Lowering, value: Element, joint: Element) -> bool:
+    """Return whether the unit of a position is one for the joint; else record it."""
+    written = value.attributes.get("written")
+    if written is None:
+        return True
+    lowering.joint_type = format_value(joint.attributes.get("type"))
+    span = value.value_span("value")
+    try:
+        read_numbers(
+            lowering,
+            str(written),
+            span,
+            count=1,
+            name=name_of(joint),
+            trace=value.trace,
+            kind="position",
+        )
+    except YamaroError as error:
+        lowering.absorb(error)
+        return False
+    return True
+
+
 def _check_state(lowering: Lowering, names: _Names, value: Element) -> None:
     if not _check_joint(lowering, names, value):
         return
     joint = names.joints[str(value.attributes["joint"])]
+    if not _fits_joint(lowering, value, joint):
+        return
     limit = next((each for each in joint.elements() if each.name == "limit"), None)
     if limit is None or joint.attributes.get("type") not in ("revolute", "prismatic"):
         return

@@ -23,9 +23,11 @@ from .mirror_image import (
     reverse_mimic,
     set_axis,
     turn_mesh,
+    what_it_says,
 )
 from .notes import RobotNote
 from .rigid import RigidLinks, link_of, name_of, pose_of, set_pose
+from .sensors import CAMERAS, OPTICAL
 from .word_renaming import WordRenaming
 
 TYPE_CHECKING = False
@@ -240,7 +242,9 @@ _NAMED_NOTES = {
 class _Image:
     """Makes one image."""
 
-    __slots__ = ("joints", "links", "lowering", "made", "mirror", "present", "signs", "there")
+    __slots__ = (
+        "joints", "links", "lowering", "made", "mirror", "optical", "present", "signs", "there",
+    )  # fmt: skip
 
     def __init__(
         self,
@@ -258,6 +262,11 @@ class _Image:
         self.links = {name_of(each) for each in self.made if each.name == "link"}
         self.joints = {name_of(each) for each in self.made if each.name == "joint"}
         self.signs: dict[str, int] = {}
+        self.optical = {
+            f"{name_of(each)}{OPTICAL}"
+            for each in self.made
+            if isinstance(each, RobotNote) and each.attributes.get("type") in CAMERAS
+        }
 
     def nodes(self) -> list[Node]:
         """Return the mirrored elements, with their new names."""
@@ -341,6 +350,8 @@ class _Image:
         name = name_of(joint)
         self.signs[name] = 1
         parent = next((each for each in joint.elements() if each.name == "parent"), None)
+        if any(each.name == "child" and link_of(each) in self.optical for each in joint.elements()):
+            return  # an image of the camera has its x axis to the right as well
         if parent is not None and link_of(parent) not in self.links:
             self._mirror_root(joint, parent)
         else:
@@ -478,14 +489,7 @@ def _repeats(original: Element, copy: Element) -> bool:
     """Return whether an element names nothing of the body, so its image would repeat it."""
     if original.name in ("link", "joint") or isinstance(original, RobotNote):
         return False
-    return _says(original) == _says(copy)
-
-
-def _says(node: Node) -> object:
-    if isinstance(node, Element):
-        attributes = {name: format_value(value) for name, value in node.attributes.items()}
-        return node.name, attributes, [_says(child) for child in node.children]
-    return format_value(node.value) if isinstance(node, Text) else None
+    return what_it_says(original) == what_it_says(copy)
 
 
 def _same(one: str, other: str, *, sign: int = 1) -> bool:

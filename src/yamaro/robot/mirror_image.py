@@ -234,3 +234,11 @@ def holds_pose(element: Element) -> bool:
             return True
         pending += node.children
     return False
+
+
+def what_it_says(node: Node) -> object:
+    """Return what a node says, without its places: two are equal if it is the same."""
+    if isinstance(node, Element):
+        attributes = {name: format_value(value) for name, value in node.attributes.items()}
+        return node.name, attributes, [what_it_says(child) for child in node.children]
+    return format_value(node.value) if isinstance(node, Text) else None

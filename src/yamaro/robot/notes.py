@@ -136,13 +136,32 @@ def lower_link_words(
 def lower_joint_words(
     lowering: Lowering, words: list[Element], joint: Element, out: list[Node]
 ) -> None:
-    """Append what the words in a joint make, in the order in which they are written."""
+    """Append what the words in a joint make, in the order in which they are written.
+
+    Of several actuators that statements give, the last one counts.
+    """
     from .actuators import lower_actuator
     from .sensors import lower_joint_sensor
 
+    actuators = [word for word in words if word.name == "actuator"]
+    for second in actuators[1:]:
+        if second.body is not actuators[0].body:
+            continue
+        lowering.absorb(
+            failure(
+                "given-twice",
+                "a joint has one actuator, and this is another one",
+                second.span,
+                hint="remove one of the two; hardware with several commands has a list of them: "
+                "command: [position, velocity]",
+                notes=[f"first given at {actuators[0].span.place()}"],
+                trace=second.trace,
+            )
+        )
     for word in words:
         if word.name == "actuator":
-            lower_actuator(lowering, word, joint, out)
+            if word is actuators[-1]:
+                lower_actuator(lowering, word, joint, out)
         else:
             name = format_value(joint.attributes.get("name"))
             lower_joint_sensor(lowering, word, name, out)

@@ -70,6 +70,8 @@ def _states(lowering: Lowering, word: RobotWord, out: list[Node]) -> None:
                 lowering.absorb(error)
                 continue
             joint = _note(lowering, "joint", key, {"joint": key.name, "value": numbers.text})
+            if isinstance(value, str) and value.strip() != numbers.text:  # it may have a unit
+                joint.attributes["written"] = value
             joint.value_spans = {"joint": key.span, "value": span}
             lowering.references.append((joint, "joint"))
             note.children.append(joint)
@@ -121,9 +123,8 @@ def _add_members(lowering: Lowering, group: RobotNote, key: Element) -> None:
 
 
 def _collisions(lowering: Lowering, word: RobotWord, out: list[Node]) -> None:
-    check_keys(word, COLLISION_KEYS)
     note = _note(lowering, "collisions", word, {})
-    for key in word.elements():
+    for key in given_once(word, COLLISION_KEYS).values():
         if key.name == "keep":
             for pair in _pairs(key):
                 kept = _note(lowering, "keep", key, {"link_1": pair[0], "link_2": pair[1]})

@@ -41,6 +41,8 @@ LINK_SENSORS: dict[str, tuple[str, ...]] = {
 JOINT_SENSORS: dict[str, tuple[str, ...]] = {"force_torque": ()}
 """The types of sensors in a joint."""
 CAMERAS = ("camera", "depth_camera")
+OPTICAL = "_optical"
+"""What follows a camera's name in the name of its optical frame."""
 _EXAMPLES = {
     "rate": "30",
     "noise": "0.01",
@@ -106,11 +108,11 @@ def lower_joint_sensor(lowering: Lowering, word: Element, joint: str, out: list[
 
 
 def _optical_frame(lowering: Lowering, word: Element, name: str, frame: str) -> list[Node]:
-    turned = Element("frame", word.span, {"name": f"{name}_optical"}, trace=word.trace)
+    turned = Element("frame", word.span, {"name": f"{name}{OPTICAL}"}, trace=word.trace)
     turned.value_spans = {"name": word.value_span("name")}
     words = tuple(OPTICAL_RPY.split())
     pose = Pose(ZERO_ROW, Numbers(words, tuple(map(float, words))), None, {})
-    return frame_elements(lowering, turned, f"{name}_optical", frame, pose)
+    return frame_elements(lowering, turned, f"{name}{OPTICAL}", frame, pose)
 
 
 # --- its keys ---------------------------------------------------------------------------------
@@ -127,7 +129,7 @@ def _read(
     name = name_of_word(word, "imu")
     keys: dict[str, Element] = {}
     for child in word.elements():
-        if child.name in keys:
+        if child.name in keys and keys[child.name].body is child.body:
             raise failure(
                 "given-twice",
                 f"'{child.name}' of the sensor '{name}' is given twice",

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from ..diagnostics import YamaroError, failure
 from ..xml.values import format_value
+from .entries import given_once
 from .fields import read_value
-from .notes import RobotNote, check_keys, refuse_attributes
+from .notes import RobotNote, refuse_attributes
 from .numbers import read_numbers
 
 TYPE_CHECKING = False
@@ -48,13 +49,13 @@ def lower_surfaces(
 
 def _read(lowering: Lowering, word: Element, link: str, number: int) -> RobotNote:
     refuse_attributes(word)
-    check_keys(word, KEYS)
+    keys = given_once(word, tuple(KEYS))
     note = RobotNote(
         "surface", word.span, {"link": link, "index": str(number)}, trace=lowering.trace
     )
     places: dict[str, Span] = {}
     note.value_spans = places
-    for key in word.elements():
+    for key in keys.values():
         value, span = read_value(key)
         row = read_numbers(
             lowering,
