@@ -38,6 +38,7 @@ def test_each_element_that_is_not_urdf_is_a_loss_at_its_place() -> None:
         ("attributes 'concave' of <collision>", "link 'base'", 4),
         ("attributes 'fuzz' of <box>", "link 'base'", 4),
         ("<compliance> elements", "joint 'j'", 8),
+        ("transmissions without an actuator", "'t'", 11),
         ("<mujoco> elements", "the robot", 13),
         ("Gazebo's <plugin>", "the robot", 14),
         ("Gazebo's <turnGravityOff>", "'base'", 17),
@@ -49,7 +50,10 @@ def test_each_element_that_is_not_urdf_is_a_loss_at_its_place() -> None:
 
 def test_what_a_writer_takes_itself_is_not_a_loss() -> None:
     losses = foreign_losses(Robot.from_xml(URDF), taken=("gazebo", "mujoco"))
-    assert [each.what for each in losses][-1] == "<compliance> elements"
+    assert [each.what for each in losses][-2:] == [
+        "<compliance> elements",
+        "transmissions without an actuator",
+    ]
 
 
 def test_a_robot_without_it_has_no_losses() -> None:

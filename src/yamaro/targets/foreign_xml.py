@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from ..diagnostics import INHERITED
+from ..model.noting import content, numbers_in
 from ..model.urdf_schema import ELEMENTS
 from ..model.values import attribute_text
 from ..xml.tree import Element
@@ -15,8 +16,6 @@ if TYPE_CHECKING:
     from ..diagnostics import Frame as Step
     from ..model.robot import Robot
 
-IN_THE_MODEL = frozenset(("transmission", "ros2_control"))
-"""What the model of the robot reads, so that its writer says whether it is lost."""
 SURFACE_TAGS = frozenset(("mu1", "mu2", "kp", "kd"))
 FOR_LUMPING = frozenset(
     (
@@ -32,8 +31,8 @@ FOR_LUMPING = frozenset(
 def foreign_losses(robot: Robot, *, taken: Collection[str] = ()) -> list[Loss]:
     """Return the losses of a format that takes no XML of other programs.
 
-    Sensors and surfaces in `<gazebo>` that the model of the robot has are left out, and so are
-    `<transmission>` and `<ros2_control>`: the writer knows what is lost of them.
+    Sensors and surfaces in `<gazebo>` and actuators in `<transmission>` that the model of the robot
+    has are left out, and so is `<ros2_control>`: the writer knows what is lost of them.
 
     Args:
         robot: the robot.
@@ -44,15 +43,27 @@ def foreign_losses(robot: Robot, *, taken: Collection[str] = ()) -> list[Loss]:
     above = None if root.trace is INHERITED else root.trace
     for child in root.elements():
         trace = above if child.trace is INHERITED else child.trace
-        if child.name in taken or child.name in IN_THE_MODEL:
+        if child.name in taken or child.name == "ros2_control":
             continue
         if child.name in ("link", "joint", "material"):
             walk.check(child, f"{child.name} '{attribute_text(child, 'name') or ''}'", trace)
         elif child.name == "gazebo":
             walk.check_gazebo(child, trace)
+        elif child.name == "transmission":
+            walk.check_transmission(child, trace)
         else:
             walk.lose(f"<{child.name}> elements", "the robot", child, trace)
+    walk.losses += _outside_of_the_tree(robot)
     return walk.losses
+
+
+def _outside_of_the_tree(robot: Robot) -> list[Loss]:
+    """Return the losses of joints that join nothing, or a link that has another joint already."""
+    return [
+        Loss(LOST, "joints outside of the tree", f"'{joint.name}'", joint.span, trace=joint.trace)
+        for joint in robot.all_joints
+        if robot.parent_joint(joint.child) is not joint
+    ]
 
 
 class _Walk:
@@ -62,10 +73,11 @@ class _Walk:
         losses: what was found.
     """
 
-    __slots__ = ("_robot", "_sensors", "_sound", "losses")
+    __slots__ = ("_actuators", "_robot", "_sensors", "_sound", "losses")
 
     def __init__(self, robot: Robot) -> None:
         self._robot = robot
+        self._actuators: set[object] | None = None
         self._sensors: set[object] | None = None
         self._sound: set[int] = set()  # the identities of elements in which nothing is foreign
         self.losses: list[Loss] = []
@@ -98,7 +110,7 @@ class _Walk:
         reference = attribute_text(gazebo, "reference")
         owner = "the robot" if reference is None else f"'{reference}'"
         for child in gazebo.elements():
-            if child.name in FOR_LUMPING or (reference is not None and child.name in SURFACE_TAGS):
+            if child.name in FOR_LUMPING or self._is_surface(child, reference):
                 continue
             if child.name in ("sensor", "plugin") and self._is_sensor(child):
                 for plugin in child.elements():
@@ -106,6 +118,26 @@ class _Walk:
                         self.lose("Gazebo's <plugin>", owner, plugin, trace)
                 continue
             self.lose(f"Gazebo's <{child.name}>", owner, child, trace)
+
+    def _is_surface(self, element: Element, reference: str | None) -> bool:
+        """Return whether the model has the surface that an element is part of."""
+        link = self._robot.links.get(reference or "")
+        if element.name not in SURFACE_TAGS or link is None or not link.collisions:
+            return False
+        return len(numbers_in(content(element))) == 1
+
+    def check_transmission(self, transmission: Element, trace: Step | None) -> None:
+        """Note a transmission in which the model of the robot has no actuator."""
+        if self._actuators is None:
+            self._actuators = {each.span.key() for each in self._robot.actuators.values()}
+        pending = [transmission]
+        while pending:
+            element = pending.pop()
+            if element.span.key() in self._actuators:
+                return
+            pending += element.elements()
+        name = attribute_text(transmission, "name") or ""
+        self.lose("transmissions without an actuator", f"'{name}'", transmission, trace)
 
     def _is_sensor(self, element: Element) -> bool:
         """Return whether the model has a sensor that is written there."""

@@ -9,7 +9,7 @@ Source: the conversion of URDF in SDFormat, parser_urdf.cc, and the specificatio
 from __future__ import annotations
 
 from ...diagnostics import INHERITED
-from ...model.noting import content
+from ...model.noting import content, numbers_in
 from ...model.values import attribute_text
 from ...xml.tree import Element
 from ..output import LOST, Loss
@@ -17,6 +17,8 @@ from ..tags import Tag
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Collection
+
     from ...diagnostics import Frame as Step
     from ...model.robot import Robot
 
@@ -45,9 +47,10 @@ ODE_TAGS = {
     "fudgeFactor": "fudge_factor",
 }
 """Elements of a joint, and what they are for the physics engine ODE."""
-KNOWN = frozenset(("mu1", "mu2", "kp", "kd", "surface", "preserveFixedJoint"))
-"""What the model of the robot has read, and what has no meaning where nothing is lumped."""
-NOWHERE = frozenset(("disableFixedJointLumping", "disableJointLumping", *KNOWN))
+KNOWN = frozenset(("mu1", "mu2", "kp", "kd"))
+"""What the model of the robot has read, of links with collisions."""
+FOR_LUMPING = frozenset(("preserveFixedJoint", "disableFixedJointLumping", "disableJointLumping"))
+"""What has no meaning where nothing is lumped."""
 COPIED = frozenset(("plugin", "gripper"))
 TRUE = frozenset(("1", "true"))
 
@@ -87,20 +90,45 @@ class GazeboBlocks:
                 trace = None if block.trace is INHERITED else block.trace
                 self._read(block, attribute_text(block, "reference"), trace)
 
+    def left(self, bodies: Collection[str]) -> list[Loss]:
+        """Return the losses of elements for links that are not bodies of their own."""
+        return [
+            Loss(LOST, f"<{tag.name}> of links that are frames", f"link '{name}'", tag.span)
+            for name, tags in self.links.items()
+            if name not in bodies
+            for tag in tags
+            if tag.span is not None
+        ]
+
     def _read(self, block: Element, reference: str | None, trace: Step | None) -> None:
         for each in block.elements():
             if reference is None:
                 taken = self._take_for_model(each)
             elif reference in self._robot.links:
-                taken = self._take_for_link(each, reference)
+                taken = self._has_place(each, reference) and self._take_for_link(each, reference)
             elif reference in self._robot.joints:
                 taken = self._take_for_joint(each, reference)
             else:
                 taken = False
-            if not taken and each.name not in NOWHERE:
+            if not taken and each.name not in FOR_LUMPING and not self._is_read(each, reference):
                 owner = f"'{reference}'" if reference is not None else "the robot"
                 what = f"Gazebo's <{each.name}>"
                 self.losses.append(Loss(LOST, what, owner, each.span, trace=trace))
+
+    def _is_read(self, each: Element, reference: str | None) -> bool:
+        """Return whether the model of the robot has read an element of a link's surface."""
+        link = self._robot.links.get(reference or "")
+        if each.name not in KNOWN or link is None or not link.collisions:
+            return False
+        return len(numbers_in(content(each))) == 1
+
+    def _has_place(self, each: Element, name: str) -> bool:
+        """Return whether a link has the shapes that an element is about."""
+        link = self._robot.links[name]
+        if each.name == "visual":
+            return bool(link.visuals)
+        is_of_collisions = each.name in COLLISION_TAGS or each.name in SURFACE_TAGS
+        return bool(link.collisions) or not (is_of_collisions or each.name == "collision")
 
     def _take_for_model(self, each: Element) -> bool:
         name = MODEL_TAGS.get(each.name)

@@ -64,7 +64,7 @@ class JointWriter:
             more: what else is in the joint.
         """
         kind = joint.type
-        self._lose_limits(joint)
+        self.lose_limits(joint)
         if kind == FLOATING:
             self._approximate(joint, "floating joints", "free links")
             return None
@@ -126,7 +126,7 @@ class JointWriter:
             ("velocity", limit.velocity),
         )
 
-    def _lose_limits(self, joint: Joint) -> None:
+    def lose_limits(self, joint: Joint) -> None:
         """Note what SDFormat has no elements for."""
         if joint.safety_controller is not None:
             self._lose(joint, joint.safety_controller, "soft limits")

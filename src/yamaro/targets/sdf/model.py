@@ -77,6 +77,7 @@ class _Model:
         parts += self._blocks.model
         parts += self._raw.robot
         self._losses += self._raw.left()
+        self._losses += self._blocks.left(self._members)
         canonical = next((self._names.links[name] for name in self._members), None)
         model = Tag("model", parts, name=robot.name or self._wanted.name, canonical_link=canonical)
         root = Tag("sdf", [model], version=self._version).made(robot.span, None)
@@ -189,6 +190,7 @@ class _Model:
 
     def _joint(self, joint: Joint) -> list[Tag]:
         if self._bodies.is_dissolved(joint):
+            self._joint_writer.lose_limits(joint)
             return []
         more: list[Tag | Element] = [
             self._copier.copied(sensor, None, joint.trace)

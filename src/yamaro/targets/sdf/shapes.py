@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from ...model.shapes import Box, Capsule, Cylinder, Mesh, Sphere
+from ...xml.tree import Element
 from ..output import LOST, Loss
 from ..sdf_sensors import surface_of
 from ..tags import Tag, given, row_of
@@ -15,7 +16,6 @@ if TYPE_CHECKING:
     from ...model.link import Collision, Link, Visual
     from ...model.robot import Robot
     from ...model.shapes import Shape
-    from ...xml.tree import Element
     from ..output import Wanted
     from .gazebo_blocks import GazeboBlocks
     from .names import Names
@@ -149,4 +149,23 @@ def _with_blob(content: Content, blob: Element) -> Content:
     """Return the content of a shape with what Gazebo puts in its place."""
     given = list(blob.elements())
     names = {each.name for each in given} - {"plugin"}
+    for index, each in enumerate(given):
+        own = next((one for one in content if one.name == each.name == "surface"), None)
+        if own is not None:
+            whole = own if isinstance(own, Element) else own.made(each.span, each.trace)
+            given[index] = _merged(each, whole)
     return [*(each for each in content if each.name not in names), *given]
+
+
+def _merged(one: Element, other: Element) -> Element:
+    """Return an element with what another one holds besides."""
+    inner = {child.name: child for child in other.elements()}
+    children = [
+        _merged(child, inner[child.name])
+        if isinstance(child, Element) and child.name in inner and child.elements()
+        else child
+        for child in one.children
+    ]
+    names = {child.name for child in one.elements()}
+    more = [child for name, child in inner.items() if name not in names]
+    return one.with_children([*children, *more])

@@ -1,0 +1,1 @@
+"""The features of a robot, read from each format by itself."""

@@ -1,0 +1,124 @@
+"""The features of a robot in SDF. Source: http://sdformat.org/spec."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+
+from lxml import etree
+
+from .feature import Key, plain
+
+
+def read(text: str, names: Mapping[str, str]) -> Iterator[Key]:
+    """Yield the features of an SDF, with the names that things have in the robot.
+
+    Args:
+        text: the document.
+        names: what is called differently in it, by the names in the robot.
+    """
+    own = {new: old for old, new in names.items()}
+    model = etree.fromstring(text.encode()).find("model")
+    assert model is not None
+    for each in model:
+        name = own.get(each.get("name", ""), each.get("name", ""))
+        if each.tag == "link":
+            yield ("link", name)
+            yield from _link(each, name)
+        elif each.tag == "frame":
+            yield ("link", name)
+        elif each.tag == "joint":
+            yield from _joint(each, name, own)
+        elif each.tag == "plugin":
+            yield ("plugin", each.get("filename", ""))
+        else:
+            yield _gazebo(each)
+    yield ("link", "world")  # is always there
+
+
+def _link(link: etree._Element, name: str) -> Iterator[Key]:
+    mass = link.findtext("inertial/mass")
+    if mass is not None:
+        yield ("mass", name, float(mass))
+    for each in link:
+        if each.tag in ("visual", "collision"):
+            yield from _shape(each)
+        elif each.tag == "sensor":
+            yield from _sensor(each)
+        elif each.tag not in ("inertial", "pose"):
+            yield _gazebo(each)
+
+
+def _sensor(sensor: etree._Element) -> Iterator[Key]:
+    yield ("sensor", sensor.get("name"))
+    for inner in sensor.iterdescendants():
+        if inner.tag == "plugin":
+            yield ("plugin", inner.get("filename", ""))
+        elif not any(each.tag == "plugin" for each in inner.iterancestors()):
+            yield ("in sensor", sensor.get("name"), inner.tag)
+
+
+def _shape(node: etree._Element) -> Iterator[Key]:
+    for inner in (node, *node.iterfind("surface//ode")):
+        yield from map(_gazebo, (each for each in inner if each.text and each.text.strip()))
+    for inner in node.iterdescendants():
+        if inner.tag == "plugin":
+            yield ("plugin", inner.get("filename", ""))
+        else:
+            yield ("in shape", inner.tag)
+    (shape,) = node.find("geometry")
+    yield (node.tag, shape.tag, *_sizes(shape))
+    is_mesh = "mesh" if shape.tag == "mesh" else "shape"
+    diffuse = node.findtext("material/diffuse")
+    if diffuse is not None:
+        yield ("color", is_mesh, *map(float, diffuse.split()))
+    texture = node.findtext("material/pbr/metal/albedo_map")
+    if texture is not None:
+        yield ("texture", is_mesh, texture.rpartition("/")[2])
+
+
+def _gazebo(node: etree._Element) -> Key:
+    return ("gazebo", node.tag, plain((node.text or "").strip().lower()))
+
+
+def _sizes(shape: etree._Element) -> tuple[object, ...]:
+    def number(name: str) -> float:
+        return float(shape.findtext(name) or "nan")
+
+    if shape.tag == "box":
+        return tuple(map(float, (shape.findtext("size") or "").split()))
+    if shape.tag == "mesh":
+        scale = tuple(map(float, (shape.findtext("scale") or "1 1 1").split()))
+        return ((shape.findtext("uri") or "").rpartition("/")[2], *scale)
+    if shape.tag == "sphere":
+        return (number("radius"),)
+    return (number("radius"), number("length"))
+
+
+def _joint(joint: etree._Element, name: str, own: Mapping[str, str]) -> Iterator[Key]:
+    kind = joint.get("type")
+    yield ("joint", name, kind)
+    for each in joint.findall("sensor"):
+        yield from _sensor(each)
+    for inner in joint.iterfind("physics//*"):
+        yield _gazebo(inner)
+    axis = joint.find("axis")
+    if axis is None:
+        return
+    limit = axis.find("limit")
+    if limit is not None and kind in ("revolute", "prismatic"):
+        lower, upper = limit.findtext("lower"), limit.findtext("upper")
+        if lower is not None and upper is not None:
+            yield ("range", name, float(lower), float(upper))
+    for each in ("effort", "velocity"):
+        value = axis.findtext(f"limit/{each}")
+        if value is not None:
+            yield (each, name, float(value))
+    for each in ("damping", "friction"):
+        value = axis.findtext(f"dynamics/{each}")
+        if value is not None and float(value):
+            yield (each, name, float(value))
+    mimic = axis.find("mimic")
+    if mimic is not None:
+        leader = mimic.get("joint", "")
+        factor, offset = mimic.findtext("multiplier"), mimic.findtext("offset")
+        yield ("mimic", name, own.get(leader, leader), float(factor or 1), float(offset or 0))
