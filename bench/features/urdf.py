@@ -318,6 +318,7 @@ def _in_sensor(node: Node, sensor: str) -> Iterator[tuple[Key, Node]]:
 def _gazebo(root: Node) -> Iterator[tuple[Key, Node]]:
     """Yield what is for Gazebo; what is said twice of a link or joint counts once, as it does."""
     last: dict[tuple[str, str], tuple[Key, Node]] = {}
+    replaced: dict[str, set[object]] = {}  # by what is given for the shapes of a link
     for gazebo in root.children:
         reference = gazebo.get("reference")
         for child in gazebo.children if gazebo.name == "gazebo" else ():
@@ -329,7 +330,9 @@ def _gazebo(root: Node) -> Iterator[tuple[Key, Node]]:
                 yield ("sensor", child.get("name")), child
                 yield from _in_sensor(child, child.get("name"))
             elif child.name in ("visual", "collision"):
-                yield from _in_shape(child)
+                inner = list(_in_shape(child))
+                replaced.setdefault(reference, set()).update(key[1] for key, _ in inner)
+                yield from inner
             elif child.children:
                 yield ("gazebo", child.name, ""), child
             else:
@@ -340,4 +343,6 @@ def _gazebo(root: Node) -> Iterator[tuple[Key, Node]]:
                     last[reference, name] = (("gazebo", name, value), child)
                 else:
                     yield ("gazebo", name, value), child
-    yield from last.values()
+    for (reference, name), found in last.items():
+        if name not in replaced.get(reference, ()):
+            yield found

@@ -5,7 +5,6 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-
 from bench.features import urdf
 from bench.losses import MESHES, built, compare, robots
 
