@@ -11,7 +11,12 @@ if TYPE_CHECKING:
 
 
 def lost_sections(
-    robot: Robot, *, states: bool = False, groups: bool = False, actuators: bool = False
+    robot: Robot,
+    *,
+    states: bool = False,
+    groups: bool = False,
+    actuators: bool = False,
+    controls: bool = False,
 ) -> list[Loss]:
     """Return the losses of a format that has no place for what is named.
 
@@ -19,13 +24,15 @@ def lost_sections(
         robot: the robot.
         states: whether named positions are lost.
         groups: whether groups of links and joints, and pairs of links to ignore, are lost.
-        actuators: whether actuators, and the hardware that drives them, are lost.
+        actuators: whether actuators are lost.
+        controls: whether the hardware that drives joints is lost.
     """
     found: list[Loss] = []
     if actuators:
         found += [
             _lost("actuators", f"joint '{each.joint}'", each) for each in robot.actuators.values()
         ]
+    if controls:
         name = robot.name
         found += [
             _lost("blocks of ros2_control", f"'{each.name or name}'", each)

@@ -125,7 +125,7 @@ def test_a_mimic_is_written_since_1_11_and_lost_before(tmp_path: Path) -> None:
     assert mimic.attrib == {"joint": "upper_joint"}
     assert (mimic.findtext("multiplier"), mimic.findtext("offset")) == ("0.5", "0.01")
     build = sdf_of(ARM, tmp_path, sdf_version="1.9")
-    assert told(build) == {("lost", "mimic", "joint 'finger_joint'")}
+    assert told(build) == {("lost", "mimic joints", "joint 'finger_joint'")}
     check(build, tmp_path)
 
 

@@ -6,7 +6,8 @@ Source: the descriptions of sensors in SDFormat 1.11, sensor.sdf and what that i
 from __future__ import annotations
 
 from ...xml.tree import Element
-from ..output import LOST, Loss
+from ...xml.values import format_value
+from ..output import LOST, RENAMED, Loss
 from ..tags import Tag
 
 TYPE_CHECKING = False
@@ -76,19 +77,41 @@ class SensorCopier:
         losses: what SDFormat does not know of them.
     """
 
-    __slots__ = ("_version", "_words", "losses")
+    __slots__ = ("_used", "_version", "_words", "losses")
 
     def __init__(self, version: str, losses: list[Loss]) -> None:
         """Start with a version of SDFormat; `losses` takes what it does not know."""
         self._version = version
         self._words = _table()
+        self._used: dict[str, set[str]] = {}
         self.losses = losses
 
-    def copied(self, sensor: Element, frame: str | None, trace: Step | None) -> Element:
-        """Return a sensor, with its pose in the frame of its link where that is not its body's."""
-        owner = f"sensor '{sensor.attributes.get('name')}'"
-        made = sensor.with_children(self._known(sensor, owner, trace))
-        return made if frame is None else _placed(made, frame)
+    def copied(self, sensor: Element, body: str, frame: str | None, trace: Step | None) -> Element:
+        """Return a sensor.
+
+        Args:
+            sensor: the sensor as it is written.
+            body: the link or joint of SDFormat that it goes to.
+            frame: the frame that its pose is in, if it is not that of the body.
+            trace: the calls and includes that led to it.
+        """
+        name = format_value(sensor.attributes.get("name"))
+        made = sensor.with_children(self._known(sensor, f"sensor '{name}'", trace))
+        new = self._unused(body, name)
+        if new != name:
+            made.attributes = {**made.attributes, "name": new}
+            what, owner = "sensors of one name in one link", f"'{name}'"
+            self.losses.append(Loss(RENAMED, what, owner, sensor.span, trace=trace, how=new))
+        return _placed(made, frame)
+
+    def _unused(self, body: str, name: str) -> str:
+        """Return a name that no other sensor of a body has."""
+        used = self._used.setdefault(body, set())
+        found, number = name, 2
+        while found in used:
+            found, number = f"{name}_{number}", number + 1
+        used.add(found)
+        return found
 
     def _known(self, element: Element, owner: str, trace: Step | None) -> list[Node]:
         children: list[Node] = []
@@ -120,12 +143,16 @@ def _table() -> dict[str, set[str]]:
     return found
 
 
-def _placed(sensor: Element, frame: str) -> Element:
-    """Return a sensor with its pose relative to a frame."""
+def _placed(sensor: Element, frame: str | None) -> Element:
+    """Return a sensor with its pose relative to a frame, if one is given."""
     pose = next((each for each in sensor.elements() if each.name == "pose"), None)
     if pose is None:
+        if frame is None:
+            return sensor
         made = Tag("pose", relative_to=frame).made(sensor.span, sensor.trace)
         return sensor.with_children([made, *sensor.children])
     placed = pose.with_children(pose.children)
-    placed.attributes = {"relative_to": frame, **pose.attributes}
+    placed.attributes = {k: v for k, v in pose.attributes.items() if k != "frame"}  # of SDF 1.6
+    if frame is not None:
+        placed.attributes = {"relative_to": frame, **placed.attributes}
     return sensor.with_children([placed if each is pose else each for each in sensor.children])

@@ -101,10 +101,10 @@ class JointWriter:
             return []
         leader = self._joints.get(mimic.joint)
         if leader is None or leader.type not in SINGLE:
-            self._lose(joint, mimic, "mimic of joints that do not turn or slide")
+            self._lose(joint, mimic, "mimic joints that follow one that does not turn or slide")
             return []
         if self._version == "1.9":
-            self._lose(joint, mimic, "mimic", hint="SDFormat 1.11 has it: --sdf-version 1.11")
+            self._lose(joint, mimic, "mimic joints", hint="--sdf-version 1.11 has them")
             return []
         values = [Tag("multiplier", mimic.multiplier), Tag("offset", mimic.offset)]
         return [Tag("mimic", [*values, Tag("reference", 0)], joint=self._names[leader.name])]
@@ -140,7 +140,7 @@ class JointWriter:
         if limit is not None and joint.type not in SINGLE:
             self._lose(joint, limit, f"limits of {joint.type} joints")
         if joint.type not in SINGLE and joint.mimic is not None:
-            self._lose(joint, joint.mimic, f"mimic of {joint.type} joints")
+            self._lose(joint, joint.mimic, f"{joint.type} mimic joints")
         if joint.type not in SINGLE and joint.dynamics is not None:
             self._lose(joint, joint.dynamics, f"dynamics of {joint.type} joints")
 

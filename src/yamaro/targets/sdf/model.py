@@ -81,7 +81,9 @@ class _Model:
         canonical = next((self._names.links[name] for name in self._members), None)
         model = Tag("model", parts, name=robot.name or self._wanted.name, canonical_link=canonical)
         root = Tag("sdf", [model], version=self._version).made(robot.span, None)
-        self._losses += lost_sections(robot, states=True, groups=True, actuators=True)
+        self._losses += lost_sections(
+            robot, states=True, groups=True, actuators=True, controls=True
+        )
         return Output(root, self._losses)
 
     # --- links and frames ---
@@ -160,7 +162,7 @@ class _Model:
         """Return the sensors in a link; those that are written for Gazebo as they are."""
         frame = None if link.name == body else self._names.links[link.name]
         found: list[Tag | Element] = [
-            self._copier.copied(sensor, frame, link.trace)
+            self._copier.copied(sensor, body, frame, link.trace)
             for home, sensor in self._blocks.sensors
             if home == link.name
         ]
@@ -193,7 +195,7 @@ class _Model:
             self._joint_writer.lose_limits(joint)
             return []
         more: list[Tag | Element] = [
-            self._copier.copied(sensor, None, joint.trace)
+            self._copier.copied(sensor, joint.name, None, joint.trace)
             for home, sensor in self._blocks.sensors
             if home == joint.name
         ]

@@ -1,0 +1,241 @@
+"""Joints of UsdPhysics: axes, limits, drives.
+
+The axis of a joint is X, Y or Z in USD: here always X, to which both of its frames are turned.
+"""
+
+from __future__ import annotations
+
+from math import degrees, inf
+from typing import TYPE_CHECKING
+
+from pxr import Gf, Sdf, Usd, UsdPhysics
+
+from ...model.joint import CONTINUOUS, FIXED, FLOATING, PLANAR, PRISMATIC, SINGLE
+from ...model.pose import Pose
+from ...model.rotations import multiply, rotation_about, rotation_from_z
+from ..bodies import WORLD
+from ..output import APPROXIMATED, LOST, Loss
+from ..tags import Tag
+from .poses import quaternion_of
+
+if TYPE_CHECKING:
+    from ...model.extras import Loop
+    from ...model.joint import Joint
+    from ...model.link import Link
+    from ...model.robot import Robot
+    from ...model.rotations import Rotation, Vector
+    from ...model.written import Written
+    from ..bodies import Bodies
+    from .names import Names
+
+KINDS = {PRISMATIC: UsdPhysics.PrismaticJoint, FIXED: UsdPhysics.FixedJoint}
+LOOPS = {
+    "fixed": UsdPhysics.FixedJoint,
+    "ball": UsdPhysics.SphericalJoint,
+    "revolute": UsdPhysics.RevoluteJoint,
+}
+
+
+class JointWriter:
+    """Makes the joints of one robot.
+
+    Attributes:
+        tags: for each joint, an element at its place.
+        losses: what USD cannot hold.
+    """
+
+    def __init__(
+        self,
+        stage: Usd.Stage,
+        robot: Robot,
+        bodies: Bodies,
+        paths: dict[str, str],
+        names: Names,
+        root: str,
+    ) -> None:
+        """Start.
+
+        Args:
+            stage: takes the joints.
+            robot: the robot.
+            bodies: which links are bodies.
+            paths: the prims of links and frames.
+            names: names prims.
+            root: the path of the robot.
+        """
+        self._stage = stage
+        self._robot = robot
+        self._bodies = bodies
+        self._paths = paths
+        self._names = names
+        self._folder = names.new(root, "joints")
+        self.tags: list[Tag] = []
+        self.losses: list[Loss] = []
+
+    def write(self, *, is_fixed: bool) -> None:
+        """Write all joints, with those that fix the roots in the world, and those of loops."""
+        robot, bodies = self._robot, self._bodies
+        self._stage.DefinePrim(self._folder, "Scope")
+        for root in robot.roots:
+            if is_fixed and bodies.carriers[root.name] is not None:
+                self._fix(root)
+        for joint in robot.joints.values():
+            if robot.parent_joint(joint.child) is joint and joint.child in bodies.carriers:
+                self._lose_parts(joint)
+                if joint.type == FLOATING:
+                    how = "links that no joint holds"
+                    self._lose(joint, joint, "floating joints", kind=APPROXIMATED, how=how)
+                elif not bodies.is_dissolved(joint):
+                    self._add(joint)
+        for loop in robot.loops.values():
+            self._close(loop)
+
+    def _fix(self, root: Link) -> None:
+        path = self._names.new(self._folder, f"{root.name}_{WORLD}")
+        prim = UsdPhysics.FixedJoint.Define(self._stage, path)
+        carrier = self._bodies.carriers[root.name]
+        self._connect(prim, None, carrier, Pose(), self._bodies.poses[root.name])
+        self.tags.append(Tag("PhysicsFixedJoint", name=path, span=root.span, trace=root.trace))
+
+    def _add(self, joint: Joint) -> None:
+        kind = UsdPhysics.RevoluteJoint if joint.type in SINGLE else UsdPhysics.Joint
+        kind = KINDS.get(joint.type, kind)
+        span = joint.span_of("name")
+        path = self._names.told(self._folder, joint.name, "joints", span, joint.trace)
+        prim = kind.Define(self._stage, path)
+        turn = Pose() if joint.type == FIXED else Pose(_x_to(joint.axis))
+        bodies = self._bodies
+        self._connect(
+            prim,
+            bodies.carriers[joint.parent],
+            bodies.carriers[joint.child],
+            bodies.poses[joint.parent] @ joint.origin @ turn,
+            bodies.poses[joint.child] @ turn,
+        )
+        if joint.type in SINGLE:
+            prim.CreateAxisAttr("X")
+            self._limit(prim, joint)
+            self._drive(prim, joint)
+        elif joint.type == PLANAR:
+            _lock(prim, "transX", "rotY", "rotZ")
+        name = prim.GetPrim().GetTypeName()
+        self.tags.append(Tag(name, name=path, span=joint.span, trace=joint.trace))
+
+    def _connect(
+        self,
+        prim: UsdPhysics.Joint,
+        first: str | None,
+        second: str | None,
+        at_first: Pose,
+        at_second: Pose,
+    ) -> None:
+        """Join two bodies, where None is the world, at poses in them."""
+        if first is not None:
+            prim.CreateBody0Rel().SetTargets([Sdf.Path(self._paths[first])])
+        if second is not None:
+            prim.CreateBody1Rel().SetTargets([Sdf.Path(self._paths[second])])
+        prim.CreateLocalPos0Attr(Gf.Vec3f(*at_first.position))
+        prim.CreateLocalRot0Attr(Gf.Quatf(quaternion_of(at_first)))
+        prim.CreateLocalPos1Attr(Gf.Vec3f(*at_second.position))
+        prim.CreateLocalRot1Attr(Gf.Quatf(quaternion_of(at_second)))
+
+    # --- limits and drives ---
+
+    def _limit(self, prim: UsdPhysics.RevoluteJoint, joint: Joint) -> None:
+        lower, upper = joint.lower, joint.upper
+        if joint.type == CONTINUOUS or lower is None or upper is None:
+            lower, upper = -inf, inf
+        if lower > upper:
+            what = "limits in the wrong order"
+            self._lose(joint, joint, what, kind=APPROXIMATED, how="swapping them")
+            lower, upper = upper, lower
+        convert = float if joint.type == PRISMATIC else degrees
+        prim.CreateLowerLimitAttr(convert(lower))
+        prim.CreateUpperLimitAttr(convert(upper))
+
+    def _drive(self, prim: UsdPhysics.RevoluteJoint, joint: Joint) -> None:
+        """Write what drives and what damps a joint: gains are per degree in USD."""
+        actuator = self._robot.actuators.get(joint.name)
+        damping = joint.dynamics.damping if joint.dynamics is not None else 0.0
+        effort = joint.limit.effort if joint.limit is not None else None
+        if actuator is None and not damping and effort is None:
+            return
+        is_linear = joint.type == PRISMATIC
+        unit = 1.0 if is_linear else degrees(1)
+        kp, kd = 0.0, 0.0
+        if actuator is not None and actuator.command == "position":
+            kp, kd = actuator.kp or 0.0, actuator.kd or 0.0
+        elif actuator is not None and actuator.command == "velocity":
+            kd = actuator.kp or actuator.kd or 0.0
+        if damping:
+            how = "the damping of their drives"
+            dynamics = joint.dynamics or joint
+            self._lose(joint, dynamics, "damping of joints", kind=APPROXIMATED, how=how)
+        drive = UsdPhysics.DriveAPI.Apply(prim.GetPrim(), "linear" if is_linear else "angular")
+        drive.CreateTypeAttr("force")
+        if effort is not None:
+            drive.CreateMaxForceAttr(effort)
+        drive.CreateStiffnessAttr(kp / unit)
+        drive.CreateDampingAttr((kd + damping) / unit)
+
+    def _lose_parts(self, joint: Joint) -> None:
+        """Note what USD has no place for."""
+        limit, dynamics = joint.limit, joint.dynamics
+        if limit is not None and limit.velocity:
+            self._lose(joint, limit, "limits of velocity")
+        if limit is not None and any((limit.acceleration, limit.deceleration, limit.jerk)):
+            self._lose(joint, limit, "limits of acceleration and jerk")
+        if dynamics is not None and dynamics.friction:
+            self._lose(joint, dynamics, "friction of joints")
+        if joint.mimic is not None:
+            self._lose(joint, joint.mimic, "mimic joints")
+        if joint.safety_controller is not None:
+            self._lose(joint, joint.safety_controller, "soft limits")
+        if joint.calibration is not None:
+            self._lose(joint, joint.calibration, "calibrations")
+        actuator = self._robot.actuators.get(joint.name)
+        if actuator is not None and (actuator.armature or actuator.gear != 1.0):
+            self._lose(joint, actuator, "armatures and gears of actuators")
+
+    def _lose(
+        self, joint: Joint, what: Written, name: str, *, kind: str = LOST, how: str = ""
+    ) -> None:
+        owner = f"joint '{joint.name}'"
+        self.losses.append(Loss(kind, name, owner, what.span, trace=joint.trace, how=how))
+
+    # --- loops ---
+
+    def _close(self, loop: Loop) -> None:
+        """Write the joint of a loop, which is not part of the articulation."""
+        path = self._names.new(self._folder, loop.name)
+        prim = LOOPS[loop.type].Define(self._stage, path)
+        first, second = loop.between
+        bodies, turn = self._bodies, Pose()
+        if loop.axis is not None:
+            turn = Pose(_x_to(loop.axis))
+            prim.CreateAxisAttr("X")
+        self._connect(
+            prim,
+            bodies.carriers[first],
+            bodies.carriers[second],
+            bodies.poses[first] @ turn,
+            bodies.poses[second] @ turn,
+        )
+        prim.CreateExcludeFromArticulationAttr(True)
+        self.tags.append(
+            Tag(prim.GetPrim().GetTypeName(), name=path, span=loop.span, trace=loop.trace)
+        )
+
+
+def _x_to(axis: Vector) -> Rotation:
+    """Return a rotation that takes x to an axis."""
+    quarter = rotation_about((0.0, 1.0, 0.0), -1.5707963267948966)  # x to z
+    return multiply(rotation_from_z(axis), quarter)
+
+
+def _lock(prim: UsdPhysics.Joint, *freedoms: str) -> None:
+    """Hold a joint in some of its degrees of freedom: no position is above and below at once."""
+    for freedom in freedoms:
+        limit = UsdPhysics.LimitAPI.Apply(prim.GetPrim(), freedom)
+        limit.CreateLowAttr(1.0)
+        limit.CreateHighAttr(-1.0)

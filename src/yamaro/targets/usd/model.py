@@ -1,0 +1,145 @@
+"""A robot as prims of USD: bodies, frames and joints."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from pxr import Gf, Usd, UsdGeom, UsdPhysics
+
+from ...model.kinematics import link_poses
+from ...model.pose import Pose
+from ...model.principal import principal_axes
+from ..bodies import Bodies
+from ..foreign_xml import foreign_losses
+from ..output import APPROXIMATED, Loss, Output
+from ..section_losses import lost_sections
+from ..tags import Tag
+from .cameras import add_cameras
+from .joints import JointWriter
+from .names import Names
+from .poses import place, quaternion_of
+from .shapes import ShapeWriter
+
+if TYPE_CHECKING:
+    from ...model.link import Inertial, Link
+    from ...model.robot import Robot
+    from ..output import Wanted
+
+POINT_RADIUS = 1e-6
+"""The radius, in metres, of the ball whose inertia a point mass gets."""
+PLACEHOLDER = 1e-3
+"""The mass, in kg, of a body without any, since USD takes 0 for a mass that is not given."""
+
+
+def written(robot: Robot, wanted: Wanted) -> Output:
+    """Return a robot in USD."""
+    model = _Model(robot, wanted)
+    model.fill()
+    text = model.stage.GetRootLayer().ExportToString()
+    root = Tag("usd", model.tags, name=model.root.rpartition("/")[2]).made(robot.span, None)
+    return Output(root, model.losses, text=text)
+
+
+class _Model:
+    """Makes the stage of one robot.
+
+    Attributes:
+        stage: the stage.
+        root: the path of the robot's prim.
+        tags: for each prim, an element at the place of what it is made of.
+        losses: what USD cannot hold.
+    """
+
+    def __init__(self, robot: Robot, wanted: Wanted) -> None:
+        self._robot = robot
+        self._wanted = wanted
+        self._bodies = Bodies(robot)
+        self._poses = link_poses(robot)
+        self.losses: list[Loss] = []
+        self.tags: list[Tag] = []
+        self._names = Names(self.losses)
+        self._paths: dict[str, str] = {}
+        self.stage = _stage()
+        name = robot.name or wanted.name
+        self.root = self._names.told("", name, "robots", robot.span_of("name"), None)
+        prim = UsdGeom.Xform.Define(self.stage, self.root).GetPrim()
+        self.stage.SetDefaultPrim(prim)
+        UsdPhysics.ArticulationRootAPI.Apply(prim)
+        self._shapes = ShapeWriter(self.stage, robot, wanted, self._names, self.root)
+
+    def fill(self) -> None:
+        """Write everything."""
+        robot, bodies = self._robot, self._bodies
+        for link in bodies.order:
+            if bodies.is_body(link.name):
+                self._add_body(link)
+        for link in bodies.order:
+            carrier = bodies.carriers[link.name]
+            if carrier is not None and carrier != link.name:
+                self._add_frame(link, carrier)
+        joints = JointWriter(self.stage, robot, bodies, self._paths, self._names, self.root)
+        joints.write(is_fixed=self._wanted.is_fixed)
+        self.tags += joints.tags
+        add_cameras(self.stage, robot, self._paths, self._names, self.losses)
+        self.losses += self._shapes.losses
+        self.losses += joints.losses
+        self.losses += lost_sections(robot, states=True, groups=True, controls=True)
+        self.losses += foreign_losses(robot)
+
+    def _add_body(self, link: Link) -> None:
+        path = self._names.told(self.root, link.name, "links", link.span_of("name"), link.trace)
+        self._paths[link.name] = path
+        xform = UsdGeom.Xform.Define(self.stage, path)
+        place(xform, self._poses[link.name])
+        prim = xform.GetPrim()
+        UsdPhysics.RigidBodyAPI.Apply(prim)
+        self._set_mass(UsdPhysics.MassAPI.Apply(prim), link)
+        self.tags.append(Tag("Xform", name=path, span=link.span, trace=link.trace))
+        self._shapes.add(link, path, Pose())
+
+    def _add_frame(self, link: Link, carrier: str) -> None:
+        around = self._paths[carrier]
+        path = self._names.told(around, link.name, "frames", link.span_of("name"), link.trace)
+        self._paths[link.name] = path
+        place(UsdGeom.Xform.Define(self.stage, path), self._bodies.poses[link.name])
+        self.tags.append(Tag("Xform", name=path, span=link.span, trace=link.trace))
+        self._shapes.add(link, path, Pose())
+
+    # --- mass ---
+
+    def _set_mass(self, mass: UsdPhysics.MassAPI, link: Link) -> None:
+        inertial = link.inertial
+        if inertial is None or inertial.mass <= 0:
+            self._lose(APPROXIMATED, "links without mass", link, "links of 1 g")
+            moment = 2 / 5 * PLACEHOLDER * 0.01**2
+            mass.CreateMassAttr(PLACEHOLDER)
+            mass.CreateDiagonalInertiaAttr(Gf.Vec3f(moment))
+            return
+        moments, axes = self._principal(link, inertial)
+        mass.CreateMassAttr(inertial.mass)
+        mass.CreateCenterOfMassAttr(Gf.Vec3f(*inertial.pose.position))
+        mass.CreateDiagonalInertiaAttr(Gf.Vec3f(*moments))
+        mass.CreatePrincipalAxesAttr(Gf.Quatf(quaternion_of(inertial.pose @ axes)))
+
+    def _principal(self, link: Link, inertial: Inertial) -> tuple[tuple[float, float, float], Pose]:
+        """Return the principal moments, and T_inertial_axes."""
+        if not any(inertial.inertia):
+            self._lose(APPROXIMATED, "point masses", link, "balls with a radius of 1 µm")
+            moment = 2 / 5 * inertial.mass * POINT_RADIUS**2
+            return (moment, moment, moment), Pose()
+        moments, rotation = principal_axes(inertial.matrix())
+        return moments, Pose(rotation)
+
+    def _lose(self, kind: str, what: str, link: Link, how: str = "") -> None:
+        owner = f"'{link.name}'"
+        self.losses.append(Loss(kind, what, owner, link.span, trace=link.trace, how=how))
+
+
+def _stage() -> Usd.Stage:
+    """Return a stage in metres and kilograms, z up."""
+    stage = Usd.Stage.CreateInMemory(".usda")
+    UsdGeom.SetStageUpAxis(stage, UsdGeom.Tokens.z)
+    UsdGeom.SetStageMetersPerUnit(stage, 1.0)
+    UsdPhysics.SetStageKilogramsPerUnit(stage, 1.0)
+    stage.GetRootLayer().documentation = ""
+    return stage

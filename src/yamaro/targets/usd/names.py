@@ -1,0 +1,48 @@
+"""Names of prims: letters, digits and underscores, with no digit at the start."""
+
+from __future__ import annotations
+
+import re
+
+from ..output import RENAMED, Loss
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from ...diagnostics import Frame as Step
+    from ...source import Span
+
+_OTHER = re.compile(r"[^0-9A-Za-z_]")
+
+
+class Names:
+    """The names that prims have, by the path of the prim around them.
+
+    Attributes:
+        losses: what is renamed.
+    """
+
+    __slots__ = ("_used", "losses")
+
+    def __init__(self, losses: list[Loss]) -> None:
+        self._used: dict[str, set[str]] = {}
+        self.losses = losses
+
+    def new(self, around: str, name: str) -> str:
+        """Return the path of a new prim, with a name as near to this one as can be."""
+        plain = _OTHER.sub("_", name) or "_"
+        if plain[0].isdigit():
+            plain = f"_{plain}"
+        used = self._used.setdefault(around, set())
+        found, number = plain, 2
+        while found in used:
+            found, number = f"{plain}_{number}", number + 1
+        used.add(found)
+        return f"{around}/{found}"
+
+    def told(self, around: str, name: str, what: str, span: Span, trace: Step | None) -> str:
+        """Return the path of a new prim, and note it if its name is another one."""
+        path = self.new(around, name)
+        found = path.rpartition("/")[2]
+        if found != name:
+            self.losses.append(Loss(RENAMED, what, f"'{name}'", span, trace=trace, how=found))
+        return path

@@ -1,0 +1,222 @@
+"""Shapes of UsdGeom, with colours, and with what they collide with."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from pxr import Gf, Sdf, Usd, UsdGeom, UsdPhysics, UsdShade, Vt
+
+from ...diagnostics import failure
+from ...meshes.formats import MeshFileError, MissingLibraryError
+from ...meshes.surfaces import read_surfaces
+from ...model.shapes import Box, Capsule, Cylinder, Sphere
+from ..output import LOST, Loss
+from .poses import place
+
+if TYPE_CHECKING:
+    from ...meshes.surfaces import Surface
+    from ...model.extras import Surface as Friction
+    from ...model.link import Collision, Link, Visual
+    from ...model.pose import Pose
+    from ...model.robot import Robot
+    from ...model.shapes import Mesh, SimpleShape
+    from ...source import Span
+    from ..output import Wanted
+    from .names import Names
+
+    Color = tuple[float, ...]
+
+
+class ShapeWriter:
+    """Makes the shapes of one robot.
+
+    Attributes:
+        losses: what USD cannot hold of them.
+    """
+
+    def __init__(
+        self, stage: Usd.Stage, robot: Robot, wanted: Wanted, names: Names, root: str
+    ) -> None:
+        """Start.
+
+        Args:
+            stage: takes the shapes.
+            robot: the robot.
+            wanted: finds meshes.
+            names: names prims.
+            root: the path of the robot.
+        """
+        self._stage = stage
+        self._robot = robot
+        self._wanted = wanted
+        self._names = names
+        self._folder = names.new(root, "materials")
+        self._looks: dict[Color, UsdShade.Material] = {}
+        self._frictions: dict[tuple[float | None, ...], UsdShade.Material] = {}
+        self._meshes: dict[str, list[Surface] | None] = {}
+        self._surfaces = {(each.link, each.index): each for each in robot.surfaces}
+        self.losses: list[Loss] = []
+
+    def add(self, link: Link, path: str, pose: Pose) -> None:
+        """Write the shapes of a link under its prim."""
+        for index, collision in enumerate(link.collisions):
+            surface = self._surfaces.get((link.name, index))
+            name = collision.name or f"{link.name}_collision"
+            for prim, _ in self._made(link, path, pose @ collision.pose, collision, name):
+                UsdGeom.Imageable(prim).CreatePurposeAttr(UsdGeom.Tokens.guide)
+                UsdPhysics.CollisionAPI.Apply(prim)
+                if prim.IsA(UsdGeom.Mesh):
+                    mesh = UsdPhysics.MeshCollisionAPI.Apply(prim)
+                    mesh.CreateApproximationAttr("convexHull")
+                if surface is not None:
+                    self._bind_friction(prim, surface)
+        for visual in link.visuals:
+            name = visual.name or f"{link.name}_visual"
+            material = self._robot.material_of(visual)
+            color = material.color if material is not None else None
+            if material is not None and material.texture is not None:
+                self._lose("textures of materials", f"link '{link.name}'", visual.span, link)
+            for prim, own in self._made(link, path, pose @ visual.pose, visual, name):
+                chosen = color or own
+                if chosen is not None:
+                    self._bind_look(prim, chosen)
+
+    def _made(
+        self, link: Link, path: str, pose: Pose, item: Collision | Visual, name: str
+    ) -> list[tuple[Usd.Prim, Color | None]]:
+        """Return the prims of a shape, each with the colour that its mesh gives it."""
+        shape = item.shape
+        if shape is None:
+            return []
+        if isinstance(shape, (Box, Sphere, Cylinder, Capsule)):
+            if min(shape.size) <= 0:
+                what = "shapes with a size that is not positive"
+                self._lose(what, f"link '{link.name}'", item.span, link)
+                return []
+            return [(self._simple(shape, self._names.new(path, name), pose), None)]
+        if not self._wanted.has_meshes:
+            return []
+        return self._mesh(link, shape, path, pose, name)
+
+    def _simple(self, shape: SimpleShape, path: str, pose: Pose) -> Usd.Prim:
+        if isinstance(shape, Box):
+            cube = UsdGeom.Cube.Define(self._stage, path)
+            cube.CreateSizeAttr(1.0)
+            x, y, z = (size / 2 for size in shape.size)
+            cube.CreateExtentAttr([Gf.Vec3f(-0.5), Gf.Vec3f(0.5)])
+            place(cube, pose, (2 * x, 2 * y, 2 * z))
+            return cube.GetPrim()
+        if isinstance(shape, Sphere):
+            sphere = UsdGeom.Sphere.Define(self._stage, path)
+            sphere.CreateRadiusAttr(shape.radius)
+            sphere.CreateExtentAttr([Gf.Vec3f(-shape.radius), Gf.Vec3f(shape.radius)])
+            place(sphere, pose)
+            return sphere.GetPrim()
+        kind = UsdGeom.Cylinder if isinstance(shape, Cylinder) else UsdGeom.Capsule
+        round_shape = kind.Define(self._stage, path)
+        round_shape.CreateRadiusAttr(shape.radius)
+        round_shape.CreateHeightAttr(shape.length)
+        round_shape.CreateAxisAttr("Z")
+        ends = shape.length / 2 + (shape.radius if isinstance(shape, Capsule) else 0.0)
+        corner = Gf.Vec3f(shape.radius, shape.radius, ends)
+        round_shape.CreateExtentAttr([-corner, corner])
+        place(round_shape, pose)
+        return round_shape.GetPrim()
+
+    # --- meshes ---
+
+    def _mesh(
+        self, link: Link, shape: Mesh, path: str, pose: Pose, name: str
+    ) -> list[tuple[Usd.Prim, Color | None]]:
+        span = shape.span or link.span
+        surfaces = self._read(shape.filename, span)
+        if surfaces is None:
+            self._lose("meshes that are not found", f"'{shape.filename}'", span, link)
+            return []
+        return [
+            (
+                _mesh_prim(self._stage, self._names.new(path, name), surface, shape, pose),
+                surface.color,
+            )
+            for surface in surfaces
+        ]
+
+    def _read(self, filename: str, span: Span) -> list[Surface] | None:
+        finder = self._wanted.paths.finder
+        path = finder.reachable(filename, span)
+        if path is None:
+            return None
+        if path not in self._meshes:
+            try:
+                self._meshes[path] = read_surfaces(path, finder.allows)
+            except (MeshFileError, MissingLibraryError) as error:
+                raise failure("bad-mesh", f"'{filename}': {error}", span) from None
+        return self._meshes[path]
+
+    # --- materials ---
+
+    def _bind_look(self, prim: Usd.Prim, color: Color) -> None:
+        material = self._looks.get(color)
+        if material is None:
+            material = self._looks[color] = self._look(color)
+        UsdShade.MaterialBindingAPI.Apply(prim).Bind(material)
+
+    def _look(self, color: Color) -> UsdShade.Material:
+        path = self._material_path("color")
+        material = UsdShade.Material.Define(self._stage, path)
+        shader = UsdShade.Shader.Define(self._stage, f"{path}/surface")
+        shader.CreateIdAttr("UsdPreviewSurface")
+        red, green, blue, alpha = color
+        kinds = Sdf.ValueTypeNames
+        shader.CreateInput("diffuseColor", kinds.Color3f).Set(Gf.Vec3f(red, green, blue))
+        shader.CreateInput("opacity", kinds.Float).Set(alpha)
+        shader.CreateInput("roughness", kinds.Float).Set(0.5)
+        output = shader.CreateOutput("surface", kinds.Token)
+        material.CreateSurfaceOutput().ConnectToSource(output)
+        return material
+
+    def _bind_friction(self, prim: Usd.Prim, surface: Friction) -> None:
+        key = (surface.friction, surface.restitution)
+        if any(value is not None for value in key):
+            material = self._frictions.get(key)
+            if material is None:
+                path = self._material_path("surface")
+                material = self._frictions[key] = UsdShade.Material.Define(self._stage, path)
+                physics = UsdPhysics.MaterialAPI.Apply(material.GetPrim())
+                if surface.friction is not None:
+                    physics.CreateStaticFrictionAttr(surface.friction)
+                    physics.CreateDynamicFrictionAttr(surface.friction)
+                if surface.restitution is not None:
+                    physics.CreateRestitutionAttr(surface.restitution)
+            binding = UsdShade.MaterialBindingAPI.Apply(prim)
+            binding.Bind(material, UsdShade.Tokens.weakerThanDescendants, "physics")
+        has_second = surface.friction2 not in (None, surface.friction)
+        if has_second or surface.stiffness is not None or surface.damping is not None:
+            what = "second friction, stiffness and damping of surfaces"
+            owner = f"link '{surface.link}'"
+            self.losses.append(Loss(LOST, what, owner, surface.span, trace=surface.trace))
+
+    def _material_path(self, name: str) -> str:
+        self._stage.DefinePrim(self._folder, "Scope")
+        return self._names.new(self._folder, name)
+
+    def _lose(self, what: str, owner: str, span: Span, link: Link) -> None:
+        self.losses.append(Loss(LOST, what, owner, span, trace=link.trace))
+
+
+def _mesh_prim(stage: Usd.Stage, path: str, surface: Surface, shape: Mesh, pose: Pose) -> Usd.Prim:
+    """Return a mesh; its scale is in its points, and mirrored triangles are turned round."""
+    mesh = UsdGeom.Mesh.Define(stage, path)
+    points = surface.points * shape.scale
+    triangles = surface.triangles
+    x, y, z = shape.scale
+    if x * y * z < 0:
+        triangles = triangles[:, ::-1]
+    mesh.CreatePointsAttr(Vt.Vec3fArray.FromNumpy(points.astype("float32")))
+    mesh.CreateFaceVertexIndicesAttr(Vt.IntArray.FromNumpy(triangles.astype("int32").ravel()))
+    mesh.CreateFaceVertexCountsAttr([3] * len(triangles))
+    mesh.CreateSubdivisionSchemeAttr(UsdGeom.Tokens.none)
+    low, high = points.min(axis=0).tolist(), points.max(axis=0).tolist()
+    mesh.CreateExtentAttr([Gf.Vec3f(*low), Gf.Vec3f(*high)])
+    place(mesh, pose)
+    return mesh.GetPrim()

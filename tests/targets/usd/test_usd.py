@@ -1,0 +1,123 @@
+"""Robots in USD, as OpenUSD reads them."""
+
+from __future__ import annotations
+
+from math import degrees
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+import yamaro
+from tests.consumers import oracles, usd_judges
+
+FOLDER = Path(__file__).parents[3] / "examples"
+EXAMPLES = [
+    FOLDER / name
+    for name in (
+        "arm/arm.yaml", "diff_drive/diff_drive.yaml", "hexapod/hexapod.yaml",
+        "leg_robot/robot.yaml", "pan_tilt/pan_tilt.yaml", "quadruped/quadruped.yaml",
+    )
+]  # fmt: skip
+ARM = """
+robot: my arm
+model:
+- part:
+    name: base
+    link: {geometry: box, size: 0.2 0.2 0.1, mass: 4, visual: {color: 1 0 0 0.5}, collision: null}
+- part:
+    name: rod
+    joint:
+      type: revolute
+      parent: base
+      axis: 0.6 0.8 0
+      limit: {lower: -1, upper: 2, effort: 10, velocity: 3}
+      dynamics: {damping: 0.5, friction: 0.1}
+      actuator: {kp: 50, kd: 2}
+    link:
+      geometry: cylinder
+      radius: 0.02
+      length: 0.5
+      mass: 1
+      xyz: 0 0 0.25
+      collision: {surface: {friction: 0.8, restitution: 0.1}}
+      frame/name=tip: {xyz: 0 0 0.5}
+      sensor/name=eye: {type: camera, size: 640 480, fov: 1, clip: 0.1 10}
+      sensor/name=imu: {type: imu}
+"""
+
+
+@pytest.fixture(autouse=True)
+def _judge() -> None:
+    oracles.require_module("pxr")
+
+
+def stage_of(text: str, tmp_path: Path, **given: Any) -> tuple[Any, yamaro.Build]:
+    from pxr import Usd
+
+    path = tmp_path / "robot.yaml"
+    path.write_text(text)
+    build = yamaro.build(path, target="usd", **given)
+    usd = tmp_path / f"{given.get('base', 'robot')}.usda"  # OpenUSD keeps what it has read
+    usd.write_text(build.xml())
+    assert usd_judges.complaints_of(usd) == []
+    return Usd.Stage.Open(str(usd)), build
+
+
+def test_limits_and_gains_are_in_degrees(tmp_path: Path) -> None:
+    stage, _ = stage_of(ARM, tmp_path)
+    joint = stage.GetPrimAtPath("/my_arm/joints/rod_joint")
+
+    def value(name: str) -> Any:
+        return joint.GetAttribute(f"physics:{name}").Get()
+
+    assert value("lowerLimit") == pytest.approx(degrees(-1))
+    assert value("upperLimit") == pytest.approx(degrees(2))
+    drive = "drive:angular:physics"
+    gains = [joint.GetAttribute(f"{drive}:{name}").Get() for name in ("stiffness", "damping")]
+    assert gains == pytest.approx([50 / degrees(1), 2.5 / degrees(1)])
+    assert joint.GetAttribute(f"{drive}:maxForce").Get() == 10
+
+
+def test_what_usd_cannot_hold_is_reported(tmp_path: Path) -> None:
+    _, build = stage_of(ARM, tmp_path)
+    found = {(loss.kind, loss.what, loss.owner) for loss in build.losses}
+    assert found == {
+        ("renamed", "robots", "'my arm'"),
+        ("lost", "limits of velocity", "joint 'rod_joint'"),
+        ("lost", "friction of joints", "joint 'rod_joint'"),
+        ("approximated", "damping of joints", "joint 'rod_joint'"),
+        ("lost", "imu sensors", "'imu'"),
+        ("lost", "rates, sizes and noise of camera sensors", "'eye'"),
+    }
+
+
+def test_a_camera_looks_along_x_with_z_up(tmp_path: Path) -> None:
+    from pxr import Gf, UsdGeom
+
+    stage, _ = stage_of(ARM, tmp_path)
+    prim = stage.GetPrimAtPath("/my_arm/rod_link/eye/eye_camera")
+    view = UsdGeom.XformCache().GetLocalToWorldTransform(prim)
+    assert view.TransformDir(Gf.Vec3d(0, 0, -1)) == pytest.approx((1, 0, 0), abs=1e-9)
+    assert view.TransformDir(Gf.Vec3d(0, 1, 0)) == pytest.approx((0, 0, 1), abs=1e-9)
+    camera = UsdGeom.Camera(prim).GetCamera()
+    assert camera.GetFieldOfView(Gf.Camera.FOVHorizontal) == pytest.approx(degrees(1), abs=1e-3)
+
+
+def test_a_base_is_fixed_where_that_is_asked(tmp_path: Path) -> None:
+    free, _ = stage_of(ARM, tmp_path)
+    assert not free.GetPrimAtPath("/my_arm/joints/base_link_world")
+    fixed, _ = stage_of(ARM, tmp_path, base="fixed")
+    assert (
+        fixed.GetPrimAtPath("/my_arm/joints/base_link_world").GetTypeName() == "PhysicsFixedJoint"
+    )
+
+
+@pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.name)
+def test_examples_move_as_in_urdf(path: Path, tmp_path: Path) -> None:
+    oracles.require_module("pinocchio")
+    build = yamaro.build(path, on_message=lambda line: None)
+    usd = tmp_path / "robot.usda"
+    usd.write_text(yamaro.build(path, target="usd", on_message=lambda line: None).xml())
+    assert usd_judges.complaints_of(usd) == []
+    assert usd_judges.disagreement(build.xml(), usd, build.robot, positions=20) == ""
