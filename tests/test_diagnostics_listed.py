@@ -22,6 +22,9 @@ GIVEN = re.compile(rf"^(?:error|warning)\[({CODE})\]", re.MULTILINE)
 TESTED_ELSEWHERE = {
     "approximated-in-mjcf": "targets/test_emission.py",
     "approximated-in-usd": "targets/test_emission.py",
+    "bad-test": "tools/test_testing.py",
+    "error-expected": "tools/test_testing.py",
+    "expectation-failed": "tools/test_testing.py",
     "jail-broken": "test_policy.py",
     "limit-time": "test_policy.py",
     "lost-in-mjcf": "targets/test_emission.py",
@@ -33,6 +36,7 @@ TESTED_ELSEWHERE = {
     "no-opengl": "tools/picture/test_pictures.py",
     "not-migrated": "tools/migrate/test_migrate_command.py",
     "not-urdf": "runtime/test_xml_main.py",
+    "output-differs": "tools/test_testing.py",
     "renamed-in-mjcf": "targets/test_emission.py",
     "renamed-in-usd": "targets/test_emission.py",
     "unknown-package": "check/test_check.py",

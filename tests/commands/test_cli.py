@@ -1245,7 +1245,7 @@ def on_path() -> dict[str, str]:
             ["yamaro", ""],
             (
                 "a.urdf args bin check completion diff fmt help lsp migrate picture robot.yaml "
-                "tree two.yml view watch why"
+                "test tree two.yml view watch why"
             ),
         ),
         ("yamaro ro", ["yamaro", "ro"], "robot.yaml"),

@@ -29,7 +29,8 @@ SHOWN_WARNINGS = {
 
 
 def main_files(folder: Path) -> list[Path]:
-    texts = {path: path.read_text(encoding="utf-8") for path in sorted(folder.rglob("*.yaml"))}
+    paths = [path for path in sorted(folder.rglob("*.yaml")) if ".test." not in path.name]
+    texts = {path: path.read_text(encoding="utf-8") for path in paths}
     return [
         path
         for path in texts

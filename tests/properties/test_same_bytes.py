@@ -15,7 +15,7 @@ import pytest
 from tests.test_cases import find_cases, read_options
 
 ROOT = Path(__file__).parents[2]
-EXAMPLES = sorted((ROOT / "examples").rglob("*.yaml"))
+EXAMPLES = sorted(path for path in (ROOT / "examples").rglob("*.yaml") if ".test." not in path.name)
 # Those that show where they run, or for which Python, differ by right.
 ABOUT_THE_PLACE = ("cwd", "env", "find", "load", "dirname", "package", "python", "home")
 

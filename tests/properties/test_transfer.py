@@ -22,7 +22,11 @@ from yamaro.source import Source, Span
 from yamaro.xml.tree import Comment, Element, Text
 from yamaro.xml.writer import write
 
-EXAMPLES = sorted((Path(__file__).parents[2] / "examples").rglob("*.yaml"))
+EXAMPLES = sorted(
+    path
+    for path in (Path(__file__).parents[2] / "examples").rglob("*.yaml")
+    if ".test." not in path.name
+)
 texts = st.text(max_size=12)
 names = st.text(st.characters(exclude_characters="\0", exclude_categories=["Cs"]), max_size=12)
 codes = st.sampled_from(["a", "jail-broken", "capsule-needs-urdf-1.1"])

@@ -146,6 +146,8 @@ def _check_arguments(arguments: Arguments) -> None:
                 raise WrongUsage(f"'--{name}' and '--{other}' cannot be combined")
     if not COMMANDS[command].words:  # it takes no file
         return
+    if command == "test":  # any number of files and folders
+        return
     if not arguments.words:
         raise WrongUsage(_missing_file(command))
     if arguments.has("git"):

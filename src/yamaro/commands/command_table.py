@@ -155,6 +155,17 @@ COMMANDS = {
             ),
         ),
         Command(
+            "test",
+            ("[FILE|FOLDER ...]",),
+            "test robots against what is expected of them",
+            "Run the test files (*.test.yaml) that are named, and those in folders and below; by "
+            "default in the working directory. Exit with 0 if all cases pass, 1 if any fails.",
+            words=(("FILE, FOLDER", "test files, and folders with test files"),),
+            looks=True,
+            endings=("test.yaml", "test.yml"),
+            examples=("yamaro test", "yamaro test robots --junit results.xml"),
+        ),
+        Command(
             "lsp",
             ("[--stdio]",),
             "serve an editor: diagnostics, completion, hover, rename",

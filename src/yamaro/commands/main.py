@@ -106,6 +106,8 @@ def _command(name: str) -> Run:
         from .why import run
     elif name == "diff":
         from .diff import run
+    elif name == "test":
+        from .test import run
     elif name == "lsp":
         from .lsp import run
     elif name == "fmt":

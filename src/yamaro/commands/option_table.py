@@ -12,13 +12,14 @@ from .rows import Option
 ALL = tuple(COMMANDS)
 BUILDING = ("build", "check", "tree", "view", "watch", "picture", "why")
 """The commands that build one file of the user's, and show its messages."""
-WORKING = (*BUILDING, "migrate", "diff")
+WORKING = (*BUILDING, "migrate", "diff", "test")
 """The commands that run a file."""
 READING = (*WORKING, "args")
 """The commands that read a file."""
 PICTURE = ("picture",)
 VIEW = ("view",)
 DIFF = ("diff",)
+TEST = ("test",)
 
 OPTIONS = {
     option.name: option
@@ -60,8 +61,12 @@ OPTIONS = {
         Option(
             "json",
             "write a JSON Schema (2020-12) of the arguments",
-            ("args", "why", "diff"),
-            help_in={"why": "write the answer as JSON", "diff": "write the changes as JSON"},
+            ("args", "why", "diff", "test"),
+            help_in={
+                "why": "write the answer as JSON",
+                "diff": "write the changes as JSON",
+                "test": "write the results as JSON",
+            },
         ),
         Option("check", "change no file; exit with 1 if one is not formatted", ("fmt",)),
         Option(
@@ -144,6 +149,23 @@ OPTIONS = {
             DIFF,
             value="N",
             wants="a number",
+        ),
+        Option("accept", "write the golden files that differ or are missing", TEST),
+        Option(
+            "only",
+            "run only the cases with that text in 'FILE: NAME'",
+            TEST,
+            short="k",
+            value="TEXT",
+            wants="a text",
+        ),
+        Option(
+            "junit",
+            "also write the results to FILE in the format of JUnit",
+            TEST,
+            value="FILE",
+            wants="a file name",
+            completes="files",
         ),
         Option("stat", "only write how much changed", DIFF, excludes=("json",)),
         Option("exit-zero", "exit with 0 for robots that differ too", DIFF),

@@ -36,6 +36,21 @@ class Pose:
         return self.element.span if self.element is not None else None
 
     @property
+    def x(self) -> float:
+        """Return the x coordinate of the position, in metres."""
+        return self.position[0]
+
+    @property
+    def y(self) -> float:
+        """Return the y coordinate of the position, in metres."""
+        return self.position[1]
+
+    @property
+    def z(self) -> float:
+        """Return the z coordinate of the position, in metres."""
+        return self.position[2]
+
+    @property
     def rpy(self) -> Vector:
         """Return roll, pitch and yaw in radians, as URDF defines them; see `rpy_from_rotation`."""
         return rpy_from_rotation(self.rotation)

@@ -320,7 +320,13 @@ class Robot(Written):
 
     # --- kinematics and mass ---
 
-    def pose(self, name: str, positions: Mapping[str, Position] | None = None) -> Pose:
+    def pose(
+        self,
+        name: str,
+        positions: Mapping[str, Position] | None = None,
+        *,
+        base: str | None = None,
+    ) -> Pose:
         """Return T_root_link of a link or frame, for given positions of joints.
 
         Args:
@@ -329,6 +335,7 @@ class Robot(Written):
                 continuous or prismatic joint; three numbers for a planar one, x and y in metres
                 and an angle in radians, in the plane across its axis; a `Pose` for a floating
                 one. Joints that are left out are at 0. Joints that mimic others follow them.
+            base: the link or frame in whose frame the pose is, T_base_link; by default the root.
 
         Raises:
             ValueError: there is no such link, or no such joint that can be given a position, or a
@@ -336,7 +343,8 @@ class Robot(Written):
         """
         from .kinematics import pose_of
 
-        return pose_of(self, name, positions)
+        pose = pose_of(self, name, positions)
+        return pose if base is None else pose_of(self, base, positions).inverse() @ pose
 
     def poses(self, positions: Mapping[str, Position] | None = None) -> dict[str, Pose]:
         """Return T_root_link of every link by name, in order; see `pose`.

@@ -1,0 +1,1 @@
+"""`yamaro test`: what robots are expected to be, in files beside them."""

@@ -1,0 +1,103 @@
+"""Compares the output of a robot with a golden file by meaning, or writes that file."""
+
+from __future__ import annotations
+
+import os
+
+from ...diagnostics import Diagnostic, YamaroError, failure
+from ...files.regular import open_regular
+from ...output import write_file
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from ...result import Build
+    from ...source import Span
+
+MOST_LINES = 12
+"""Lines of differences to show."""
+
+
+def compare_with_golden(
+    build: Build, golden: tuple[str, Span], *, folder: str, accepts: bool
+) -> tuple[list[Diagnostic], str]:
+    """Return how the output differs from the golden file, and the file if it was written.
+
+    Args:
+        build: the robot.
+        golden: the path of the file below the folder, and where that is written.
+        folder: that of the test file.
+        accepts: write the file if it differs or is missing.
+    """
+    name, span = golden
+    path = os.path.join(folder, name)
+    try:
+        with open_regular(path) as file:
+            old = file.read().decode("utf-8", "replace")
+    except FileNotFoundError:
+        old = None
+    except OSError as error:
+        reason = error.strerror or str(error)
+        return [Diagnostic("output-differs", f"'{name}' cannot be read: {reason}", span)], ""
+    lines = None if old is None else _differences(old, build, name)
+    if lines is not None and not lines:
+        return [], ""
+    if accepts:
+        _write(path, build, name, span)
+        return [], os.path.normpath(os.path.join(os.path.dirname(span.source.name), name))
+    if lines is None:
+        message, notes = f"the file '{name}' does not exist", []
+    else:
+        message, notes = f"the output differs from '{name}'", lines
+    hint = "if the output is right, --accept writes the file"
+    return failure("output-differs", message, span, hint=hint, notes=notes).diagnostics, ""
+
+
+def _write(path: str, build: Build, name: str, span: Span) -> None:
+    try:
+        os.makedirs(os.path.dirname(path), exist_ok=True)
+        write_file(path, build.encoded())
+    except OSError as error:
+        reason = error.strerror or str(error)
+        raise failure("output-differs", f"'{name}' cannot be written: {reason}", span) from None
+
+
+def _differences(old: str, build: Build, name: str) -> list[str]:
+    """Return in what the output differs by meaning, a line for each change."""
+    from ...model.robot import Robot
+
+    if build.root_name != "robot":
+        return _differences_of_xml(old, build, name)
+    try:
+        before = Robot.from_xml(old, name=name)
+    except YamaroError as error:
+        return [f"{name}: {error.diagnostics[0].message}"]
+    changes = before.changes(build.robot, has_extras=False)
+    if not changes:
+        return []
+    from ..diff.text import DiffText
+
+    text = DiffText(changes, (before, build.robot), name=_name_of).render((name, "the output"))
+    return _first(text.rstrip("\n").split("\n")[2:])
+
+
+def _differences_of_xml(old: str, build: Build, name: str) -> list[str]:
+    from ...model.compare import compare
+    from ...source import Source
+    from ...xml.reader import read_xml
+
+    try:
+        before = read_xml(Source(old, name=name)).root
+        after = read_xml(Source(build.xml(), name="output")).root
+    except YamaroError as error:
+        return [f"{name}: {error.diagnostics[0].message}"]
+    return _first([str(difference) for difference in compare(before, after)])
+
+
+def _first(lines: list[str]) -> list[str]:
+    if len(lines) <= MOST_LINES:
+        return lines
+    return [*lines[: MOST_LINES - 1], f"and {len(lines) - MOST_LINES + 1} more lines"]
+
+
+def _name_of(span: Span) -> str:
+    return span.source.name
