@@ -13,11 +13,9 @@ from yamaro.diagnostics import (
     YamaroError,
     did_you_mean,
     failure,
-    render,
-    render_all,
     suggest,
-    trace_lines,
 )
+from yamaro.rendering import render, render_all, trace_lines
 from yamaro.source import Source, Span
 from yamaro.terminal import printable
 

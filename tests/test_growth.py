@@ -13,7 +13,7 @@ import pytest
 
 import yamaro
 from tests.counting import calls_of
-from yamaro.diagnostics import render_all
+from yamaro.rendering import render_all
 from yamaro.source import Source
 from yamaro.syntax.keys import find_outside
 from yamaro.xml import reader as xmlreader

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from yamaro.syntax.names import is_dunder, is_function_name, is_identifier, name_hint
-from yamaro.xml.names import bad_name_character
+from yamaro.xml.values import bad_name_character
 
 RULE = "names are letters, digits and _, and do not begin with a digit"
 

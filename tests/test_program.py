@@ -11,7 +11,7 @@ import pytest
 
 import yamaro
 from tests.effort import sample
-from yamaro.diagnostics import render
+from yamaro.rendering import render
 
 CASES = Path(__file__).parent / "cases"
 AREAS = sorted(path.name for path in CASES.iterdir() if path.is_dir())

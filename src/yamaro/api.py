@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from .arguments import UsageError
+from .files.mesh_files import RELATIVE
 from .policy import Policy
 from .program import Program, as_built_in, converted
-from .targets.mesh_paths import RELATIVE
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

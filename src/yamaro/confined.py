@@ -340,6 +340,18 @@ class Reader:
             raise time_is_over(self._name, self._policy) from None
 
 
+def run_in_time(function: Callable[[], T], policy: Policy, name: str) -> T:
+    """Return what `function` returns.
+
+    Raises:
+        YamaroError: it took longer than the policy allows; `name` is that of the file.
+    """
+    try:
+        return run_within(policy.timeout, function)
+    except TimeOver:
+        raise time_is_over(name, policy) from None
+
+
 def time_is_over(name: str, policy: Policy) -> YamaroError:
     """Return the error for a conversion that was ended by force, of a file of that name."""
     from .runtime.python_errors import TIME_HINT

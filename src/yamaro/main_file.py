@@ -8,8 +8,7 @@ from .arguments import UsageError
 from .diagnostics import YamaroError, failure_of_all
 from .files.loader import LoadError
 from .files.packages import PackageFinder
-from .source import STANDARD_INPUT, STANDARD_INPUT_NAME, Source
-from .syntax.includes import holds_xml
+from .source import STANDARD_INPUT, STANDARD_INPUT_NAME, Source, holds_xml
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

@@ -46,7 +46,8 @@ def _warn_of_unread(
     from .runtime.unread import warn_of_unread, warn_of_unread_includes
 
     warn_of_unread(places, interpreter.files, reporter)
-    warn_of_unread_includes(interpreter.passed.values(), interpreter.files, reporter)
+    if interpreter.passed:
+        warn_of_unread_includes(interpreter.passed.values(), interpreter.files, reporter)
 
 
 def lower(

@@ -8,17 +8,14 @@ import sys
 from .arguments import UsageError, adjustment_of, read_arguments
 from .diagnostics import Adjustment, Reporter, YamaroError, YamaroWarning, failure_of_all
 from .files.loader import FileLoader, LoadError
-from .files.mesh_files import MeshFinder
+from .files.mesh_files import COPY, NONE, RELATIVE, MeshFinder
 from .main_file import finder_for, folder_of, reach_of, read_main, stem_of
 from .pipeline import compile_request
 from .policy import NO_JAIL, UNSAFE, Policy
-from .request import Request
+from .request import RelativePaths, Request
 from .runtime.collector import RareCollection
 from .runtime.library import Library, rules_of
-from .sandbox.deadline import TimeOver, run_within
 from .sandbox.deep_stack import run_on_deep_stack
-from .targets.mesh_paths import COPY, NONE, RELATIVE, MeshPaths
-from .terminal import harmless
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -32,6 +29,7 @@ if TYPE_CHECKING:
     from .sandbox.outcome import Outcome
     from .source import Source
     from .targets.assets import Assets
+    from .targets.mesh_paths import MeshPaths
 
     class Targets(TypedDict, total=False):
         """The arguments of `build` that say which formats are written, and how."""
@@ -174,8 +172,10 @@ class Program:
         if target is not None:
             from .emission import targets_of
 
+            paths = request.paths
+            paths = request.paths = paths.whole() if isinstance(paths, RelativePaths) else paths
             request.targets = targets_of(
-                target, request.paths, has_meshes=meshes != NONE, base=base,
+                target, paths, has_meshes=meshes != NONE, base=base,
                 repairs_inertia=repair_inertia, sdf_version=sdf_version,
                 output=None if output is None else os.fspath(output), progress=on_progress,
             )  # fmt: skip
@@ -289,7 +289,7 @@ class Program:
 
     def _mesh_paths(
         self, mode: str, output: str | os.PathLike[str] | None, packages: PackageFinder
-    ) -> MeshPaths:
+    ) -> MeshPaths | RelativePaths:
         """Return how the output names meshes; raise UsageError if it cannot as asked."""
         start = folder_of(self._path)
         folder = start if output is None else os.path.dirname(os.path.abspath(output))
@@ -307,6 +307,10 @@ class Program:
             if self._policy.is_confined:
                 return work()
             return Reader(self._policy, readable=finder.roots, name=self._path).run(work)
+
+        if mode == RELATIVE:
+            return RelativePaths(folder, finder, run)
+        from .targets.mesh_paths import MeshPaths
 
         assets: Assets | None = None
         if mode == COPY:
@@ -336,11 +340,11 @@ class Program:
 
         def run() -> T:
             try:
-                return run_within(self._policy.timeout, function)
-            except TimeOver:
-                from .confined import time_is_over
+                if self._policy.timeout is None:
+                    return function()
+                from .confined import run_in_time
 
-                raise time_is_over(source.name, self._policy) from None
+                return run_in_time(function, self._policy, source.name)
             except MemoryError:
                 hint = self._policy.limits.hint("memory")
                 message = "there is not enough memory for this file"
@@ -436,4 +440,6 @@ def as_built_in(error: UsageError) -> Exception:
 
 
 def _print_to_standard_error(text: str) -> None:
+    from .terminal import harmless
+
     print(harmless(text), file=sys.stderr)

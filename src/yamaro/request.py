@@ -2,14 +2,19 @@
 
 from __future__ import annotations
 
+from .files.mesh_files import RELATIVE
+
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
     from .diagnostics import Adjustment, Reporter
+    from .files.mesh_files import MeshFinder
     from .files.packages import PackageFinder
     from .source import Source, Span
+    from .targets.assets import Assets
     from .targets.mesh_paths import MeshPaths
+    from .xml.tree import Element
 
 
 class Target:
@@ -54,6 +59,37 @@ class Target:
         self.progress = progress
 
 
+class RelativePaths:
+    """Names meshes by paths relative to the folder of the output, if a robot has any.
+
+    Attributes:
+        finder: finds files and packages.
+        assets: no copies.
+    """
+
+    __slots__ = ("_folder", "_run", "finder")
+
+    assets: Assets | None = None
+
+    def __init__(
+        self, folder: str, finder: MeshFinder, run: Callable[[Callable[[], bytes]], bytes]
+    ) -> None:
+        """Name files for an output in a folder; see `MeshPaths`."""
+        self.finder = finder
+        self._folder = folder
+        self._run = run
+
+    def whole(self) -> MeshPaths:
+        """Return what knows all of it."""
+        from .targets.mesh_paths import MeshPaths
+
+        return MeshPaths(RELATIVE, self._folder, self.finder, run=self._run)
+
+    def applied_to(self, root: Element) -> Element:
+        """Return a robot with these paths; `root` stays as it is."""
+        return self.whole().applied_to(root)
+
+
 class Request:
     """What is built, with which variables, and where messages go.
 
@@ -96,7 +132,7 @@ class Request:
         variables: dict[str, object],
         places: dict[str, Span],
         packages: PackageFinder,
-        paths: MeshPaths,
+        paths: MeshPaths | RelativePaths,
         reporter: Reporter,
         adjustment: Adjustment,
         has_advice: bool,

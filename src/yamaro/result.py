@@ -10,6 +10,7 @@ if TYPE_CHECKING:
 
     from .diagnostics import Diagnostic
     from .model.robot import Robot
+    from .request import RelativePaths
     from .targets.mesh_paths import MeshPaths
     from .targets.output import Loss
     from .xml.tree import Element
@@ -75,7 +76,7 @@ class Build:
         find_meshes: Callable[[], list[str]],
         *,
         finished: Element | None,
-        paths: MeshPaths,
+        paths: MeshPaths | RelativePaths,
         pieces: list[str],
         warnings: list[Diagnostic],
         files: list[str],

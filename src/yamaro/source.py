@@ -14,6 +14,10 @@ COMMAND_LINE = "<command line>"
 """What the source is called that holds a `name:=value`."""
 KEYWORD_ARGUMENT = "<keyword argument>"
 """What the source is called that holds a variable given from Python."""
+XML_ENDINGS = (".urdf", ".xacro", ".xml", ".sdf")
+"""Endings of the names of files that hold XML, which is included as it is."""
+YAML_ENDINGS = (".yaml", ".yml")
+"""Endings of the names of files that hold YAML, though it may begin with `<`, as in `<arm>:`."""
 
 
 class Source:
@@ -144,3 +148,22 @@ def joined(first: Span, second: Span) -> Span:
     inner = second.others if isinstance(second, RecordedSpan) else ()
     others = (*first.others, second, *inner)
     return RecordedSpan(first, first.readings, name_span=first.name_span, others=others)
+
+
+def is_xml_file(path: str) -> bool:
+    """Return whether a file holds XML by its name alone."""
+    return path.lower().endswith(XML_ENDINGS)
+
+
+def holds_xml(path: str, data: bytes | str) -> bool:
+    """Return whether a file holds XML: by its name, or if that is not decisive, by how it begins.
+
+    `<arm>:` begins YAML anyway.
+    """
+    if path.lower().endswith((*XML_ENDINGS, *YAML_ENDINGS)):
+        return is_xml_file(path)
+    if isinstance(data, str):
+        start = data.lstrip("\ufeff \t\r\n")
+    else:
+        start = data.lstrip(b"\xef\xbb\xbf\xff\xfe\0 \t\r\n").decode("latin-1").replace("\0", "")
+    return start.startswith("<") and not start.partition(">")[2].startswith(":")

@@ -11,7 +11,6 @@ import os
 import sys
 
 from .output import write_all
-from .terminal import harmless, harmless_xml
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -103,13 +102,15 @@ class Streams:
         encoding = self.result_encoding()
         for chunk in chunks:
             if isinstance(chunk, str):
-                yield harmless(chunk, colored=True).encode(encoding, "backslashreplace")
+                yield _harmless(chunk, colored=True).encode(encoding, "backslashreplace")
             elif not is_terminal:
                 yield chunk
             elif form == XML:
+                from .terminal import harmless_xml
+
                 yield harmless_xml(_decoded(chunk)).encode(encoding, "xmlcharrefreplace")
             else:
-                yield harmless(_decoded(chunk)).encode(encoding, "backslashreplace")
+                yield _harmless(_decoded(chunk)).encode(encoding, "backslashreplace")
 
     def _write_out(self, chunks: Iterable[bytes]) -> None:
         assert self._out is not None
@@ -128,11 +129,11 @@ class Streams:
 
         What controls a terminal is escaped; `colored` lets the styles of `terminal.py` pass.
         """
-        self._put(harmless(text, colored=colored) + "\n")
+        self._put(_harmless(text, colored=colored) + "\n")
 
     def put_in_line(self, text: str) -> None:
         """Write text over the line of the terminal in which the cursor is; "" clears it."""
-        self._put(f"\r\x1b[K{harmless(text)}")
+        self._put(f"\r\x1b[K{_harmless(text)}")
 
     def _put(self, text: str) -> None:
         """Write text, which is escaped already, to standard error."""
@@ -216,7 +217,7 @@ class ProcessStreams(Streams):
 
     def put_in_line(self, text: str) -> None:
         """Write text over the line of the terminal in which the cursor is; "" clears it."""
-        self._put(f"\r\x1b[K{harmless(text)}")
+        self._put(f"\r\x1b[K{_harmless(text)}")
 
     def _put(self, text: str) -> None:
         """Write text, which is escaped already, to standard error."""
@@ -250,7 +251,7 @@ class _Escaping:
         """Pass text on; raise TypeError for anything else, as all text streams do."""
         if not isinstance(text, str):
             raise TypeError(f"write() argument must be str, not {type(text).__name__}")
-        self._put(harmless(text))
+        self._put(_harmless(text))
         return len(text)
 
     def writelines(self, lines: Iterable[str]) -> None:
@@ -260,6 +261,12 @@ class _Escaping:
 
     def __getattr__(self, name: str) -> Any:
         return getattr(self._stream, name)
+
+
+def _harmless(text: str, *, colored: bool = False) -> str:
+    from .terminal import harmless
+
+    return harmless(text, colored=colored)
 
 
 def _decoded(chunk: bytes) -> str:

@@ -18,10 +18,11 @@ from tests.counting import calls_of
 from tests.effort import examples
 from yamaro.check.link import principal_moments
 from yamaro.check.robot import check
-from yamaro.diagnostics import WARNING, Diagnostic, Reporter, render
+from yamaro.diagnostics import WARNING, Diagnostic, Reporter
 from yamaro.meshes.triangles import stl_extent
 from yamaro.model.urdf_schema import ELEMENTS
 from yamaro.model.values import read_numbers
+from yamaro.rendering import render
 from yamaro.source import Source, Span
 from yamaro.xml.tree import Comment, Element, Text
 

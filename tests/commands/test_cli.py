@@ -15,7 +15,7 @@ from typing import Any
 import pytest
 
 from tests.waiting import PATIENCE
-from yamaro import api
+from yamaro import Program
 from yamaro.commands.arguments import parse_arguments
 from yamaro.commands.command_table import COMMANDS, named_commands
 from yamaro.commands.help import help_of
@@ -173,7 +173,7 @@ def test_deps_lists_the_files_read(capsys: pytest.CaptureFixture[str], folder: P
 def test_deps_lists_meshes_that_are_files_and_each_once(
     capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    def build(path: str, **options: object) -> types.SimpleNamespace:
+    def build(program: Program, **options: object) -> types.SimpleNamespace:
         return types.SimpleNamespace(
             warnings=[],
             outputs={},
@@ -181,7 +181,7 @@ def test_deps_lists_meshes_that_are_files_and_each_once(
             meshes=["/r/m.stl", "package://unknown/n.stl", "/r/b.yaml"],
         )
 
-    monkeypatch.setattr(api, "build", build)
+    monkeypatch.setattr(Program, "build", build)
     expected = "/r/robot.yaml\n/r/b.yaml\n/r/m.stl\n"
     assert outcome(capsys, write(PLAIN), "--deps") == (0, expected, "")
 
@@ -715,10 +715,10 @@ def test_output_that_is_an_included_file_is_refused(capsys: pytest.CaptureFixtur
 def test_a_fault_of_ours_is_told_apart_and_shows_no_traceback(
     capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    def build(path: str, **options: object) -> None:
+    def build(program: Program, **options: object) -> None:
         raise KeyError("oops")
 
-    monkeypatch.setattr(api, "build", build)
+    monkeypatch.setattr(Program, "build", build)
     status, out, err = outcome(capsys, write(PLAIN))
     assert (status, out) == (70, "")
     assert err.startswith("yamaro: internal error: KeyError: 'oops' (test_cli.py:")
@@ -742,10 +742,10 @@ def test_interrupts_do_not_pass_for_success(
     status: int,
     said: str,
 ) -> None:
-    def build(path: str, **options: object) -> None:
+    def build(program: Program, **options: object) -> None:
         raise fault
 
-    monkeypatch.setattr(api, "build", build)
+    monkeypatch.setattr(Program, "build", build)
     result = outcome(capsys, write(PLAIN), "-o", "arm.urdf")
     assert result[:2] == (status, "")
     assert result[2].startswith(said)

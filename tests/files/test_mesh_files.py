@@ -5,10 +5,10 @@ from pathlib import Path
 import pytest
 
 from yamaro import YamaroError, build
-from yamaro.diagnostics import render
 from yamaro.files.mesh_files import MeshFinder
 from yamaro.files.packages import PackageFinder
 from yamaro.policy import Policy
+from yamaro.rendering import render
 from yamaro.source import Source, Span
 
 

@@ -5,7 +5,8 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable
 
-from yamaro.diagnostics import Diagnostic, YamaroError, render
+from yamaro.diagnostics import Diagnostic, YamaroError
+from yamaro.rendering import render
 
 CODE = re.compile(r"[a-z0-9.]+(-[a-z0-9.]+)*")
 

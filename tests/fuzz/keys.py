@@ -9,7 +9,8 @@ from __future__ import annotations
 import re
 from typing import Any
 
-from yamaro.diagnostics import Reporter, YamaroError, render
+from yamaro.diagnostics import Reporter, YamaroError
+from yamaro.rendering import render
 from yamaro.source import Source
 from yamaro.syntax import statements
 from yamaro.syntax.context import ParseContext
@@ -17,8 +18,8 @@ from yamaro.syntax.keys import PlainKeyPlaces, find_outside, parse_plain_key
 from yamaro.syntax.names import STATEMENTS, head_of
 from yamaro.syntax.nodes import Attribute, ElementNode
 from yamaro.syntax.template import Template, skip_expression
-from yamaro.xml.names import bad_name_character
 from yamaro.xml.tree import Element
+from yamaro.xml.values import bad_name_character
 from yamaro.yaml.nodes import DOUBLE, PLAIN, ScalarNode
 
 from .checks import require_readable, require_sound

@@ -20,9 +20,10 @@ from lxml import etree
 from tests.unshared import unsharing
 from yamaro import api, pipeline
 from yamaro.arguments import UsageError
-from yamaro.diagnostics import YamaroError, render
+from yamaro.diagnostics import YamaroError
 from yamaro.files.loader import LoadError
 from yamaro.policy import Policy
+from yamaro.rendering import render
 from yamaro.result import Build
 from yamaro.sandbox import jail
 

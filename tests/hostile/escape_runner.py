@@ -21,16 +21,16 @@ from typing import Any
 import numpy as np
 
 from yamaro.diagnostics import Frame, YamaroError
+from yamaro.namespace import Namespace
 from yamaro.runtime.expressions import Evaluator
 from yamaro.runtime.python_errors import Explainer
 from yamaro.runtime.scope import Home, Scope, SharedNames
 from yamaro.safe.code import compile_safe
 from yamaro.safe.limits import SafeLimits, SafetyError
-from yamaro.safe.namespace import Namespace
 from yamaro.safe.runtime import SafeRuntime
 from yamaro.source import Source, Span
+from yamaro.syntax.context import Rules
 from yamaro.syntax.python import PythonCode
-from yamaro.syntax.rules import Rules
 from yamaro.yaml.flexidict import FlexiDict
 from yamaro.yaml.nodes import ScalarNode
 

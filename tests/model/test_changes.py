@@ -18,7 +18,7 @@ from tests.model.test_kinematics import Pinocchio
 from yamaro import Robot, build
 from yamaro.model.changes.change import Change, Changes
 from yamaro.model.changes.tolerance import angle_between
-from yamaro.model.rotations import rotation_from_rpy
+from yamaro.model.pose import rotation_from_rpy
 
 REPOSITORY = Path(__file__).parents[2]
 CORPUS = REPOSITORY.parent / "shared" / "corpus"

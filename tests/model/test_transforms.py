@@ -6,7 +6,7 @@ from math import cos, pi, sin
 
 import pytest
 
-from yamaro.model.rotations import (
+from yamaro.model.pose import (
     multiply,
     rotate,
     rotation_from_rpy,

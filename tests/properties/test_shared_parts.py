@@ -11,8 +11,7 @@ from hypothesis import strategies as st
 from tests.robot.part_builder import build, resolve_nothing
 from yamaro.diagnostics import INHERITED, Frame, Reporter, YamaroError
 from yamaro.robot.part import lower
-from yamaro.xml.memo import Memo
-from yamaro.xml.tree import Element, Node, PartElement, unshared
+from yamaro.xml.tree import Element, Memo, Node, PartElement, unshared
 
 NAMES = ["a", "b", "j l", "a b c", "''"]
 LINKS = [

@@ -12,8 +12,7 @@ from tests.effort import examples
 from yamaro.check.robot import check
 from yamaro.diagnostics import INHERITED, Diagnostic, Frame, Reporter, YamaroError
 from yamaro.source import Source, Span
-from yamaro.xml.memo import Memo
-from yamaro.xml.tree import Comment, Element, Text, unshared
+from yamaro.xml.tree import Comment, Element, Memo, Text, unshared
 from yamaro.xml.values import format_number
 from yamaro.xml.writer import write_pieces
 

@@ -16,8 +16,8 @@ from tests.effort import examples
 from tests.unshared import unsharing
 from yamaro import YamaroError, api, pipeline
 from yamaro.codes import ADJUSTABLE
-from yamaro.diagnostics import render
 from yamaro.files.loader import MemoryLoader
+from yamaro.rendering import render
 
 COUNT = int(os.environ.get("YAMARO_SHARING_EXAMPLES", examples(400)))
 SEED = int(os.environ.get("YAMARO_FUZZ_SEED", "0"))

@@ -11,9 +11,10 @@ from hypothesis import strategies as st
 
 from tests.effort import examples
 from yamaro.api import build
-from yamaro.diagnostics import Diagnostic, Frame, YamaroError, render
+from yamaro.diagnostics import Diagnostic, Frame, YamaroError
 from yamaro.fixes import Edit, Fix
 from yamaro.policy import Limits
+from yamaro.rendering import render
 from yamaro.sandbox.deep_stack import run_on_deep_stack
 from yamaro.sandbox.jail import JailAnswerBroken, pack, unpack
 from yamaro.sandbox.outcome import Outcome

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation
 
 from tests.robot.part_builder import lower_text
-from yamaro.model.rotations import (
+from yamaro.model.pose import (
     multiply,
     rotation_from_rpy,
     rpy_from_rotation,

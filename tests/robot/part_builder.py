@@ -11,7 +11,8 @@ import math
 import numpy
 import yaml
 
-from yamaro.diagnostics import Diagnostic, Reporter, YamaroError, render
+from yamaro.diagnostics import Diagnostic, Reporter, YamaroError
+from yamaro.rendering import render
 from yamaro.robot.part import lower
 from yamaro.source import Source, Span
 from yamaro.xml.tree import Comment, Element, PartElement, Text

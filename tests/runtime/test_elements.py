@@ -10,8 +10,7 @@ from yamaro.source import Source, Span
 from yamaro.syntax.nodes import Body, ElementNode, PartNode
 from yamaro.syntax.parser import parse
 from yamaro.xml.forms import Form, key_of
-from yamaro.xml.memo import Memo
-from yamaro.xml.tree import Element, Text
+from yamaro.xml.tree import Element, Memo, Text
 
 
 def root_of(text: str) -> Body:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 
+from yamaro.namespace import MISSING, Namespace
 from yamaro.runtime.scope import (
     BlockScope,
     Home,
@@ -11,7 +12,6 @@ from yamaro.runtime.scope import (
     SharedNames,
     function_key,
 )
-from yamaro.safe.namespace import MISSING, Namespace
 from yamaro.source import Source
 
 

@@ -8,9 +8,10 @@ from pathlib import Path
 import pytest
 
 from yamaro import Build, Policy, YamaroError, build
-from yamaro.diagnostics import Diagnostic, render
+from yamaro.diagnostics import Diagnostic
 from yamaro.files.loader import MemoryLoader
 from yamaro.policy import Limits
+from yamaro.rendering import render
 from yamaro.runtime.xml_includes import is_xacro, read_included
 from yamaro.sandbox import jail
 from yamaro.source import Source

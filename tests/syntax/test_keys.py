@@ -8,7 +8,8 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from tests.effort import examples
-from yamaro.diagnostics import INHERITED, Reporter, YamaroError, render
+from yamaro.diagnostics import INHERITED, Reporter, YamaroError
+from yamaro.rendering import render
 from yamaro.source import Source
 from yamaro.syntax.context import ParseContext
 from yamaro.syntax.keys import PlainKeyPlaces, find_outside, parse_plain_key

@@ -13,9 +13,8 @@ import yaml
 
 from yamaro import YamaroError
 from yamaro.source import Source
-from yamaro.syntax.document import Document
+from yamaro.syntax.document import Document, Parsed
 from yamaro.syntax.nodes import FunctionsNode, VariablesNode
-from yamaro.syntax.parsed import Parsed
 from yamaro.syntax.parser import parse
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -126,7 +125,7 @@ def test_a_file_without_errors_loads_nothing_that_is_for_errors() -> None:
     )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     loaded = done.stdout.split()
-    assert "yamaro.syntax.parsed" in loaded
+    assert "yamaro.syntax.document" in loaded
     for name in ("yaml.recovery", "yaml.explanations", "yaml.comments", "syntax.follow_on"):
         assert f"yamaro.{name}" not in loaded
 

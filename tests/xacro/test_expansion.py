@@ -9,8 +9,9 @@ from typing import Any
 import pytest
 
 from tests.xacro.xacro_host import MemoryHost
-from yamaro.diagnostics import Diagnostic, Reporter, YamaroError, trace_lines
+from yamaro.diagnostics import Diagnostic, Reporter, YamaroError
 from yamaro.policy import Limits
+from yamaro.rendering import trace_lines
 from yamaro.sandbox.deep_stack import run_on_deep_stack
 from yamaro.source import Source
 from yamaro.xacro.expansion import expand

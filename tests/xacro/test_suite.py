@@ -8,7 +8,8 @@ import pytest
 
 from tests.xacro import xacro_suite
 from tests.xacro.xacro_host import FileHost
-from yamaro.diagnostics import Reporter, YamaroError, render
+from yamaro.diagnostics import Reporter, YamaroError
+from yamaro.rendering import render
 from yamaro.sandbox.deep_stack import run_on_deep_stack
 from yamaro.source import Source
 from yamaro.xacro.expansion import expand

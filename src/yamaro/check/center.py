@@ -10,7 +10,7 @@ from .context import CheckContext, label, shown
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from ..model.link import Link
-    from ..model.rotations import Vector
+    from ..model.pose import Vector
 
 LEAST_GAP = 0.3
 """Metres between the centre of mass and the shapes that are never reported."""

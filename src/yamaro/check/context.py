@@ -56,6 +56,7 @@ class CheckContext:
         "_suggestion_budget",
         "count",
         "file_owners",
+        "has_extensions",
         "material_uses",
         "materials_inside",
         "numbers",
@@ -92,6 +93,7 @@ class CheckContext:
             sound_values: by attributes, the texts that were found right.
             material_uses: the first link and visual's material of each name that visuals use.
             materials_inside: the names of the materials that are defined in visuals.
+            has_extensions: whether there are other elements than URDF's in the root.
             file_owners: the links and materials that may refer to files, each in turn.
         """
         self.root = root
@@ -106,6 +108,7 @@ class CheckContext:
         self.sound_values: dict[AttributeRule, dict[str, bool]] = {}
         self.material_uses: dict[str, tuple[Element, Element]] = {}
         self.materials_inside: set[str] = set()
+        self.has_extensions = False
         self.file_owners: list[Element] = []
         self._suggestion_budget = SUGGESTION_BUDGET
         self._found: list[dict[object, Finding]] = [{} for _ in range(FILES + 1)]

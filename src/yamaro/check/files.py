@@ -11,7 +11,6 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Iterator, Sequence
 
     from ..source import Span
-    from .context import Children
 
 PACKAGE_SCHEME = "package://"
 LOCAL_SCHEMES = (PACKAGE_SCHEME, "file://")
@@ -49,16 +48,6 @@ def check_files(
             told.add(package)
             _report_package(package, places, element, owner, context)
     context.outermost = None
-
-
-def note_file(element: Element, children: Children, owner: Element, context: CheckContext) -> None:
-    """Note a link or material with a mesh or texture in it, for `check_files` to look at.
-
-    Of an element that is in several places one owner is enough: a file is reported once.
-    """
-    owners = context.file_owners
-    if not owners or owners[-1] is not owner:
-        owners.append(owner)
 
 
 def _file_references(owners: list[Element]) -> Iterator[tuple[Element, Element]]:

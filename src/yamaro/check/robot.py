@@ -9,9 +9,6 @@ from ..model.reading import read_robot
 from ..model.urdf_schema import OTHER_FORMATS, SRDF_ELEMENTS, VERSIONS
 from ..xml.tree import Element
 from .context import FILES, MATERIALS, TREE, CheckContext
-from .files import check_files
-from .material import check_materials
-from .references import check_references
 from .schema import check_elements
 from .tree import check_spelling, check_tree
 
@@ -57,9 +54,17 @@ def check(
     context.stage = TREE
     tree = check_tree(robot, context)
     context.stage = MATERIALS
-    check_materials(robot, context)
-    check_references(robot, tree, context)
-    if resolve_mesh is not None:
+    if robot.own_materials or context.material_uses:
+        from .material import check_materials
+
+        check_materials(robot, context)
+    if context.has_extensions or any(joint.mimic is not None for joint in robot.all_joints):
+        from .references import check_references
+
+        check_references(robot, tree, context)
+    if resolve_mesh is not None and context.file_owners:
+        from .files import check_files
+
         context.stage = FILES
         check_files(
             context,

@@ -19,14 +19,11 @@ from ..model.urdf_schema import (
     ElementRule,
 )
 from ..model.values import NOT_FINITE, SPACING, NumberFault, attribute_text
-from ..xml.memo import LONGEST_ROW_REMEMBERED, Memo, remember
-from ..xml.tree import Element
+from ..xml.tree import Element, Memo
+from ..xml.values import LONGEST_ROW_REMEMBERED, remember
 from .context import JOINTS, SCHEMA, CheckContext, label, shown
-from .files import note_file
 from .joint import check_joint
 from .link import check_inertial, check_pose, check_section
-from .material import check_used_material
-from .outermost import PARENTS, check_outermost
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -38,14 +35,33 @@ if TYPE_CHECKING:
     ValueCheck = Callable[[Element, Children, Element, CheckContext], None]
     """Takes an element, its first child of each name, the link or joint it is in, the context."""
 
+
+def _check_used_material(
+    material: Element, children: Children, owner: Element, context: CheckContext
+) -> None:
+    from .material import check_used_material
+
+    check_used_material(material, children, owner, context)
+
+
+def _note_file(element: Element, children: Children, owner: Element, context: CheckContext) -> None:
+    """Note a link or material with a mesh or texture in it, for `check_files` to look at.
+
+    Of an element that is in several places one owner is enough: a file is reported once.
+    """
+    owners = context.file_owners
+    if not owners or owners[-1] is not owner:
+        owners.append(owner)
+
+
 VALUE_CHECKS: dict[str, ValueCheck] = {
     "inertial": check_inertial,
     "visual": check_section,
     "collision": check_section,
     "joint": check_joint,
-    "material": check_used_material,
-    "mesh": note_file,
-    "texture": note_file,
+    "material": _check_used_material,
+    "mesh": _note_file,
+    "texture": _note_file,
 }
 """What looks at the values of an element, by its name."""
 NO_CHILDREN: Children = {}
@@ -109,7 +125,11 @@ def check_elements(root: Element, context: CheckContext) -> None:
                 _check_alike(child, child.memo, child, context)
             else:
                 _check_element(child, ELEMENTS[child.name], child, context)
-        elif child.name not in OUTERMOST:
+            continue
+        context.has_extensions = True
+        if child.name not in OUTERMOST:
+            from .outermost import check_outermost
+
             check_outermost(child, context)
     context.outermost = None
 
@@ -430,7 +450,7 @@ def _check_unknown_child(
     if ":" in child.name or child.name in rule.extensions:
         return
     if child.name == "material":
-        note_file(child, {}, owner, context)  # the files in it are looked for anyway
+        _note_file(child, {}, owner, context)  # the files in it are looked for anyway
     if element.name == "geometry":
         message = f"'{child.name}' in {label(owner)} is not a shape that URDF has"
     else:
@@ -463,6 +483,8 @@ def _hint_for_stray(
     near, fix = meant(name, words, child.span)
     if near:
         return near, fix
+    from .outermost import PARENTS
+
     if name in PARENTS:
         return f"'{name}' belongs in {PARENTS[name]}", None
     return _choices("elements", element.name, rule.children), None

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from .conversion import read_pipe
 from .delivery import deliver
-from .inputs import read_pipe
 from .reports import show
 from .settings import make_policy, read_packages
 from .usage import INPUT_ERROR, WrongUsage

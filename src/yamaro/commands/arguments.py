@@ -6,14 +6,13 @@ import os
 
 from ..source import STANDARD_INPUT
 from .command_table import BUILD, COMMANDS, named_commands
-from .option_table import OPTIONS, SPELLINGS
 from .usage import WrongUsage, near, quote
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from .rows import Option
+    from .option_table import Option
 
 
 class Arguments:
@@ -87,6 +86,8 @@ def _add_word(arguments: Arguments, word: str, *, is_plain: bool) -> None:
 
 
 def _add_long_option(arguments: Arguments, word: str, pending: list[str]) -> None:
+    from .option_table import SPELLINGS
+
     name, has_value, value = word.partition("=")
     option = SPELLINGS.get(name)
     if option is None:
@@ -97,11 +98,13 @@ def _add_long_option(arguments: Arguments, word: str, pending: list[str]) -> Non
         value = ""
     elif not has_value:
         value = _next_value(name, option, pending)
-    _set_option(arguments, name, value)
+    _set_option(arguments, name, option, value)
 
 
 def _add_short_options(arguments: Arguments, word: str, pending: list[str]) -> None:
     """Add `-q`, `-qo FILE` or `-oFILE`."""
+    from .option_table import SPELLINGS
+
     if "-" + word in SPELLINGS:
         raise WrongUsage(f"unknown option {quote(word)}; did you mean '-{word}'?")
     for position, letter in enumerate(word[1:], start=2):
@@ -110,9 +113,10 @@ def _add_short_options(arguments: Arguments, word: str, pending: list[str]) -> N
         if option is None:
             raise WrongUsage(f"unknown option {quote(name)}")
         if option.value:
-            _set_option(arguments, name, word[position:] or _next_value(name, option, pending))
+            value = word[position:] or _next_value(name, option, pending)
+            _set_option(arguments, name, option, value)
             return
-        _set_option(arguments, name, "")
+        _set_option(arguments, name, option, "")
 
 
 def _next_value(name: str, option: Option, pending: list[str]) -> str:
@@ -121,8 +125,7 @@ def _next_value(name: str, option: Option, pending: list[str]) -> str:
     return pending.pop()
 
 
-def _set_option(arguments: Arguments, name: str, value: str) -> None:
-    option = SPELLINGS[name]
+def _set_option(arguments: Arguments, name: str, option: Option, value: str) -> None:
     if option.is_repeatable:
         arguments.lists.setdefault(option.name, []).append(value)
     elif option.value and arguments.has(option.name):
@@ -134,7 +137,10 @@ def _set_option(arguments: Arguments, name: str, value: str) -> None:
     arguments.options[option.name] = value
 
 
-def _check_arguments(arguments: Arguments) -> None:
+def _check_options(arguments: Arguments) -> None:
+    """Refuse options that the command does not take, or that exclude each other."""
+    from .option_table import OPTIONS
+
     command = arguments.command
     for name in arguments.options:
         if command not in OPTIONS[name].commands:
@@ -144,6 +150,12 @@ def _check_arguments(arguments: Arguments) -> None:
         for other in option.excludes:
             if arguments.has(name) and arguments.has(other):
                 raise WrongUsage(f"'--{name}' and '--{other}' cannot be combined")
+
+
+def _check_arguments(arguments: Arguments) -> None:
+    if arguments.options:
+        _check_options(arguments)
+    command = arguments.command
     if not COMMANDS[command].words:  # it takes no file
         return
     if command == "test":  # any number of files and folders

@@ -5,7 +5,51 @@ To add a command, add a `Command` here and a module of its name with a function 
 
 from __future__ import annotations
 
-from .rows import Command
+
+class Command:
+    """A command.
+
+    Attributes:
+        name: the word on the command line.
+        forms: what may follow it, a usage line for each.
+        summary: what it does, on a short line.
+        about: what it does, as the head of its help.
+        words: what the words of `forms` mean.
+        looks: whether it only looks at a file, which is not trusted then by default.
+        endings: of the files that are completed, without the dot.
+        examples: command lines.
+        takes_several: whether any number of files may follow.
+    """
+
+    __slots__ = (
+        "about", "endings", "examples", "forms", "looks", "name", "summary", "takes_several",
+        "words",
+    )  # fmt: skip
+
+    def __init__(
+        self,
+        name: str,
+        forms: tuple[str, ...],
+        summary: str,
+        about: str,
+        *,
+        words: tuple[tuple[str, str], ...] = (),
+        looks: bool = False,
+        endings: tuple[str, ...] = (),
+        examples: tuple[str, ...] = (),
+        takes_several: bool = False,
+    ) -> None:
+        """Describe a command."""
+        self.name = name
+        self.forms = forms
+        self.summary = summary
+        self.about = about
+        self.words = words
+        self.looks = looks
+        self.endings = endings
+        self.examples = examples
+        self.takes_several = takes_several
+
 
 BUILD = "build"
 """The command that has no name on the command line: `yamaro FILE`."""

@@ -1,13 +1,17 @@
-"""Builds one file once, says what there is to say, and writes what a command makes of it."""
+"""Builds one file once, says what there is to say, and writes what a command makes of it.
+
+That file may be one that can be read only once: standard input or a named pipe.
+"""
 
 from __future__ import annotations
 
+import os
 import sys
 import warnings
 
+from ..source import STANDARD_INPUT, STANDARD_INPUT_NAME
 from ..streams import XML
 from .delivery import deliver, deliver_assets, refuse_overwriting
-from .inputs import read_pipe
 from .reports import display_name, sayer, show
 from .settings import make_policy, output_of, read_adjustment, read_packages, targets_of
 from .usage import DONE, INPUT_ERROR, WrongUsage
@@ -16,7 +20,8 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable
 
-    from ..policy import Policy
+    from ..policy import Limits, Policy
+    from ..program import Program
     from ..result import Build
     from ..streams import Streams
     from .arguments import Arguments
@@ -97,11 +102,14 @@ def _deliver_build(
 
 def _bound_process(arguments: Arguments, streams: Streams, policy: Policy) -> None:
     """See to it that this process takes no more memory and time than it may."""
-    from ..confined import has_jail
     from ..sandbox import process
 
     process.bound_memory(policy.limits.memory)
-    if policy.timeout is not None and not has_jail(policy, display_name(arguments)):
+    if policy.timeout is None:
+        return
+    from ..confined import has_jail
+
+    if not has_jail(policy, display_name(arguments)):
         end_process(arguments, streams, policy, policy.timeout)
 
 
@@ -118,6 +126,28 @@ def end_process(
     return process.end_after(seconds, say_why)
 
 
+def _program(arguments: Arguments, policy: Policy) -> Program:
+    from ..program import Program
+
+    return Program(
+        arguments.words[0],
+        text=read_pipe(arguments.words[0], policy.limits),
+        policy=policy,
+        packages=read_packages(arguments),
+        allow=arguments.lists.get("allow", ()),
+        deny=arguments.lists.get("deny", ()),
+    )
+
+
+def _progress(arguments: Arguments, streams: Streams) -> Callable[[float], None] | None:
+    """Return what takes how far long work is, which only writing some output formats is."""
+    if not arguments.has("to"):
+        return None
+    from .progress import progress_on
+
+    return progress_on(streams)
+
+
 def _build(
     arguments: Arguments,
     streams: Streams,
@@ -129,23 +159,16 @@ def _build(
     records: bool,
 ) -> tuple[Build, Iterable[bytes | str]]:
     """Build the file; return the build and what to write."""
-    from .. import api
     from ..arguments import UsageError
-    from .progress import progress_on
 
     try:
         with warnings.catch_warnings():
             if not sys.warnoptions:  # user code's warnings, unless asked for with -W
                 warnings.simplefilter("ignore")
-            build = api.build(
-                arguments.words[0],
-                text=read_pipe(arguments.words[0], policy.limits),
-                policy=policy,
-                packages=read_packages(arguments),
+            build = _program(arguments, policy).build(
                 command_line=arguments.assignments,
                 strict=arguments.has("strict"),
-                allow=arguments.lists.get("allow", ()), deny=arguments.lists.get("deny", ()),
-                on_message=sayer(streams), on_progress=progress_on(streams),
+                on_message=sayer(streams), on_progress=_progress(arguments, streams),
                 advice=advice, has_root=has_root, records=records,
                 output=output_of(arguments),
                 gazebo=arguments.has("gazebo"),
@@ -156,3 +179,45 @@ def _build(
         raise WrongUsage(str(error)) from None
     except SystemExit as error:
         raise ProgramEnded(f"Python code of the file ended the program: {error!r}") from None
+
+
+# --- what can be read only once -------------------------------------------------------------
+
+
+def read_pipe(path: str, limits: Limits) -> str | None:
+    """Return the text of standard input or of a named pipe, None for what can be read by name."""
+    from ..files.loader import LoadError, check_size, decode
+
+    data = read_bytes(path, limits.file + 1)
+    if data is None:
+        return None
+    if path == STANDARD_INPUT:
+        name, absolute = STANDARD_INPUT_NAME, ""
+    else:
+        name, absolute = path, os.path.abspath(path)
+    try:
+        check_size(len(data), limits)
+    except LoadError as error:
+        from ..main_file import refusal_of_main
+
+        raise refusal_of_main(name, error) from None
+    return decode(data, name=name, path=absolute).text
+
+
+def read_bytes(path: str, most: int) -> bytes | None:
+    """Return `most` bytes of standard input or a pipe, None for what can be read by name."""
+    if path == STANDARD_INPUT:
+        if sys.stdin is None:
+            raise WrongUsage("standard input is closed")
+        buffer = getattr(sys.stdin, "buffer", None)
+        try:
+            return sys.stdin.read(most).encode() if buffer is None else buffer.read(most)
+        except OSError as error:
+            raise WrongUsage(f"cannot read standard input: {error.strerror}") from None
+    try:
+        if os.stat(path).st_mode & 0o170000 != 0o010000:
+            return None
+        with open(path, "rb") as file:
+            return file.read(most)
+    except OSError:
+        return None

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import os
 
+from .conversion import read_pipe
 from .delivery import deliver
-from .inputs import read_pipe
 from .reports import has_color, show
 from .settings import make_policy, read_packages
 from .usage import DONE, WrongUsage, quote

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ..source import STANDARD_INPUT, STANDARD_INPUT_NAME
-from .inputs import read_bytes
+from .conversion import read_bytes
 from .reports import show
 from .settings import make_policy
 from .usage import DONE, INPUT_ERROR, USAGE_ERROR, WrongUsage, quote
@@ -82,7 +82,7 @@ def _formatted(path: str, limits: Limits) -> _Text:
     import os
 
     from ..files.loader import FileLoader, check_size, decode
-    from ..syntax.includes import holds_xml
+    from ..source import holds_xml
     from ..tools.format.formatting import formatted
 
     data = read_bytes(path, limits.file + 1)

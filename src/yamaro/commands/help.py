@@ -11,7 +11,8 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from ..streams import Streams
     from .arguments import Arguments
-    from .rows import Command, Option
+    from .command_table import Command
+    from .option_table import Option
 
 COLUMNS = 100
 MARGIN = 24

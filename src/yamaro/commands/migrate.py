@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 
 from ..source import STANDARD_INPUT
+from .conversion import read_bytes
 from .delivery import (
     deliver,
     deliver_files,
@@ -12,7 +13,6 @@ from .delivery import (
     refuse_overwriting,
     refuse_replacing,
 )
-from .inputs import read_bytes
 from .reports import display_name, sayer, show
 from .settings import make_policy, read_packages
 from .usage import DONE, INPUT_ERROR, WrongUsage, quote

@@ -18,12 +18,14 @@ if TYPE_CHECKING:
 
 def show(diagnostics: Sequence[Diagnostic], arguments: Arguments, streams: Streams) -> None:
     """Write diagnostics to standard error; a quiet build keeps its warnings to itself."""
-    from ..diagnostics import ERROR, render_all
+    from ..diagnostics import ERROR
 
     if streams.quiet and arguments.command != "check":
         diagnostics = [one for one in diagnostics if one.severity == ERROR]
     if not diagnostics:
         return
+    from ..rendering import render_all
+
     color = has_color(arguments, is_terminal=streams.is_terminal())
     streams.say("\n\n".join(render_all(diagnostics, color=color)), colored=color)
     if arguments.command == "check":

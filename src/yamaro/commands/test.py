@@ -80,7 +80,7 @@ def _title(result: FileResult, case: CaseResult) -> str:
 
 
 def _show(diagnostics: Sequence[Diagnostic], arguments: Arguments, streams: Streams) -> None:
-    from ..diagnostics import render_all
+    from ..rendering import render_all
 
     color = has_color(arguments, is_terminal=streams.is_terminal())
     streams.say("\n\n".join(render_all(diagnostics, color=color)) + "\n", colored=color)

@@ -26,7 +26,7 @@ def variable_lines(path: str) -> str:
     from ..files.packages import PackageFinder
     from ..files.regular import read_start
     from ..policy import Limits
-    from ..syntax.includes import holds_xml
+    from ..source import holds_xml
     from ..tools.declared_arguments import listing_of
 
     if path.startswith("~"):

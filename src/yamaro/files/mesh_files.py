@@ -17,6 +17,9 @@ if TYPE_CHECKING:
 FILE_ELEMENTS = ("mesh", "texture")
 """The elements of URDF whose `filename` names a file."""
 
+RELATIVE, KEEP, ABSOLUTE, COPY, NONE = "relative", "keep", "absolute", "copy", "none"
+"""How an output may name these files; `package://NAME` is one more way."""
+
 
 class MeshFinder:
     """Finds the files that meshes and textures refer to, and remembers where they are.

@@ -9,8 +9,7 @@ from __future__ import annotations
 
 from ..diagnostics import INHERITED
 from .sensors import Sensor
-from .values import attribute_text, number_in, read_numbers
-from .written import Written
+from .values import Written, attribute_text, number_in, read_numbers
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -19,7 +18,7 @@ if TYPE_CHECKING:
     from ..diagnostics import Frame as Step
     from ..source import Span
     from ..xml.tree import Element
-    from .rotations import Vector
+    from .pose import Vector
 
 DEFAULT_SAMPLES, DEFAULT_SEED = 10_000, 1
 

@@ -17,8 +17,7 @@ from .noting import (
     number_at,
     numbers_in,
 )
-from .pose import IDENTITY, Pose
-from .rotations import rotation_from_quaternion, rotation_from_rpy
+from .pose import IDENTITY, Pose, rotation_from_quaternion, rotation_from_rpy
 from .sensors import CAMERAS, FORCE_TORQUE, LIDAR, RANGE
 from .values import attribute_text, child_named
 
@@ -28,8 +27,8 @@ if TYPE_CHECKING:
 
     from ..diagnostics import Frame as Step
     from ..xml.tree import Element
+    from .pose import Rotation
     from .robot import Robot
-    from .rotations import Rotation
 
 TYPES = {
     **dict.fromkeys(("imu", "imu_sensor"), "imu"),

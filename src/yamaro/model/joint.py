@@ -4,13 +4,12 @@ from __future__ import annotations
 
 from math import pi
 
-from .written import ReadLater, Written
+from .values import ReadLater, Written
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from ..diagnostics import Frame as Step
-    from .pose import Pose
-    from .rotations import Vector
+    from .pose import Pose, Vector
 
 REVOLUTE, CONTINUOUS, PRISMATIC, FIXED = "revolute", "continuous", "prismatic", "fixed"
 PLANAR, FLOATING = "planar", "floating"

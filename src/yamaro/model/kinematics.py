@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 from .joint import CONTINUOUS, FIXED, FLOATING, PLANAR, PRISMATIC, REVOLUTE
-from .pose import IDENTITY, Pose
-from .rotations import UNTURNED, multiply, rotate, rotation_about, rotation_from_z
+from .pose import IDENTITY, UNTURNED, Pose, multiply, rotate, rotation_about, rotation_from_z
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -12,8 +11,8 @@ if TYPE_CHECKING:
     from typing import Any
 
     from .joint import Joint
+    from .pose import Vector
     from .robot import Robot
-    from .rotations import Vector
 
     Position = float | Sequence[float] | Pose
     """Where a joint is: one number, three for a planar joint, a pose for a floating one."""

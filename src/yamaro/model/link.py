@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from .written import ReadLater, Written
+from .values import ReadLater, Written
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from ..diagnostics import Frame as Step
     from ..xml.tree import Element
-    from .pose import Pose
-    from .rotations import Rotation
+    from .pose import Pose, Rotation
     from .shapes import Inertia, Shape
 
 Color = tuple[float, float, float, float]

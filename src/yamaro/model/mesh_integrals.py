@@ -7,7 +7,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from ..meshes.triangles import TriangleMesh
-    from .rotations import Vector
+    from .pose import Vector
 
 MESH_ENDINGS = (
     "stl", "dae", "obj", "glb", "gltf", "ply", "off", "3mf", "3ds", "fbx", "x3d", "wrl",

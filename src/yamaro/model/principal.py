@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from math import copysign, hypot, sqrt
 
-from .rotations import UNTURNED
+from .pose import UNTURNED
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from .rotations import Rotation, Vector
+    from .pose import Rotation, Vector
 
     Rows = list[list[float]]
 

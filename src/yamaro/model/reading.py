@@ -12,16 +12,17 @@ from ..diagnostics import INHERITED, WARNING, Diagnostic, failure
 from ..xml.tree import Element
 from .joint import Calibration, Dynamics, Joint, Limit, Mimic, SafetyController
 from .link import Collision, Inertial, Link, Material, Visual
-from .pose import IDENTITY, Pose
-from .robot import Robot
-from .rotations import (
+from .pose import (
+    IDENTITY,
     UNTURNED,
     X_AXIS,
     ZERO,
+    Pose,
     rotation_from_quaternion,
     rotation_from_rpy,
     unit_vector,
 )
+from .robot import Robot
 from .shapes import COUNTS, SHAPE_WORDS, SIMPLE_SHAPES, SIZES, UNSCALED, Mesh
 from .urdf_schema import JOINT_TYPES, MOMENTS, joint_type_hint
 from .values import NumberFault, NumberReader, attribute_text, child_named
@@ -32,7 +33,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from ..diagnostics import Frame as Step
-    from .rotations import Vector
+    from .pose import Vector
     from .shapes import Inertia, Shape
 
     Numbers = tuple[float, ...]

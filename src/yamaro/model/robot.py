@@ -24,8 +24,7 @@ from math import fsum
 
 from ..diagnostics import suggest
 from .joint import FIXED
-from .values import attribute_text
-from .written import Written
+from .values import Written, attribute_text
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -54,8 +53,7 @@ if TYPE_CHECKING:
     from .joint import Joint
     from .kinematics import Position
     from .link import Link, Material, Visual
-    from .pose import Pose
-    from .rotations import Vector
+    from .pose import Pose, Vector
     from .sensors import Sensor
 
     Named = TypeVar("Named", Link, Joint)

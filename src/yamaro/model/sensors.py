@@ -4,10 +4,8 @@ from __future__ import annotations
 
 from math import pi, tau
 
-from .pose import IDENTITY, Pose
-from .rotations import rotation_from_rpy
-from .values import attribute_text, read_numbers
-from .written import Written
+from .pose import IDENTITY, Pose, rotation_from_rpy
+from .values import Written, attribute_text, read_numbers
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

@@ -12,14 +12,14 @@ from __future__ import annotations
 
 from math import hypot, pi
 
-from .rotations import ZERO
+from .pose import ZERO
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from ..source import Span
     from ..xml.tree import Element
     from .mesh_integrals import SolidMoments
-    from .rotations import Vector
+    from .pose import Vector
 
 Inertia = tuple[float, float, float, float, float, float]
 """The inertia matrix as ixx, ixy, ixz, iyy, iyz, izz, in the order of URDF."""

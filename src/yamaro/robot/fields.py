@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 from ..diagnostics import YamaroError, failure, suggest
-from ..xml.names import bad_name_character
 from ..xml.tree import Comment, Element, RawBlock, Text
-from ..xml.values import LiteralList, format_value
+from ..xml.values import LiteralList, bad_name_character, format_value
 from .places import PartPlace, home_of
 
 TYPE_CHECKING = False

@@ -12,8 +12,7 @@ from operator import itemgetter
 
 from ..diagnostics import INHERITED, YamaroError
 from ..xml.forms import Form, filled, key_of
-from ..xml.memo import Memo
-from ..xml.tree import Element, Text
+from ..xml.tree import Element, Memo, Text
 from .notes import JOINT_WORDS, LINK_WORDS
 from .pose import origin_element, pose_of_values
 

@@ -5,9 +5,8 @@ from __future__ import annotations
 from math import isfinite
 
 from ..diagnostics import YamaroError, failure
-from ..xml.memo import remember
 from ..xml.tree import Element
-from ..xml.values import format_number
+from ..xml.values import format_number, remember
 from .fields import Fields, read_record
 from .geometry import section_geometry, solid_shape
 from .numbers import LAYOUTS, Numbers, read_attribute, read_numbers

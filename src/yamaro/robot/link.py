@@ -3,12 +3,10 @@
 from __future__ import annotations
 
 from ..diagnostics import YamaroError, failure
-from ..xml.memo import Memo
-from ..xml.tree import Element
+from ..xml.tree import Element, Memo
 from .fields import Fields, sort_fields
 from .geometry import LinkGeometry, section_geometry
 from .inertial import LinkMass, lower_inertial
-from .material import lower_color_material, lower_material
 from .notes import is_surface
 from .places import COLLISION, INERTIAL, LINK, VISUAL
 from .pose import NO_POSE, Pose, compose_poses, origin_element, read_pose
@@ -118,6 +116,8 @@ def _lower_section(lowering: Lowering, key: Element, frame: LinkFrame) -> Elemen
     children: list[Node] = [geometry] if origin is None else [origin, geometry]
     for child in fields.rest:
         if type(child) is Element and child.name == "material" and not child.verbatim:
+            from .material import lower_material
+
             children.append(lowering.once(child, lower_material))
         elif type(child) is Element and child.name == "color" and key.name == "visual":
             children.append(_material_of_color(lowering, child, fields))
@@ -146,6 +146,8 @@ def _material_of_color(lowering: Lowering, key: Element, fields: Fields) -> Elem
             notes=(f"'material' is given at {material.span.place()}",),
             trace=key.trace,
         )
+    from .material import lower_color_material
+
     return lowering.once(key, lower_color_material)
 
 

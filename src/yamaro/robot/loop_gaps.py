@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from math import acos, dist
 
+from ..model.pose import rotate, transposed
 from ..model.reading import read_robot
-from ..model.rotations import rotate, transposed
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

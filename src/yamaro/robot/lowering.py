@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 from ..diagnostics import INHERITED, settle
-from ..xml.memo import Memo
-from ..xml.tree import Element, with_trace
+from ..xml.tree import Element, Memo, with_trace
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

@@ -7,8 +7,15 @@ from math import isfinite
 from ..diagnostics import YamaroError, failure
 from ..model.shapes import SIMPLE_SHAPES
 from ..source import Span
-from ..xml.memo import LONGEST_ROW_REMEMBERED, remember
-from ..xml.values import LiteralList, format_number, format_value, is_number, plain_value
+from ..xml.values import (
+    LONGEST_ROW_REMEMBERED,
+    LiteralList,
+    format_number,
+    format_value,
+    is_number,
+    plain_value,
+    remember,
+)
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

@@ -7,8 +7,7 @@ that joints refer to are resolved at the end, over the whole tree.
 from __future__ import annotations
 
 from ..diagnostics import INHERITED, YamaroError, failure, settle
-from ..xml.memo import Memo
-from ..xml.tree import Element, PartElement, RobotWord, unshared
+from ..xml.tree import Element, Memo, PartElement, RobotWord, unshared
 from ..xml.values import format_value
 from .fields import (
     Fields,
@@ -23,7 +22,6 @@ from .formed import lower_formed, take_over
 from .joint import lower_joint
 from .link import lower_link
 from .lowering import Lowering
-from .material import lower_material
 from .notes import (
     JOINT_WORDS,
     LINK_WORDS,
@@ -303,6 +301,8 @@ def _lower_beside(lowering: Lowering, node: Element, out: list[Node]) -> None:
         _lower_part(lowering, node, out)
         return
     if node.name == "material" and not node.verbatim:
+        from .material import lower_material
+
         try:
             out.append(lowering.outermost(lowering.once(node, lower_material)))
         except YamaroError as error:

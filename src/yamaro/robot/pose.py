@@ -9,7 +9,7 @@ from math import isfinite
 from operator import add
 
 from ..diagnostics import failure
-from ..model.rotations import ZERO, multiply, rotate, rotation_from_rpy, rpy_from_rotation
+from ..model.pose import ZERO, multiply, rotate, rotation_from_rpy, rpy_from_rotation
 from ..source import joined
 from ..xml.tree import Element, Text
 from .fields import empty_value, read_record, read_value
@@ -18,7 +18,7 @@ from .numbers import NEGLIGIBLE, Numbers, format_component, read_numbers
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from ..diagnostics import Frame
-    from ..model.rotations import Rotation, Vector
+    from ..model.pose import Rotation, Vector
     from ..source import Span
     from .fields import Fields
     from .lowering import Lowering

@@ -34,8 +34,7 @@ from ..units import (
     si_of,
     units_of,
 )
-from ..xml.memo import LONGEST_ROW_REMEMBERED, remember
-from ..xml.values import format_value
+from ..xml.values import LONGEST_ROW_REMEMBERED, format_value, remember
 from .numbers import Numbers, bad_word, label_of, parse_number, place_of_word, split_row
 
 TYPE_CHECKING = False

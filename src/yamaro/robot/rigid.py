@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from ..model.pose import IDENTITY, Pose
-from ..model.rotations import ZERO, rotation_from_rpy
+from ..model.pose import IDENTITY, ZERO, Pose, rotation_from_rpy
 from ..xml.tree import Element
 from ..xml.values import format_value
 from .numbers import format_component
@@ -12,7 +11,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from ..model.rotations import Vector
+    from ..model.pose import Vector
 
 
 def name_of(element: Element) -> str:

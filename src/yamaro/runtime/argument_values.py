@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 
 from ..diagnostics import Diagnostic, InputFault, Reporter, YamaroError, failure
-from ..safe.namespace import MISSING
+from ..namespace import MISSING
 from ..source import COMMAND_LINE, Source, Span
 from ..syntax.argument_section import is_literal, spelling_of
 from ..syntax.argument_types import PATH, ArgumentEntry, checked

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ..diagnostics import Frame, YamaroError, add_trace, failure
-from ..safe.namespace import MISSING, Namespace
+from ..namespace import MISSING, Namespace
 from ..source import Span
 from ..syntax.names import STATEMENTS
 from ..syntax.nodes import (
@@ -20,11 +20,8 @@ from ..syntax.python import PythonCode
 from ..syntax.statements import parse_body
 from ..syntax.template import Template
 from ..yaml.nodes import MappingNode, SequenceNode
-from .declared import Declaration, notes_on
-from .late import Late
 from .scope import BlockScope, Scope, function_key, function_names
 from .values import Values
-from .words import count
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -33,6 +30,8 @@ if TYPE_CHECKING:
 
     from ..fixes import Fix
     from ..xml.tree import Node
+    from .declared import Declaration
+    from .files import Files
     from .interpreter import Interpreter
 
 
@@ -77,6 +76,8 @@ def find_function(
     if value is not MISSING:
         assert value is None or isinstance(value, (Function, Block))
         return value
+    from .declared import notes_on
+
     notes = notes_on(f"the function '{last}'", where_declared(last), span)
     from ..suggestions import meant
 
@@ -129,14 +130,16 @@ class Match:
         self.frame: Frame | None = None
 
 
-def match_arguments(node: FunctionNode, arguments: list[Argument], span: Span, late: Late) -> Match:
+def match_arguments(
+    node: FunctionNode, arguments: list[Argument], span: Span, files: Files
+) -> Match:
     """Return which argument goes to which parameter.
 
     Args:
         node: the function called.
         arguments: what the call gives.
         span: the place of the call.
-        late: parses what can be parsed only now.
+        files: know what parses what can be parsed only now.
 
     Raises:
         YamaroError: an argument is missing, unknown, given twice or of the wrong kind.
@@ -158,9 +161,9 @@ def match_arguments(node: FunctionNode, arguments: list[Argument], span: Span, l
             )
         spans[name] = argument.span
         if parameter.is_block:
-            match.blocks.append((function_key(name), _block(argument, node, late)))
+            match.blocks.append((function_key(name), _block(argument, node, files)))
         else:
-            value = argument.value or late.value(argument)
+            value = argument.value or files.late.value(argument)
             if isinstance(value, Constant):
                 match.constants[name] = value.value
             else:
@@ -187,6 +190,8 @@ def _parameter_of(
     if argument.name is None:
         if index < len(positional):
             return positional[index]
+        from .words import count
+
         raise _bad_call(
             "unknown-argument",
             f"'{node.name}' takes "
@@ -224,12 +229,12 @@ def _refuse_missing(
         raise _bad_call("missing-argument", f"'{node.name}' needs the {what}", span, node)
 
 
-def _block(argument: Argument, node: FunctionNode, late: Late) -> Body:
+def _block(argument: Argument, node: FunctionNode, files: Files) -> Body:
     if argument.block is None:
         if isinstance(argument.node, SequenceNode) and any(
             isinstance(item, MappingNode) for item in argument.node.items
         ):
-            parse_body(argument.node, f"the block {argument.name}", late.context)
+            parse_body(argument.node, f"the block {argument.name}", files.late.context)
         raise _bad_call(
             "not-a-body",
             f"the block '{argument.name}' needs a body, not a value",
@@ -329,7 +334,7 @@ def call(
         return
     match = interpreter.matches.get(id(arguments))
     if match is None or match.node is not function.node:
-        match = match_arguments(function.node, arguments, span, interpreter.files.late)
+        match = match_arguments(function.node, arguments, span, interpreter.files)
         interpreter.matches[id(arguments)] = match
     closure = function.closure
     callee = Scope(closure.home, interpreter.shared_names, closure=closure, caller=scope.context)

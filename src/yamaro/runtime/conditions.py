@@ -1,9 +1,9 @@
-"""Decides whether a condition holds, and refuses values that do not say."""
+"""Runs `if`: decides whether a condition holds, and refuses values that do not say."""
 
 from __future__ import annotations
 
 from ..diagnostics import failure
-from ..syntax.nodes import Constant
+from ..syntax.nodes import Body, Constant, IfNode
 from ..syntax.python import PythonCode
 from .expressions import Evaluator, evaluate_bare
 from .scope import Scope
@@ -16,9 +16,21 @@ if TYPE_CHECKING:
     from ..diagnostics import YamaroError
     from ..fixes import Fix
     from ..source import Span
+    from ..xml.tree import Node
+    from .interpreter import Interpreter
 
 _TESTS = ("not ", "not(", "and ", "or ", "if ")
 """What an expression has in it that asks whether one of its parts is true."""
+
+
+def run_if(
+    interpreter: Interpreter, node: IfNode, scope: Scope, out: list[Node], body: Body | None
+) -> None:
+    """Run the first branch whose condition holds."""
+    for condition, branch in node.branches:
+        if condition is None or holds(condition, scope, interpreter.evaluator):
+            interpreter.run_body(branch, scope, out)
+            return
 
 
 def holds(condition: PythonCode | Constant, scope: Scope, evaluator: Evaluator) -> bool:

@@ -7,10 +7,9 @@ same values come again, so that a loop that makes a thousand equal links makes o
 from __future__ import annotations
 
 from ..diagnostics import INHERITED, Frame
-from ..safe.namespace import MISSING
+from ..namespace import MISSING
 from ..xml.forms import Form, filled, key_of
-from ..xml.memo import Memo
-from ..xml.tree import Element, PartElement, Text, unshared, with_trace
+from ..xml.tree import Element, Memo, PartElement, Text, unshared, with_trace
 from ..xml.values import format_value
 from .scope import Scope
 from .values import ALWAYS_WRITABLE, SHORT, Values

@@ -7,7 +7,7 @@ The only module that calls `eval` and `exec` for Yamaro's own files; for those o
 from __future__ import annotations
 
 from ..diagnostics import Frame, InputFault, YamaroError, failure
-from ..safe.namespace import MISSING
+from ..namespace import MISSING
 from ..source import Span
 from ..syntax.python import PythonCode
 from .scope import Scope

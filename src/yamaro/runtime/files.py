@@ -10,20 +10,21 @@ from ..files.packages import PackageFinder, package_hint
 from ..source import Source, Span
 from ..syntax.document import Document, ImportNode
 from ..syntax.python import PythonCode
-from .declared import Declaration
 from .expressions import Evaluator
-from .late import Late
-from .modules import LocalModules, import_names, import_safe_names
 from .predefined import CONSTANTS, TARGET, Helpers
 from .scope import Home
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable
+    from types import ModuleType
     from typing import Any
 
     from ..safe.runtime import SafeRuntime
+    from .declared import Declaration
+    from .late import Late
     from .library import Library
+    from .modules import LocalModules
 
 _SAFE_HELPERS = ("load_yaml", "find", "file_dir", "dirname", "target")
 """The helpers that are left in safe mode."""
@@ -35,11 +36,11 @@ class Files:
     Attributes:
         read: the absolute path of every file read, in order, as the keys of a dict.
         codes: the Python code in all files that defines functions, by its file name.
-        late: parses what can be parsed only while the program runs.
     """
 
     __slots__ = (
         "_documents",
+        "_late",
         "_library",
         "_loads",
         "_modules",
@@ -48,7 +49,6 @@ class Files:
         "_safety",
         "_target",
         "codes",
-        "late",
         "packages",
         "read",
     )
@@ -84,7 +84,16 @@ class Files:
         self.packages = packages
         self.read: dict[str, None] = {}
         self.codes: dict[str, PythonCode] = {}
-        self.late = Late(reporter, self.codes, library.rules)
+        self._late: Late | None = None
+
+    @property
+    def late(self) -> Late:
+        """Return what parses what can be parsed only while the program runs."""
+        if self._late is None:
+            from .late import Late
+
+            self._late = Late(self._reporter, self.codes, self._library.rules)
+        return self._late
 
     @property
     def documents(self) -> list[Document]:
@@ -113,10 +122,13 @@ class Files:
 
     def names_read(self) -> set[str]:
         """Return every name that an expression in the files reads."""
-        return self.late.names_read.union(*(each.names_read for each in self.documents))
+        late = self._late.names_read if self._late else set()
+        return late.union(*(each.names_read for each in self.documents))
 
     def where_declared(self, name: str) -> list[Declaration]:
         """Return every declaration of a name, in any file."""
+        from .declared import Declaration
+
         return [
             Declaration(scope, span, document.extent_around(span))
             for document in self._documents.values()
@@ -135,7 +147,7 @@ class Files:
             kept = {name: helpers[name] for name in _SAFE_HELPERS}
             return Home(source, directory, self._safety.names(kept), frame)
         names = {**CONSTANTS, **helpers, "print": self._print}
-        names["__import__"] = self._modules_in(directory).import_hook
+        names["__import__"] = self._import_hook(directory)
         return Home(source, directory, names, frame)
 
     def import_modules(self, document: Document, home: Home, evaluator: Evaluator) -> None:
@@ -145,6 +157,8 @@ class Files:
         if self._safety is not None:
             self._import_safely(document, home, evaluator, self._safety)
             return
+        from .modules import import_names
+
         modules = self._modules_in(home.directory)
 
         def load(node: ImportNode) -> dict[str, Any]:
@@ -159,6 +173,8 @@ class Files:
         self, document: Document, home: Home, evaluator: Evaluator, safety: SafeRuntime
     ) -> None:
         """Bind the substitutes for the modules a file imports, if it may import them."""
+        from .modules import import_safe_names
+
         modules = self._modules_in(home.directory)
 
         def load(node: ImportNode) -> dict[str, Any]:
@@ -167,8 +183,18 @@ class Files:
         for node in document.imports:
             home.names.update(evaluator.guard(load, node, node.span))
 
+    def _import_hook(self, directory: str) -> Callable[..., ModuleType]:
+        """Return what replaces `__import__`: few files import anything."""
+
+        def import_hook(*asked: Any, **named: Any) -> ModuleType:
+            return self._modules_in(directory).import_hook(*asked, **named)
+
+        return import_hook
+
     def _modules_in(self, directory: str) -> LocalModules:
         if directory not in self._modules:
+            from .modules import LocalModules
+
             self._modules[directory] = LocalModules(directory, self._library.modules)
         return self._modules[directory]
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ..diagnostics import INHERITED, Frame, YamaroError, add_trace, failure
-from ..safe.namespace import MISSING, Namespace
+from ..namespace import MISSING, Namespace
 from ..source import Span
 from ..syntax.document import Document
 from ..syntax.names import (

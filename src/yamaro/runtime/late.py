@@ -6,11 +6,10 @@ The syntax tree stays as it is: other conversions may run it, and mean something
 from __future__ import annotations
 
 from ..diagnostics import Reporter, YamaroError
-from ..syntax.context import ParseContext
+from ..syntax.context import ParseContext, Rules
 from ..syntax.nodes import Argument, DynamicNode, ElementNode, RobotWordNode, Value
 from ..syntax.parser import register
 from ..syntax.python import PythonCode
-from ..syntax.rules import Rules
 from ..syntax.statements import parse_arguments, parse_element
 from ..syntax.values import parse_value
 

@@ -4,10 +4,9 @@ from __future__ import annotations
 
 from ..diagnostics import YamaroError
 from ..files.loader import decode
-from ..source import Source
-from ..syntax.includes import holds_xml
+from ..source import Source, holds_xml
+from ..syntax.context import Rules
 from ..syntax.parser import parse
-from ..syntax.rules import Rules
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -16,8 +15,7 @@ if TYPE_CHECKING:
     from ..diagnostics import Reporter
     from ..files.loader import Loader
     from ..policy import Policy
-    from ..syntax.document import Document
-    from ..syntax.parsed import Parsed
+    from ..syntax.document import Document, Parsed
 
 
 class Library:

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from ..diagnostics import YamaroError, failure
+from ..namespace import MISSING
 from ..policy import Limits
-from ..safe.namespace import MISSING
 from ..source import Span
 from ..syntax.iterations import check_range_count
 from ..syntax.nodes import ForNode, ListValue
@@ -13,7 +13,6 @@ from ..yaml.nodes import ScalarPiece
 from .expressions import Evaluator, evaluate_bare
 from .scope import Scope
 from .values import Values, span_of
-from .words import a_kind_of, count
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -43,6 +42,8 @@ def iterate(node: ForNode, scope: Scope, values_of: Values) -> Iterator[Any]:
     if isinstance(values, dict):
         values = list(values.items() if len(node.names) > 1 else values)
     if not hasattr(type(values), "__iter__") and not hasattr(type(values), "__getitem__"):
+        from .words import a_kind_of
+
         raise failure(
             "not-iterable",
             f"`in` needs a list, not {a_kind_of(values)}",
@@ -115,6 +116,8 @@ def _range_number(given: _RangeNumber, whole: list[Any] | None, node: ForNode, s
     number = _whole_number(given.value)
     if number is not None:
         return number
+    from .words import a_kind_of
+
     raise failure(
         "bad-range",
         f"`range` needs integers, not {a_kind_of(whole or given.value)}",
@@ -196,6 +199,8 @@ def unpack(item: Any, index: int, node: ForNode, evaluator: Evaluator) -> list[A
     else:
         values = list(evaluator.guard(list, item, node.span))
     if values is None or len(values) != wanted:
+        from .words import a_kind_of, count
+
         found = a_kind_of(item) if values is None else count(len(values), "value")
         raise failure(
             "bad-iterator",

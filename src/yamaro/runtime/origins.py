@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ..safe.namespace import MISSING
+from ..namespace import MISSING
 from ..source import COMMAND_LINE, KEYWORD_ARGUMENT, Span
 from ..syntax.python import PythonCode
 from ..yaml.brackets import find_close

@@ -7,7 +7,7 @@ finished tree keeps these spans, so that each value in it can report what its ex
 from __future__ import annotations
 
 from ..diagnostics import YamaroError
-from ..safe.namespace import MISSING, Namespace
+from ..namespace import MISSING, Namespace
 from ..source import Reading, RecordedSpan, Span
 from ..syntax.nodes import (
     DictValue,

@@ -7,7 +7,7 @@ under a key no variable can have (`function_key`), so that the scopes mean the s
 
 from __future__ import annotations
 
-from ..safe.namespace import MISSING, Namespace
+from ..namespace import MISSING, Namespace
 from ..syntax.nodes import BRIDGE, CHILD, GLOBAL, LOCAL, PARENT
 
 TYPE_CHECKING = False

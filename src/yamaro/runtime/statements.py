@@ -1,4 +1,4 @@
-"""Runs conditions, loops, declarations, messages and Python; and the table of all statements."""
+"""Runs loops, declarations, messages and Python; and the table of all statements."""
 
 from __future__ import annotations
 
@@ -32,8 +32,6 @@ from .calls import (
     run_call,
     run_insert,
 )
-from .conditions import holds
-from .includes import run_include
 from .interpreter import Interpreter
 from .loops import iterate, too_many_turns, unpack
 from .markup import run_comment, run_dynamic, run_element, run_part, run_ready, run_static, run_text
@@ -43,16 +41,6 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from ..xml.tree import Node
     from .interpreter import Handlers
-
-
-def run_if(
-    interpreter: Interpreter, node: IfNode, scope: Scope, out: list[Node], body: Body | None
-) -> None:
-    """Run the first branch whose condition holds."""
-    for condition, branch in node.branches:
-        if condition is None or holds(condition, scope, interpreter.evaluator):
-            interpreter.run_body(branch, scope, out)
-            return
 
 
 def run_for(
@@ -145,6 +133,22 @@ def run_process(
     interpreter.evaluator.execute(node.code, scope)
 
 
+def _run_if_late(
+    interpreter: Interpreter, node: IfNode, scope: Scope, out: list[Node], body: Body | None
+) -> None:
+    from .conditions import run_if
+
+    run_if(interpreter, node, scope, out, body)
+
+
+def _run_include_late(
+    interpreter: Interpreter, node: IncludeNode, scope: Scope, out: list[Node], body: Body | None
+) -> None:
+    from .includes import run_include
+
+    run_include(interpreter, node, scope, out, body)
+
+
 def _run_robot_word_late(
     interpreter: Interpreter, node: RobotWordNode, scope: Scope, out: list[Node], body: Body | None
 ) -> None:
@@ -165,9 +169,9 @@ HANDLERS: Handlers = {
     CallNode: run_call,
     InsertNode: run_insert,
     DynamicNode: run_dynamic,
-    IfNode: run_if,
+    IfNode: _run_if_late,
     ForNode: run_for,
-    IncludeNode: run_include,
+    IncludeNode: _run_include_late,
     VariablesNode: run_variables,
     FunctionsNode: run_functions,
     PrintNode: run_print,

@@ -5,7 +5,6 @@ from __future__ import annotations
 import builtins
 
 from ..diagnostics import Frame, Reporter
-from ..syntax.includes import is_computed
 from .predefined import CONSTANTS
 
 TYPE_CHECKING = False
@@ -71,6 +70,8 @@ def warn_of_unread(places: Mapping[str, Span], files: Files, reporter: Reporter)
 
 def warn_of_unread_includes(includes: Iterable[Passed], files: Files, reporter: Reporter) -> None:
     """Warn of variables passed to included files that nothing in those declares or reads."""
+    from ..syntax.includes import is_computed
+
     for passed in includes:
         document, path = passed.document, passed.node.path
         if not isinstance(path, str) and is_computed(path):

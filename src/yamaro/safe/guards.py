@@ -12,10 +12,10 @@ from itertools import islice
 from math import log2
 
 from ..diagnostics import did_you_mean
+from ..namespace import Namespace
 from ..yaml.flexidict import FlexiDict
 from .limits import RUN_IT, SafetyError, refused
 from .methods import CHANGING, DATA, READING
-from .namespace import Namespace
 from .operators import OperatorGuards
 from .values import (
     CONTAINERS,

@@ -11,9 +11,9 @@ from functools import partial
 from itertools import pairwise
 from operator import index
 
+from ..namespace import Namespace
 from ..yaml.flexidict import FlexiDict
 from .limits import SafeLimits, SafetyError, refused
-from .namespace import Namespace
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

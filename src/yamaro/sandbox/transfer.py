@@ -15,9 +15,8 @@ from ..diagnostics import ERROR, FRAME_KINDS, WARNING, Diagnostic, Frame, Yamaro
 from ..fixes import Edit, Fix
 from ..policy import Limits
 from ..source import STANDARD_INPUT_NAME, Reading, RecordedSpan, Source, Span
-from ..xml.names import bad_name_character
 from ..xml.tree import Comment, Element, Text
-from ..xml.values import format_value, is_comment_text
+from ..xml.values import bad_name_character, format_value, is_comment_text
 from ..xml.wellformed import check_document
 from ..xml.writer import write_pieces
 from .jail.limits import JailAnswerBroken

@@ -21,11 +21,10 @@ from .argument_types import (
     quantity,
     unknown_unit,
 )
-from .context import ParseContext
+from .context import ParseContext, Rules
 from .mappings import Pairs, pairs_of, refuse_twice
 from .names import bad_variable_name, is_identifier, name_hint, python_name
 from .nodes import Constant, DictValue, ListValue, Value, VariablesNode
-from .rules import Rules
 from .template import Template
 from .values import parse_value
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from ..diagnostics import YamaroError, failure, suggest
+from ..source import is_xml_file
 from ..yaml.nodes import ScalarNode
 from .context import ParseContext
 from .mappings import Pairs, is_mapping, pairs_of, refuse_twice
@@ -18,35 +19,8 @@ if TYPE_CHECKING:
     from .python import PythonCode
 
 
-XML_ENDINGS = (".urdf", ".xacro", ".xml", ".sdf")
-"""Endings of the names of files that hold XML, which is included as it is."""
-
 OTHER_WORDS = ("file", "filename", "src", "from", "uri", "url")
 """What other formats call the path of an include."""
-
-
-YAML_ENDINGS = (".yaml", ".yml")
-"""Endings of the names of files that hold YAML, though it may begin with `<`, as in `<arm>:`."""
-
-
-def is_xml_file(path: str) -> bool:
-    """Return whether a file holds XML by its name alone."""
-    return path.lower().endswith(XML_ENDINGS)
-
-
-def holds_xml(path: str, data: bytes | str) -> bool:
-    """Return whether a file holds XML: by its name, or if that is not decisive, by how it begins.
-
-    `<arm>:` begins YAML anyway.
-    """
-    if path.lower().endswith((*XML_ENDINGS, *YAML_ENDINGS)):
-        return is_xml_file(path)
-    if isinstance(data, str):
-        start = data.lstrip("\ufeff \t\r\n")
-    else:
-        start = data.lstrip(b"\xef\xbb\xbf\xff\xfe\0 \t\r\n").decode("latin-1").replace("\0", "")
-    return start.startswith("<") and not start.partition(">")[2].startswith(":")
-
 
 _FOLDERS = frozenset(("find", "file_dir", "dirname", "cwd", "env"))
 """What paths may be put together of that mean the same in each run."""

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from ..diagnostics import Reporter, YamaroError, failure
 from ..source import Span
-from ..xml.names import bad_name_character
+from ..xml.values import bad_name_character
 from ..yaml.nodes import ScalarNode
 from .context import ParseContext
 from .names import STATEMENTS

@@ -1,10 +1,11 @@
-"""Parses the statements that hold no others: texts, comments, `print` and `process`."""
+"""Parses the statements that hold no others: texts, comments, `print`, `process`, `include`."""
 
 from __future__ import annotations
 
 from ..diagnostics import failure
 from ..yaml.nodes import ScalarNode
 from .context import ParseContext
+from .includes import parse_include
 from .nodes import CommentNode, PrintNode, ProcessNode, TextNode
 from .python import compile_statements
 from .template import parse_template
@@ -13,16 +14,29 @@ from .values import is_empty, parse_value, warn_of_hidden_value
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from ..yaml.nodes import YamlNode
+    from .nodes import Statement
 
 
-def parse_text_or_comment(
-    word: str, node: YamlNode, context: ParseContext
-) -> TextNode | CommentNode:
-    """Return the text or comment that stands under `<#text>` or `<#comment>`.
+def parse_leaf(key: ScalarNode, node: YamlNode, context: ParseContext) -> Statement:
+    """Return the statement that one pair of a body describes.
 
     Raises:
-        YamaroError: it is not a text.
+        YamaroError: the statement is faulty.
     """
+    word = key.text
+    if word == "include":
+        return parse_include(key, node, context)
+    if word == "print":
+        return _parse_print(node, context)
+    if word == "process":
+        return _parse_process(key, node, context)
+    return _parse_text_or_comment(word.strip("<>"), node, context)
+
+
+def _parse_text_or_comment(
+    word: str, node: YamlNode, context: ParseContext
+) -> TextNode | CommentNode:
+    """Return the text or comment that stands under `<#text>` or `<#comment>`."""
     if not isinstance(node, ScalarNode):
         raise failure(
             "not-a-text",
@@ -35,7 +49,7 @@ def parse_text_or_comment(
     return make(text, node.span())
 
 
-def parse_print(key: ScalarNode, node: YamlNode, context: ParseContext) -> PrintNode:
+def _parse_print(node: YamlNode, context: ParseContext) -> PrintNode:
     """Return what a `print` says, a text or a value."""
     if isinstance(node, ScalarNode):
         warn_of_hidden_value(node, context)
@@ -44,12 +58,8 @@ def parse_print(key: ScalarNode, node: YamlNode, context: ParseContext) -> Print
     return PrintNode(parse_value(node, context), node.span())
 
 
-def parse_process(key: ScalarNode, node: YamlNode, context: ParseContext) -> ProcessNode:
-    """Return the Python statements of a `process`.
-
-    Raises:
-        YamaroError: it is not a text, or not Python.
-    """
+def _parse_process(key: ScalarNode, node: YamlNode, context: ParseContext) -> ProcessNode:
+    """Return the Python statements of a `process`."""
     if not isinstance(node, ScalarNode):
         raise failure(
             "not-a-text",

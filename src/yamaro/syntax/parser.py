@@ -6,8 +6,8 @@ from ..diagnostics import Reporter, failure, suggest
 from ..source import Source, Span
 from ..yaml.nodes import MappingNode, ScalarNode, SequenceNode
 from ..yaml.reader import read_on
-from .context import ParseContext
-from .document import Document, ImportNode
+from .context import ParseContext, Rules
+from .document import Document, ImportNode, Parsed
 from .mappings import Pairs, pairs_of
 from .names import (
     ARGUMENTS,
@@ -21,9 +21,7 @@ from .names import (
     is_identifier,
 )
 from .nodes import ElementNode, TextContent, VariablesNode
-from .parsed import Parsed
 from .python import PythonCode
-from .rules import Rules
 from .statements import parse_body, parse_element, parse_pairs, parse_statement
 from .template import parse_template
 from .values import is_empty

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
     from ..source import Span
     from ..yaml.nodes import ScalarNode
-    from .rules import Rules
+    from .context import Rules
 
 TOO_MANY_DIGITS = "Exceeds the limit"
 """How Python begins to say that an integer has thousands of digits."""

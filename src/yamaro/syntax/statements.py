@@ -6,10 +6,9 @@ from ..diagnostics import INHERITED, YamaroError, failure
 from ..xml.tree import Element
 from ..yaml.nodes import MappingNode, ScalarNode, SequenceNode
 from .context import ParseContext
-from .includes import parse_include
+from .forms import NO_CHILDREN, as_put_out, element_put_out, static_children
 from .iterations import parse_iterable, parse_iterator, refuse_text_of_for
 from .keys import PlainKeyPlaces, find_outside, parse_attributes, parse_name, parse_plain_key
-from .leaves import parse_print, parse_process, parse_text_or_comment
 from .mappings import Entries, Pairs, item_hint, pairs_of, refuse_not_indented
 from .misplaced import refuse_at_root, warn_of_misspelt_statement
 from .names import (
@@ -39,7 +38,6 @@ from .nodes import (
     Statement,
     TextContent,
 )
-from .put_out import NO_CHILDREN, as_put_out, element_put_out, static_children
 from .python import PythonCode
 from .signatures import (
     parse_argument_name,
@@ -132,7 +130,7 @@ def parse_statement(key: ScalarNode, node: YamlNode, context: ParseContext) -> S
     if word.startswith("<") and word.endswith(">"):
         return _parse_angled(key, node, context)
     if word in ("#text", "#comment"):
-        return parse_text_or_comment(word, node, context)
+        return _parse_leaf(key, node, context)
     slash = find_outside(word, "/", 0, len(word))
     if slash < 0:
         return _parse_bare(key, node, context)
@@ -243,7 +241,7 @@ def _add_plain(
 def _parse_angled(key: ScalarNode, node: YamlNode, context: ParseContext) -> Statement:
     inner = key.text[1:-1]
     if inner in ("#text", "#comment"):
-        return parse_text_or_comment(inner, node, context)
+        return _parse_leaf(key, node, context)
     return _parse_element(key, 1, len(key.text) - 1, node, context, verbatim=True)
 
 
@@ -473,9 +471,6 @@ def _parse_function(key: ScalarNode, node: YamlNode, context: ParseContext) -> F
     return FunctionNode(name, scope, parameters, body, key.span())
 
 
-# --- the rest ---------------------------------------------------------------------------------
-
-
 def _parse_part(key: ScalarNode, node: YamlNode, context: ParseContext) -> PartNode:
     if isinstance(node, ScalarNode) and node.text and not is_empty(node):
         raise failure(
@@ -487,13 +482,19 @@ def _parse_part(key: ScalarNode, node: YamlNode, context: ParseContext) -> PartN
     return PartNode(parse_body(node, "a part", context), key.span())
 
 
+def _parse_leaf(key: ScalarNode, node: YamlNode, context: ParseContext) -> Statement:
+    from .leaves import parse_leaf
+
+    return parse_leaf(key, node, context)
+
+
 _PARSERS: dict[str, Callable[[ScalarNode, YamlNode, ParseContext], Statement]] = {
     "part": _parse_part,
     "if": _parse_if,
     "for": _parse_for,
-    "include": parse_include,
+    "include": _parse_leaf,
     "variables": parse_variables,
     "functions": _parse_functions,
-    "print": parse_print,
-    "process": parse_process,
+    "print": _parse_leaf,
+    "process": _parse_leaf,
 }

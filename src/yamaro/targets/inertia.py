@@ -8,9 +8,8 @@ from __future__ import annotations
 
 from ..diagnostics import Diagnostic
 from ..model.joint import FIXED
-from ..model.pose import Pose
+from ..model.pose import Pose, multiply
 from ..model.principal import principal_axes
-from ..model.rotations import multiply
 from ..xml.values import format_number
 from .output import APPROXIMATED, Loss
 
@@ -18,8 +17,8 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from ..model.joint import Joint
     from ..model.link import Inertial, Link
+    from ..model.pose import Vector
     from ..model.robot import Robot
-    from ..model.rotations import Vector
 
 ROUNDING = 1e-9
 """How far, as part of the greatest moment, moments may break the rule because they are rounded."""

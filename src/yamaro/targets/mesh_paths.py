@@ -9,9 +9,8 @@ from __future__ import annotations
 import os
 from operator import is_
 
-from ..files.mesh_files import FILE_ELEMENTS, MeshFinder
-from ..xml.memo import Memo
-from ..xml.tree import Element
+from ..files.mesh_files import ABSOLUTE, COPY, FILE_ELEMENTS, KEEP, NONE, RELATIVE, MeshFinder
+from ..xml.tree import Element, Memo
 from ..xml.values import format_value
 
 TYPE_CHECKING = False
@@ -24,7 +23,6 @@ if TYPE_CHECKING:
 
     Rename = Callable[[str, Span], str]
 
-RELATIVE, KEEP, ABSOLUTE, COPY, NONE = "relative", "keep", "absolute", "copy", "none"
 PACKAGE = "package://"
 MODES = (RELATIVE, KEEP, ABSOLUTE, COPY, PACKAGE + "NAME", NONE)
 

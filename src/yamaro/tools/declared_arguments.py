@@ -5,10 +5,9 @@ from __future__ import annotations
 import math
 
 from ..diagnostics import Reporter
-from ..source import Source
+from ..source import Source, holds_xml
 from ..syntax.argument_section import arguments_of, is_literal, literal_value, place_of, spelling_of
 from ..syntax.argument_types import ANY, NUMERIC, ArgumentEntry, checked
-from ..syntax.includes import holds_xml
 from ..syntax.names import python_name
 from ..syntax.nodes import Value
 from ..yaml.nodes import PLAIN, MappingNode, ScalarNode, SequenceNode

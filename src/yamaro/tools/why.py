@@ -7,7 +7,8 @@ which each element knows where it was made, and what the expressions there read:
 
 from __future__ import annotations
 
-from ..diagnostics import INHERITED, Frame, excerpt_lines, suggest, trace_lines
+from ..diagnostics import INHERITED, Frame, suggest
+from ..rendering import excerpt_lines, trace_lines
 from ..source import RecordedSpan, Span
 from ..terminal import BOLD, CYAN, painted, shortened
 from ..xml.tree import Element, Text

@@ -15,7 +15,6 @@ if TYPE_CHECKING:
     from typing import Any, Protocol
 
     from .forms import Form
-    from .memo import Memo
 
     class ValueSpans(Protocol):
         """Where the values of an element's attributes are written; a dict is one."""
@@ -43,6 +42,37 @@ class Comment:
         """Hold the comment's text, which must not contain `--`."""
         self.text = text
         self.span = span
+
+
+class Memo:
+    """Notes on the elements that have it. These never change, or else in the same way.
+
+    Elements that are equal share a `Memo`: one element that is in several places, or several that
+    differ in a name and in a few children of their own only. Lowering, the checks and the writer
+    note in it what they have worked out, each of them for the next time. There is nothing else by
+    which they know what they have seen before, so elements without a memo are each worked out
+    separately.
+
+    Attributes:
+        own: None if it is one element; else these have names of their own, and this number of their
+            first children.
+        lowered: what the element is lowered to.
+        resolved: the element with the name that a reference in it means.
+        checked: the run of the checks that found nothing wrong in it, if one did.
+        written: the text of it, or of what is in it except for its own children.
+        renamed: what it becomes where meshes are named in another way.
+    """
+
+    __slots__ = ("checked", "lowered", "own", "renamed", "resolved", "written")
+
+    def __init__(self, own: int | None = None) -> None:
+        """Begin with nothing worked out."""
+        self.own = own
+        self.lowered: Any = None
+        self.resolved: Any = None
+        self.checked: Any = None
+        self.written: Any = None
+        self.renamed: Any = None
 
 
 class Element:

@@ -1,4 +1,4 @@
-"""Values as text: how numbers and other values are spelled in XML, and what is escaped in it.
+"""Values as text: how numbers and other values are spelled in XML, what is escaped, what is a name.
 
 Number formatting, value formatting and escaping happen here and nowhere else.
 """
@@ -10,13 +10,28 @@ from ..source import Span
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from typing import Any
+    from typing import Any, TypeVar
+
+    Key = TypeVar("Key")
+    Value = TypeVar("Value")
+
+MOST_REMEMBERED = 4096
+"""How much of a kind is remembered at a time; what is forgotten is only worked out again."""
+LONGEST_ROW_REMEMBERED = 24
+"""Characters of a row of numbers worth remembering: longer ones are computed, and seldom equal."""
 
 
 class LiteralList(list[object]):
     """A list written as a YAML list under an element: numbers for `part`, an error elsewhere."""
 
     __slots__ = ()
+
+
+def remember(known: dict[Key, Value], key: Key, value: Value) -> None:
+    """Keep what has been worked out for when it comes again, in bounded memory."""
+    if len(known) >= MOST_REMEMBERED:
+        known.clear()
+    known[key] = value
 
 
 # --- values to text ---------------------------------------------------------------------------
@@ -154,3 +169,51 @@ def check_characters(text: str, span: Span, *, trace: Frame | None = None) -> No
                 hint="remove it; XML allows only tab, line breaks and printable characters",
                 trace=trace,
             )
+
+
+# --- names ------------------------------------------------------------------------------------
+
+# XML 1.0 (fifth edition), productions 4 and 4a, without the ASCII range.
+_NAME_STARTS = (
+    (0xC0, 0xD6),
+    (0xD8, 0xF6),
+    (0xF8, 0x2FF),
+    (0x370, 0x37D),
+    (0x37F, 0x1FFF),
+    (0x200C, 0x200D),
+    (0x2070, 0x218F),
+    (0x2C00, 0x2FEF),
+    (0x3001, 0xD7FF),
+    (0xF900, 0xFDCF),
+    (0xFDF0, 0xFFFD),
+    (0x10000, 0xEFFFF),
+)
+_NAME_PARTS = (*_NAME_STARTS, (0xB7, 0xB7), (0x300, 0x36F), (0x203F, 0x2040))
+
+
+def bad_name_character(name: str) -> str | None:
+    """Return the first character that keeps `name` from being an XML name, or None if it is one.
+
+    The name may have one prefix (`gz:plugin`). An empty name gives an empty string.
+    """
+    if not name:
+        return ""
+    if name.isidentifier() and name.isascii():
+        return None
+    for index, char in enumerate(name):
+        if char.isascii():
+            is_start = char.isalpha() or char in "_:"
+            is_part = is_start or char.isdigit() or char in "-."
+        else:
+            is_start = _is_in(char, _NAME_STARTS)
+            is_part = is_start or _is_in(char, _NAME_PARTS)
+        if not (is_part if index and name[index - 1] != ":" else is_start):
+            return char
+    if name[0] == ":" or name[-1] == ":" or name.count(":") > 1:
+        return ":"
+    return None
+
+
+def _is_in(char: str, ranges: tuple[tuple[int, int], ...]) -> bool:
+    code = ord(char)
+    return any(low <= code <= high for low, high in ranges)

@@ -5,14 +5,12 @@ from __future__ import annotations
 from ..diagnostics import YamaroError, failure, settle
 from ..policy import Limits
 from ..source import Span
-from .memo import remember
 from .tree import Comment, Element, Text
-from .values import check_characters, escaped_attribute, escaped_text, format_value
+from .values import check_characters, escaped_attribute, escaped_text, format_value, remember
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from .memo import Memo
-    from .tree import Node
+    from .tree import Memo, Node
 
 _LONGEST_REMEMBERED = 16
 """Characters of a value worth remembering: longer ones seldom come again, and there are many."""

@@ -11,7 +11,6 @@ from ..diagnostics import Reporter, YamaroError, failure
 from ..policy import Limits
 from ..source import Source, Span
 from .builder import NodeBuilder, children_of
-from .characters import refuse_characters
 from .nodes import PLAIN, ScalarNode
 from .scalars import is_null
 
@@ -42,12 +41,21 @@ def read(
         YamaroError: the text is not YAML, is empty, holds several documents, custom tags, or
             aliases that refer to themselves or expand without measure.
     """
-    refuse_characters(source)
+    _refuse_characters(source)
     root = NodeBuilder(source, limits or Limits(), units=units).build()
     if root is None or _is_nothing(root):
         raise _empty(source)
     _warn_of_comments(source, root, reporter)
     return root
+
+
+def _refuse_characters(source: Source) -> None:
+    """Raise YamaroError if the text holds a character that YAML forbids."""
+    if source.text.isascii() and "\x00" not in source.text and "\x7f" not in source.text:
+        return  # libyaml names the other control characters
+    from .characters import refuse_characters
+
+    refuse_characters(source)
 
 
 class Reading:
@@ -83,7 +91,7 @@ def read_on(source: Source, *, reporter: Reporter, limits: Limits | None = None)
     errors: list[Diagnostic] = []
     builder = NodeBuilder(source, limits, errors=errors)
     try:
-        refuse_characters(source)
+        _refuse_characters(source)
         root = builder.build()
         hidden = [node.span() for node in builder.absent]
         reading = Reading(root, errors, hidden, source.text)
@@ -125,7 +133,7 @@ def read_fragment(scalar: ScalarNode, start: int, end: int) -> YamlNode:
     places = [scalar.offset(index) for index in range(start, end)]
     places.append(places[-1] + 1)
     try:
-        refuse_characters(fragment)
+        _refuse_characters(fragment)
     except YamaroError as error:
         for diagnostic in error.diagnostics:
             at = places[diagnostic.span.start]

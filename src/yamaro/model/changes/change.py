@@ -5,7 +5,7 @@ from __future__ import annotations
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from ...source import Span
-    from ..rotations import Vector
+    from ..pose import Vector
     from .motion import Motion
 
 ADDED, REMOVED, CHANGED, RENAMED = "added", "removed", "changed", "renamed"

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from ..extras import Extras, Surface
     from ..robot import Robot
     from ..sensors import Sensor
-    from ..written import Written
+    from ..values import Written
     from .context import Comparing
 
 SENSOR = {"rate": "Hz", "noise": "", "topic": ""}

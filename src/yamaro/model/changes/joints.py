@@ -9,7 +9,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from ...source import Span
     from ..joint import Joint
-    from ..written import Written
+    from ..values import Written
     from .context import Comparing, Place
 
 LIMIT = ("lower", "upper", "effort", "velocity", "acceleration", "deceleration", "jerk")

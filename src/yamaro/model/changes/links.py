@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ..rotations import multiply, transposed
+from ..pose import multiply, transposed
 from ..shapes import Mesh
 from .context import Owner
 from .elements import compare_rest

@@ -8,8 +8,7 @@ from __future__ import annotations
 
 from ..joint import FLOATING, PLANAR, SINGLE
 from ..kinematics import link_poses
-from ..pose import IDENTITY, Pose
-from ..rotations import rotation_from_rpy
+from ..pose import IDENTITY, Pose, rotation_from_rpy
 from .change import Moved
 from .tolerance import angle_between, distance_between
 

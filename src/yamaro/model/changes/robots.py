@@ -17,8 +17,8 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from ..joint import Joint
     from ..link import Link
+    from ..pose import Vector
     from ..robot import Robot
-    from ..rotations import Vector
     from .context import SameFile
 
 

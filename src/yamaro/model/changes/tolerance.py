@@ -8,8 +8,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from ..pose import Pose
-    from ..rotations import Rotation, Vector
+    from ..pose import Pose, Rotation, Vector
 
 DEFAULT = 1e-9
 """How far numbers may differ, as a part of the larger one; rotations in radians."""

@@ -19,9 +19,9 @@ if TYPE_CHECKING:
 
     from ...diagnostics import Frame as Step
     from ...model.link import Collision, Color, Link, Material, Visual
-    from ...model.rotations import Vector
+    from ...model.pose import Vector
     from ...model.shapes import Mesh
-    from ...model.written import Written
+    from ...model.values import Written
     from .meshes import Part
 
     Attributes = dict[str, str | None]

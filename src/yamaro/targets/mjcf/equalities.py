@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 from ...model.joint import SINGLE
-from ...model.pose import Pose
-from ...model.rotations import UNTURNED, rotate, transposed
+from ...model.pose import UNTURNED, Pose, rotate, transposed
 from ..output import LOST
 from .names import EQUALITY, SITE
 from .writing import Writing, made, pose_attributes, row
@@ -12,7 +11,7 @@ from .writing import Writing, made, pose_attributes, row
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from ...model.extras import Loop
-    from ...model.rotations import Vector
+    from ...model.pose import Vector
     from ...source import Span
 
 HINGE_LENGTH = 0.1

@@ -6,7 +6,7 @@ from math import hypot
 
 from ...model.joint import PRISMATIC
 from ...model.kinematics import link_poses
-from ...model.rotations import multiply, rotate, transposed
+from ...model.pose import multiply, rotate, transposed
 from .surfaces import TIME_STEP
 
 TYPE_CHECKING = False
@@ -14,8 +14,7 @@ if TYPE_CHECKING:
     from collections.abc import Mapping
 
     from ...model.joint import Joint
-    from ...model.pose import Pose
-    from ...model.rotations import Rotation, Vector
+    from ...model.pose import Pose, Rotation, Vector
     from .writing import Writing
 
 GRAVITY = 9.81

@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 from ...model.joint import CONTINUOUS, FLOATING, PLANAR, PRISMATIC, REVOLUTE
-from ...model.pose import Pose
-from ...model.rotations import UNTURNED, rotate, rotation_from_z
+from ...model.pose import UNTURNED, Pose, rotate, rotation_from_z
 from ..output import APPROXIMATED, LOST, RENAMED
 from .names import JOINT
 from .writing import Writing, made, number, row
@@ -13,8 +12,8 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from ...model.joint import Joint
     from ...model.kinematics import Position
-    from ...model.rotations import Vector
-    from ...model.written import Written
+    from ...model.pose import Vector
+    from ...model.values import Written
     from ...source import Span
     from ...xml.tree import Element
 
@@ -251,7 +250,7 @@ def numbers_of(part: str, position: Position, origin: Pose) -> list[float]:
 
 
 def _quaternion(pose: Pose) -> list[float]:
-    from ...model.rotations import quaternion_from_rotation
+    from ...model.pose import quaternion_from_rotation
 
     if pose.rotation == UNTURNED:
         return [1.0, 0.0, 0.0, 0.0]

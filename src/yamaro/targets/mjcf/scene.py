@@ -12,8 +12,7 @@ from .writing import number, row
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from ...model.pose import Pose
-    from ...model.rotations import Vector
+    from ...model.pose import Pose, Vector
     from ...model.shapes import Shape
     from .writing import Writing
 

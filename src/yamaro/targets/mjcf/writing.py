@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from ...diagnostics import Frame as Step
     from ...model.pose import Pose
     from ...model.robot import Robot
-    from ...model.written import Written
+    from ...model.values import Written
     from ...source import Span
     from ..output import Wanted
 
@@ -177,7 +177,7 @@ def pose_attributes(pose: Pose) -> dict[str, str | None]:
 
 def quaternion_text(pose: Pose) -> str | None:
     """Return the rotation of a pose as MJCF writes it, w first; None for no rotation."""
-    from ...model.rotations import UNTURNED, quaternion_from_rotation
+    from ...model.pose import UNTURNED, quaternion_from_rotation
 
     if pose.rotation == UNTURNED:
         return None

@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
 
     from ...model.joint import Joint
-    from ...model.written import Written
+    from ...model.values import Written
     from ...xml.tree import Element
 
 

@@ -7,8 +7,7 @@ from typing import TYPE_CHECKING
 
 from pxr import Gf, UsdGeom
 
-from ...model.pose import Pose
-from ...model.rotations import rotation_from_rpy
+from ...model.pose import Pose, rotation_from_rpy
 from ...model.sensors import Camera
 from ..output import LOST, Loss
 from .poses import place

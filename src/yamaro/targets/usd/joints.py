@@ -11,8 +11,7 @@ from typing import TYPE_CHECKING
 from pxr import Gf, Sdf, Usd, UsdPhysics
 
 from ...model.joint import CONTINUOUS, FIXED, FLOATING, PLANAR, PRISMATIC, SINGLE
-from ...model.pose import Pose
-from ...model.rotations import multiply, rotation_about, rotation_from_z
+from ...model.pose import Pose, multiply, rotation_about, rotation_from_z
 from ..bodies import WORLD
 from ..output import APPROXIMATED, LOST, Loss
 from ..tags import Tag
@@ -22,9 +21,9 @@ if TYPE_CHECKING:
     from ...model.extras import Loop
     from ...model.joint import Joint
     from ...model.link import Link
+    from ...model.pose import Rotation, Vector
     from ...model.robot import Robot
-    from ...model.rotations import Rotation, Vector
-    from ...model.written import Written
+    from ...model.values import Written
     from ..bodies import Bodies
     from .names import Names
 

@@ -119,7 +119,7 @@ class Side:
     @property
     def has_extras(self) -> bool:
         """Return whether the file can hold what URDF has no elements for, such as sensors."""
-        from ...syntax.includes import holds_xml
+        from ...source import holds_xml
 
         path = self.build.files[0] if self.build.files else self.origin.path
         return not (holds_xml(path, "") or self.robot.span.source.is_xml)

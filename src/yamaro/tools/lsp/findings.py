@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import re
 
-from ...diagnostics import ERROR, Diagnostic, trace_lines
+from ...diagnostics import ERROR, Diagnostic
 from ...fixes import Edit, Fix
 from ...policy import NO_JAIL, UNSAFE
+from ...rendering import trace_lines
 from ...source import Source, Span
 
 TYPE_CHECKING = False

@@ -7,13 +7,12 @@ import os
 from ...diagnostics import Reporter, YamaroError
 from ...policy import Limits
 from ...sandbox.deep_stack import run_on_deep_stack
-from ...source import Source
-from ...syntax.includes import holds_xml
+from ...source import Source, holds_xml
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from ...diagnostics import Diagnostic
-    from ...syntax.parsed import Parsed
+    from ...syntax.document import Parsed
     from ...xml.tree import Element
     from ...yaml.nodes import YamlNode
     from .names import Names

@@ -31,8 +31,8 @@ if TYPE_CHECKING:
     from ...diagnostics import Diagnostic
     from ...meshes.surfaces import Surface
     from ...model.link import Inertial, Link
+    from ...model.pose import Vector
     from ...model.robot import Robot
-    from ...model.rotations import Vector
     from .meshes import Meshes
     from .shapes import DrawnShape
     from .stage import Color, Stage

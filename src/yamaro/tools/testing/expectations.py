@@ -22,8 +22,8 @@ if TYPE_CHECKING:
     from ...model.robot import Robot
     from ...policy import Limits
     from ...source import Source
+    from ...syntax.context import Rules
     from ...syntax.python import PythonCode
-    from ...syntax.rules import Rules
 
 MOST_VALUES = 12
 """Values of an expression that are shown."""

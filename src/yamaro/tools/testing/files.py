@@ -25,8 +25,8 @@ if TYPE_CHECKING:
 
     from ...policy import Limits
     from ...source import Source, Span
+    from ...syntax.context import Rules
     from ...syntax.python import PythonCode
-    from ...syntax.rules import Rules
     from ...yaml.nodes import YamlNode
 
 ENDINGS = (".test.yaml", ".test.yml")

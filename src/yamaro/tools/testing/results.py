@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ...diagnostics import render_all
+from ...rendering import render_all
 from ..junit import Case, Failure, junit_text
 
 TYPE_CHECKING = False

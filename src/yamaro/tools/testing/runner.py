@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
     from ...policy import Policy
     from ...result import Build
-    from ...syntax.rules import Rules
+    from ...syntax.context import Rules
     from .files import Case, ExpectedError, TestFile
 
 

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from ...diagnostics import ERROR, WARNING, Diagnostic, YamaroError, render
+from ...diagnostics import ERROR, WARNING, Diagnostic, YamaroError
 from ...model.link import Visual
 from ...model.shapes import Mesh
 from ...model.values import attribute_text
+from ...rendering import render
 from .origins import Owners, Places
 
 TYPE_CHECKING = False

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import re
 
-from ...diagnostics import INHERITED, trace_lines
+from ...diagnostics import INHERITED
+from ...rendering import trace_lines
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

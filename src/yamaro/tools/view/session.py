@@ -12,7 +12,7 @@ from ...diagnostics import YamaroError
 from ...files.loader import FileLoader, LoadError, decode
 from ...files.regular import open_regular
 from ...main_file import reach_of
-from ...syntax.includes import holds_xml
+from ...source import holds_xml
 from .description import Description, fault_data
 from .mesh_files import Library, MeshFiles
 from .origins import Places

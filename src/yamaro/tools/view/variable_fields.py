@@ -6,7 +6,7 @@ import math
 
 from ...diagnostics import InputFault, Reporter
 from ...policy import Limits
-from ...source import Source, Span
+from ...source import Source, Span, holds_xml
 from ...syntax.argument_section import arguments_of
 from ...syntax.argument_types import (
     ANY,
@@ -18,7 +18,6 @@ from ...syntax.argument_types import (
     ArgumentEntry,
     checked,
 )
-from ...syntax.includes import holds_xml
 from ...syntax.names import python_name
 from ...xml.reader import read_xml
 from ...xml.values import format_value
