@@ -20,6 +20,7 @@ from tests.targets.mechanics import (
     mimic_differences,
     missing_frames,
 )
+from tests.targets.standing import Standing, with_position_actuators
 
 ROOT = Path(__file__).parents[2]
 EXAMPLES = ("pan_tilt/pan_tilt", "leg_robot/robot", "hexapod/hexapod", "quadruped/quadruped",
@@ -167,6 +168,22 @@ def test_inertia_with_products_is_the_same_in_mujoco(tmp_path: Path) -> None:
     outer = Rotation.from_euler("xyz", [0.1, 0.2, 0.3]).as_matrix()
     assert np.abs(found - outer @ given @ outer.T).max() < 1e-14
     assert model.body_ipos[1].tolist() == [1, 2, 3]
+
+
+@pytest.mark.parametrize("name", EXAMPLES)
+@pytest.mark.parametrize("base", ["fixed", "free"])
+@pytest.mark.parametrize("seconds", [0.5, pytest.param(5.0, marks=pytest.mark.slow)])
+def test_examples_hold_their_home(name: str, base: str, seconds: float, tmp_path: Path) -> None:
+    mujoco = require_module("mujoco")
+    urdf = yamaro.build(ROOT / "examples" / f"{name}.yaml", on_message=lambda line: None).xml()
+    (tmp_path / "robot.urdf").write_text(with_position_actuators(urdf))
+    build = mjcf_of(tmp_path / "robot.urdf", base=base)
+    for file, content in {**build.assets, "robot.xml": build.xml().encode()}.items():
+        (tmp_path / file).write_bytes(content)
+    found = Standing(mujoco.MjModel.from_xml_path(str(tmp_path / "scene.xml")), seconds)
+    assert found.is_finite
+    assert not found.warnings
+    assert found.worst < 0.05, found.joint
 
 
 CASES = sorted((ROOT / "tests" / "cases" / "targets").glob("mjcf*.xml"))

@@ -10,6 +10,8 @@ if TYPE_CHECKING:
 
 FOLDER = "assets"
 SITE_SIZE = "0.005"
+STIFF = {"solref": "0.005 1", "solimp": "0.99 0.999 0.001"}
+"""How fast and how exactly equalities hold: as stiff as the time step of MuJoCo allows."""
 VISUAL_GROUP, COLLISION_GROUP, SITE_GROUP = "2", "3", "4"
 
 
@@ -45,6 +47,8 @@ def _defaults(writing: Writing) -> Element:
     }
     if any(each.name == "mesh" for each in writing.sections["asset"].elements()):
         model.children.append(_made(writing, "mesh", {"inertia": "shell"}))
+    if writing.sections["equality"].children:
+        model.children.append(_made(writing, "equality", {**STIFF}))
     for name, content in inner.items():
         default = _made(writing, "default", {"class": name})
         default.children.append(content)

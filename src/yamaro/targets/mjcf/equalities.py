@@ -36,6 +36,7 @@ def add_mimics(writing: Writing) -> None:
         }
         attributes = {
             "name": writing.names.fresh(EQUALITY, joint.name),
+            "class": writing.classes.model,
             "joint1": joint.name,
             "joint2": leader.name,
             "polycoef": row((mimic.offset, mimic.multiplier, 0, 0, 0)),
@@ -81,7 +82,8 @@ def _add(
         _site(writing, loop, frame, f"{wanted}_{index}", axis)
         for index, (frame, axis) in enumerate(zip(loop.between, axes, strict=True), start=1)
     ]
-    attributes = {"name": name, "site1": sites[0], "site2": sites[1]}
+    default = writing.classes.model
+    attributes = {"name": name, "class": default, "site1": sites[0], "site2": sites[1]}
     writing.add("equality", made(word, loop, attributes, loop.trace))
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from math import hypot
 
-from ...model.joint import PRISMATIC
+from ...model.joint import FLOATING, PLANAR, PRISMATIC
 from ...model.kinematics import link_poses
 from ...model.pose import multiply, rotate, transposed
 from .surfaces import TIME_STEP
@@ -21,9 +21,10 @@ GRAVITY = 9.81
 """MuJoCo's default, in m/s²."""
 SAG = 0.01
 """How far the weight may move a joint, as part of its range; of 1 rad or 1 m without limits."""
-SLOWEST, FASTEST = 10.0, 0.5 / TIME_STEP
-"""The least and the greatest natural frequency of a joint with its load, in rad/s; the time step
-cannot follow a faster one."""
+SLOWEST, FASTEST = 10.0, 1.5 / TIME_STEP
+"""The least and the greatest natural frequency of a joint with its load, in rad/s. With critical
+damping, which MuJoCo integrates implicitly, it would have to be below 4.8 / TIME_STEP: the roots of
+λ²(1 + 2a) − λ(2 + 2a − a²) + 1, with the step a, are then inside of the unit circle."""
 LEAST_INERTIA = 1e-6
 """In kg·m² or kg, for what has none."""
 SLIP = 0.05
@@ -84,13 +85,12 @@ class Load:
 class Gains:
     """Works out gains, at the positions where joints rest."""
 
-    __slots__ = ("_loads", "_poses", "_weight", "_writing")
+    __slots__ = ("_loads", "_poses", "_writing")
 
     def __init__(self, writing: Writing) -> None:
         self._writing = writing
         self._poses: Mapping[str, Pose] = {}
         self._loads: dict[str, Load] = {}
-        self._weight = 0.0
 
     def of_position(self, joint: Joint) -> float:
         """Return the stiffness of a joint, in N·m/rad or N/m.
@@ -119,14 +119,25 @@ class Gains:
         load, pose = self._loads[joint.child], self._poses[joint.child]
         axis = rotate(pose.rotation, joint.axis)
         armature = self._armature(joint)
-        mass = load.mass
-        if not self._writing.wanted.is_fixed:
-            mass = self._weight
+        mass = self._carried(joint).mass
         if joint.type == PRISMATIC:
             return max(load.mass + armature, LEAST_INERTIA), GRAVITY * mass
         inertia = load.about(pose.position, axis) + armature
         reach = max((_distance(point, pose.position, axis) for point in load.points), default=0.0)
         return max(inertia, LEAST_INERTIA), GRAVITY * mass * reach
+
+    def _carried(self, joint: Joint) -> Load:
+        """Return what a joint carries: what it moves, or all of a robot that stands on it."""
+        robot = self._writing.robot
+        own = self._loads[joint.child]
+        name = joint.parent
+        above = robot.parent_joint(name)
+        while above is not None:
+            if above.type in (FLOATING, PLANAR):
+                return self._loads[name]
+            name = above.parent
+            above = robot.parent_joint(name)
+        return own if self._writing.wanted.is_fixed else self._loads[name]
 
     def _armature(self, joint: Joint) -> float:
         actuator = self._writing.robot.actuators.get(joint.name)
@@ -137,7 +148,6 @@ class Gains:
         robot = self._writing.robot
         rest = {joint.name: joint.rest for joint in robot.free_joints()}
         self._poses = link_poses(robot, rest)
-        self._weight = robot.mass
         for link in reversed(self._writing.plan.order):
             load = self._loads.setdefault(link.name, Load())
             inertial, pose = link.inertial, self._poses[link.name]
