@@ -66,8 +66,8 @@ def lower_control(lowering: Lowering, word: RobotWord, out: list[Node]) -> None:
 
 
 def _read(lowering: Lowering, word: RobotWord) -> PendingControl:
-    entries_of(word, f"control: {{plugin: {PLUGIN}}}")
-    keys = given_once(word, KEYS)
+    entries = entries_of(word, f"control: {{plugin: {PLUGIN}}}")
+    keys = given_once(word.with_children([*entries]), KEYS)
     if "plugin" not in keys:
         raise failure(
             "missing-key",
@@ -118,7 +118,7 @@ def _params(key: Element) -> Element:
 
 def _gpio(lowering: Lowering, pin: Element) -> RobotNote:
     """Return a note of a pin, with its lists of commands and states."""
-    entries_of(pin, f"{pin.name}: {{command: on, state: on}}")
+    pin = pin.with_children([*entries_of(pin, f"{pin.name}: {{command: on, state: on}}")])
     check_keys(pin, ("command", "state"))
     note = RobotNote("gpio", pin.span, {"name": pin.name}, trace=lowering.trace)
     for kind in ("command", "state"):

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from ..diagnostics import did_you_mean, failure
-from ..xml.tree import Element
+from ..xml.tree import Element, Text
 from ..xml.values import format_value
 from .fields import read_value, word_of
 from .notes import check_keys
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    pass
+    from ..xml.tree import Node
 
 LIST_ITEM = "-"
 """The name of an item in a list that holds mappings or lists."""
@@ -39,7 +39,7 @@ def given_once(word: Element, known: tuple[str, ...]) -> dict[str, Element]:
 
 
 def entries_of(owner: Element, example: str) -> list[Element]:
-    """Return the entries of a mapping, or of a list of mappings.
+    """Return the entries of a mapping, a list of mappings, or of a dict that an expression gave.
 
     Raises:
         YamaroError: it is a text or a list of texts.
@@ -50,7 +50,9 @@ def entries_of(owner: Element, example: str) -> list[Element]:
 def _entries_in(body: Element, owner: Element, example: str) -> list[Element]:
     found: list[Element] = []
     for child in body.children:
-        if not isinstance(child, Element):
+        if isinstance(child, Text) and isinstance(child.value, dict):
+            found += [_entry(name, value, child) for name, value in child.value.items()]
+        elif not isinstance(child, Element):
             raise failure(
                 "not-a-body",
                 f"'{owner.name}' holds entries such as `name: value`",
@@ -58,11 +60,17 @@ def _entries_in(body: Element, owner: Element, example: str) -> list[Element]:
                 hint=f"write {example}",
                 trace=owner.trace,
             )
-        if child.name == LIST_ITEM:
+        elif child.name == LIST_ITEM:
             found += _entries_in(child, owner, example)
         else:
             found.append(child)
     return found
+
+
+def _entry(name: object, value: object, dictionary: Text) -> Element:
+    """Return an entry of a dict as if it was written."""
+    children: list[Node] = [] if value is None else [Text(value, dictionary.span)]
+    return Element(format_value(name), dictionary.span, {}, children)
 
 
 def truth_of(key: Element) -> str:

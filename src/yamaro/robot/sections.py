@@ -82,7 +82,8 @@ def _states(lowering: Lowering, word: RobotWord, out: list[Node]) -> None:
 
 
 def _groups(lowering: Lowering, word: RobotWord, out: list[Node]) -> None:
-    for group in entries_of(word, "arm: {chain: [base_link, tool0]}"):
+    for given in entries_of(word, "arm: {chain: [base_link, tool0]}"):
+        group = given.with_children([*entries_of(given, "arm: {chain: [base_link, tool0]}")])
         check_keys(group, GROUP_KEYS)
         note = _note(lowering, "robot-group", group, {"name": group.name})
         for key in group.elements():
@@ -124,7 +125,8 @@ def _add_members(lowering: Lowering, group: RobotNote, key: Element) -> None:
 
 def _collisions(lowering: Lowering, word: RobotWord, out: list[Node]) -> None:
     note = _note(lowering, "collisions", word, {})
-    for key in given_once(word, COLLISION_KEYS).values():
+    entries = entries_of(word, "samples: 10000")
+    for key in given_once(word.with_children([*entries]), COLLISION_KEYS).values():
         if key.name == "keep":
             for pair in _pairs(key):
                 kept = _note(lowering, "keep", key, {"link_1": pair[0], "link_2": pair[1]})
