@@ -53,7 +53,8 @@ def _in_link(writing: Writing, sensor: Sensor) -> None:
         name = f"{sensor.name}_orientation"
         _add(writing, sensor, "framequat", name, {"objtype": "site", "objname": site})
         for word, part in IMU_PARTS.items():
-            _add(writing, sensor, word, f"{sensor.name}_{part}", {"site": site})
+            name = f"{sensor.name}_{part}"
+            _add(writing, sensor, word, name, {"site": site}, sensor.noises.get(part))
     elif kind == "magnetometer":
         _add(writing, sensor, kind, sensor.name, {"site": _site_of(writing, sensor)})
     elif kind == "gps":
@@ -87,7 +88,8 @@ def _force_torque(writing: Writing, sensor: Sensor) -> None:
         return
     site = _new_site(writing, sensor, sensor.name, joint.child, {})
     for part in ("force", "torque"):
-        _add(writing, sensor, part, f"{sensor.name}_{part}", {"site": site})
+        name = f"{sensor.name}_{part}"
+        _add(writing, sensor, part, name, {"site": site}, sensor.noises.get(part))
 
 
 def _camera(writing: Writing, sensor: Sensor, camera: Camera) -> None:
@@ -175,7 +177,8 @@ def _rangefinder(writing: Writing, sensor: Sensor, site: str, ends: tuple[float,
 def _pose_of(writing: Writing, sensor: Sensor) -> Pose:
     """Return T_body_sensor."""
     assert sensor.frame is not None
-    return writing.plan.poses[sensor.frame]
+    pose = writing.plan.poses[sensor.frame]
+    return pose if sensor.pose == IDENTITY else pose @ sensor.pose
 
 
 def _place(writing: Writing, sensor: Sensor, element: Element) -> None:
@@ -187,9 +190,9 @@ def _site_of(writing: Writing, sensor: Sensor) -> str:
     """Return the site that a sensor measures at: that of its frame, or a new one in a body."""
     frame = sensor.frame
     assert frame is not None
-    if frame in writing.plan.sites:
+    if frame in writing.plan.sites and sensor.pose == IDENTITY:
         return frame
-    return _new_site(writing, sensor, sensor.name, frame, {})
+    return _new_site(writing, sensor, sensor.name, frame, {}, _pose_of(writing, sensor))
 
 
 def _new_site(
@@ -198,21 +201,28 @@ def _new_site(
     wanted: str,
     link: str,
     attributes: dict[str, str | None],
+    pose: Pose | None = None,
 ) -> str:
-    """Append a site at the origin of a link, and return its name."""
+    """Append a site at a pose in the body, by default at the origin of a link; return its name."""
     name = writing.names.fresh(SITE, wanted)
-    pose = pose_attributes(writing.plan.poses.get(link, IDENTITY))
-    whole = {"name": name, "class": writing.classes.frame, **attributes, **pose}
+    place = pose_attributes(pose or writing.plan.poses.get(link, IDENTITY))
+    whole = {"name": name, "class": writing.classes.frame, **attributes, **place}
     writing.body_of(link).children.append(made("site", sensor, whole, sensor.trace))
     return name
 
 
 def _add(
-    writing: Writing, sensor: Sensor, word: str, wanted: str, attributes: dict[str, str | None]
+    writing: Writing,
+    sensor: Sensor,
+    word: str,
+    wanted: str,
+    attributes: dict[str, str | None],
+    own_noise: float | None = None,
 ) -> None:
-    """Append a sensor under a name that is free."""
+    """Append a sensor under a name that is free; its noise is by default that of all parts."""
     name = writing.names.fresh(SENSOR, wanted)
-    noise = number(sensor.noise) if sensor.noise else None
+    deviation = own_noise or sensor.noise
+    noise = number(deviation) if deviation else None
     whole = {"name": name, **attributes, "noise": noise}
     places = {"name": sensor.span_of("name"), "noise": sensor.span_of("noise")}
     writing.add("sensor", made(word, sensor, whole, sensor.trace, places))
