@@ -12,6 +12,7 @@ from ...arguments import UsageError
 from ...diagnostics import YamaroError
 from ...files.loader import FileLoader, check_size
 from ...files.packages import PackageFinder
+from .moves import Move
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -21,6 +22,7 @@ if TYPE_CHECKING:
     from ...model.robot import Robot
     from ...xml.tree import Element
     from .settings import Settings
+    from .texts import Text
     from .values import Values
 
 
@@ -53,6 +55,7 @@ class Result:
         diagnostics: what is to be said of them.
         root: the finished tree, or None if there is none.
         fault: what went wrong in Yamaro itself, or None.
+        texts: those that were open then, by path.
     """
 
     def __init__(self, main: str) -> None:
@@ -62,6 +65,8 @@ class Result:
         self.diagnostics: Sequence[Diagnostic] = []
         self.root: Element | None = None
         self.fault: str | None = None
+        self.texts: Mapping[str, str] = {}
+        self._moves: dict[str, Move] = {}
         self._read_robot: Callable[[], Robot] | None = None
         self._robot: Robot | None = None
         self._values: Values | None = None
@@ -75,6 +80,16 @@ class Result:
             except YamaroError:
                 self._read_robot = None
         return self._robot
+
+    def offset_then(self, text: Text, offset: int) -> int:
+        """Return where in the text that was built an offset of now was; -1 if it is new."""
+        then = self.texts.get(text.path)
+        if then is None or then == text.text:
+            return offset
+        move = self._moves.get(text.path)
+        if move is None or move.new != text.text:
+            move = self._moves[text.path] = Move(then, text.text)
+        return move.back(offset)
 
     @property
     def values(self) -> Values:
@@ -103,6 +118,7 @@ class Job:
         if self.is_abandoned:
             return None
         result = Result(self.main)
+        result.texts = self.texts
         try:
             self._build(settings, result)
         except YamaroError as error:

@@ -116,7 +116,10 @@ class Completion:
             mark = f"{_MARK}: 0" if not is_flow or rest[:1] in ("", "}", ",") else f"{_MARK}: 0, "
         elif not is_key and self._line.count("'") % 2 == 0 and typed == "":
             mark = f" {_MARK}" if self._line[-1:] == ":" else _MARK
-        source = Source(text[:start] + mark + text[end:], name=self._text.path)
+        line_end = end + len(text[end:].split("\n", 1)[0].rstrip("\r"))
+        tail = text[end:line_end]
+        closed = tail + _closing(self._line + tail)
+        source = Source(text[:start] + mark + closed + text[line_end:], name=self._text.path)
         reading = read_on(source, reporter=Reporter())
         return cursor_at(reading.root, start + (mark.startswith(" ")) + 1)
 
@@ -232,3 +235,23 @@ class Completion:
         for place in visible_names(program, self._text, context):
             self._items.add_variable(place)
         self._items.add_predefined()
+
+
+def _closing(line: str) -> str:
+    """Return the brackets that a line leaves open, closed; without them no YAML follows."""
+    pending: list[str] = []
+    at = 0
+    while at < len(line):
+        char = line[at]
+        if line.startswith("$(", at):
+            close = find_close(line, at + 2)
+            at = close if close >= 0 else len(line)
+        elif char in "'\"" and line[at - 1 : at] in ("", " ", "{", "[", ","):
+            close = line.find(char, at + 1)
+            at = close if close >= 0 else at
+        elif char in "{[" and (pending or line[at - 1 : at] in ("", " ")):
+            pending.append("}" if char == "{" else "]")
+        elif pending and char == pending[-1]:
+            pending.pop()
+        at += 1
+    return "".join(reversed(pending))

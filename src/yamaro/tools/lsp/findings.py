@@ -9,6 +9,7 @@ from ...fixes import Edit, Fix
 from ...policy import NO_JAIL, UNSAFE
 from ...rendering import trace_lines
 from ...source import Source, Span
+from .moves import Move
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -80,16 +81,10 @@ def _moved(diagnostic: Diagnostic, text: Text | None) -> Diagnostic | None:
     span = diagnostic.span
     if text is None or not span.source.path or span.source.text == text.text:
         return diagnostic
-    old, new = span.source.text, text.text
     if span.source.path != text.path:
         return diagnostic
-    same = _common(old, new)
-    end = _common(old[same:][::-1], new[same:][::-1])
-    if span.end <= same:
-        shift = 0
-    elif span.start >= len(old) - end:
-        shift = len(new) - len(old)
-    else:
+    shift = Move(span.source.text, text.text).shift(span.start, span.end)
+    if shift is None:
         return None
     copy = diagnostic.copy()
     copy.span = Span(text.source, span.start + shift, span.end + shift)
@@ -106,21 +101,6 @@ def _shifted(fix: Fix, text: Text, shift: int) -> Fix | None:
             return None
         edits.append(Edit(span, edit.text))
     return Fix(fix.title, edits, is_safe=fix.is_safe)
-
-
-def _common(one: str, other: str) -> int:
-    """Return how many characters two texts begin with in common."""
-    most = min(len(one), len(other))
-    if one[:most] == other[:most]:
-        return most
-    least = 0
-    while most - least > 1:
-        middle = (least + most) // 2
-        if one[:middle] == other[:middle]:
-            least = middle
-        else:
-            most = middle
-    return least
 
 
 def _once(diagnostics: Iterable[Diagnostic]) -> list[Diagnostic]:

@@ -45,7 +45,8 @@ def _values(workspace: Workspace, text: Text) -> list[tuple[int, str]]:
             continue
         values: dict[str, None] = {}
         for result in workspace.results_of(text.path):
-            values.update(result.values.set.get((text.path, node.span.start), {}))
+            at = result.offset_then(text, node.span.start)
+            values.update(result.values.set.get((text.path, at), {}))
         if values:
             label = ", ".join(values)
             label = label if len(label) <= LONGEST else f"{label[: LONGEST - 1]}…"

@@ -16,6 +16,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
+    from .builds import Result
     from .texts import Text
     from .wire import Json
     from .workspace import Workspace
@@ -128,22 +129,21 @@ def _values(workspace: Workspace, place: Place, found: list[Place]) -> Iterable[
         if result.root is None:
             continue
         for each in found:
-            values.update(result.values.set.get((each.text.path, each.span.start), {}))
-            values.update(result.values.set.get((each.text.path, each.span.start - 1), {}))
+            for offset in (each.span.start, each.span.start - 1):  # a quote may be before it
+                at = result.offset_then(each.text, offset)
+                values.update(result.values.set.get((each.text.path, at), {}))
         if not values and place.use is not None:
-            values.update(_read_around(result.values.read, place))
+            values.update(_read_around(result, place))
     return values
 
 
-def _read_around(
-    read: dict[tuple[str, int, str], dict[str, None]], place: Place
-) -> dict[str, None]:
+def _read_around(result: Result, place: Place) -> dict[str, None]:
     """Return the values that were read by the scalar around a place."""
-    root = place.text.root
-    scalar = cursor_at(root, place.span.start).scalar
+    scalar = cursor_at(place.text.root, place.span.start).scalar
     if scalar is None:
         return {}
-    return read.get((place.text.path, scalar.start, place.name), {})
+    at = result.offset_then(place.text, scalar.start)
+    return result.values.read.get((place.text.path, at, place.name), {})
 
 
 def _listed(values: Iterable[str]) -> str:
@@ -184,7 +184,8 @@ def _of_value(
 ) -> tuple[list[str], Span | None]:
     lines = []
     for result in workspace.results_of(text.path):
-        written = result.values.written.get((text.path, scalar.start))
+        at = result.offset_then(text, scalar.start)
+        written = result.values.written.get((text.path, at))
         if written and list(written) != [scalar.text]:
             lines.append(f"in the output: {_listed(written)}")
     key = word_of(keys[-1].text) if keys else ""

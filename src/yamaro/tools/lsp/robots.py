@@ -23,20 +23,16 @@ def links_of(workspace: Workspace, text: Text, part: Named) -> list[tuple[Robot,
         robot = result.robot
         if robot is None:
             continue
+        places = [
+            result.offset_then(text, offset)
+            for offset in (part.span.start - 1, part.span.start, part.key.start)
+        ]
         for link in robot.links.values():
             name_span = getattr(link.element.span, "name_span", None)
             own = name_span if name_span is not None else link.element.span
-            is_there = own.source.path == text.path
-            if is_there and own.source.text == text.text and _is_in(own.start, part):
+            if own.source.path == text.path and own.start in places:
                 found.append((robot, link))
     return found
-
-
-def _is_in(offset: int, part: Named) -> bool:
-    """Return whether a place is that of the name of a part or of its key."""
-    return offset in (part.span.start, part.key.start) or (
-        part.span.start - 1 <= offset <= part.span.end
-    )
 
 
 def part_lines(

@@ -50,7 +50,7 @@ class Server:
         self._parent: int | None = None
         self._edited: dict[str, None] = {}  # files whose parse is to be published
         self._due: dict[str, float] = {}  # when a main file is to be built
-        self._is_lock_free = True
+        self._requests = 0  # that were sent to the editor
 
     def run(self) -> int:
         """Serve until the editor is gone or says so; return the exit status."""
@@ -161,6 +161,11 @@ class Server:
             workspace.good[result.main] = result
         self._forget_builds()
         self._publish_all()
+        hints = (workspace.client.get("workspace") or {}).get("inlayHint") or {}
+        if workspace.settings.has_hints and hints.get("refreshSupport"):
+            self._requests += 1
+            identity = f"refresh {self._requests}"
+            self._wire.write({"id": identity, "method": "workspace/inlayHint/refresh"})
 
     def _forget_builds(self) -> None:
         """Forget the results of files that are parts of other programs, or not needed any more."""
