@@ -17,7 +17,7 @@ from pathlib import Path
 from measuring import HEADER
 
 FOLDER = Path(__file__).parent
-SCRIPTS = ("start", "legs", "linear", "flat", "sweep", "safety", "view", "model", "faults")
+SCRIPTS = ("start", "legs", "linear", "flat", "sweep", "safety", "view", "model", "faults", "lsp")
 
 
 def machine() -> str:

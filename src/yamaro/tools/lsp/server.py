@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import os
 import queue
 import threading
@@ -31,6 +32,9 @@ if TYPE_CHECKING:
     from .findings import Publisher
     from .wire import Json, Wire
 
+MOST_OBJECTS = 4_000_000
+"""New objects after which those that refer to themselves are freed, whatever else is to be done."""
+FEW_OBJECTS = 1_000
 PARENT_INTERVAL = 10.0
 """Seconds after which to look whether the editor still runs."""
 
@@ -55,6 +59,7 @@ class Server:
     def run(self) -> int:
         """Serve until the editor is gone or says so; return the exit status."""
         threading.Thread(target=self._listen, name="listener", daemon=True).start()
+        gc.disable()  # looking through a long robot takes longer than to answer; see `_tidy`
         while True:
             try:
                 kind, value = self._events.get(timeout=self._patience())
@@ -106,11 +111,18 @@ class Server:
         for path in edited:
             self._publish(path)
             self._touch(path, pause=self._workspace.settings.pause)
+        self._tidy()
         now = time.monotonic()
         for main in [main for main, due in self._due.items() if due <= now]:
             del self._due[main]
             self._build(main)
         return edited != {} or self._due != {} or self._has_parent()
+
+    def _tidy(self) -> None:
+        """Free what refers to itself: when nothing was done for a while, or there is a lot of it."""
+        is_idle = not (self._edited or self._due) and gc.get_count()[0] > FEW_OBJECTS
+        if is_idle or gc.get_count()[0] > MOST_OBJECTS:
+            gc.collect()
 
     def _has_parent(self) -> bool:
         if self._parent is None or os.name == "nt":
