@@ -119,7 +119,7 @@ class Server:
         return edited != {} or self._due != {} or self._has_parent()
 
     def _tidy(self) -> None:
-        """Free what refers to itself: when nothing was done for a while, or there is a lot of it."""
+        """Free what refers to itself, if nothing else is to be done or there is a lot of it."""
         is_idle = not (self._edited or self._due) and gc.get_count()[0] > FEW_OBJECTS
         if is_idle or gc.get_count()[0] > MOST_OBJECTS:
             gc.collect()
