@@ -151,3 +151,16 @@ def test_all_packages_may_be_asked_for(tmp_path: Path) -> None:
     }
     made = moved(tmp_path, files, "bot/urdf/r.xacro", wanted=(ALL,)).files
     assert sorted(made) == ["cam/urdf/cam.yaml", "r.yaml"]
+
+
+def test_a_property_may_name_the_package_of_a_file(tmp_path: Path) -> None:
+    robot = (
+        '<xacro:property name="own" value="bot"/>'
+        '<xacro:macro name="other" params="own:=nowhere"><a n="${own}"/></xacro:macro>'
+        '<xacro:include filename="$(find ${own})/urdf/base.xacro"/>'
+    )
+    files = {"bot/package.xml": "<package><name>bot</name></package>", "bot/urdf/r.xacro": robot}
+    files["bot/urdf/base.xacro"] = BASE
+    migration = moved(tmp_path, files, "bot/urdf/r.xacro")
+    assert "include: base.yaml\n" in migration.files["r.yaml"]
+    assert is_same(tmp_path, migration)

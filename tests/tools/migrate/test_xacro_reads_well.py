@@ -677,3 +677,21 @@ def test_a_variable_that_others_may_change_stays_global(tmp_path: Path) -> None:
         """,
     )
     assert "size/global: 2" in made["r.yaml"]
+
+
+def test_an_expression_that_is_only_a_number_is_that_number(tmp_path: Path) -> None:
+    made = migrated(
+        tmp_path,
+        """\
+        <xacro:property name="a" value="${-1}"/><xacro:property name="b" value="${0.5}"/>
+        <xacro:property name="c" value="${1e3}"/>
+        <a a="${a}" b="${b}" c="${c}"/>
+        """,
+    )["r.yaml"]
+    assert "  a: -1\n  b: 0.5\n  c: $(1e3)\n" in made
+    hold_for(tmp_path, [])
+
+
+def test_comments_stand_where_their_entries_do(tmp_path: Path) -> None:
+    made = migrated(tmp_path, "<t><a/><!-- b --><b/><c/><d/><!-- a --><a/></t>")["r.yaml"]
+    assert "    - a:\n      # b\n      b:\n      c:\n      d:\n    # a\n    - a:\n" in made

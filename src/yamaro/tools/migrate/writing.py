@@ -39,16 +39,24 @@ def _write_entries(body: Body, margin: str, out: list[str], *, are_functions: bo
     keys = [entry.key for entry in entries]
     times = Counter(keys)
     repeated = [key for key in keys if times[key] > 1]
-    is_row = 2 * len(repeated) >= len(keys) or any(map(_has_item, repeated))
+    is_row = (
+        2 * len(repeated) >= len(keys)
+        or any(map(_has_item, repeated))
+        or not _OF_MODELS.isdisjoint(keys)
+    )
     inner = f"{margin}  " if repeated else margin
     seen: set[str] = set()
     for index, entry in enumerate(entries):
         branches = {own.key for own in _branches(entries, index)}
         is_item = bool(repeated) and (is_row or not seen or not seen.isdisjoint(branches))
         seen = branches if is_item else seen | branches
-        _write_comment(entry.comment, margin, out)
+        _write_comment(entry.comment, margin if is_item else inner, out)
         _write_entry(entry, f"{margin}- " if is_item else inner, inner, out)
     _write_comment(body.remark, margin, out)
+
+
+_OF_MODELS = frozenset(("part", "include", "functions", "variables"))
+"""Statements of a body in which each thing has an item of its own, if it is a list."""
 
 
 def _branches(entries: list[Entry], index: int) -> list[Entry]:

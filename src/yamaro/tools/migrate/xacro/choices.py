@@ -296,8 +296,12 @@ class Choices:
             return self.host.folder()
         if isinstance(part, Expression) or "$" in part.text or part.text[:5] != "find ":
             return None
+        return self.package(part.text[5:].strip(), span)
+
+    def package(self, name: str, span: Span) -> str | None:
+        """Return the folder of a package, None if there is none."""
         try:
-            return self.host.find_package(part.text[5:].strip(), span)
+            return self.host.find_package(name, span)
         except YamaroError:
             return None
 

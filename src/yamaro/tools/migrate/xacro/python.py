@@ -10,7 +10,7 @@ from ....xacro.faults import Fault
 from ....xacro.literals import guess_value
 from ....xacro.templates import Expression, Part, Substitution, Template, parse_template
 from ..document import Quoted, literal
-from .python_texts import Edits, ends_in_minus, minus, without_parentheses
+from .python_texts import Edits, ends_in_minus, is_plain_number, minus, without_parentheses
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -113,7 +113,9 @@ class Translator:
             own = template.parts[0].text
             kind = self._numbers.get(own.strip())
             python = without_parentheses(self.expression(own))
-            return f"$({kind}({python}))" if kind else f"$({python})"
+            if kind:
+                return f"$({kind}({python}))"
+            return python if is_plain_number(python) else f"$({python})"
         plain = template.plain()
         if plain is not None:
             return typed(plain)

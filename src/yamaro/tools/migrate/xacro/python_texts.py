@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from ....xml.values import is_number
+from ....yaml.scalars import type_plain
+
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     import ast
@@ -115,3 +118,9 @@ class Edits:
         assert node.end_lineno is not None
         assert node.end_col_offset is not None
         return self._starts[node.end_lineno - 1] + node.end_col_offset
+
+
+def is_plain_number(python: str) -> bool:
+    """Return whether Python is a number that YAML reads as the same one."""
+    value = type_plain(python)
+    return is_number(value) and repr(value) == python

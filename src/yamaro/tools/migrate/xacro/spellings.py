@@ -65,11 +65,21 @@ class Spellings:
         if folder is not None:
             return [escaped(folder)]
         if isinstance(part, Substitution):
+            command, _, rest = part.text.partition(" ")
+            if command == "find":
+                return self._of_package(rest.strip(), known)
             return self._of_environment(part.text)
         if self._choices.is_lookup(part.text):
             return [escaped(own) for own in self._choices.data]
         tree = tree_of(part.text)
         return _ANYTHING if tree is None else self._of_python(tree, known)
+
+    def _of_package(self, text: str, known: frozenset[str]) -> list[str]:
+        """Return the folders of the packages that a text may name; any other is an error."""
+        names = self._of_text(text, known)
+        folders = [self._choices.package(name, self._span) for name in names if "*" not in name]
+        found = [escaped(folder) for folder in dict.fromkeys(folders) if folder is not None]
+        return found if found and "*" not in names else [*found, *_ANYTHING]
 
     def _of_environment(self, command: str) -> list[str]:
         words = command.split()
