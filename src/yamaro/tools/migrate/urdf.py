@@ -6,6 +6,7 @@ from ...diagnostics import YamaroError
 from ...model.compare import compare, count_defaults, is_used, prefixes_in
 from ...model.values import values_of
 from ...xml.tree import Element
+from .controls import use_control
 from .document import RECORD_WIDTH, Body, Entry, Quoted, Value, element_key, joined, literal
 from .elements import (
     ElementWriter,
@@ -77,20 +78,27 @@ def migrate_urdf(
     root = document.root
     source = spelled(root, literal)
     plain: set[int] = set()
+    with_control = True
     while True:
-        text = _write(document, source, plain, exact=exact)
+        text, has_control = _write(document, source, plain, exact=exact, with_control=with_control)
         try:
             built = build(text)
         except YamaroError:
             everything = {id(e) for e in source.elements() if e.name in ("joint", "link")}
-            if everything <= plain:
+            if has_control:
+                with_control = False
+            elif everything <= plain:
                 raise
-            plain |= everything
+            else:
+                plain |= everything
             continue
         differences = compare(root, built, exact=exact)
         migration = Migration(text, root, differences, count_defaults(root, built))
         if not differences or root.name != "robot":
             return migration
+        if has_control:
+            with_control = False
+            continue
         different = _different(root, source, built, exact=exact) - plain
         if not different:
             return migration
@@ -109,19 +117,32 @@ def _different(expected: Element, source: Element, actual: Element, *, exact: bo
     return different
 
 
-def _write(document: XmlDocument, root: Element, plain: set[int], *, exact: bool) -> str:
+def _write(
+    document: XmlDocument, root: Element, plain: set[int], *, exact: bool, with_control: bool
+) -> tuple[str, bool]:
     """Return a source in which some joints and links are plain elements.
 
     Those that turn out not to be parts are added to them. What names these is written again.
+
+    Args:
+        document: the XML.
+        root: its root, in the language's spelling.
+        plain: the identities of the plain elements.
+        exact: whether an origin that is missing has to stay missing.
+        with_control: whether blocks for ros2_control are written in words, where that is possible.
+
+    Returns:
+        the source, and whether there is such a block in words in it.
     """
     while True:
         known = len(plain)
-        text = _written(document, root, plain, exact=exact)
+        sections = _sections(document, root, plain, exact=exact)
         if len(plain) == known:
-            return text
+            has_control = with_control and use_control(sections)
+            return write_document(sections, comments_above(document)), has_control
 
 
-def _written(document: XmlDocument, root: Element, plain: set[int], *, exact: bool) -> str:
+def _sections(document: XmlDocument, root: Element, plain: set[int], *, exact: bool) -> Body:
     variables = Variables(root)
     elements = ElementWriter(variables.file_name)
     model = None
@@ -142,7 +163,7 @@ def _written(document: XmlDocument, root: Element, plain: set[int], *, exact: bo
         sections.add("model", model or None)
     for comment in document.after:
         sections.note(tidy_text(comment.text))
-    return write_document(sections, comments_above(document))
+    return sections
 
 
 def _is_plain_name(name: str) -> bool:

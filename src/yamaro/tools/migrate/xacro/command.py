@@ -163,8 +163,10 @@ def _migrate(
     expected = expanded_by_xacro(source.path, given, host)
     judge = Judge(folder, host, given, expected or program.result, exact=exact)
     migration = judge.best(program, wanted)
+    if migration.is_wrong and migration.has_control:
+        migration = judge.best(program, wanted, with_control=False)
     if migration.is_wrong and migration.has_section:
-        migration = judge.best(program, wanted, with_section=False)
+        migration = judge.best(program, wanted, with_section=False, with_control=False)
     migration.is_compared_with_xacro = expected is not None
     return migration
 
@@ -190,17 +192,23 @@ class Judge:
         self._programs: dict[tuple[object, ...], Program] = {}
 
     def best(
-        self, program: XacroProgram, wanted: Collection[str], *, with_section: bool = True
+        self,
+        program: XacroProgram,
+        wanted: Collection[str],
+        *,
+        with_section: bool = True,
+        with_control: bool = True,
     ) -> XacroMigration:
         """Return the sources of a robot that make it, or the first ones if none do.
 
         They are compared for all arguments that the robot was expanded with.
         """
-        migration = first = self._tried(program, wanted, with_section=with_section)
+        words = {"with_section": with_section, "with_control": with_control}
+        migration = first = self._tried(program, wanted, words)
         if first.is_wrong and first.layout.theirs:
-            migration = self._tried(program, (ALL,), with_section=with_section)
+            migration = self._tried(program, (ALL,), words)
         if migration.is_wrong and len(program.runs.done) > 1:
-            migration = self._tried(program.alone(), wanted, with_section=with_section)
+            migration = self._tried(program.alone(), wanted, words)
         if migration.is_wrong:
             migration = first
         if not migration.faults:
@@ -209,10 +217,10 @@ class Judge:
         return migration
 
     def _tried(
-        self, program: XacroProgram, wanted: Collection[str], *, with_section: bool
+        self, program: XacroProgram, wanted: Collection[str], words: Mapping[str, bool]
     ) -> XacroMigration:
         """Return the sources of a robot, with their faults and differences."""
-        migration = migrate_program(program, wanted, with_section=with_section)
+        migration = migrate_program(program, wanted, **words)
         try:
             built, migration.allowed = self._built(migration, self._given)
             migration.differences = compare(self._expected, built, exact=self._exact)

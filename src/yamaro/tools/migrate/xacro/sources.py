@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from ..controls import use_control
 from ..document import Body
 from ..writing import write_document
 from .argument_section import declare_arguments
@@ -41,6 +42,7 @@ class XacroMigration:
         layout: which files became sources, and which stayed as they are.
         allowed: the codes to allow when they are built, since parsers refuse the robot.
         has_section: whether the main file has a section `arguments`.
+        has_control: whether it has a section `control`.
     """
 
     def __init__(self, files: dict[str, str], main: str, root: Element) -> None:
@@ -55,6 +57,7 @@ class XacroMigration:
         self.faults: list[Diagnostic] = []
         self.allowed: Sequence[str] = ()
         self.has_section = False
+        self.has_control = False
         self.layout: Layout
 
     @property
@@ -64,7 +67,11 @@ class XacroMigration:
 
 
 def migrate_program(
-    program: XacroProgram, wanted: Collection[str] = (), *, with_section: bool = True
+    program: XacroProgram,
+    wanted: Collection[str] = (),
+    *,
+    with_section: bool = True,
+    with_control: bool = True,
 ) -> XacroMigration:
     """Return sources that make the same robot, for the arguments given at least.
 
@@ -72,6 +79,7 @@ def migrate_program(
         program: the robot.
         wanted: the packages whose files become sources even if they could stay as they are.
         with_section: whether arguments are declared in a section, if that is possible.
+        with_control: whether blocks for ros2_control are written in words, if that is possible.
     """
     contents = Contents(program)
     layout = Layout(program, wanted)
@@ -96,19 +104,22 @@ def migrate_program(
         [sections for sections, _ in written.values()],
     )
     sources = {output: sections for output, (sections, _) in written.items()}
-    tidy(sources, migration.main, program)
-    if with_section:
-        migration.has_section = declare_arguments(sources, migration.main, program)
+    main = migration.main
+    tidy(sources, main, program)
+    migration.has_section = with_section and declare_arguments(sources, main, program)
+    migration.has_control = with_control and use_control(sources[main])
     migration.origins = {path: name for path, name in layout.outputs.items() if name in sources}
     for output, sections in sources.items():
-        header = written[output][1]
-        migration.files[output] = write_document(sections, header)
-    for path, text in program.files.data.items():
-        copy = layout.output_of_data(path)
-        if copy is not None:
-            migration.files[copy] = text
+        migration.files[output] = write_document(sections, written[output][1])
+    migration.files |= _data(program, layout)
     migration.lost += _untried(program)
     return migration
+
+
+def _data(program: XacroProgram, layout: Layout) -> dict[str, str]:
+    """Return the data that is copied, by the paths of the copies."""
+    copies = [(layout.output_of_data(path), text) for path, text in program.files.data.items()]
+    return {copy: text for copy, text in copies if copy is not None}
 
 
 def _untried(program: XacroProgram) -> Iterator[tuple[Span, str, str]]:
