@@ -80,6 +80,9 @@ def compare(text: str, build: Build, format: str, *, has_meshes: bool) -> Verdic
     verdict = Verdict()
     missing_at: set[int] = set()
     for key, group in groups.items():
+        if key[0] == "optional":
+            missing_at.update(place for each in group for place in each.places)
+            continue
         missing = max(0, len(group) - found[key])
         verdict.kept += len(group) - missing
         reported = [each for each in group if not places.isdisjoint(each.places)]

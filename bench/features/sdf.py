@@ -96,7 +96,8 @@ def _sizes(shape: etree._Element) -> tuple[object, ...]:
 
 def _joint(joint: etree._Element, name: str, own: Mapping[str, str]) -> Iterator[Key]:
     kind = joint.get("type")
-    yield ("joint", name, kind)
+    child = joint.findtext("child") or ""
+    yield ("fixed", own.get(child, child)) if kind == "fixed" else ("joint", name, kind)
     for each in joint.findall("sensor"):
         yield from _sensor(each)
     for inner in joint.iterfind("physics//*"):

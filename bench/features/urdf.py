@@ -32,7 +32,7 @@ ATTRIBUTES = {
     "mimic": "joint multiplier offset",
     "safety_controller": "soft_lower_limit soft_upper_limit k_position k_velocity",
 }  # fmt: skip
-WHOLE = {"transmission", "ros2_control", "ros2_control joint", "ros2_control sensor"}
+WHOLE = {"transmission", "ros2_control", "actuated", "plugin"}
 """What is told of by a place somewhere in it."""
 GAZEBO = {
     "mu1": "mu", "selfCollide": "self_collide", "turnGravityOff": "gravity", "maxVel": "max_vel",
@@ -41,8 +41,15 @@ GAZEBO = {
     "fudgeFactor": "fudge_factor", "provideFeedback": "provide_feedback",
 }  # fmt: skip
 """What the converter of libsdformat makes of Gazebo's elements in a URDF."""
+SURFACE = {"mu", "mu2", "kp", "kd", "max_vel", "min_depth", "max_contacts", "fdir1", "laser_retro"}
+SENSORS = {
+    "gazebo_ros_ft_sensor", "gazebo_ros_imu", "hector_gazebo_ros_imu", "hector_gazebo_ros_gps",
+    "hector_gazebo_ros_magnetic",
+}  # fmt: skip
+"""The plugins that are sensors."""
 SAID_ONCE = {*GAZEBO.values(), "mu2", "kp", "kd", "fdir1", "gravity", "kinematic"}
 """What counts once for a link or joint, as it is said last."""
+UNLIMITED = 1e15
 LIMITS = ("effort", "velocity", "acceleration", "deceleration", "jerk")
 FOR_LUMPING = {
     "preserveFixedJoint", "disableFixedJointLumping", "disableJointLumping",
@@ -53,12 +60,16 @@ FOR_LUMPING = {
 class Node:
     """An element with its place."""
 
-    def __init__(self, name: str, attributes: dict[str, str], place: int, around: Node | None):
+    def __init__(
+        self, name: str, attributes: dict[str, str], place: int, around: Node | None, tag: str
+    ) -> None:
+        self.tag = tag
         self.name = name
         self.attributes = attributes
         self.place = place
         self.around = around
         self.children: list[Node] = []
+        self.alike: list[Node] = []  # what was said before, and counts no more
         self.text = ""
 
     def first(self, name: str) -> Node | None:
@@ -77,15 +88,27 @@ class Node:
         """Return the offsets of the element and of those around it, but not of the root."""
         found, node = set(), self
         while node.around is not None:
-            found.add(node.place)
+            found |= {node.place, node.text_place, *(each.place for each in node.alike)}
+            found |= {each.text_place for each in node.alike}
             node = node.around
         return frozenset(found)
+
+    @property
+    def text_place(self) -> int:
+        """Return the offset of the text in it."""
+        spaces = len(self.text) - len(self.text.lstrip())
+        return self.place + len(self.tag) + 1 + spaces
+
+    def value_place(self, name: str) -> frozenset[int]:
+        """Return the offset of an attribute's value."""
+        match = re.search(rf"\b{name}\s*=\s*['\"]", self.tag)
+        return frozenset((self.place + match.end(),)) if match is not None else frozenset()
 
     def inner(self) -> frozenset[int]:
         """Return the offsets of all elements in the element."""
         found: set[int] = set()
         for child in self.children:
-            found |= {child.place} | child.inner()
+            found |= {child.place, child.text_place} | child.inner()
         return frozenset(found)
 
 
@@ -98,7 +121,8 @@ def tree(text: str) -> Node:
 
     def start(name: str, attributes: dict[str, str]) -> None:
         place = len(data[: parser.CurrentByteIndex].decode()) + 1  # that of the name
-        node = Node(name, attributes, place, stack[-1] if stack else None)
+        tag = text[place : text.index(">", place)]
+        node = Node(name, attributes, place, stack[-1] if stack else None, tag)
         (stack[-1].children if stack else roots).append(node)
         stack.append(node)
 
@@ -126,17 +150,29 @@ def read(text: str, *, has_meshes: bool) -> list[Feature]:
     """Return the features of a URDF."""
     root = tree(text)
     found = [
-        Feature(key, node.places() | (node.inner() if key[0] in WHOLE else frozenset()))
-        for key, node in _features(root)
+        Feature(key, node.places() | _more_places(key, node))
+        for key, node in _features(root, has_meshes=has_meshes)
         if has_meshes or key[1] != "mesh"
     ]
     return found + list(_attributes(root, text))
 
 
-def _features(root: Node) -> Iterator[tuple[Key, Node]]:
+def _more_places(key: Key, node: Node) -> frozenset[int]:
+    """Return the offsets in an element at which something may be said of a feature."""
+    if key[0] in WHOLE:
+        return node.inner()
+    if key[0] == "texture":
+        return node.value_place("filename")
+    if key[0] == "range":
+        return node.value_place("lower") | node.value_place("upper")
+    return node.value_place(str(key[0])) if node.name in ("limit", "dynamics") else frozenset()
+
+
+def _features(root: Node, *, has_meshes: bool) -> Iterator[tuple[Key, Node]]:
     materials = _materials(root)
     links: set[str] = set()
     joints: set[str] = set()
+    actuated: set[str] = set()
     every = {each.get("name") for each in root.children if each.name == "link"}
     painted = {
         each.get("reference")
@@ -156,14 +192,12 @@ def _features(root: Node) -> Iterator[tuple[Key, Node]]:
             yield from _joint(node, massive, every)
         elif node.name == "ros2_control":
             yield ("ros2_control", name), node
-            for each in node.children:
-                if each.name in ("joint", "sensor"):
-                    yield (f"ros2_control {each.name}", each.get("name")), each
+            yield from _actuated(node, actuated)
         elif node.name == "transmission":
-            yield ("transmission", name), node
+            yield from _actuated(node, actuated)
         elif node.name not in CHILDREN["robot"]:
             yield ("element", node.name), node
-    yield from _gazebo(root)
+    yield from _gazebo(root, has_meshes=has_meshes)
 
 
 def _attributes(root: Node, text: str) -> Iterator[Feature]:
@@ -243,7 +277,7 @@ def _shape(node: Node, materials: dict[str, Node]) -> Iterator[tuple[Key, Node]]
     if color is not None and len(color.get("rgba").split()) == 4:
         yield ("color", is_mesh, *map(float, color.get("rgba").split())), material
     if texture is not None:
-        yield ("texture", is_mesh, texture.get("filename").rpartition("/")[2]), material
+        yield ("texture", is_mesh, texture.get("filename").rpartition("/")[2]), texture
 
 
 def _sizes(shape: Node) -> tuple[object, ...]:
@@ -258,17 +292,23 @@ def _sizes(shape: Node) -> tuple[object, ...]:
 
 def _joint(joint: Node, massive: set[str], links: set[str]) -> Iterator[tuple[Key, Node]]:
     name, kind = joint.get("name"), joint.get("type")
-    ends = [each.get("link") for each in joint.children if each.name in ("parent", "child")]
+    ends = [
+        each.get("link") for name in ("parent", "child") for each in [joint.first(name)] if each
+    ]
     # A fixed link without mass is a frame.
-    if kind != "fixed" or massive.issuperset(ends) or not links.issuperset(ends):
+    if kind != "fixed" or not links.issuperset(ends):
         yield ("joint", name, kind), joint
+    elif massive.issuperset(ends):
+        yield ("fixed", ends[-1]), joint
     limit = joint.first("limit")
     if limit is not None:
         if kind in ("revolute", "prismatic"):
-            yield ("range", name, limit.number("lower") or 0.0, limit.number("upper") or 0.0), limit
+            lower, upper = limit.number("lower") or 0.0, limit.number("upper") or 0.0
+            if lower > -UNLIMITED or upper < UNLIMITED:
+                yield ("range", name, lower, upper), limit
         for each in LIMITS:
             value = limit.number(each)
-            if value is not None:
+            if value is not None and value < UNLIMITED:
                 yield (each, name, value), limit
     dynamics = joint.first("dynamics")
     if dynamics is not None and kind not in ("revolute", "continuous", "prismatic"):
@@ -297,6 +337,19 @@ def _unknown(owner: Node) -> Iterator[tuple[Key, Node]]:
             yield ("element", child.name), child
 
 
+def _actuated(node: Node, known: set[str]) -> Iterator[tuple[Key, Node]]:
+    """Yield the joints that something drives, each once; a transmission without any by itself."""
+    before = len(known)
+    for joint in (each for each in node.children if each.name == "joint"):
+        name = joint.get("name")
+        is_driven = node.name == "transmission" or joint.first("command_interface") is not None
+        if is_driven and name not in known:
+            known.add(name)
+            yield ("actuated", name), node if node.name == "transmission" else joint
+    if node.name == "transmission" and len(known) == before:
+        yield ("transmission", node.get("name")), node
+
+
 def _in_shape(node: Node) -> Iterator[tuple[Key, Node]]:
     for child in node.children:
         if child.name == "plugin":
@@ -306,29 +359,51 @@ def _in_shape(node: Node) -> Iterator[tuple[Key, Node]]:
             yield from _in_shape(child)
 
 
+def _details(sensor: Node) -> Iterator[tuple[Key, Node]]:
+    """Yield what a sensor says; its noise, which it may say for each axis, once."""
+    noise: list[Node] = []
+    for key, node in _in_sensor(sensor, sensor.get("name")):
+        if key[0] == "in sensor" and key[2] in ("stddev", "type", "mean"):
+            noise.append(node)
+        else:
+            yield key, node
+    if any(node.name == "stddev" and node.text.strip() not in ("0", "0.0") for node in noise):
+        noise[0].alike = noise[1:]
+        yield ("in sensor", sensor.get("name"), "stddev"), noise[0]
+
+
 def _in_sensor(node: Node, sensor: str) -> Iterator[tuple[Key, Node]]:
     for child in node.children:
         if child.name == "plugin":
             yield ("plugin", child.get("filename")), child
+        elif child.children:
+            yield from _in_sensor(child, sensor)
+        elif child.text.strip() == "__default_topic__":
+            continue
         else:
             yield ("in sensor", sensor, child.name), child
-            yield from _in_sensor(child, sensor)
 
 
-def _gazebo(root: Node) -> Iterator[tuple[Key, Node]]:
+def _gazebo(root: Node, *, has_meshes: bool) -> Iterator[tuple[Key, Node]]:
     """Yield what is for Gazebo; what is said twice of a link or joint counts once, as it does."""
     last: dict[tuple[str, str], tuple[Key, Node]] = {}
     replaced: dict[str, set[object]] = {}  # by what is given for the shapes of a link
+    shapeless = set() if has_meshes else _links_of_meshes(root)
     for gazebo in root.children:
         reference = gazebo.get("reference")
         for child in gazebo.children if gazebo.name == "gazebo" else ():
             if child.name in FOR_LUMPING:
                 continue
             if child.name == "plugin":
-                yield ("plugin", child.get("filename")), child
+                library = child.get("filename").rpartition("/")[2].removeprefix("lib")
+                is_sensor = library.removesuffix(".so") in SENSORS
+                name = child.get("name" if is_sensor else "filename")
+                yield ("sensor" if is_sensor else "plugin", name), child
+                if is_sensor:
+                    yield from ((("optional", each.name), each) for each in child.children)
             elif child.name == "sensor":
                 yield ("sensor", child.get("name")), child
-                yield from _in_sensor(child, child.get("name"))
+                yield from _details(child)
             elif child.name in ("visual", "collision"):
                 inner = list(_in_shape(child))
                 replaced.setdefault(reference, set()).update(key[1] for key, _ in inner)
@@ -339,10 +414,31 @@ def _gazebo(root: Node) -> Iterator[tuple[Key, Node]]:
                 name = GAZEBO.get(child.name, child.name)
                 text = (child.text.strip() or child.get("value")).lower()
                 value = negated(text) if child.name == "turnGravityOff" else plain(text)
-                if name in SAID_ONCE:
+                if name in SURFACE and reference in shapeless:
+                    yield ("optional", name), child
+                elif name in SAID_ONCE:
+                    before = last.get((reference, name))
+                    child.alike = [] if before is None else [before[1], *before[1].alike]
                     last[reference, name] = (("gazebo", name, value), child)
                 else:
                     yield ("gazebo", name, value), child
     for (reference, name), found in last.items():
         if name not in replaced.get(reference, ()):
             yield found
+
+
+def _links_of_meshes(root: Node) -> set[str]:
+    """Return the links of which all collisions are meshes."""
+    found = set()
+    for link in root.children:
+        shapes = [
+            shape.name
+            for collision in link.children
+            if link.name == "link" and collision.name == "collision"
+            for geometry in collision.children
+            for shape in geometry.children
+            if shape.name in SHAPES
+        ]
+        if shapes and set(shapes) == {"mesh"}:
+            found.add(link.get("name"))
+    return found

@@ -13,7 +13,7 @@ pytestmark = pytest.mark.skipif(not CORPUS.exists(), reason="there is no corpus"
 SOME = list(robots(CORPUS))[::16] if CORPUS.exists() else []
 
 
-@pytest.mark.parametrize("format", ["sdf"])
+@pytest.mark.parametrize("format", ["sdf", "mjcf"])
 @pytest.mark.parametrize("path", SOME, ids=lambda path: path.name)
 def test_each_loss_is_reported_and_nothing_else(path: Path, format: str) -> None:
     text = path.read_bytes().decode().removeprefix("\ufeff")

@@ -17,14 +17,16 @@ if TYPE_CHECKING:
     from ..model.robot import Robot
 
 SURFACE_TAGS = frozenset(("mu1", "mu2", "kp", "kd"))
-FOR_LUMPING = frozenset(
-    (
-        "preserveFixedJoint",
-        "disableFixedJointLumping",
-        "disableJointLumping",
-        "implicitSpringDamper",
-    )
+IN_SENSORS = frozenset(
+    """
+    update_rate updateRate topic pose optical_frame_id
+    always_on type mean stddev samples min_angle max_angle min max horizontal_fov width height near
+    far collision
+    bodyName jointName linkName topicName updateRate updateRateHZ gaussianNoise xyzOffset rpyOffset
+    """.split()
 )
+"""What the model of the robot reads of a sensor, or what holds in any simulator."""
+FOR_LUMPING = frozenset(("preserveFixedJoint", "disableFixedJointLumping", "disableJointLumping"))
 """What is only about how Gazebo reads URDF."""
 
 
@@ -73,11 +75,10 @@ class _Walk:
         losses: what was found.
     """
 
-    __slots__ = ("_actuators", "_robot", "_sensors", "_sound", "losses")
+    __slots__ = ("_robot", "_sensors", "_sound", "losses")
 
     def __init__(self, robot: Robot) -> None:
         self._robot = robot
-        self._actuators: set[object] | None = None
         self._sensors: set[object] | None = None
         self._sound: set[int] = set()  # the identities of elements in which nothing is foreign
         self.losses: list[Loss] = []
@@ -113,9 +114,7 @@ class _Walk:
             if child.name in FOR_LUMPING or self._is_surface(child, reference):
                 continue
             if child.name in ("sensor", "plugin") and self._is_sensor(child):
-                for plugin in child.elements():
-                    if plugin.name == "plugin":
-                        self.lose("Gazebo's <plugin>", owner, plugin, trace)
+                self._check_sensor(child, owner, trace)
                 continue
             self.lose(f"Gazebo's <{child.name}>", owner, child, trace)
 
@@ -126,16 +125,21 @@ class _Walk:
             return False
         return len(numbers_in(content(element))) == 1
 
+    def _check_sensor(self, element: Element, owner: str, trace: Step | None) -> None:
+        """Note what a sensor says that the model of the robot does not have."""
+        for child in element.elements():
+            if child.name == "plugin":
+                self.lose("Gazebo's <plugin>", owner, child, trace)
+            elif child.elements():
+                self._check_sensor(child, owner, trace)
+            elif child.name not in IN_SENSORS:
+                self.lose("details of Gazebo's sensors", f"<{child.name}> in {owner}", child, trace)
+
     def check_transmission(self, transmission: Element, trace: Step | None) -> None:
         """Note a transmission in which the model of the robot has no actuator."""
-        if self._actuators is None:
-            self._actuators = {each.span.key() for each in self._robot.actuators.values()}
-        pending = [transmission]
-        while pending:
-            element = pending.pop()
-            if element.span.key() in self._actuators:
-                return
-            pending += element.elements()
+        joints = [child for child in transmission.elements() if child.name == "joint"]
+        if any(attribute_text(each, "name") in self._robot.actuators for each in joints):
+            return
         name = attribute_text(transmission, "name") or ""
         self.lose("transmissions without an actuator", f"'{name}'", transmission, trace)
 

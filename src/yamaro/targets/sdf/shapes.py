@@ -162,7 +162,7 @@ def _merged(one: Element, other: Element) -> Element:
     inner = {child.name: child for child in other.elements()}
     children = [
         _merged(child, inner[child.name])
-        if isinstance(child, Element) and child.name in inner and child.elements()
+        if isinstance(child, Element) and child.name in inner and inner[child.name].elements()
         else child
         for child in one.children
     ]
