@@ -39,6 +39,7 @@ if TYPE_CHECKING:
         repair_inertia: bool
         sdf_version: str | None
         meshes: str
+        gazebo: bool
 
     T = TypeVar("T")
     Say = Callable[[str], None]

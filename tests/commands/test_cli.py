@@ -1236,6 +1236,25 @@ def on_path() -> dict[str, str]:
     return {**os.environ, "PATH": f"{os.getcwd()}/bin{os.pathsep}{os.environ['PATH']}"}
 
 
+TOOL = """
+arguments:
+  grip: {default: none, choices: [none, vacuum, two fingers]}
+  solid: true
+  size: 3
+"""
+
+
+def test_values_of_an_argument_are_listed(capsys: pytest.CaptureFixture[str]) -> None:
+    path = write(TOOL)
+    assert outcome(capsys, "completion", "values", path, "grip") == (0, "none\nvacuum\n", "")
+    assert outcome(capsys, "completion", "values", path, "solid") == (0, "true\nfalse\n", "")
+    for name in ("size", "nothing"):
+        assert outcome(capsys, "completion", "values", path, name) == (0, "", "")
+    write("variables: {on: false, n: 3}\n", "other.yaml")
+    assert outcome(capsys, "completion", "values", "other.yaml", "on")[1] == "true\nfalse\n"
+    assert outcome(capsys, "completion", "values", "missing.yaml", "on") == (0, "", "")
+
+
 @pytest.mark.skipif(not shutil.which("bash"), reason="needs bash")
 @pytest.mark.parametrize(
     ("line", "words", "expected"),
@@ -1253,6 +1272,10 @@ def on_path() -> dict[str, str]:
         ("yamaro robot.yaml ", ["yamaro", "robot.yaml", ""], "legs:= length:="),
         ("yamaro robot.yaml le", ["yamaro", "robot.yaml", "le"], "legs:= length:="),
         ("yamaro robot.yaml legs:=", ["yamaro", "robot.yaml", "legs", ":="], ""),
+        ("yamaro tool.yaml grip:=", ["yamaro", "tool.yaml", "grip", ":=", ""], "none vacuum"),
+        ("yamaro tool.yaml grip:=v", ["yamaro", "tool.yaml", "grip", ":=", "v"], "vacuum"),
+        ("yamaro tool.yaml solid:=", ["yamaro", "tool.yaml", "solid", ":=", ""], "false true"),
+        ("yamaro tool.yaml size:=", ["yamaro", "tool.yaml", "size", ":=", ""], ""),
         (
             "yamaro robot.yaml legs:=3 len",
             ["yamaro", "robot.yaml", "legs", ":=", "3", "len"],
@@ -1292,6 +1315,8 @@ def on_path() -> dict[str, str]:
 )
 def test_bash_completes(line: str, words: list[str], expected: str) -> None:
     write("variables: {length: 1, legs: 4}\n")
+    if "tool.yaml" in words:
+        write(TOOL, "tool.yaml")
     write("", "two.yml")
     write("", "a.urdf")
     write(script("bash"), "script")

@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
 
 def run(arguments: Arguments, streams: Streams) -> int:
-    """Write the script of a shell, or the variables of a file; return the exit status."""
+    """Write the script of a shell, or variables or values of a file; return the exit status."""
     from .shells import SHELLS, script
 
     words = arguments.words
@@ -20,6 +20,10 @@ def run(arguments: Arguments, streams: Streams) -> int:
         from .variables import variable_lines
 
         text = variable_lines(words[1])
+    elif len(words) == 3 and words[0] == "values":
+        from .variables import value_lines
+
+        text = value_lines(words[1], words[2])
     elif len(words) == 1 and words[0] in SHELLS:
         text = script(words[0])
     else:

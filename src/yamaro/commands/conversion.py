@@ -171,7 +171,6 @@ def _build(
                 on_message=sayer(streams), on_progress=_progress(arguments, streams),
                 advice=advice, has_root=has_root, records=records,
                 output=output_of(arguments),
-                gazebo=arguments.has("gazebo"),
                 **targets_of(arguments),
             )  # fmt: skip
             return build, take(build)

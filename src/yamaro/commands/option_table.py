@@ -183,7 +183,11 @@ OPTIONS = {
             wants="1.11 or 1.9",
             choices=("1.11", "1.9"),
         ),
-        Option("gazebo", "also write sensors and surfaces of collisions for Gazebo", ("build",)),
+        Option(
+            "gazebo",
+            "also write sensors and surfaces of collisions for Gazebo",
+            ("build", "watch"),
+        ),
         Option(
             "a",
             "set a variable of the first file only",

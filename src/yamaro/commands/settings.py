@@ -127,8 +127,9 @@ def targets_of(arguments: Arguments) -> Targets:
     if arguments.has("to"):
         from .formats import targets_in
 
-        return targets_in(arguments)
+        return {**targets_in(arguments), "gazebo": arguments.has("gazebo")}
     for name in ("base", "repair-inertia", "sdf-version"):
         if arguments.has(name):
             raise WrongUsage(f"'--{name}' needs an output format, such as --to sdf")
-    return {"meshes": arguments.options.get("meshes", "relative")}
+    meshes = arguments.options.get("meshes", "relative")
+    return {"meshes": meshes, "gazebo": arguments.has("gazebo")}

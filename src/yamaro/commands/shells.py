@@ -161,7 +161,15 @@ _yamaro() {
         esac
     done
     COMPREPLY=()
-    case ${words[last]} in *:=* | --limit=*=*) return ;; esac
+    case ${words[last]} in
+        --limit=*=*) return ;;
+        *:=*)
+            local values before= name=${words[last]%%:=*}
+            values=$(yamaro completion values "${file/#\~\//$HOME/}" "$name" 2>/dev/null)
+            [[ $COMP_WORDBREAKS == *=* ]] || before=$name:=
+            COMPREPLY=($(compgen -P "$before" -W "$values" -- "${words[last]#*:=}"))
+            return ;;
+    esac
     if [[ ${words[last - 1]} == --limit && ${words[last]} == *=* ]]; then return; fi
     if [[ $previous == = ]]; then previous=${COMP_WORDS[COMP_CWORD - 2]}; fi
     if [[ $current == = ]]; then current=; previous=${COMP_WORDS[COMP_CWORD - 1]}; fi
@@ -230,7 +238,13 @@ _yamaro_words() {
     elif [[ $command == help ]]; then
         compadd @COMMANDS@
     elif [[ -n $file ]]; then
-        [[ $PREFIX == *:=* ]] && return 1
+        if [[ $PREFIX == *:=* ]]; then
+            local name=${PREFIX%%:=*} source=${(Q)file/#\~\//$HOME/}
+            local -a values=("${(@f)$(yamaro completion values "$source" "$name" 2>/dev/null)}")
+            compset -P '*:='
+            compadd -a values
+            return
+        fi
         local -a names described
         local name default
         yamaro completion variables "${(Q)file/#\~\//$HOME/}" 2>/dev/null |
@@ -295,8 +309,15 @@ function __yamaro_file
 end
 
 function __yamaro_variables
-    string match -q '*:=*' -- (commandline -ct); and return
     set -l file (__yamaro_file | string replace -r '^~/' "$HOME/")
+    set -l typed (commandline -ct)
+    if string match -q '*:=*' -- $typed
+        set -l name (string replace -r ':=.*' '' -- $typed)
+        for value in (yamaro completion values $file $name 2>/dev/null)
+            echo -- $name:=$value
+        end
+        return
+    end
     yamaro completion variables $file 2>/dev/null
 end
 

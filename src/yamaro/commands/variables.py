@@ -1,4 +1,4 @@
-"""Lists the arguments or variables that a file lets one set, for the completion of shells.
+"""Lists what a file lets one set, and to which values, for the completion of shells.
 
 The file is only read for that: no expression is evaluated and nothing is imported.
 """
@@ -17,9 +17,39 @@ MAX_DEFAULT = 40
 
 
 def variable_lines(path: str) -> str:
-    """Return a line `name:=<tab>default` for each argument or variable of a file.
+    """Return a line `name:=<tab>default` for each argument or variable of a file."""
+    return "".join(map(_line, _declared(path)))
 
-    A file that cannot be read has none: someone who is still typing wants no errors.
+
+def value_lines(path: str, name: str) -> str:
+    """Return a line for each value of an argument or variable that has a few: choices, or a truth.
+
+    Values that a shell would take apart are left out.
+    """
+    for declared in _declared(path):
+        if declared.name == name:
+            return "".join(f"{value}\n" for value in _values(declared) if _is_word(value))
+    return ""
+
+
+def _values(declared: Declared) -> list[str]:
+    from ..syntax.argument_types import BOOLEAN
+
+    entry = declared.entry
+    if entry is not None and entry.choices is not None:
+        return entry.choice_texts()
+    is_boolean = entry.kind == BOOLEAN if entry is not None else isinstance(declared.default, bool)
+    return ["true", "false"] if is_boolean else []
+
+
+def _is_word(value: str) -> bool:
+    return all(char.isalnum() or char in "_-+./" for char in value)
+
+
+def _declared(path: str) -> list[Declared]:
+    """Return what a file declares.
+
+    A file that cannot be read has nothing: someone who is still typing wants no errors.
     """
     from ..diagnostics import YamaroError
     from ..files.loader import FileLoader
@@ -35,13 +65,13 @@ def variable_lines(path: str) -> str:
     try:
         data = read_start(path, MAX_BYTES + 1)
         if len(data) > MAX_BYTES:
-            return ""
+            return []
         source = _source(data, path, is_xml=holds_xml(path, data))
         loader = FileLoader(limits)
         listing = listing_of(source, loader=loader, packages=PackageFinder(), limits=limits)
     except (OSError, ValueError, YamaroError):
-        return ""
-    return "".join(map(_line, listing.declared))
+        return []
+    return listing.declared
 
 
 def _source(data: bytes, path: str, *, is_xml: bool) -> Source:

@@ -162,6 +162,20 @@ def test_watch_writes_on_each_save_and_tells_in_a_line(tmp_path: Path) -> None:
     ]
 
 
+def test_watch_writes_for_gazebo_as_well(tmp_path: Path) -> None:
+    path, output = tmp_path / "robot.yaml", tmp_path / "out.urdf"
+    path.write_text("robot: one\nmodel:\n- part: {name: a, link: {sensor/name=b: {type: imu}}}\n")
+    process = subprocess.Popen(
+        [sys.executable, "-m", "yamaro", "watch", "robot.yaml", "-o", "out.urdf", "--gazebo"],
+        cwd=tmp_path,
+        stderr=subprocess.DEVNULL,
+        env={**os.environ, "PYTHONPATH": str(ROOT / "src")},
+    )
+    wait_for(lambda: output.exists() and "<gazebo" in output.read_text())
+    process.send_signal(signal.SIGINT)
+    assert process.wait(timeout=PATIENCE) == 0
+
+
 @pytest.mark.parametrize(
     ("arguments", "said"),
     [

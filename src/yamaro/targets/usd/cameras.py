@@ -38,7 +38,7 @@ def add_cameras(
             )
             continue
         camera = UsdGeom.Camera.Define(stage, names.new(home, f"{sensor.name}_camera"))
-        place(camera, VIEW)
+        place(camera, sensor.pose @ VIEW)
         width, height = details.size
         camera.CreateHorizontalApertureAttr(APERTURE)
         camera.CreateVerticalApertureAttr(APERTURE * height / width)
