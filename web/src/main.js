@@ -1,6 +1,7 @@
 // The page of `yamaro view`: puts the parts together.
 
 import { follow, latestPoster, post } from "./connection.js";
+import { followCursor, linkAt } from "./cursor.js";
 import { byId, show } from "./dom.js";
 import { equivalentBox } from "./inertia.js";
 import { Joints } from "./joints.js";
@@ -221,6 +222,10 @@ const followTheme = () => {
 dark.addEventListener("change", followTheme);
 followTheme();
 follow(onState, onConnection);
+followCursor((file, line) => {
+  const link = robot && linkAt(robot, file, line);
+  if (link && link !== selection.link) select(link);
+});
 
 // For tests and for the curious: what is shown, in numbers.
 window.yamaro = {

@@ -243,6 +243,7 @@ OPTIONS = {
             wants="a number from 0 to 65535",
         ),
         Option("no-browser", "do not open a browser, only print the address of the page", VIEW),
+        Option("embed", "let editors show the page in a frame; their extensions pass it", VIEW),
         Option(
             "editor",
             "open files with that command: 'code -g {file}:{line}:{column}'; by default with "

@@ -26,6 +26,7 @@ def _view(arguments: Arguments, streams: Streams, rebuilder: Rebuilder) -> None:
     options = ViewOptions(
         port=_read_port(arguments),
         has_browser=not arguments.has("no-browser"),
+        is_embedded=arguments.has("embed"),
         editor=arguments.options.get("editor"),
     )
     view(

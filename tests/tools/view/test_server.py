@@ -163,6 +163,20 @@ def test_other_methods_and_paths_are_refused(served: Served) -> None:
     assert served.ask("nothing", "POST", {})[0] == 404
 
 
+def test_an_editor_can_have_the_page_in_a_frame_if_it_asks_for_that(served: Served) -> None:
+    framed = {"Sec_Fetch_Site": "cross-site", "Sec_Fetch_Dest": "iframe"}
+    assert served.ask("", **framed)[0] == 403
+    served.server.is_embedded = True
+    status, _, headers = served.ask("", **framed)
+    assert status == 200
+    assert "X-Frame-Options" not in headers
+    policy = headers["Content-Security-Policy"]
+    assert "frame-ancestors vscode-webview:" in policy and "unsafe" not in policy
+    assert served.ask("state", **framed)[0] == 403
+    assert served.ask("", Sec_Fetch_Site="cross-site", Sec_Fetch_Dest="empty")[0] == 403
+    assert served.ask_raw("/", headers=framed)[0] == 404
+
+
 def test_every_answer_forbids_to_be_framed_sniffed_or_scripted_by_others(served: Served) -> None:
     for status, _, headers in (served.ask(""), served.ask("state"), served.ask_raw("/")):
         assert status in (200, 404)

@@ -25,10 +25,13 @@ if TYPE_CHECKING:
 class ViewOptions:
     """What the command line asks of `yamaro view`."""
 
-    __slots__ = ("editor", "has_browser", "port")
+    __slots__ = ("editor", "has_browser", "is_embedded", "port")
 
-    def __init__(self, *, port: int, has_browser: bool, editor: str | None) -> None:
+    def __init__(
+        self, *, port: int, has_browser: bool, editor: str | None, is_embedded: bool = False
+    ) -> None:
         """Hold it; port 0 takes any that is free."""
+        self.is_embedded = is_embedded
         self.port = port
         self.has_browser = has_browser
         self.editor = editor
@@ -85,7 +88,9 @@ def _editor(options: ViewOptions) -> Editor | None:
 
 def _server(session: Session, options: ViewOptions, editor: Editor | None) -> server.Server:
     try:
-        return server.Server(session, port=options.port, editor=editor)
+        return server.Server(
+            session, port=options.port, editor=editor, is_embedded=options.is_embedded
+        )
     except OSError as error:
         reason = error.strerror or error
         raise UsageError(f"the port {options.port} is not available: {reason}") from None

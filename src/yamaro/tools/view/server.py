@@ -61,6 +61,10 @@ _CONTENT_POLICY = "; ".join(
         "frame-ancestors 'none'",
     )
 )
+_EDITORS = (
+    "vscode-webview: vscode-file: https://*.vscode-cdn.net http://127.0.0.1:* http://localhost:*"
+)
+"""What may have the page in a frame if an editor asks for it, which has to know the token."""
 HEADERS = {
     "Cache-Control": "no-store",
     "Content-Security-Policy": _CONTENT_POLICY,
@@ -70,6 +74,14 @@ HEADERS = {
     "X-Content-Type-Options": "nosniff",
     "X-Frame-Options": "DENY",
 }
+EMBEDDED_HEADERS = {
+    **{name: value for name, value in HEADERS.items() if name != "X-Frame-Options"},
+    "Content-Security-Policy": _CONTENT_POLICY.replace(
+        "frame-ancestors 'none'", f"frame-ancestors {_EDITORS}"
+    ),
+    "Cross-Origin-Resource-Policy": "cross-origin",
+}
+"""The headers for a page in a frame of an editor."""
 
 
 class Refused(Exception):
@@ -90,6 +102,7 @@ class Server(ThreadingHTTPServer):
         token: the secret in the path.
         static: the files of the page, by the name in the path.
         hosts: what the Host header may be.
+        is_embedded: whether the page is for a frame of an editor.
     """
 
     daemon_threads = True
@@ -97,9 +110,12 @@ class Server(ThreadingHTTPServer):
     allow_reuse_address = os.name != "nt"  # there it would let others take the port over
     request_queue_size = 32
 
-    def __init__(self, session: Session, *, port: int, editor: Editor | None) -> None:
+    def __init__(
+        self, session: Session, *, port: int, editor: Editor | None, is_embedded: bool = False
+    ) -> None:
         """Listen; raise OSError if the port is not available."""
         super().__init__((HOST, port), Handler)
+        self.is_embedded = is_embedded
         self.session = session
         self.editor = editor
         self.token = secrets.token_urlsafe(18)
@@ -218,7 +234,8 @@ class Handler(BaseHTTPRequestHandler):
 
     def _is_followed_link(self) -> bool:
         """Return whether a person has followed a link, as from a terminal in the browser."""
-        is_page = self.headers.get("Sec-Fetch-Dest") == "document"
+        wanted = ("document", "iframe") if self.server.is_embedded else ("document",)
+        is_page = self.headers.get("Sec-Fetch-Dest") in wanted
         return self.command == "GET" and is_page and self.path.endswith("/")
 
     def _path_within(self) -> str:
@@ -348,7 +365,8 @@ class Handler(BaseHTTPRequestHandler):
     def _send_headers(self, own: Mapping[str, str]) -> None:
         if self.close_connection and "Connection" not in own:
             own = {**own, "Connection": "close"}
-        for name, value in {**HEADERS, **own}.items():
+        headers = EMBEDDED_HEADERS if self.server.is_embedded else HEADERS
+        for name, value in {**headers, **own}.items():
             self.send_header(name, value)
         self.end_headers()
 
