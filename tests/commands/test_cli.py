@@ -524,7 +524,7 @@ def test_words_after_two_dashes_are_no_options() -> None:
         ("a.yaml --quiet=yes", "'--quiet' takes no value"),
         ("a.yaml --color", "'--color' needs auto, always or never after it"),
         ("a.yaml --color on", "'--color' takes auto, always or never, not 'on'"),
-        ("check a.yaml -o x", "'--output' cannot be used with 'yamaro check'"),
+        ("tree a.yaml -o x", "'--output' cannot be used with 'yamaro tree'"),
         ("tree a.yaml --deps", "'--deps' cannot be used with 'yamaro tree'"),
         ("--safe --jail a.yaml", "'--jail' and '--safe' cannot be combined"),
         ("tree a.yaml --safe --trust", "'--trust' and '--safe' cannot be combined"),
@@ -1310,7 +1310,7 @@ def test_values_of_an_argument_are_listed(capsys: pytest.CaptureFixture[str]) ->
         ("yamaro watch --out", ["yamaro", "watch", "--out"], "--output"),
         ("yamaro help pi", ["yamaro", "help", "pi"], "picture"),
         ("yamaro migrate --fo", ["yamaro", "migrate", "--fo"], "--force"),
-        ("yamaro check --fo", ["yamaro", "check", "--fo"], ""),
+        ("yamaro tree --fo", ["yamaro", "tree", "--fo"], ""),
     ],
 )
 def test_bash_completes(line: str, words: list[str], expected: str) -> None:

@@ -42,6 +42,14 @@ class Arguments:
         """Return whether an option is given."""
         return option in self.options
 
+    def for_file(self, path: str) -> Arguments:
+        """Return the same command line with one file."""
+        other = Arguments()
+        other.command, other.assignments = self.command, self.assignments
+        other.options, other.lists = self.options, self.lists
+        other.output_path, other.words = self.output_path, [path]
+        return other
+
     def resolve_output(self) -> None:
         """Settle where the output goes before user code can change the working directory."""
         try:

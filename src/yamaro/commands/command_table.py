@@ -87,13 +87,19 @@ COMMANDS = {
         ),
         Command(
             "check",
-            ("FILE [name:=value ...]",),
-            "check a robot for errors and likely mistakes",
+            ("FILE... [name:=value ...]",),
+            "check robots for errors and likely mistakes",
             "Report errors, warnings and likely mistakes, without writing XML. Exit with 1 if "
             "there are any findings.",
             words=FILE_WORDS,
             looks=True,
             endings=ENDINGS,
+            examples=(
+                "yamaro check robot.yaml",
+                "yamaro check --fix robot.yaml leg.yaml",
+                "yamaro check --format sarif -o yamaro.sarif *.urdf.yaml",
+            ),
+            takes_several=True,
         ),
         Command(
             "tree",

@@ -18,8 +18,10 @@ from .usage import DONE, INPUT_ERROR, WrongUsage
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable
+    from collections.abc import Callable, Iterable, Mapping
 
+    from ..diagnostics import Diagnostic
+    from ..files.loader import FileLoader, Loader
     from ..policy import Limits, Policy
     from ..program import Program
     from ..result import Build
@@ -87,6 +89,45 @@ def convert_file(
     return status
 
 
+def find_in_file(
+    arguments: Arguments, streams: Streams, *, texts: Mapping[str, str] | None = None
+) -> list[Diagnostic]:
+    """Build the file and return all that is to be said of it, with the advice of `check`.
+
+    Args:
+        arguments: the command line, with one file.
+        streams: where everything goes that the file prints.
+        texts: what to read in place of some files, by absolute paths.
+    """
+    from ..diagnostics import YamaroError
+
+    policy = make_policy(arguments)
+    if not policy.is_trusted:
+        streams.silence_libraries()
+    cancel = None
+    try:
+        if streams.owns_process:
+            cancel = _bound_process(arguments, streams, policy)
+        build, _ = _build(
+            arguments, streams, policy, lambda build: (), advice=True, has_root=False,
+            records=False, loader=None if texts is None else _overlay(arguments, policy, texts),
+        )  # fmt: skip
+    except YamaroError as error:
+        return error.diagnostics
+    finally:
+        if cancel is not None:
+            cancel()
+    return build.warnings
+
+
+def _overlay(arguments: Arguments, policy: Policy, texts: Mapping[str, str]) -> FileLoader:
+    from ..files.loader import FileLoader, OverlayLoader
+    from ..main_file import reach_of
+
+    reach = reach_of(arguments.words[0], policy, read_packages(arguments))
+    return OverlayLoader(texts, FileLoader(policy.limits, reach))
+
+
 def _deliver_build(
     build: Build, chunks: Iterable[bytes | str], arguments: Arguments, streams: Streams, form: str
 ) -> int:
@@ -100,17 +141,24 @@ def _deliver_build(
     return deliver(chunks, arguments, streams, form) if status == DONE else status
 
 
-def _bound_process(arguments: Arguments, streams: Streams, policy: Policy) -> None:
-    """See to it that this process takes no more memory and time than it may."""
+def _bound_process(
+    arguments: Arguments, streams: Streams, policy: Policy
+) -> Callable[[], None] | None:
+    """See to it that this process takes no more memory and time than it may.
+
+    Returns:
+        What calls the end of time off, if there is one.
+    """
     from ..sandbox import process
 
     process.bound_memory(policy.limits.memory)
     if policy.timeout is None:
-        return
+        return None
     from ..confined import has_jail
 
-    if not has_jail(policy, display_name(arguments)):
-        end_process(arguments, streams, policy, policy.timeout)
+    if has_jail(policy, display_name(arguments)):
+        return None
+    return end_process(arguments, streams, policy, policy.timeout)
 
 
 def end_process(
@@ -126,13 +174,14 @@ def end_process(
     return process.end_after(seconds, say_why)
 
 
-def _program(arguments: Arguments, policy: Policy) -> Program:
+def _program(arguments: Arguments, policy: Policy, loader: Loader | None) -> Program:
     from ..program import Program
 
     return Program(
         arguments.words[0],
         text=read_pipe(arguments.words[0], policy.limits),
         policy=policy,
+        loader=loader,
         packages=read_packages(arguments),
         allow=arguments.lists.get("allow", ()),
         deny=arguments.lists.get("deny", ()),
@@ -157,6 +206,7 @@ def _build(
     advice: bool,
     has_root: bool,
     records: bool,
+    loader: Loader | None = None,
 ) -> tuple[Build, Iterable[bytes | str]]:
     """Build the file; return the build and what to write."""
     from ..arguments import UsageError
@@ -165,7 +215,7 @@ def _build(
         with warnings.catch_warnings():
             if not sys.warnoptions:  # user code's warnings, unless asked for with -W
                 warnings.simplefilter("ignore")
-            build = _program(arguments, policy).build(
+            build = _program(arguments, policy, loader).build(
                 command_line=arguments.assignments,
                 strict=arguments.has("strict"),
                 on_message=sayer(streams), on_progress=_progress(arguments, streams),

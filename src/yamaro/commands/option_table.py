@@ -85,12 +85,14 @@ OPTIONS = {
             "output",
             "write to FILE instead of standard output, or into a folder: out/; after an error, "
             "nothing is changed",
-            ("build", "watch", "picture", "migrate"),
+            ("build", "check", "watch", "picture", "migrate"),
             short="o",
             value="FILE",
             wants="a file name",
             completes="files",
             help_in={
+                "check": "write the report to FILE, and the messages to standard error as usual; "
+                "needs --format json, sarif, github or junit",
                 "picture": ".png or .jpg; .gif or .mp4 for a film; - for a PNG on standard output",
                 "watch": "the file to write, or a folder: out/",
                 "migrate": "write to FILE instead of standard output; a xacro robot of several "
@@ -124,6 +126,19 @@ OPTIONS = {
                 "diff": "write the changes as JSON",
                 "test": "write the results as JSON",
             },
+        ),
+        Option(
+            "format",
+            "how to report: text (the default), json, sarif, github (annotations) or junit",
+            ("check",),
+            value="FORM",
+            wants="text, json, sarif, github or junit",
+            choices=("text", "json", "sarif", "github", "junit"),
+        ),
+        Option(
+            "fix",
+            "apply the fixes that are safe to the files, all or none, and check again",
+            ("check",),
         ),
         Option("check", "change no file; exit with 1 if one is not formatted", ("fmt",)),
         Option(

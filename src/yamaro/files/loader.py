@@ -81,6 +81,26 @@ class FileLoader:
             return []
 
 
+class OverlayLoader(FileLoader):
+    """Reads what is open in the editor from there, and all else from the disk."""
+
+    def __init__(self, texts: Mapping[str, str], loader: FileLoader) -> None:
+        """Hold the texts that are open, by absolute paths; the rest as another loader reads it."""
+        super().__init__(loader.limits, loader.reach)
+        self.texts = texts
+
+    def read(self, path: str) -> bytes:
+        """Return a file's content; raise LoadError if there is none."""
+        text = self.texts.get(path)
+        if text is None:
+            return super().read(path)
+        if self.reach is not None:
+            self.reach.check(path)
+        data = text.encode("utf-8", "surrogatepass")
+        check_size(len(data), self.limits)
+        return data
+
+
 def check_size(size: int, limits: Limits) -> None:
     """Raise LoadError if a file has too many bytes."""
     if size > limits.file:

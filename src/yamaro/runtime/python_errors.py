@@ -132,7 +132,7 @@ class Explainer:
         if name.lower() in YAML_1_1_BOOLEANS and len(name) > 1:  # n is the name of a number
             boolean = YAML_1_1_BOOLEANS[name.lower()]
             hint = f"write {boolean}: in YAML 1.2 '{name}' is an ordinary word"
-            fix = respelling(span, name, boolean)
+            fix = respelling(span, name, boolean, is_safe=True)
         if not notes and (hint is None or name[1:]) and (other := _hint_for_unit(name, span)):
             hint, fix = other, None
         return failure(

@@ -1,0 +1,154 @@
+"""Applies the safe fixes of several files, all or none of them."""
+
+from __future__ import annotations
+
+from ..diagnostics import YamaroError
+from ..files.loader import FileLoader, LoadError, decode
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterable, Mapping, Sequence
+
+    from ..diagnostics import Diagnostic
+    from ..fixes import Edit, Fix
+    from ..policy import Limits
+
+    Check = Callable[[Mapping[str, str]], list[Diagnostic]]
+
+MOST_ROUNDS = 50
+"""Rounds of fixing and checking again: a fix may uncover what another one is for."""
+_MARK = b"\xef\xbb\xbf"
+
+
+class FixingFailed(Exception):
+    """A fix did not remove what it is a fix of; the text says which."""
+
+
+class Applied:
+    """A fix that was applied.
+
+    Attributes:
+        place: where, as `name:line:column` in the text that it was applied to.
+        title: what it does.
+    """
+
+    __slots__ = ("place", "title")
+
+    def __init__(self, place: str, title: str) -> None:
+        self.place = place
+        self.title = title
+
+
+class Fixing:
+    """The texts of some files while their findings are fixed.
+
+    Attributes:
+        texts: the new texts of the files that were changed, by absolute paths.
+        applied: the fixes, in the order in which they were applied.
+    """
+
+    def __init__(self, paths: Iterable[str], limits: Limits) -> None:
+        """Allow changes of the files at some absolute paths."""
+        self._paths = frozenset(paths)
+        self._loader = FileLoader(limits)
+        self._old: dict[str, bytes] = {}
+        self.texts: dict[str, str] = {}
+        self.applied: list[Applied] = []
+
+    def run(self, check: Check) -> list[Diagnostic]:
+        """Fix and check again until nothing is left that can be fixed; return what is found then.
+
+        Args:
+            check: gives all findings, with the given texts in place of those of their files.
+
+        Raises:
+            FixingFailed: a fix did not remove what it is for, or made a file no YAML.
+        """
+        found = check(self.texts)
+        for _ in range(MOST_ROUNDS):
+            chosen = self._choose(found)
+            if not chosen:
+                break
+            self._apply(chosen)
+            before, found = found, check(self.texts)
+            _make_sure(chosen, before, found)
+        return found
+
+    def data(self) -> dict[str, bytes]:
+        """Return what the changed files have to hold, by their paths."""
+        return {
+            path: (_MARK if self._old[path].startswith(_MARK) else b"") + text.encode()
+            for path, text in self.texts.items()
+        }
+
+    def old_data(self) -> dict[str, bytes]:
+        """Return what the changed files hold so far."""
+        return {path: self._old[path] for path in self.texts}
+
+    def _choose(self, found: Iterable[Diagnostic]) -> list[Diagnostic]:
+        """Return findings whose fixes are safe and do not touch each other, one for each place."""
+        chosen: list[Diagnostic] = []
+        taken: list[Edit] = []
+        for diagnostic in found:
+            fix = diagnostic.fix
+            if fix is None or not fix.is_safe or not all(map(self._is_current, fix.edits)):
+                continue
+            if any(_touch(edit, other) for edit in fix.edits for other in taken):
+                continue
+            chosen.append(diagnostic)
+            taken += fix.edits
+        return chosen
+
+    def _is_current(self, edit: Edit) -> bool:
+        """Return whether an edit is of a file that may be changed, as it is now."""
+        source = edit.span.source
+        if source.path not in self._paths:
+            return False
+        return self.texts.get(source.path, self._text_of(source.path)) == source.text
+
+    def _text_of(self, path: str) -> str | None:
+        try:
+            data = self._old.get(path) or self._loader.read(path)
+            self._old[path] = data
+            return decode(data, name=path, path=path).text
+        except (LoadError, YamaroError):
+            return None
+
+    def _apply(self, chosen: Iterable[Diagnostic]) -> None:
+        edits: dict[str, list[Edit]] = {}
+        for diagnostic in chosen:
+            fix = diagnostic.fix
+            assert fix is not None, "only findings with fixes are chosen"
+            self.applied.append(Applied(diagnostic.span.place(), fix.title))
+            for edit in fix.edits:
+                edits.setdefault(edit.span.source.path, []).append(edit)
+        for path, changes in edits.items():
+            text = changes[0].span.source.text
+            for edit in sorted(changes, key=lambda edit: edit.span.start, reverse=True):
+                text = text[: edit.span.start] + edit.text + text[edit.span.end :]
+            self.texts[path] = text
+
+
+def _touch(one: Edit, other: Edit) -> bool:
+    if one.span.source.path != other.span.source.path:
+        return False
+    return one.span.start <= other.span.end and other.span.start <= one.span.end
+
+
+def _make_sure(
+    chosen: Sequence[Diagnostic], before: Sequence[Diagnostic], after: Sequence[Diagnostic]
+) -> None:
+    """Raise FixingFailed if what was to be fixed is still found, or YAML was broken."""
+    for diagnostic in chosen:
+        if _count(diagnostic, after) >= _count(diagnostic, before):
+            fix: Fix | None = diagnostic.fix
+            title = fix.title if fix is not None else ""
+            raise FixingFailed(f"{diagnostic.span.place()}: '{title}' does not help")
+    was_read = not any(each.code.startswith("yaml-") for each in before)
+    if was_read and any(each.code.startswith("yaml-") for each in after):
+        raise FixingFailed(f"{chosen[0].span.place()}: the result would not be YAML")
+
+
+def _count(diagnostic: Diagnostic, found: Iterable[Diagnostic]) -> int:
+    kind = (diagnostic.code, diagnostic.message, diagnostic.span.source.path)
+    return sum((each.code, each.message, each.span.source.path) == kind for each in found)

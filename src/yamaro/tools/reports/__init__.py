@@ -1,0 +1,1 @@
+"""Findings of several files, as programs read them: `yamaro check --format`."""
