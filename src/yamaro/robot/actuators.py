@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from ..diagnostics import YamaroError, did_you_mean, failure
+from ..diagnostics import YamaroError, failure
 from ..xml.values import format_value
-from .entries import given_once
+from .entries import chosen, given_once
 from .fields import empty_value, read_value
 from .notes import RobotNote, names_in, refuse_attributes
 from .numbers import read_numbers
@@ -83,14 +83,7 @@ def _commands(key: Element) -> list[str]:
     if not names:
         raise empty_value(key)
     for number, (name, span) in enumerate(names):
-        if name not in COMMANDS:
-            raise failure(
-                "bad-choice",
-                f"'command' is one of {', '.join(COMMANDS)}, and '{name}' is none of them",
-                span,
-                hint=did_you_mean(name, COMMANDS) or "write command: position",
-                trace=key.trace,
-            )
+        chosen(name, span, key, COMMANDS)
         if name in [earlier for earlier, _ in names[:number]]:
             raise failure(
                 "given-twice",

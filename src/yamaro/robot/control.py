@@ -8,7 +8,7 @@ from ..diagnostics import YamaroError, did_you_mean, failure
 from ..xml.tree import Element, Text
 from ..xml.values import format_value
 from .control_block import SENSOR_INTERFACES
-from .entries import entries_of, given_once, one_of, truth_of
+from .entries import TRUTHS, entries_of, given_once, one_of
 from .fields import read_value, word_of
 from .notes import RobotNote, check_keys, names_in
 
@@ -97,7 +97,7 @@ def _word(key: Element) -> str:
     if key.name == "type":
         return one_of(key, TYPES)
     if key.name == "transmissions":
-        return truth_of(key)
+        return one_of(key, TRUTHS)
     return word_of(key.name, *read_value(key), owner=key)
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ..diagnostics import did_you_mean, failure
+from ..diagnostics import failure
 from ..xml.tree import Element, Text
 from ..xml.values import format_value
 from .fields import read_value, word_of
@@ -10,8 +10,12 @@ from .notes import check_keys
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from ..source import Span
     from ..xml.tree import Node
 
+TRUTHS = ("true", "false")
 LIST_ITEM = "-"
 """The name of an item in a list that holds mappings or lists."""
 
@@ -73,39 +77,32 @@ def _entry(name: object, value: object, dictionary: Text) -> Element:
     return Element(format_value(name), dictionary.span, {}, children)
 
 
-def truth_of(key: Element) -> str:
-    """Return `true` or `false`, which an entry says.
-
-    Raises:
-        YamaroError: it says something else.
-    """
-    value, span = read_value(key)
-    text = format_value(value).strip()
-    if text not in ("true", "false"):
-        raise failure(
-            "bad-choice",
-            f"'{key.name}' is true or false, and '{text}' is neither",
-            span,
-            hint=f"write {key.name}: true",
-            trace=key.trace,
-        )
-    return text
-
-
-def one_of(key: Element, choices: tuple[str, ...]) -> str:
+def one_of(key: Element, choices: Sequence[str]) -> str:
     """Return the one of some words that an entry says.
 
     Raises:
         YamaroError: it says something else.
     """
     value, span = read_value(key)
-    text = word_of(key.name, value, span, owner=key)
-    if text in choices:
-        return text
+    return chosen(word_of(key.name, value, span, owner=key), span, key, choices)
+
+
+def chosen(word: str, span: Span, key: Element, choices: Sequence[str]) -> str:
+    """Return a word that an entry says.
+
+    Raises:
+        YamaroError: it is none of the choices.
+    """
+    if word in choices:
+        return word
+    from ..suggestions import meant_word
+
+    hint, fix = meant_word(word, choices, span)
     raise failure(
         "bad-choice",
-        f"'{key.name}' is one of {', '.join(choices)}, and '{text}' is none of them",
+        f"'{key.name}' is one of {', '.join(choices)}, and '{word}' is none of them",
         span,
-        hint=did_you_mean(text, choices) or f"write {key.name}: {choices[0]}",
+        hint=hint or f"write {key.name}: {choices[0]}",
         trace=key.trace,
+        fix=fix,
     )

@@ -7,6 +7,7 @@ from ..source import joined
 from ..xml.robot_names import RobotNames
 from ..xml.tree import Element, Text
 from ..xml.values import format_value
+from .entries import one_of
 from .mirror_image import (
     PLANES,
     change_text,
@@ -102,14 +103,14 @@ def _read_keys(mirror: Mirror, word: RobotWord) -> None:
     has_names = False
     for key in word.elements():
         if key.name == "plane":
-            mirror.normal = PLANES[_choice(key, tuple(PLANES))]
+            mirror.normal = PLANES[one_of(key, tuple(PLANES))]
         elif key.name == "of":
             mirror.of = key
         elif key.name == "axes":
-            mirror.keeps_axes = _choice(key, ("keep", "mirror")) == "keep"
+            mirror.keeps_axes = one_of(key, ("keep", "mirror")) == "keep"
         elif key.name == "meshes":
             words = _words(key)
-            mirror.meshes = words or _choice(key, ("scale", "same"))
+            mirror.meshes = words or one_of(key, ("scale", "same"))
         elif key.name == "rename":
             has_names = True
             mirror.renaming = WordRenaming(_words(key))
@@ -133,23 +134,6 @@ def _read_keys(mirror: Mirror, word: RobotWord) -> None:
             hint="write rename: {left: right}, which names the mirrored links and joints",
             trace=word.trace,
         )
-
-
-def _choice(key: Element, choices: tuple[str, ...]) -> str:
-    text = key.text().strip()
-    if text not in choices or key.elements():
-        from ..suggestions import meant_word
-
-        hint, fix = meant_word(text, choices, _place(key))
-        raise failure(
-            "bad-choice",
-            f"'{key.name}' is one of {', '.join(choices)}, not '{text}'",
-            _place(key),
-            hint=hint or f"write {key.name}: {choices[0]}",
-            trace=key.trace,
-            fix=fix,
-        )
-    return text
 
 
 def _words(key: Element) -> dict[str, str]:

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from ..diagnostics import YamaroError, failure
 from ..xml.tree import Element
-from .entries import entries_of, given_once, one_of, truth_of
+from .entries import TRUTHS, entries_of, given_once, one_of
 from .fields import read_value, word_of
 from .notes import RobotNote, check_keys, names_in
 from .numbers import read_numbers
@@ -88,7 +88,7 @@ def _groups(lowering: Lowering, word: RobotWord, out: list[Node]) -> None:
         note = _note(lowering, "robot-group", group, {"name": group.name})
         for key in group.elements():
             if key.name == "end_effector":
-                note.attributes["end_effector"] = truth_of(key)
+                note.attributes["end_effector"] = one_of(key, TRUTHS)
             elif key.name == "parent":
                 _refer(lowering, note, "parent_link", key)
             else:
