@@ -5,9 +5,10 @@ from __future__ import annotations
 from ..diagnostics import YamaroError, failure
 from ..xml.robot_names import RobotNames
 from ..xml.tree import Element, IncludedRobot, Text
+from .entries import place_of, text_of
 from .joint import lower_joint
 from .mirror_image import copy_of
-from .notes import RobotNote
+from .notes import RobotNote, check_keys
 from .rigid import RigidLinks, link_of, name_of, pose_of, set_pose
 
 TYPE_CHECKING = False
@@ -33,7 +34,7 @@ def lower_attach(lowering: Lowering, word: RobotWord, out: list[Node]) -> None:
     robot, (links, joints) = _lower_robot(lowering, keys["body"])
     if len(lowering.errors) > errors:
         return
-    prefix = _text(keys.get("prefix"))
+    prefix = text_of(keys.get("prefix"))
     try:
         root = _only_root(word, robot)
         mount = _mount(lowering, word, keys, prefix, root)
@@ -50,19 +51,7 @@ def lower_attach(lowering: Lowering, word: RobotWord, out: list[Node]) -> None:
 
 
 def _check_keys(word: RobotWord, keys: dict[str, Element]) -> None:
-    for name, key in keys.items():
-        if name not in KEYS:
-            from ..suggestions import meant_word
-
-            hint, fix = meant_word(name, KEYS, key.span)
-            raise failure(
-                "unknown-key",
-                f"`attach` has no entry '{name}'",
-                key.span,
-                hint=hint or "what is passed to a file needs a `path`",
-                trace=word.trace,
-                fix=fix,
-            )
+    check_keys(word, KEYS, hint="what is passed to a file needs a `path`")
     if "to" not in keys:
         raise failure(
             "missing-key",
@@ -191,17 +180,17 @@ def _place_at(
     """
     if at is None:
         return
-    name = _text(at)
+    name = text_of(at)
     links = {name_of(link) for link in robot.elements() if link.name == "link"}
     link = name if name in links else parts.get(name)
     if link is None:
         from ..suggestions import meant
 
-        hint, fix = meant(name, (*links, *parts), _place(at))
+        hint, fix = meant(name, (*links, *parts), place_of(at))
         raise failure(
             "unknown-link",
             f"'at' names '{name}', and the attached robot has no such link, part or frame",
-            _place(at),
+            place_of(at),
             hint=hint or f"its root is '{root}', the default",
             trace=at.trace,
             fix=fix,
@@ -216,19 +205,10 @@ def _place_at(
             f"'at' names '{name}', which moves against the root '{root}'"
             if top != root
             else f"the mount moves, and 'at' names '{name}' in place of the root '{root}'",
-            _place(at),
+            place_of(at),
             hint="name a link or frame that is rigidly joined to the root"
             if top != root
             else "leave 'at' out, or make the mount a fixed joint",
             trace=at.trace,
         )
     set_pose(mount, pose_of(mount) @ T_root_at.inverse())
-
-
-def _text(key: Element | None) -> str:
-    return "" if key is None else key.text().strip()
-
-
-def _place(key: Element) -> Span:
-    texts = [child for child in key.children if isinstance(child, Text)]
-    return texts[0].span if texts else key.span

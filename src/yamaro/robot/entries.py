@@ -10,7 +10,7 @@ from .notes import check_keys
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Collection, Sequence
 
     from ..source import Span
     from ..xml.tree import Node
@@ -20,13 +20,18 @@ LIST_ITEM = "-"
 """The name of an item in a list that holds mappings or lists."""
 
 
-def given_once(word: Element, known: tuple[str, ...]) -> dict[str, Element]:
+def given_once(word: Element, known: Collection[str] | None = None) -> dict[str, Element]:
     """Return the entries of a word by name; one reached again, as by `if`, counts.
+
+    Args:
+        word: the word.
+        known: the names of its entries; None if the caller looks whether they are known.
 
     Raises:
         YamaroError: one is unknown, or given twice in the same mapping.
     """
-    check_keys(word, known)
+    if known is not None:
+        check_keys(word, known)
     keys: dict[str, Element] = {}
     for key in word.elements():
         if key.name in keys and keys[key.name].body is key.body:
@@ -75,6 +80,16 @@ def _entry(name: object, value: object, dictionary: Text) -> Element:
     """Return an entry of a dict as if it was written."""
     children: list[Node] = [] if value is None else [Text(value, dictionary.span)]
     return Element(format_value(name), dictionary.span, {}, children)
+
+
+def text_of(key: Element | None) -> str:
+    """Return the text of an entry, "" without one."""
+    return "" if key is None else key.text().strip()
+
+
+def place_of(key: Element) -> Span:
+    """Return where the text of an entry is, or the entry if there is none."""
+    return next((child.span for child in key.children if isinstance(child, Text)), key.span)
 
 
 def one_of(key: Element, choices: Sequence[str]) -> str:

@@ -5,9 +5,9 @@ from __future__ import annotations
 from ..diagnostics import YamaroError, did_you_mean, failure
 from ..source import joined
 from ..xml.robot_names import RobotNames
-from ..xml.tree import Element, Text
+from ..xml.tree import Element
 from ..xml.values import format_value
-from .entries import one_of
+from .entries import one_of, place_of
 from .mirror_image import (
     PLANES,
     change_text,
@@ -26,7 +26,7 @@ from .mirror_image import (
     turn_mesh,
     what_it_says,
 )
-from .notes import RobotNote
+from .notes import RobotNote, check_keys
 from .rigid import RigidLinks, link_of, name_of, pose_of, set_pose
 from .sensors import CAMERAS, OPTICAL
 from .word_renaming import WordRenaming
@@ -34,7 +34,6 @@ from .word_renaming import WordRenaming
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from ..model.pose import Pose
-    from ..source import Span
     from ..xml.tree import Node, RobotWord
     from .lowering import Lowering
 
@@ -100,6 +99,7 @@ def _lower_body(lowering: Lowering, word: RobotWord) -> list[Node]:
 
 
 def _read_keys(mirror: Mirror, word: RobotWord) -> None:
+    check_keys(word, KEYS)
     has_names = False
     for key in word.elements():
         if key.name == "plane":
@@ -114,18 +114,6 @@ def _read_keys(mirror: Mirror, word: RobotWord) -> None:
         elif key.name == "rename":
             has_names = True
             mirror.renaming = WordRenaming(_words(key))
-        elif key.name != "body":
-            from ..suggestions import meant_word
-
-            hint, fix = meant_word(key.name, KEYS, key.span)
-            raise failure(
-                "unknown-key",
-                f"`mirror` has no entry '{key.name}'",
-                key.span,
-                hint=hint or f"its entries are {', '.join(KEYS)}",
-                trace=word.trace,
-                fix=fix,
-            )
     if not has_names:
         raise failure(
             "missing-key",
@@ -150,11 +138,6 @@ def _words(key: Element) -> dict[str, str]:
                 trace=key.trace,
             )
     return words
-
-
-def _place(key: Element) -> Span:
-    texts = [child for child in key.children if isinstance(child, Text)]
-    return texts[0].span if texts else key.span
 
 
 # --- the image --------------------------------------------------------------------------------
@@ -389,7 +372,7 @@ class _Image:
             raise failure(
                 "unknown-link",
                 f"'of' names '{name}', and there is no such link or part",
-                _place(key),
+                place_of(key),
                 hint=did_you_mean(name, known) or "name the link whose plane it is",
                 trace=key.trace,
             )
@@ -400,7 +383,7 @@ class _Image:
             raise failure(
                 "mirror-parent",
                 f"'of' names '{name}', which moves against '{parent}', the parent of the body",
-                _place(key),
+                place_of(key),
                 hint=f"name a link that is rigidly joined to '{parent}', or leave 'of' out",
                 trace=key.trace,
             )

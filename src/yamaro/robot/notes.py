@@ -23,8 +23,6 @@ LINK_WORDS = frozenset(("frame", "sensor"))
 """Keys of a link that are worked out beside it."""
 JOINT_WORDS = frozenset(("actuator", "sensor"))
 """Keys of a joint that are worked out beside it."""
-
-
 SURFACE = "surface"
 """A key of a collision that is worked out beside its link."""
 
@@ -39,18 +37,24 @@ class RobotNote(Element):
     __slots__ = ()
 
 
-def check_keys(word: Element, known: Collection[str]) -> None:
-    """Raise YamaroError if a word has an entry that means nothing there."""
+def check_keys(word: Element, known: Collection[str], *, hint: str = "") -> None:
+    """Raise YamaroError if a word has an entry that means nothing there.
+
+    Args:
+        word: the word.
+        known: the names of its entries.
+        hint: what to say of an entry that is like none of them; by default which there are.
+    """
     for key in word.elements():
         if key.name not in known or key.verbatim:
             from ..suggestions import meant_word
 
-            hint, fix = meant_word(key.name, known, key.span)
+            near, fix = meant_word(key.name, known, key.span)
             raise failure(
                 "unknown-key",
                 f"'{key.name}' is not an entry of `{word.name}`",
                 key.span,
-                hint=hint or f"its entries are {', '.join(sorted(known))}",
+                hint=near or hint or f"its entries are {', '.join(sorted(known))}",
                 trace=word.trace,
                 fix=fix,
             )

@@ -31,21 +31,11 @@ def lower_section(lowering: Lowering, word: RobotWord, out: list[Node]) -> None:
         "collisions": _collisions,
         "loop": _loop,
         "base": _base,
-    }.get(word.name, _unknown)
+    }[word.name]
     try:
         make(lowering, word, out)
     except YamaroError as error:
         lowering.absorb(error)
-
-
-def _unknown(lowering: Lowering, word: RobotWord, out: list[Node]) -> None:
-    raise failure(
-        "misplaced-statement",
-        f"`{word.name}` is not known to this version",
-        word.span,
-        hint=f"write <{word.name}>: for an XML element of that name",
-        trace=word.trace,
-    )
 
 
 # --- states -----------------------------------------------------------------------------------

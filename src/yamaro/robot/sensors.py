@@ -5,6 +5,7 @@ from __future__ import annotations
 from ..diagnostics import YamaroError, failure
 from ..xml.tree import Element
 from ..xml.values import format_value
+from .entries import given_once
 from .fields import read_value, sort_fields, word_of
 from .frames import frame_elements, name_of_word
 from .notes import RobotNote
@@ -127,17 +128,7 @@ def _read(
         YamaroError: a key or the type is unknown, or a value is faulty.
     """
     name = name_of_word(word, "imu")
-    keys: dict[str, Element] = {}
-    for child in word.elements():
-        if child.name in keys and keys[child.name].body is child.body:
-            raise failure(
-                "given-twice",
-                f"'{child.name}' of the sensor '{name}' is given twice",
-                child.span,
-                hint="remove one of the two",
-                trace=word.trace,
-            )
-        keys[child.name] = child
+    keys = given_once(word)
     kind = _kind(word, keys, types)
     _check_keys(keys, kind, types)
     note = RobotNote(
