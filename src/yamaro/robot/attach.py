@@ -7,9 +7,11 @@ from ..xml.robot_names import RobotNames
 from ..xml.tree import Element, IncludedRobot, Text
 from .entries import place_of, text_of
 from .joint import lower_joint
+from .lowering import names_of
 from .mirror_image import copy_of
 from .notes import RobotNote, check_keys
-from .rigid import RigidLinks, link_of, name_of, pose_of, set_pose
+from .places import POSE_KEYS, POSE_ROWS
+from .rigid import RigidLinks, child_links, name_of, pose_of, set_pose
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -17,9 +19,8 @@ if TYPE_CHECKING:
     from ..xml.tree import Node, RobotWord
     from .lowering import Lowering
 
-KEYS = ("path", "body", "to", "at", "xyz", "rpy", "pivot", "prefix", "joint", "arguments")
-_POSE_KEYS = ("xyz", "rpy", "pivot")
-_OWN_JOINT_KEYS = ("parent", "child", "xyz", "rpy", "pivot", "origin", "name")
+KEYS = ("path", "body", "to", "at", *POSE_ROWS, "prefix", "joint", "arguments")
+_OWN_JOINT_KEYS = POSE_KEYS | {"parent", "child", "name"}
 
 
 def lower_attach(lowering: Lowering, word: RobotWord, out: list[Node]) -> None:
@@ -89,13 +90,7 @@ def _only_root(word: RobotWord, robot: Element) -> str:
         YamaroError: there is none, or there are several.
     """
     elements = robot.elements()
-    children = {
-        link_of(child)
-        for joint in elements
-        if joint.name == "joint"
-        for child in joint.elements()
-        if child.name == "child"
-    }
+    children = child_links(elements)
     roots = [name_of(link) for link in elements if link.name == "link"]
     roots = [name for name in roots if name not in children]
     if len(roots) == 1:
@@ -160,7 +155,7 @@ def _mount(
         key.children.insert(0, _text_element("type", "fixed", word.span))
     parent = Element("parent", keys["to"].span, children=keys["to"].children, trace=word.trace)
     key.children.append(parent)
-    key.children += [keys[name] for name in _POSE_KEYS if name in keys]
+    key.children += [keys[name] for name in POSE_ROWS if name in keys]
     name = f"{prefix}{root}_mount"
     mount = lower_joint(lowering, key, name, child=prefix + root)
     mount.body = IncludedRobot(prefix)
@@ -181,7 +176,7 @@ def _place_at(
     if at is None:
         return
     name = text_of(at)
-    links = {name_of(link) for link in robot.elements() if link.name == "link"}
+    links = names_of(robot, "link")
     link = name if name in links else parts.get(name)
     if link is None:
         from ..suggestions import meant

@@ -6,9 +6,10 @@ from ..diagnostics import ERROR, Diagnostic, YamaroError, did_you_mean, failure
 from ..xml.tree import Element
 from ..xml.values import format_value
 from .control_block import ControlWriter
+from .lowering import names_of
 from .notes import RobotNote, take_notes
 from .numbers import read_numbers
-from .rigid import link_of, name_of
+from .rigid import ends_of, name_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -66,12 +67,12 @@ class _Names:
     __slots__ = ("joints", "links", "parents")
 
     def __init__(self, robot: Element) -> None:
-        self.links = {name_of(each) for each in robot.elements() if each.name == "link"}
+        self.links = names_of(robot, "link")
         self.joints = {name_of(each): each for each in robot.elements() if each.name == "joint"}
         self.parents: dict[str, str] = {}
         for joint in self.joints.values():
-            ends = {each.name: link_of(each) for each in joint.elements()}
-            if "parent" in ends and "child" in ends:
+            ends = ends_of(joint)
+            if len(ends) == 2:
                 self.parents[ends["child"]] = ends["parent"]
 
     def has_chain(self, base: str, tip: str) -> bool:

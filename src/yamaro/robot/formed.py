@@ -14,6 +14,7 @@ from ..diagnostics import INHERITED, YamaroError
 from ..xml.forms import Form, filled, key_of
 from ..xml.tree import Element, Memo, Text
 from .notes import JOINT_WORDS, LINK_WORDS
+from .places import POSE_ROWS
 from .pose import origin_element, pose_of_values
 
 TYPE_CHECKING = False
@@ -34,7 +35,6 @@ MAX_KNOWN = 64
 OWN_CHILDREN = 3
 """The first children of a joint, which are its own: parent, child and origin."""
 
-POSE_KEYS = ("xyz", "rpy", "pivot")
 
 OwnKey = tuple["FormText", "Span", "Span"]
 """A key with a value of its own in each part: the text, the place of the key, and of the value."""
@@ -95,7 +95,7 @@ class Pattern:
     def __init__(self, reader: _Reader) -> None:
         self.name = reader.name
         self.parent = reader.keys.pop("parent")
-        self.pose = {name: reader.keys[name] for name in POSE_KEYS if name in reader.keys}
+        self.pose = {name: reader.keys[name] for name in POSE_ROWS if name in reader.keys}
         self.pose_of = _taker(reader.pose_holes)
         self.common_of = _taker(reader.common_holes)
         self.is_joint_first = reader.is_joint_first
@@ -145,9 +145,9 @@ class _Reader:
                 raise _Unusual
             seen.add(key)
             holes = range(start + first, start + end)
-            if key == "parent" or key in POSE_KEYS:
+            if key == "parent" or key in POSE_ROWS:
                 self.keys[key] = _own_key(node, inner, start + first)
-                if key in POSE_KEYS:
+                if key in POSE_ROWS:
                     self.pose_holes += holes
             else:
                 self.common_holes += holes

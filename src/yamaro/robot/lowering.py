@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from ..diagnostics import INHERITED, settle
 from ..xml.tree import Element, Memo, with_trace
+from ..xml.values import format_value
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -239,3 +240,13 @@ class Lowering:
                 memo.lowered = made
                 made.memo = made.memo or Memo()
         return made
+
+
+def names_of(robot: Element, kind: str) -> set[str]:
+    """Return the names of the robot's links or joints, whether from parts or plain XML."""
+    names = set()
+    for child in robot.children:
+        if isinstance(child, Element) and child.name == kind:
+            name = child.attributes.get("name")
+            names.add(name if type(name) is str else format_value(name))
+    return names

@@ -8,6 +8,7 @@ from ..xml.robot_names import RobotNames
 from ..xml.tree import Element
 from ..xml.values import format_value
 from .entries import one_of, place_of
+from .lowering import names_of
 from .mirror_image import (
     PLANES,
     change_text,
@@ -27,7 +28,7 @@ from .mirror_image import (
     what_it_says,
 )
 from .notes import RobotNote, check_keys
-from .rigid import RigidLinks, link_of, name_of, pose_of, set_pose
+from .rigid import RigidLinks, child_links, link_of, name_of, pose_of, set_pose
 from .sensors import CAMERAS, OPTICAL
 from .word_renaming import WordRenaming
 
@@ -180,7 +181,7 @@ def _with_images(nodes: list[Node], images: dict[int, list[Node]]) -> list[Node]
 
 def _all_links(lowering: Lowering, robot: Element) -> set[str]:
     """Return the names of all links, those of images among them."""
-    names = {name_of(each) for each in robot.elements() if each.name == "link"}
+    names = names_of(robot, "link")
     for mirror in lowering.pending:
         own = _own_links(lowering, mirror)
         names |= {mirror.renaming.apply(name) for name in own}
@@ -431,13 +432,7 @@ class _Image:
         return False
 
     def _check_roots(self) -> None:
-        children = {
-            link_of(child)
-            for joint in self.made
-            if joint.name == "joint"
-            for child in joint.elements()
-            if child.name == "child"
-        }
+        children = child_links(self.made)
         for link in self.made:
             if link.name == "link" and name_of(link) not in children:
                 self.lowering.absorb(

@@ -21,7 +21,7 @@ from .fields import (
 from .formed import lower_formed, take_over
 from .joint import lower_joint
 from .link import lower_link
-from .lowering import Lowering
+from .lowering import Lowering, names_of
 from .notes import (
     JOINT_WORDS,
     LINK_WORDS,
@@ -391,7 +391,7 @@ def _derived_names(lowering: Lowering, part: Element, words: list[str]) -> PartN
 
 def resolve_names(lowering: Lowering, robot: Element) -> None:
     """Replace names of parts by those of their links and joints, and add `root_link`."""
-    links = _names(robot, "link")
+    links = names_of(robot, "link")
     part_links = lowering.part_links
     root_link: Element | None = None
     trace: Frame | None = None
@@ -408,7 +408,7 @@ def resolve_names(lowering: Lowering, robot: Element) -> None:
             _refer(joint, parent, "link", link_name)
         elif name == ROOT_LINK and root_link is None:
             root_link, trace = parent, joint.trace
-    joints = _names(robot, "joint") if lowering.mimics else set()
+    joints = names_of(robot, "joint") if lowering.mimics else set()
     for joint in lowering.mimics:
         mimic = _mimic_of(joint)
         name = str(mimic.attributes["joint"])
@@ -417,7 +417,7 @@ def resolve_names(lowering: Lowering, robot: Element) -> None:
     for note, attribute in lowering.references:
         name = str(note.attributes[attribute])
         is_joint = attribute == "joint"
-        there = _names(robot, "joint") if is_joint else links
+        there = names_of(robot, "joint") if is_joint else links
         parts = lowering.part_joints if is_joint else part_links
         if name not in there and name in parts:
             note.attributes[attribute] = parts[name]
@@ -452,16 +452,6 @@ def _warn_if_ambiguous(
                     trace=joint.trace,
                 )
             return
-
-
-def _names(robot: Element, kind: str) -> set[str]:
-    """Return the names of the robot's links or joints, whether from parts or plain XML."""
-    names = set()
-    for child in robot.children:
-        if isinstance(child, Element) and child.name == kind:
-            name = child.attributes.get("name")
-            names.add(name if type(name) is str else format_value(name))
-    return names
 
 
 def _mimic_of(joint: Element) -> Element:

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-POSE_KEYS = frozenset(("xyz", "rpy", "pivot", "origin"))
+POSE_ROWS = ("xyz", "rpy", "pivot")
+"""The keys of a pose that take numbers."""
+POSE_KEYS = frozenset((*POSE_ROWS, "origin"))
 SIZE_KEYS = frozenset(("scale", "radius", "length", "size"))
 SHAPE_KEYS = SIZE_KEYS | {"geometry"}
 MASS_KEYS = frozenset(("mass", "density"))

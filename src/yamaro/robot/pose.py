@@ -14,6 +14,7 @@ from ..source import joined
 from ..xml.tree import Element, Text
 from .fields import empty_value, read_record, read_value
 from .numbers import NEGLIGIBLE, Numbers, format_component, read_numbers
+from .places import POSE_ROWS
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -123,7 +124,7 @@ def pose_of_values(lowering: Lowering, rows: dict[str, tuple[object, Span, Span]
 
 def _read_origin(lowering: Lowering, fields: Fields, origin: Element) -> Pose:
     """Return the pose of an `origin` written as people write it in URDF."""
-    for name in ("xyz", "rpy", "pivot"):
+    for name in POSE_ROWS:
         if name in fields.keys:
             raise failure(
                 "given-twice",
@@ -139,7 +140,7 @@ def _read_origin(lowering: Lowering, fields: Fields, origin: Element) -> Pose:
     rows: dict[str, Numbers] = {}
     spans: dict[str, Span] = {}
     for name, value in record.values.items():
-        if name not in ("xyz", "rpy", "pivot"):
+        if name not in POSE_ROWS:
             raise failure(
                 "unknown-key",
                 f"'{name}' is not an attribute of an origin in a part",

@@ -9,7 +9,7 @@ from .numbers import format_component
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Iterable
 
     from ..model.pose import Vector
 
@@ -22,6 +22,19 @@ def name_of(element: Element) -> str:
 def link_of(reference: Element) -> str:
     """Return the link that a `<parent>` or `<child>` names."""
     return format_value(reference.attributes.get("link"))
+
+
+def ends_of(joint: Element) -> dict[str, str]:
+    """Return the links that a joint names as its `parent` and `child`."""
+    return {
+        each.name: link_of(each) for each in joint.elements() if each.name in ("parent", "child")
+    }
+
+
+def child_links(elements: Iterable[Element]) -> set[str]:
+    """Return the links that are the child of a joint among some elements."""
+    ends = [ends_of(each) for each in elements if each.name == "joint"]
+    return {end["child"] for end in ends if "child" in end}
 
 
 def origin_of(element: Element) -> Element | None:
@@ -67,13 +80,13 @@ class RigidLinks:
 
     __slots__ = ("_above",)
 
-    def __init__(self, elements: Sequence[Element]) -> None:
+    def __init__(self, elements: Iterable[Element]) -> None:
         """Take the fixed joints among some elements of a robot."""
         self._above: dict[str, tuple[str, Element]] = {}
         for joint in elements:
             if joint.name == "joint" and format_value(joint.attributes.get("type")) == "fixed":
-                ends = {each.name: link_of(each) for each in joint.elements()}
-                if "parent" in ends and "child" in ends:
+                ends = ends_of(joint)
+                if len(ends) == 2:
                     self._above[ends["child"]] = (ends["parent"], joint)
 
     def top_of(self, link: str) -> tuple[str, Pose]:

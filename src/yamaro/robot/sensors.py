@@ -10,7 +10,7 @@ from .fields import read_value, sort_fields, word_of
 from .frames import frame_elements, name_of_word
 from .notes import RobotNote
 from .numbers import Numbers, read_numbers
-from .places import SENSOR
+from .places import POSE_ROWS, SENSOR
 from .pose import ZERO_ROW, Pose, read_pose
 
 TYPE_CHECKING = False
@@ -18,7 +18,6 @@ if TYPE_CHECKING:
     from ..xml.tree import Node
     from .lowering import Lowering
 
-POSE_KEYS = ("xyz", "rpy", "pivot")
 COMMON_KEYS = ("type", "rate", "noise", "topic")
 NUMBERS = {"rays": 1, "rows": 1, "angle": 1, "tilt": 1, "range": 2, "size": 2, "fov": 1, "clip": 2}
 """How many numbers each key takes: counts, radians, metres, pixels, radians, metres."""
@@ -82,7 +81,7 @@ def lower_link_sensor(
             _refuse_pose(keys, "'frame' names a frame that is there")
             note.attributes["frame"] = word_of("frame", *read_value(frame), owner=word)
             lowering.references.append((note, "frame"))
-        elif is_empty and not any(key in keys for key in POSE_KEYS):
+        elif is_empty and not any(key in keys for key in POSE_ROWS):
             note.attributes["frame"] = link
         else:
             pose = read_pose(lowering, sort_fields(lowering, word, SENSOR))
@@ -142,7 +141,7 @@ def _read(
         text = _value(lowering, key_name, key)
         if text is not None:
             note.attributes[key_name] = text
-        if key_name not in POSE_KEYS:
+        if key_name not in POSE_ROWS:
             places[key_name] = read_value(key)[1]
     return note, keys
 
@@ -182,7 +181,7 @@ def _kind(word: Element, keys: dict[str, Element], types: dict[str, tuple[str, .
 
 def _check_keys(keys: dict[str, Element], kind: str, types: dict[str, tuple[str, ...]]) -> None:
     own = types[kind]
-    known = (*COMMON_KEYS, *POSE_KEYS, "frame", *own)
+    known = (*COMMON_KEYS, *POSE_ROWS, "frame", *own)
     for name, key in keys.items():
         if name in known:
             continue
@@ -205,7 +204,7 @@ def _check_keys(keys: dict[str, Element], kind: str, types: dict[str, tuple[str,
 
 
 def _refuse_pose(keys: dict[str, Element], reason: str) -> None:
-    for name in POSE_KEYS:
+    for name in POSE_ROWS:
         if name in keys:
             raise failure(
                 "misplaced-key",
@@ -218,7 +217,7 @@ def _refuse_pose(keys: dict[str, Element], reason: str) -> None:
 
 def _value(lowering: Lowering, name: str, key: Element) -> str | None:
     """Return the value of a key as text; None for those that are read elsewhere."""
-    if name in (*POSE_KEYS, "type", "frame"):
+    if name in (*POSE_ROWS, "type", "frame"):
         return None
     value, span = read_value(key)
     if name == "topic":
