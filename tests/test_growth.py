@@ -41,6 +41,16 @@ part:
   joint: {type: revolute, parent: base, axis: 0 0 1, limit: {effort: 1, velocity: 1}}
   link: {geometry: box, scale: 1 1 $(i + 1), mass: 1, visual, collision}
 """
+MIRROR = """\
+mirror:
+  rename: {left: right}
+  of: base
+  body:
+    part:
+      name: left_p$(i)
+      joint: {type: fixed, parent: base, xyz: 0 0.1 $(i)}
+      link: {geometry: box, scale: 1 1 1, mass: 1}
+"""
 INCLUDE = "include:\n  path: small.yaml\n  index: $(i)\n"
 INCLUDED = """\
 variables: {height: 0.1}
@@ -109,6 +119,7 @@ CASES: dict[str, Callable[[int], str]] = {
     "prints": lambda n: "out:\n" + "  print: a\n" * n,
     "warnings": lambda n: "out:\n" + "  a: ${b}\n" * n,
     "parts": lambda n: loop(n, PART),
+    "mirrors": lambda n: loop(n, MIRROR),
     "includes": lambda n: loop(n, INCLUDE),
     "recursion": lambda n: f"{RECURSION}model: {{Next: {n}}}\n",
     "flat": lambda n: "model:\n" + "".join(FLAT.format(i=i + 1) for i in range(n)),

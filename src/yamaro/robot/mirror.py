@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import islice
+
 from ..diagnostics import YamaroError, did_you_mean, failure
 from ..source import joined
 from ..xml.robot_names import RobotNames
@@ -34,6 +36,8 @@ from .word_renaming import WordRenaming
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Iterable
+
     from ..model.pose import Pose
     from ..xml.tree import Node, RobotWord
     from .lowering import Lowering
@@ -77,13 +81,12 @@ def lower_mirror(lowering: Lowering, word: RobotWord, out: list[Node]) -> None:
         lowering.absorb(error)
         return
     mirror.trace = lowering.trace
-    links, joints = set(lowering.part_links), set(lowering.part_joints)
+    counts = len(lowering.part_links), len(lowering.part_joints)
     mirror.made = _lower_body(lowering, word)
     rename = mirror.renaming.apply
-    for name in [name for name in lowering.part_links if name not in links]:
-        lowering.part_links.setdefault(rename(name), rename(lowering.part_links[name]))
-    for name in [name for name in lowering.part_joints if name not in joints]:
-        lowering.part_joints.setdefault(rename(name), rename(lowering.part_joints[name]))
+    for names, count in zip((lowering.part_links, lowering.part_joints), counts, strict=True):
+        for name in reversed(list(islice(reversed(names), len(names) - count))):  # the new ones
+            names.setdefault(rename(name), rename(names[name]))
     lowering.pending.append(mirror)
     out += mirror.made
     out.append(mirror)
@@ -148,12 +151,13 @@ def make_images(lowering: Lowering, robot: Element) -> None:
     """Put the image of each mirror where it belongs, inner ones first."""
     images: dict[int, list[Node]] = {}
     links = _all_links(lowering, robot)
+    present = _Present(robot.children)
     for mirror in lowering.pending:
         entered = lowering.enter(mirror)
         made = _with_images(mirror.made, images)
         _choose_members(lowering, made)
-        present = _with_images(robot.children, images)
-        images[id(mirror)] = _Image(lowering, mirror, made, present, links).nodes()
+        image = images[id(mirror)] = _Image(lowering, mirror, made, present, links).nodes()
+        present.add(image)
         lowering.leave(entered)
     robot.children = _with_images(robot.children, images)
 
@@ -207,11 +211,33 @@ _NAMED_NOTES = {
 """What is named once in a robot, besides links and joints."""
 
 
+class _Present:
+    """The links that are there already, those of the images made so far among them.
+
+    Attributes:
+        links: their names.
+        rigid: which of them are rigidly joined.
+    """
+
+    __slots__ = ("links", "rigid")
+
+    def __init__(self, nodes: Iterable[Node]) -> None:
+        self.links: set[str] = set()
+        self.rigid = RigidLinks()
+        self.add(nodes)
+
+    def add(self, nodes: Iterable[Node]) -> None:
+        """Take some more of the robot."""
+        elements = [node for node in nodes if isinstance(node, Element)]
+        self.links.update(name_of(each) for each in elements if each.name == "link")
+        self.rigid.add(elements)
+
+
 class _Image:
     """Makes one image."""
 
     __slots__ = (
-        "joints", "links", "lowering", "made", "mirror", "optical", "present", "signs", "there",
+        "links", "lowering", "made", "mirror", "optical", "present", "signs", "there",
     )  # fmt: skip
 
     def __init__(
@@ -219,16 +245,15 @@ class _Image:
         lowering: Lowering,
         mirror: Mirror,
         made: list[Node],
-        present: list[Node],
+        present: _Present,
         there: set[str],
     ) -> None:
         self.lowering = lowering
         self.mirror = mirror
-        self.present = [node for node in present if isinstance(node, Element)]
+        self.present = present
         self.there = there
         self.made = [node for node in made if isinstance(node, Element)]
         self.links = {name_of(each) for each in self.made if each.name == "link"}
-        self.joints = {name_of(each) for each in self.made if each.name == "joint"}
         self.signs: dict[str, int] = {}
         self.optical = {
             f"{name_of(each)}{OPTICAL}"
@@ -354,7 +379,7 @@ class _Image:
         try:
             T_plane_parent = self._pose_in_plane(self.mirror.of, old)
             T_plane_new = T_plane_parent
-            if any(each.name == "link" and name_of(each) == new for each in self.present):
+            if new in self.present.links:
                 T_plane_new = self._pose_in_plane(self.mirror.of, new)
             elif new != old:  # it is an image that is not made yet
                 T_plane_new = mirrored_pose(T_plane_parent, self.mirror.normal)
@@ -377,9 +402,8 @@ class _Image:
                 hint=did_you_mean(name, known) or "name the link whose plane it is",
                 trace=key.trace,
             )
-        rigid = RigidLinks(self.present)
-        top, pose = rigid.top_of(link)
-        top_of_parent, pose_of_parent = rigid.top_of(parent)
+        top, pose = self.present.rigid.top_of(link)
+        top_of_parent, pose_of_parent = self.present.rigid.top_of(parent)
         if top != top_of_parent:
             raise failure(
                 "mirror-parent",

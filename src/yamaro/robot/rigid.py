@@ -80,9 +80,13 @@ class RigidLinks:
 
     __slots__ = ("_above",)
 
-    def __init__(self, elements: Iterable[Element]) -> None:
+    def __init__(self, elements: Iterable[Element] = ()) -> None:
         """Take the fixed joints among some elements of a robot."""
         self._above: dict[str, tuple[str, Element]] = {}
+        self.add(elements)
+
+    def add(self, elements: Iterable[Element]) -> None:
+        """Take the fixed joints among more elements."""
         for joint in elements:
             if joint.name == "joint" and format_value(joint.attributes.get("type")) == "fixed":
                 ends = ends_of(joint)
