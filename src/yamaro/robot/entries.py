@@ -106,7 +106,7 @@ def chosen(word: str, span: Span, key: Element, choices: Sequence[str]) -> str:
     """Return a word that an entry says.
 
     Raises:
-        YamaroError: it is none of the choices.
+        YamaroError: it is not one of the choices.
     """
     if word in choices:
         return word
