@@ -167,7 +167,10 @@ def test_what_is_written_for_gazebo_is_taken_over(tmp_path: Path) -> None:
     assert (sensor.text, sensor.attrib) == ("1 0 0 0 0 0", {"relative_to": "base"})
     assert model.findtext("link[@name='spin']/self_collide") == "true"
     assert model.findtext("link[@name='spin']/gravity") == "false"
-    assert {what for _, what, _ in told(build)} >= {"Gazebo's <odd>", "Gazebo's <material>"}
+    assert {what for _, what, _ in told(build)} >= {
+        "Gazebo's <odd> elements",
+        "Gazebo's <material> elements",
+    }
 
 
 def test_a_base_is_free_unless_it_is_told_or_stands_for_the_world(tmp_path: Path) -> None:

@@ -116,14 +116,16 @@ class SensorCopier:
     def _known(self, element: Element, owner: str, trace: Step | None) -> list[Node]:
         children: list[Node] = []
         for child in element.children:
-            if not isinstance(child, Element) or child.name == "plugin":
+            if not isinstance(child, Element) or (
+                child.name == "plugin" and child.attributes.get("filename")
+            ):
                 children.append(child)
             elif child.name in FRAME_IDS and self._version == "1.12":
                 children.append(Tag("frame_id", child.text().strip()).made(child.span, trace))
             elif self._knows(element.name, child.name):
                 children.append(child.with_children(self._known(child, owner, trace)))
             else:
-                what = f"Gazebo's <{child.name}>"
+                what = f"Gazebo's <{child.name}> elements"
                 self.losses.append(Loss(LOST, what, owner, child.span, trace=trace))
         return children
 
@@ -132,6 +134,10 @@ class SensorCopier:
             return parent == "camera" and self._version != "1.9"
         known = self._words.get(parent)
         return known is None or child in known
+
+
+def _is_plugin(element: Element) -> bool:
+    return element.name == "plugin" and bool(element.attributes.get("filename"))
 
 
 def _table() -> dict[str, set[str]]:

@@ -112,7 +112,7 @@ class GazeboBlocks:
                 taken = False
             if not taken and each.name not in FOR_LUMPING and not self._is_read(each, reference):
                 owner = f"'{reference}'" if reference is not None else "the robot"
-                what = f"Gazebo's <{each.name}>"
+                what = f"Gazebo's <{each.name}> elements"
                 self.losses.append(Loss(LOST, what, owner, each.span, trace=trace))
 
     def _is_read(self, each: Element, reference: str | None) -> bool:
@@ -134,9 +134,11 @@ class GazeboBlocks:
         name = MODEL_TAGS.get(each.name)
         if name is not None:
             self.model.append(_flag(name, each))
-        elif each.name in COPIED:
+        elif each.name in COPIED and (each.name != "plugin" or each.attributes.get("filename")):
             self.model.append(each)
-        return name is not None or each.name in COPIED
+        else:
+            return False
+        return True
 
     def _take_for_link(self, each: Element, link: str) -> bool:
         kind = each.name

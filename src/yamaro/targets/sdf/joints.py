@@ -116,9 +116,7 @@ class JointWriter:
         lower, upper = joint.lower, joint.upper
         if lower is not None and upper is not None and lower > upper:
             lower, upper = upper, lower
-            self._approximate(
-                joint, "limits with the lower one above the upper one", "swapping them"
-            )
+            self._approximate(joint, "limits in the wrong order", "swapping them")
         return given(
             ("lower", lower),
             ("upper", upper),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from ...diagnostics import failure
 from ...model.joint import FIXED, FLOATING
 from ...model.pose import IDENTITY
 from ..bodies import WORLD, Bodies
@@ -65,6 +66,13 @@ class _Model:
     def output(self) -> Output:
         """Return the document."""
         robot = self._robot
+        if not self._members:
+            raise failure(
+                "no-link",
+                "the robot has no link but 'world', and SDF has no model without one",
+                robot.span,
+                hint="add a link with a mass",
+            )
         parts: list[Tag | Element] = []
         for link in robot.links.values():
             if link.name in self._members:
