@@ -311,8 +311,11 @@ class _Comparison:
         pin, model, data, plant, context = (
             self.pin, self.model, self.data, self.plant, self.context,
         )  # fmt: skip
-        if any(what.endswith("links without mass") for what, _ in self.told):
-            return ""  # these have 1 g, or no inertia, as was said
+        if any(
+            what.endswith("links without mass") or what == "floating joints"
+            for what, _ in self.told
+        ):
+            return ""  # these have 1 g, or no inertia, or other coordinates, as was said
         mass = pin.crba(model, data, q)
         mass = np.triu(mass) + np.triu(mass, 1).T
         ours = [model.joints[number].idx_v for number, _ in pairs]

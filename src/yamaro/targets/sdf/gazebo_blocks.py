@@ -17,10 +17,11 @@ from ..tags import Tag
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Collection
+    from collections.abc import Collection, Container, Iterable
 
     from ...diagnostics import Frame as Step
     from ...model.robot import Robot
+    from ...source import Span
 
 MODEL_TAGS = {
     **{name: name for name in ("static", "self_collide", "allow_auto_disable", "enable_wind")},
@@ -172,6 +173,32 @@ class GazeboBlocks:
         else:
             return False
         return True
+
+    def lose_without_home(self, bodies: Container[str]) -> None:
+        """Note what is said of links that are frames, or of shapes that a link does not have."""
+        for name, tags in self.links.items():
+            if name not in bodies:
+                self._lose_all(name, tags)
+        links = self._robot.links
+        for name, tags in self.collisions.items():
+            if not links[name].collisions:
+                self._lose_all(name, tags)
+        for name, pairs in self.surfaces.items():
+            if not links[name].collisions:
+                self._lose_all(name, [tag for _, tag in pairs])
+        for name, blobs in self.blobs.items():
+            for blob in blobs:
+                shapes = links[name].collisions if blob.name == "collision" else links[name].visuals
+                if not shapes:
+                    self._lose_one(name, blob.name, blob.span)
+
+    def _lose_all(self, link: str, tags: Iterable[Tag]) -> None:
+        for tag in tags:
+            self._lose_one(link, tag.name, tag.span or self._robot.links[link].span)
+
+    def _lose_one(self, link: str, name: str, span: Span) -> None:
+        what, trace = f"Gazebo's <{name}> elements", self._robot.links[link].trace
+        self.losses.append(Loss(LOST, what, f"link '{link}'", span, trace=trace))
 
 
 def _put(tags: list[Tag], tag: Tag) -> None:

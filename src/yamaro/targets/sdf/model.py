@@ -48,7 +48,6 @@ class _Model:
         self._names = Names(robot, has_world=self._bodies.carriers.get(WORLD, "") is None)
         self._losses: list[Loss] = self._names.losses
         self._blocks = GazeboBlocks(robot)
-        self._losses += self._blocks.losses
         self._losses += foreign_losses(robot, taken=("gazebo",))
         self._raw = RawXmlOf(robot, "sdf")
         self._copier = SensorCopier(self._version, self._losses)
@@ -86,6 +85,8 @@ class _Model:
         parts += self._raw.robot
         self._losses += self._raw.left()
         self._losses += self._blocks.left(self._members)
+        self._blocks.lose_without_home(self._members)
+        self._losses += self._blocks.losses
         canonical = next((self._names.links[name] for name in self._members), None)
         model = Tag("model", parts, name=robot.name or self._wanted.name, canonical_link=canonical)
         root = Tag("sdf", [model], version=self._version).made(robot.span, None)
