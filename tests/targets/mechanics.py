@@ -155,6 +155,9 @@ class PinocchioUrdf(Pinocchio):
         import pinocchio
 
         self.description = Description(urdf)
+        for inertia in etree.fromstring(urdf.encode()).findall("link/inertial/inertia"):
+            if set(inertia.attrib) != {"ixx", "ixy", "ixz", "iyy", "iyz", "izz"}:
+                raise NotJudged("urdfdom leaves out an inertia of which numbers are missing")
         joints = self.description.moving()
         if not is_fixed:
             joints = {ROOT_JOINT: "floating", **joints}

@@ -50,6 +50,10 @@ _IMAGE_MAGIC = (
 )
 
 
+NO_TRIANGLES = "it has no triangles"
+"""Why a mesh of which nothing is to be seen cannot be read."""
+
+
 class MeshFileError(Exception):
     """A mesh file cannot be read; the text says why."""
 

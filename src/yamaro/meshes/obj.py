@@ -46,6 +46,13 @@ def _rows(word: str, numbers: Array) -> list[str]:
     return [form % tuple(each) for each in numbers.tolist()]
 
 
+def obj_of_triangles(mesh: TriangleMesh) -> bytes:
+    """Return triangles as OBJ."""
+    lines = ["v {:.9g} {:.9g} {:.9g}".format(*vertex) for vertex in mesh.vertices]
+    lines += [f"f {a + 1} {b + 1} {c + 1}" for a, b, c in mesh.triangles]
+    return ("\n".join(lines) + "\n").encode("ascii")
+
+
 def stl_of(mesh: TriangleMesh) -> bytes:
     """Return triangles as binary STL; normals are left to the reader, which works them out."""
     vertices = mesh.vertices

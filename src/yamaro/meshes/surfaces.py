@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from .formats import STL, STL_HEADER_BYTES, MeshFileError, is_binary_stl
+from .formats import NO_TRIANGLES, STL, STL_HEADER_BYTES, MeshFileError, is_binary_stl
 from .library import OWN_IMAGE, Body, check_corners, read_bodies
 from .triangles import read_by, read_stl
 
@@ -97,7 +97,7 @@ def read_surfaces(path: str, allows: Callable[[str], bool] | None) -> MeshSurfac
 
     found = [surface for surface in read_by(read, path) if len(surface.triangles)]
     if not found:
-        raise MeshFileError("it has no triangles")
+        raise MeshFileError(NO_TRIANGLES)
     for surface in found:
         check_surface(surface)
     return MeshSurfaces(found, refused)

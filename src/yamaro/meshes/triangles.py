@@ -8,6 +8,7 @@ from __future__ import annotations
 from ..files.regular import read_start
 from .formats import (
     LARGEST_FILE,
+    NO_TRIANGLES,
     OBJ,
     STL,
     STL_HEADER_BYTES,
@@ -90,7 +91,7 @@ def read_mesh(path: str, allows: Callable[[str], bool] | None = None) -> Triangl
 
     mesh = read_by(read, path)
     if not mesh.triangles:
-        raise MeshFileError("it has no triangles")
+        raise MeshFileError(NO_TRIANGLES)
     return mesh if is_closed(mesh) else _snapped(mesh)
 
 

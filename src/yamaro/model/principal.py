@@ -29,6 +29,9 @@ def principal_axes(inertia: Rotation) -> tuple[Vector, Rotation]:
     Source: G. H. Golub and C. F. Van Loan, Matrix Computations, 4th edition, 8.5: Jacobi's method,
     cyclic by row, which is accurate to the rounding of the largest moment.
     """
+    (xx, xy, xz), (_, yy, yz), (_, _, zz) = inertia
+    if not (xy or xz or yz):
+        return (xx, yy, zz), UNTURNED
     rows: Rows = [list(row) for row in inertia]
     axes: Rows = [list(row) for row in UNTURNED]
     for _ in range(MOST_SWEEPS):

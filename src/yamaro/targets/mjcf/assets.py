@@ -5,18 +5,16 @@ from __future__ import annotations
 import os
 from functools import partial
 
-from ...meshes.formats import MeshFileError, MissingLibraryError
+from ...meshes.formats import NO_TRIANGLES, MeshFileError, MissingLibraryError
 from ..assets import FOLDER, named_by_content
 from ..mesh_contents import MeshContents
 from ..output import APPROXIMATED, LOST
-from .meshes import collision_part, visual_parts
+from .meshes import FlatMeshError, collision_part, visual_parts
 from .names import MATERIAL, MESH, TEXTURE
 from .writing import Writing, made, row
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
     from ...diagnostics import Frame as Step
     from ...model.link import Collision, Color, Link, Material, Visual
     from ...model.pose import Vector
@@ -32,7 +30,10 @@ MESH_HINT = "--meshes none leaves meshes out"
 class Looks:
     """Gives the materials and meshes of shapes, each of which becomes an asset once."""
 
-    __slots__ = ("_colors", "_contents", "_materials", "_meshes", "_parts", "_textures", "_writing")
+    __slots__ = (
+        "_colors", "_contents", "_materials", "_meshes", "_parts", "_textures", "_useless",
+        "_writing",
+    )  # fmt: skip
 
     def __init__(self, writing: Writing) -> None:
         self._writing = writing
@@ -42,6 +43,7 @@ class Looks:
         self._colors: dict[tuple[Color | None, str], str] = {}
         self._textures: dict[str, str] = {}
         self._parts: dict[tuple[str, bool], list[Part]] = {}
+        self._useless: dict[tuple[str, bool], tuple[str, str]] = {}
         self._meshes: dict[tuple[str, Vector], str] = {}
 
     # --- materials ---
@@ -177,18 +179,26 @@ class Looks:
             fail("missing-mesh", f"{label} is not found", MESH_HINT)
             return []
         key = (path, is_visual)
-        if key not in self._parts:
-            self._parts[key] = []
-            read: Callable[[MeshContents, str], list[Part]]
-            read = visual_parts if is_visual else collision_part
+        if key not in self._parts and key not in self._useless:
             try:
+                read = visual_parts if is_visual else collision_part
                 self._parts[key] = read(self._contents, path)
             except MissingLibraryError as error:
                 hint = f'run pip install "yamaro[mesh]"; {MESH_HINT}'
                 fail("missing-extra", f"{label} needs the Python package '{error}'", hint)
+            except FlatMeshError:
+                self._useless[key] = ("flat meshes of collisions", "write a thin box")
             except MeshFileError as error:
-                fail("bad-mesh", f"{label} cannot be read: {error}", MESH_HINT)
-        return self._parts[key]
+                if str(error) == NO_TRIANGLES:
+                    self._useless[key] = ("meshes without triangles", "")
+                else:
+                    fail("bad-mesh", f"{label} cannot be read: {error}", MESH_HINT)
+        if key in self._useless:
+            what, hint = self._useless[key]
+            name = f"'{mesh.filename}' of link '{link.name}'"
+            trace = owner.trace_in(link)
+            self._writing.lose(LOST, what, name, owner.span, trace=trace, hint=hint)
+        return self._parts.get(key, [])
 
     def _file(self, stem: str, ending: str, data: bytes) -> str:
         """Put a file beside the document, and return its name in the folder of assets."""

@@ -11,6 +11,7 @@ from .writing import Writing, made, number, pose_attributes
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from ...model.joint import Joint
     from ...model.link import Link
     from ...source import Span
 
@@ -34,16 +35,15 @@ def _add_body(writing: Writing, link: Link) -> None:
     if name != link.name:
         writing.lose(RENAMED, "links", f"link '{link.name}'", link.span, trace=link.trace, how=name)
     joint = writing.robot.parent_joint(link.name)
-    places: dict[str, Span] = {"name": link.span_of("name")}
-    if joint is not None and joint.origin.span is not None:
-        places |= {"pos": joint.origin.span, "quat": joint.origin.span}
     is_outermost = parent is None
     attributes = {
         "name": name,
         **pose_attributes(pose),
         "childclass": writing.classes.model if is_outermost else None,
     }
-    body = writing.bodies[link.name] = made("body", link, attributes, link.trace, places)
+    body = writing.bodies[link.name] = made(
+        "body", link, attributes, link.trace, _Places(link, joint)
+    )
     if joint is None and link.name not in writing.plan.static:
         free = writing.names.fresh(JOINT, f"{stem_of(link.name)}_free")
         writing.motions[free] = ("", "base")
@@ -61,16 +61,31 @@ def _add_site(writing: Writing, link: Link) -> None:
     """Append the site of an empty link on a fixed joint."""
     joint = writing.robot.parent_joint(link.name)
     assert joint is not None, "a root is a body"
-    places: dict[str, Span] = {"name": link.span_of("name")}
-    if joint.origin.span is not None:
-        places |= {"pos": joint.origin.span, "quat": joint.origin.span}
     pose = writing.plan.poses[link.name]
     attributes = {
         "name": link.name,
         "class": writing.classes.frame,
         **pose_attributes(pose),
     }
-    writing.body_of(link.name).children.append(made("site", link, attributes, link.trace, places))
+    site = made("site", link, attributes, link.trace, _Places(link, joint))
+    writing.body_of(link.name).children.append(site)
+
+
+class _Places:
+    """Where the name of a body is written, and its pose: in the joint above it."""
+
+    __slots__ = ("_joint", "_link")
+
+    def __init__(self, link: Link, joint: Joint | None) -> None:
+        self._link = link
+        self._joint = joint
+
+    def get(self, attribute: str) -> Span | None:
+        """Return the place of an attribute's value; None for that of the element."""
+        if attribute == "name":
+            return self._link.span_of("name")
+        is_pose = attribute in ("pos", "quat") and self._joint is not None
+        return self._joint.origin.span if is_pose and self._joint is not None else None
 
 
 def _lose_mass_of_world(writing: Writing, link: Link) -> None:

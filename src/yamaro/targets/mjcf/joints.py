@@ -6,7 +6,7 @@ from ...model.joint import CONTINUOUS, FLOATING, PLANAR, PRISMATIC, REVOLUTE
 from ...model.pose import UNTURNED, Pose, rotate, rotation_from_z
 from ..output import APPROXIMATED, LOST, RENAMED
 from .names import JOINT
-from .writing import Writing, made, number, row
+from .writing import Places, Writing, made, number, row
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -14,8 +14,9 @@ if TYPE_CHECKING:
     from ...model.kinematics import Position
     from ...model.pose import Vector
     from ...model.values import Written
-    from ...source import Span
     from ...xml.tree import Element
+
+    Sources = dict[str, tuple[Written, str]]
 
 UNLIMITED = 1e15
 """Limits beyond it mean none, such as those of 1e16 that simulators write."""
@@ -42,10 +43,7 @@ def add_joints(writing: Writing, joint: Joint, body: Element) -> None:
 
 def _single(writing: Writing, joint: Joint) -> Element:
     """Return the joint of one number."""
-    places: dict[str, Span] = {"name": joint.span_of("name"), "type": joint.span_of("type")}
-    axis = joint.inner("axis")
-    if axis is not None:
-        places["axis"] = axis.value_span("xyz")
+    places: Sources = {"name": (joint, "name"), "type": (joint, "type")}
     attributes = {
         "name": joint.name,
         "type": TYPES[joint.type] if joint.type == PRISMATIC else None,
@@ -56,10 +54,10 @@ def _single(writing: Writing, joint: Joint) -> Element:
         "actuatorfrcrange": _effort(writing, joint, places),
     }
     writing.motions[joint.name] = (joint.name, "single")
-    return made("joint", joint, attributes, joint.trace, places)
+    return made("joint", joint, attributes, joint.trace, Places(places))
 
 
-def _range(writing: Writing, joint: Joint, places: dict[str, Span]) -> str | None:
+def _range(writing: Writing, joint: Joint, places: Sources) -> str | None:
     """Return the limits of a joint; None for none."""
     ends = range_of(joint)
     limit = joint.limit
@@ -67,7 +65,7 @@ def _range(writing: Writing, joint: Joint, places: dict[str, Span]) -> str | Non
         if limit is not None and _is_reversed(joint):
             _lose(writing, joint, limit, "limits of which the lower is the greater")
         return None
-    places["range"] = limit.span_of("upper")
+    places["range"] = (limit, "upper")
     if limit.lower == limit.upper:
         _lose(
             writing,
@@ -101,34 +99,34 @@ def effort_of(joint: Joint) -> float | None:
     return effort if effort is not None and 0 < effort < UNLIMITED else None
 
 
-def _effort(writing: Writing, joint: Joint, places: dict[str, Span]) -> str | None:
+def _effort(writing: Writing, joint: Joint, places: Sources) -> str | None:
     effort, limit = effort_of(joint), joint.limit
     if limit is None or effort is None:
         if limit is not None and limit.effort is not None and limit.effort <= 0:
             _lose(writing, joint, limit, "effort limits that are not greater than 0")
         return None
-    places["actuatorfrcrange"] = limit.span_of("effort")
+    places["actuatorfrcrange"] = (limit, "effort")
     return row((-effort, effort))
 
 
-def _dynamics(joint: Joint, places: dict[str, Span]) -> dict[str, str | None]:
+def _dynamics(joint: Joint, places: Sources) -> dict[str, str | None]:
     """Return the damping and the friction of a joint, where there are any."""
     dynamics = joint.dynamics
     if dynamics is None:
         return {}
-    places["damping"] = dynamics.span_of("damping")
-    places["frictionloss"] = dynamics.span_of("friction")
+    places["damping"] = (dynamics, "damping")
+    places["frictionloss"] = (dynamics, "friction")
     return {
         "damping": number(dynamics.damping) if dynamics.damping else None,
         "frictionloss": number(dynamics.friction) if dynamics.friction else None,
     }
 
 
-def _armature(writing: Writing, joint: Joint, places: dict[str, Span]) -> dict[str, str | None]:
+def _armature(writing: Writing, joint: Joint, places: Sources) -> dict[str, str | None]:
     actuator = writing.robot.actuators.get(joint.name)
     if actuator is None or not actuator.armature:
         return {}
-    places["armature"] = actuator.span_of("armature")
+    places["armature"] = (actuator, "armature")
     return {"armature": number(actuator.armature)}
 
 

@@ -2,16 +2,38 @@
 
 from __future__ import annotations
 
-from ...meshes.formats import OBJ, STL, MeshFileError, is_binary_stl
-from ...meshes.obj import obj_of, stl_of
+from math import hypot
+from struct import iter_unpack
+
+from ...meshes.formats import (
+    NO_TRIANGLES,
+    OBJ,
+    STL,
+    STL_HEADER_BYTES,
+    MeshFileError,
+    is_binary_stl,
+)
+from ...meshes.obj import obj_of, obj_of_triangles, stl_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Iterator
+
     from ...meshes.surfaces import Surface
     from ...model.link import Color
     from ..mesh_contents import MeshContents
 
+    Point = tuple[float, float, float]
+
+MOST_FACETS = 200_000
+"""Triangles of an STL that MuJoCo reads."""
+FLAT = 1e-6
+"""What is nearer to a plane than this part of its size is in it."""
 _MATERIAL_WORDS = (b"mtllib", b"usemtl")
+
+
+class FlatMeshError(MeshFileError):
+    """A mesh has no convex hull."""
 
 
 class Part:
@@ -56,27 +78,91 @@ def collision_part(contents: MeshContents, path: str) -> list[Part]:
     """Return a mesh to collide with, in one part.
 
     Raises:
+        FlatMeshError: all its corners are in a plane, so that it has no convex hull.
         MeshFileError, MissingLibraryError: see `MeshContents.surfaces_of`.
     """
-    return [_kept(contents, path) or Part(obj_of(contents.surfaces_of(path)), ".obj")]
+    part = _kept(contents, path)
+    if part is None:
+        part = Part(obj_of(contents.surfaces_of(path)), ".obj")
+    if is_flat(_points_of(part)):
+        raise FlatMeshError("all its corners are in a plane")
+    return [part]
 
 
 def _kept(contents: MeshContents, path: str) -> Part | None:
-    """Return an STL or OBJ as it is, a text STL as binary one; None for other formats."""
+    """Return an STL or OBJ as it is, a text STL as binary one; None for other formats.
+
+    MuJoCo takes no STL of more than `MOST_FACETS`, so that such a one becomes an OBJ.
+    """
     kind = contents.format_of(path)
     data = contents.bytes_of(path)
     if kind == OBJ:
         return Part(data, ".obj")
     if kind != STL:
         return None
-    if is_binary_stl(data):
+    count = int.from_bytes(data[80:84], "little") if is_binary_stl(data) else None
+    if count is not None and 0 < count <= MOST_FACETS:
         return Part(data, ".stl")
     from ...meshes.triangles import read_stl
 
     mesh = read_stl(data)
     if not mesh.triangles:
-        raise MeshFileError("it has no triangles")
+        raise MeshFileError(NO_TRIANGLES)
+    if len(mesh.triangles) > MOST_FACETS:
+        return Part(obj_of_triangles(mesh), ".obj")
     return Part(stl_of(mesh), ".stl")
+
+
+def _points_of(part: Part) -> Iterator[Point]:
+    """Yield the corners of a part, one after the other."""
+    if part.ending == ".stl":
+        for corners in iter_unpack("<12x9f2x", memoryview(part.data)[STL_HEADER_BYTES:]):
+            x, y, z, *others = corners
+            yield (x, y, z)
+            yield (others[0], others[1], others[2])
+            yield (others[3], others[4], others[5])
+        return
+    for line in part.data.splitlines():
+        words = line.split()
+        if len(words) >= 4 and words[0] == b"v":
+            yield (float(words[1]), float(words[2]), float(words[3]))
+
+
+def is_flat(points: Iterator[Point]) -> bool:
+    """Return whether all points are in one plane; of most meshes it looks at a few."""
+    try:
+        origin = next(points, None)
+        if origin is None:
+            return True
+        first: Point | None = None
+        normal: Point | None = None
+        for point in points:
+            way = _minus(point, origin)
+            size = hypot(*way)
+            if first is None:
+                first = way if size else None
+            elif normal is None:
+                across = _cross(first, way)
+                normal = across if hypot(*across) > FLAT * hypot(*first) * size else None
+            elif abs(_dot(normal, way)) > FLAT * hypot(*normal) * max(size, hypot(*first)):
+                return False
+    except ValueError:  # what is not a number is for MuJoCo to say
+        return False
+    return True
+
+
+def _minus(a: Point, b: Point) -> Point:
+    return (a[0] - b[0], a[1] - b[1], a[2] - b[2])
+
+
+def _cross(a: Point, b: Point) -> Point:
+    x, y, z = a
+    u, v, w = b
+    return (y * w - z * v, z * u - x * w, x * v - y * u)
+
+
+def _dot(a: Point, b: Point) -> float:
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 
 
 def _has_materials(part: Part) -> bool:

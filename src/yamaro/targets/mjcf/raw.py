@@ -40,7 +40,9 @@ def add_raw(writing: Writing) -> list[Element]:
 
 def _set(element: Element, settings: dict[str, Element]) -> None:
     """Set attributes that are given as elements."""
-    places = dict(element.value_spans or {})  # type: ignore[call-overload]
+    if not settings:
+        return
+    places = {name: element.value_span(name) for name in element.attributes}
     for name, setting in settings.items():
         element.attributes[name] = format_value(setting.text()).strip()
         places[name] = setting.span

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from ...diagnostics import Diagnostic
+from ...model.pose import UNTURNED, quaternion_from_rotation
 from ...xml.tree import Element
 from ...xml.values import format_number
 from ..inertia import Inertias
@@ -19,6 +20,7 @@ if TYPE_CHECKING:
     from ...model.robot import Robot
     from ...model.values import Written
     from ...source import Span
+    from ...xml.tree import ValueSpans
     from ..output import Wanted
 
 MAIN = "main"
@@ -137,12 +139,30 @@ class Writing:
             self.errors.append(Diagnostic(code, message, span, hint=hint, trace=trace))
 
 
+class Places:
+    """Where the values of an element's attributes are written, looked up when that is asked.
+
+    Attributes:
+        sources: what each attribute is made of: something that is written, and its attribute.
+    """
+
+    __slots__ = ("sources",)
+
+    def __init__(self, sources: dict[str, tuple[Written, str]]) -> None:
+        self.sources = sources
+
+    def get(self, attribute: str) -> Span | None:
+        """Return the place of an attribute's value; None for that of the element."""
+        source = self.sources.get(attribute)
+        return source[0].span_of(source[1]) if source is not None else None
+
+
 def made(
     name: str,
     owner: Written,
     attributes: Mapping[str, str | None],
     trace: Step | None,
-    places: Mapping[str, Span] | None = None,
+    places: ValueSpans | None = None,
 ) -> Element:
     """Return an element at the place of what it is made of.
 
@@ -159,7 +179,10 @@ def made(
 
 def number(value: float) -> str:
     """Return a number as it is written: with 15 digits, and without a point if it is whole."""
-    return format_number(value).removesuffix(".0")
+    text = f"{value:.15g}"
+    if "e" in text or text == "-0":
+        return format_number(value).removesuffix(".0")
+    return text
 
 
 def row(values: Iterable[float]) -> str:
@@ -169,20 +192,21 @@ def row(values: Iterable[float]) -> str:
 
 def pose_attributes(pose: Pose) -> dict[str, str | None]:
     """Return `pos` and `quat` of a pose, each None if it changes nothing."""
+    x, y, z = pose.position
+    x, y, z = _quiet(x), _quiet(y), _quiet(z)
     return {
-        "pos": row(map(_quiet, pose.position)) if any(map(_quiet, pose.position)) else None,
+        "pos": row((x, y, z)) if x or y or z else None,
         "quat": quaternion_text(pose),
     }
 
 
 def quaternion_text(pose: Pose) -> str | None:
     """Return the rotation of a pose as MJCF writes it, w first; None for no rotation."""
-    from ...model.pose import UNTURNED, quaternion_from_rotation
-
     if pose.rotation == UNTURNED:
         return None
-    parts = [_quiet(part) for part in quaternion_from_rotation(pose.rotation)]
-    return row(parts) if any(parts[1:]) else None
+    w, x, y, z = quaternion_from_rotation(pose.rotation)
+    x, y, z = _quiet(x), _quiet(y), _quiet(z)
+    return row((_quiet(w), x, y, z)) if x or y or z else None
 
 
 def _quiet(value: float) -> float:
