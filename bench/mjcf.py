@@ -1,14 +1,18 @@
 """Writes a corpus of public robots as MJCF, and judges what comes out.
 
-    python bench/mjcf.py [CORPUS] [--only REGEX] [--stands] [--time]
+    python bench/mjcf.py [CORPUS] [--only REGEX] [--every N] [--others] [--stands]
+                          [--repair-inertia]
 
 CORPUS is as in bench/robots.py. Each robot that pinocchio reads is written as URDF and as MJCF,
 without meshes where their files are not there. What MuJoCo makes of the MJCF is compared with what
 pinocchio makes of the URDF, at random positions: poses of links and frames, mass matrix, inverse
-dynamics, mass, limits, damping, efforts. pinocchio and Drake, if it is there, read the MJCF too.
-A robot agrees if all differences are below 1e-9 of the greatest value; what was reported as a loss
-is left out. The table counts robots: those that agree, those that are not written with the codes
-of the reasons, and those that differ although nothing says so.
+dynamics, mass, limits, damping, efforts.
+With `--others` pinocchio and Drake, if it is there, read the MJCF too. A robot agrees if all
+differences are below 1e-9 of the greatest value; what was reported as a loss is left out. The table
+counts robots: those that agree, those that are not written with the codes of the reasons, and those
+that differ although nothing says so. `--repair-inertia` writes with that option. `--stands` gives
+every independent joint a position actuator instead, and measures how each robot holds its home
+position for five seconds.
 """
 
 from __future__ import annotations
@@ -20,14 +24,17 @@ import os
 import pickle
 import re
 import sys
-from collections.abc import Iterator
+import tempfile
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
 ROOT = Path(__file__).parents[1]
 sys.path.insert(0, str(ROOT))
 
-import yamaro  # noqa: E402 - after the path
+import mujoco  # noqa: E402 - after the path
+
+import yamaro  # noqa: E402
 from tests.targets.mechanics import (  # noqa: E402
     DrakeMjcf,
     Mujoco,
@@ -39,10 +46,12 @@ from tests.targets.mechanics import (  # noqa: E402
     mimic_differences,
     missing_frames,
 )
+from tests.targets.standing import Standing, with_position_actuators  # noqa: E402
 
 UNKNOWN = "/opt/ros/unknown/share"
 POSITIONS = 20
 TOLERANCE = 1e-9
+Judges = Sequence[tuple[str, Any]]
 SHOWN = "0259"
 """How the kinds begin of which each robot is shown."""
 
@@ -84,7 +93,9 @@ def written(path: Path, text: str, **options: Any) -> Any:
     return yamaro.build(path, text=text, target="mjcf", meshes="none", on_message=print, **options)
 
 
-def judge(name: str, path: Path, corpus: Path, tally: Tally, repairs: bool) -> None:
+def judge(
+    name: str, path: Path, corpus: Path, tally: Tally, judges: Judges, *, repairs: bool
+) -> None:
     text = text_of(path, corpus)
     if "$(" in text or "${" in text:  # of xacro, which is expanded
         text = yamaro.build(path, text=text, on_message=print).xml()
@@ -118,7 +129,7 @@ def judge(name: str, path: Path, corpus: Path, tally: Tally, repairs: bool) -> N
     tally.add("3 compiled by MuJoCo", name)
     if reference is None:
         return
-    compare(name, build, reference, model, tally)
+    compare(name, build, reference, model, tally, judges)
 
 
 def apart(make: Any, mjcf: str, files: dict[str, bytes], reference: Any) -> dict[str, float]:
@@ -149,7 +160,9 @@ def apart(make: Any, mjcf: str, files: dict[str, bytes], reference: Any) -> dict
     return answer
 
 
-def compare(name: str, build: Any, reference: Any, model: Any, tally: Tally) -> None:
+def compare(
+    name: str, build: Any, reference: Any, model: Any, tally: Tally, judges: Judges
+) -> None:
     told = {loss.owner for loss in build.losses}
     lost = (
         missing_frames(reference, model)
@@ -163,7 +176,7 @@ def compare(name: str, build: Any, reference: Any, model: Any, tally: Tally) -> 
     }
     wrong |= {f"{each}: mimic" for each in mimic_differences(reference.description, model.model)}
     wrong |= {f"{each}: no body or site" for each in lost}
-    for title, make in (("MuJoCo", None), ("pinocchio", PinocchioMjcf), ("Drake", DrakeMjcf)):
+    for title, make in judges:
         try:
             found = (
                 differences(reference, model, POSITIONS)
@@ -188,25 +201,60 @@ def compare(name: str, build: Any, reference: Any, model: Any, tally: Tally) -> 
             tally.add(f"4 {title} agrees", name)
 
 
+def stand(name: str, path: Path, corpus: Path, tally: Tally) -> None:
+    """Tell how a robot with position actuators holds its home position."""
+    text = with_position_actuators(text_of(path, corpus))
+    try:
+        build = written(path, text, repair_inertia=True)
+    except yamaro.YamaroError:
+        tally.add("0 not written", name)
+        return
+    file = re.search('include file="(.*?)"', build.assets["scene.xml"].decode())
+    assert file is not None
+    with tempfile.TemporaryDirectory() as folder:
+        for each, content in {**build.assets, file[1]: build.xml().encode()}.items():
+            (Path(folder) / each).parent.mkdir(exist_ok=True)
+            (Path(folder) / each).write_bytes(content)
+        found = Standing(mujoco.MjModel.from_xml_path(f"{folder}/scene.xml"))
+    detail = f"{found.worst:.2%} {found.joint}, sinks {found.sank:.3f} m"
+    if found.warnings or not found.is_finite:
+        tally.add("9 UNSTABLE", name, detail)
+    elif found.worst > 0.05:
+        tally.add("5 moves by more than 5 %", name, detail)
+    else:
+        tally.add("2 stands", name, detail)
+
+
 def main() -> None:
     parser = argparse.ArgumentParser()
     parser.add_argument("corpus", nargs="?", type=Path, default=ROOT.parent / "shared" / "corpus")
     parser.add_argument("--only", default="")
+    parser.add_argument("--every", type=int, default=1)
+    parser.add_argument("--others", action="store_true")
+    parser.add_argument("--stands", action="store_true")
     parser.add_argument("--repair-inertia", action="store_true")
     given = parser.parse_args()
     corpus = given.corpus.resolve()
-    try:
-        import pydrake.multibody.parsing
-        import pydrake.multibody.plant  # noqa: F401 - once, for the processes that are forked
-    except ImportError:
-        print("Drake is not installed")
+    judges: list[tuple[str, Any]] = [("MuJoCo", None)]
+    if given.others:
+        judges.append(("pinocchio", PinocchioMjcf))
+        try:
+            import pydrake.multibody.parsing
+            import pydrake.multibody.plant  # noqa: F401 - once, for the processes that are forked
+
+            judges.append(("Drake", DrakeMjcf))
+        except ImportError:
+            print("Drake is not installed")
     tally = Tally()
-    for name, path in robots(corpus):
-        if re.search(given.only, name):
-            try:
-                judge(name, path, corpus, tally, given.repair_inertia)
-            except Exception as error:
-                tally.add("9 BROKEN", name, repr(error)[:300])
+    wanted = [each for each in robots(corpus) if re.search(given.only, each[0])]
+    for name, path in wanted[:: given.every]:
+        try:
+            if given.stands:
+                stand(name, path, corpus, tally)
+            else:
+                judge(name, path, corpus, tally, judges, repairs=given.repair_inertia)
+        except Exception as error:
+            tally.add("9 BROKEN", name, repr(error)[:300])
     print()
     tally.show()
 
