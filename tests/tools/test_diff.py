@@ -91,11 +91,11 @@ def test_each_change_is_a_line_with_its_places_and_what_follows(
 --- a.urdf
 +++ b.urdf
 links
-  ~ base  mass 5 → 5.2 kg (+4 %)  (a.urdf:5 → b.urdf:5)
-  > tool  → tip  (a.urdf:27 → b.urdf:27)
+  ~ base  mass 5 → 5.2 kg (+4 %)  (line 5)
+  > tool  → tip  (line 27)
 joints
-  ~ shoulder  limit.upper 1.2 → 1.57 rad  (a.urdf:31 → b.urdf:31)
-  ~ elbow  origin xyz 0 0 0.4 → 0 0 0.41 (moved 10 mm)  (a.urdf:35 → b.urdf:35)
+  ~ shoulder  limit.upper 1.2 → 1.57 rad  (line 31)
+  ~ elbow  origin xyz 0 0 0.4 → 0 0 0.41 (moved 10 mm)  (line 35)
         moves 3 links, the furthest by 10 mm: lower, hand, tool
 total mass: 7.5 → 7.7 kg
 centre of mass: moved 1.56 mm
@@ -127,11 +127,11 @@ def test_what_is_added_is_listed_with_what_is_below_it(
     joints = ARM.index('  <joint name="wrist"'), ARM.index("  <transmission")
     write(a_urdf=ARM[: cut[0]] + ARM[cut[1] : joints[0]] + ARM[joints[1] :], b_urdf=ARM)
     out = outcome(capsys, "a.urdf", "b.urdf")[1]
-    assert "  + hand  on lower by wrist (continuous)  (b.urdf:26)\n" in out
+    assert "  + hand  on lower by wrist (continuous)  (line 26)\n" in out
     assert "        and the link below it: tool\n" in out
     assert "joints" not in out
     back = outcome(capsys, "b.urdf", "a.urdf")[1]
-    assert "  - hand  on lower by wrist (continuous)  (b.urdf:26)\n" in back
+    assert "  - hand  on lower by wrist (continuous)  (line 26)\n" in back
 
 
 def test_a_summary_counts(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -447,7 +447,7 @@ def test_git_diff_shows_what_changed_through_the_driver(repository: Path) -> Non
     out = git("diff")
     assert "diff --git a/arm.urdf b/arm.urdf\n--- a/arm.urdf\n+++ b/arm.urdf\njoints\n" in out
     assert "  ~ shoulder, elbow  limit.velocity 2 → 3 rad/s\n" in out
-    assert "  + extra  on leg_link by j (fixed)  (robot.yaml:6)\n" in out
+    assert "  + extra  on leg_link by j (fixed)  (line 6)\n" in out
     assert "moved 150 mm)  (leg.yaml:6)" in out  # of a file that the robot includes
     assert "-variables: {length: 0.1}\n+variables" in out  # not a robot by itself
     assert "--- /dev/null\n+++ b/new.urdf\n@@ -0,0 +1," in out

@@ -14,6 +14,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from ..model.changes.change import Changes
     from ..policy import Policy
+    from ..source import Span
     from ..streams import Streams
     from ..tools.diff.sides import Origin, Origins, Side
     from .arguments import Arguments
@@ -159,26 +160,27 @@ def _written(
 ) -> str:
     from ..tools.diff.text import DiffText, summary_text
 
-    def name(span: object) -> str:
-        for side in sides:
-            checkout = side.origin.checkout
-            if checkout is not None:
-                label = side.origin.name_of(span)  # type: ignore[arg-type]
-                if label != span.source.name:  # type: ignore[attr-defined]
-                    return label
-        return span.source.name  # type: ignore[attr-defined, no-any-return]
-
     if arguments.has("json"):
         import json
 
         from ..tools.diff.data import changes_data
 
+        def name(span: Span) -> str:
+            names = (side.origin.name_of(span) for side in sides)
+            return next((each for each in names if each != span.source.name), span.source.name)
+
         return json.dumps(changes_data(changes, labels, name=name), indent=2) + "\n"
     if arguments.has("stat"):
         return summary_text(changes)
     color = _has_color(arguments, streams)
+
+    def plain_name(span: Span) -> str:
+        names = (side.origin.plain_name_of(span) for side in sides)
+        return next((each for each in names if each is not None), span.source.name)
+
     robots = (sides[0].robot, sides[1].robot)
-    return DiffText(changes, robots, name=name).render(labels, color=color)
+    mains = (sides[0].origin.main, sides[1].origin.main)
+    return DiffText(changes, robots, name=plain_name, mains=mains).render(labels, color=color)
 
 
 def _has_color(arguments: Arguments, streams: Streams) -> bool:

@@ -77,6 +77,18 @@ class Origin:
         inner = os.path.relpath(source.path, checkout.folder).replace(os.sep, "/")
         return self.prefix + inner
 
+    def plain_name_of(self, span: Span) -> str | None:
+        """Return the path of a file of the revision, without the revision; None for others."""
+        name = self.name_of(span)
+        return None if name == span.source.name else name.removeprefix(self.prefix)
+
+    @property
+    def main(self) -> str:
+        """Return what `plain_name_of`, or the name, is for the main file."""
+        if self.checkout is None:
+            return self.path
+        return os.path.relpath(self.path, self.checkout.folder).replace(os.sep, "/")
+
     def relabel(self, diagnostics: Iterable[Diagnostic]) -> None:
         """Name the files of the revision in messages as they are called in git."""
         if self.checkout is None:

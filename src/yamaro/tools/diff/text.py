@@ -69,6 +69,12 @@ class Line:
         """Return the names of what changed."""
         return list(dict.fromkeys(change.name for change in self.changes))
 
+    def key(self) -> str:
+        """Return what is equal for the same change of something else."""
+        if self.change.what != "inertia":
+            return self.text
+        return f"{self.text} {self.change.before!r} {self.change.after!r}"  # some is not shown
+
     def take(self, other: Line) -> None:
         """Add the same change of something else."""
         self.changes += other.changes
@@ -78,17 +84,26 @@ class Line:
 class DiffText:
     """Writes the changes between two robots as text."""
 
-    def __init__(self, changes: Changes, robots: tuple[Robot, Robot], *, name: Name) -> None:
+    def __init__(
+        self,
+        changes: Changes,
+        robots: tuple[Robot, Robot],
+        *,
+        name: Name,
+        mains: tuple[str, str],
+    ) -> None:
         """Prepare.
 
         Args:
             changes: what changed.
             robots: the two robots.
             name: gives the name of the file that a place is in.
+            mains: the names of the main files, which are not repeated in each line.
         """
         self._changes = changes
         self._first, self._second = robots
         self._name = name
+        self._mains = mains
         self._removed = self._names(REMOVED, "link")
         self._added = self._names(ADDED, "link")
         self._renamed = {
@@ -107,10 +122,10 @@ class DiffText:
         heads = (f"--- {printable(labels[0])}", f"+++ {printable(labels[1])}")
         lines = [_painted(head, BOLD, color) for head in heads]
         for of, heading in HEADINGS.items():
-            rows = self._rows([change for change in self._changes.changes if change.of == of])
-            if rows:
+            groups = self._groups([c for c in self._changes.changes if c.of == of])
+            if groups:
                 lines.append(_painted(heading, BOLD, color))
-                for group in _grouped(rows):
+                for group in groups:
                     lines += self._lines_of(group, color)
         lines += self.totals()
         return "\n".join(map(_safe, lines)) + "\n"
@@ -127,10 +142,10 @@ class DiffText:
             begin = "     "
         for row in rows:
             place = self._place(row)
-            parts = [part for part in (begin, printable(row.text)) if part]
+            parts = [begin + ("  " if begin.strip() and row.text else " ") + printable(row.text)]
             if place:
                 parts.append(_painted(f"({printable(place)})", DIM, color))
-            lines.append("  ".join(parts) if begin.strip() else " ".join(parts))
+            lines.append("  ".join(parts).rstrip())
             if row.moved:
                 lines.append(f"        {_moved_text(row.moved)}")
             lines += [f"        {line}" for line in row.below]
@@ -138,21 +153,28 @@ class DiffText:
 
     # --- rows ---
 
-    def _rows(self, changes: Sequence[Change]) -> list[Line]:
-        """Return the lines of changes of one kind of thing; the same change of several as one."""
-        rows: list[Line] = []
-        known: dict[str, Line] = {}
+    def _groups(self, changes: Sequence[Change]) -> list[list[Line]]:
+        """Return the lines of changes of one kind of thing, those of one thing together.
+
+        Things that changed in the same way share their lines.
+        """
+        things: dict[tuple[str, str], list[Line]] = {}
         for change in changes:
             row = self._row(change)
-            if row is None:
-                continue
-            if change.kind == CHANGED:
-                twin = known.setdefault(row.text, row)
-                if twin is not row and change.name not in twin.names:
-                    twin.take(row)
+            if row is not None:
+                things.setdefault((change.kind, change.name), []).append(row)
+        groups: list[list[Line]] = []
+        known: dict[tuple[str, ...], list[Line]] = {}
+        for (kind, _), rows in things.items():
+            rows = _joined(rows)
+            if kind == CHANGED:
+                group = known.setdefault(tuple(row.key() for row in rows), rows)
+                if group is not rows:
+                    for row, other in zip(group, rows, strict=True):
+                        row.take(other)
                     continue
-            rows.append(row)
-        return _joined(rows)
+            groups.append(rows)
+        return groups
 
     def _row(self, change: Change) -> Line | None:
         row: Line | None
@@ -239,18 +261,19 @@ class DiffText:
         return places.pop() if len(places) == 1 else ""
 
     def _place_of(self, change: Change) -> str:
-        """Return where a change is written, in the first file and in the second."""
-        places = [
-            (self._name(span), span.location()[0])
-            for span in (change.first, change.second)
-            if span is not None
-        ]
+        """Return where a change is written: lines of the files compared, or of other files."""
+        places = []
+        for span, main in zip((change.first, change.second), self._mains, strict=True):
+            if span is not None:
+                name = self._name(span)
+                places.append(("" if name == main else name, span.location()[0]))
         if not places:
             return ""
         (name, line), (new, new_line) = places[0], places[-1]
-        if name == new or name.endswith(f":{new}"):
-            return f"{new}:{line}" if line == new_line else f"{new}:{line}{ARROW}{new_line}"
-        return f"{name}:{line}{ARROW}{new}:{new_line}"
+        lines = f"{line}" if line == new_line else f"{line}{ARROW}{new_line}"
+        if name == new:
+            return f"{new}:{lines}" if new else f"line {lines}"
+        return f"{name or 'line'}:{line}{ARROW}{new or 'line'}:{new_line}".replace("line:", "line ")
 
 
 def motion_text(changes: Changes) -> str:
@@ -294,22 +317,6 @@ def _joined(rows: list[Line]) -> list[Line]:
             known[key] = row
         kept.append(row)
     return kept
-
-
-def _grouped(rows: list[Line]) -> list[list[Line]]:
-    """Return the rows, those one after the other about the same things together."""
-    groups: list[list[Line]] = []
-    for row in rows:
-        last = groups[-1][0] if groups else None
-        if (
-            last is not None
-            and last.change.kind == row.change.kind == CHANGED
-            and last.names == row.names
-        ):
-            groups[-1].append(row)
-        else:
-            groups.append([row])
-    return groups
 
 
 def _moved_text(moved: list[Moved]) -> str:

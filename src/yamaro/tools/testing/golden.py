@@ -76,7 +76,9 @@ def _differences(old: str, build: Build, name: str) -> list[str]:
         return []
     from ..diff.text import DiffText
 
-    text = DiffText(changes, (before, build.robot), name=_name_of).render((name, "the output"))
+    robots = (before, build.robot)
+    mains = (name, "")
+    text = DiffText(changes, robots, name=_name_of, mains=mains).render((name, "the output"))
     return _first(text.rstrip("\n").split("\n")[2:])
 
 
