@@ -461,3 +461,10 @@ def test_standard_input_that_cannot_be_read_is_wrong_usage(tmp_path: Path) -> No
         )
     assert finished.returncode == 2
     assert finished.stderr.startswith("yamaro: error: cannot read standard input: Bad file")
+
+
+def test_a_robot_that_is_nested_deeply_leaves_the_jail(tmp_path: Path) -> None:
+    inner = "<a>" * 1400 + "</a>" * 1400
+    path = tmp_path / "deep.urdf"
+    path.write_text(f'<robot name="r"><link name="l"/>{inner}</robot>')
+    assert yamaro.build(path, policy=Policy.looking()).robot.name == "r"

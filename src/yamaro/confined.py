@@ -168,9 +168,11 @@ def build_of_outcome(outcome: Outcome, request: Request, policy: Policy) -> Buil
             return _first_output(outcome, request.targets)
         except JailError as error:
             raise _failure_of_jail(error, policy, request.source.name) from None
-    paths = request.paths
-    if outcome.root is not None and outcome.root.name == "robot":  # as it was written
-        outcome.pieces = write_pieces(paths.applied_to(outcome.root), policy.limits)
+    paths, root = request.paths, outcome.root
+    if root is not None and root.name == "robot":  # as it was written
+        outcome.pieces = run_on_deep_stack(
+            lambda: write_pieces(paths.applied_to(root), policy.limits)
+        )
 
     return Build(
         lambda: outcome.meshes,

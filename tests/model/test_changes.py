@@ -386,6 +386,16 @@ def test_a_prefix_on_all_names_is_renames_alone() -> None:
     assert changes.motion.is_same
 
 
+def test_the_robots_are_not_changed_by_comparing_them() -> None:
+    one = Robot.from_xml(ARM)
+    text = '<gazebo><plugin name="p"><jointName>elbow_pitch</jointName></plugin></gazebo></robot>'
+    other = Robot.from_xml(changed(('"elbow"', '"elbow_pitch"'), ("</robot>", text)))
+    twin = Robot.from_xml(changed(('"elbow"', '"elbow_pitch"'), ("</robot>", text)))
+    assert one.changes(other)
+    assert not other.changes(twin)
+    assert not other.differences(twin)
+
+
 def test_wheels_of_one_content_are_matched_in_their_order() -> None:
     wheel = (
         '<link name="{0}"><visual><geometry><sphere radius="0.1"/></geometry></visual></link>'
@@ -411,6 +421,30 @@ def test_a_link_with_other_content_is_not_taken_for_a_renamed_one() -> None:
         ("added", "link", "lamp"),
         ("removed", "joint", "mount"),
         ("removed", "link", "tool"),
+    ]
+
+
+def test_shapes_of_other_names_are_not_taken_for_one_another() -> None:
+    robots = [
+        '<robot name="r"><link name="a">'
+        f'<visual name="{name}"><geometry><sphere radius="{radius}"/></geometry></visual>'
+        "</link></robot>"
+        for name, radius in (("lamp", 1), ("plate", 2), ("light", 1))
+    ]
+    assert [shown(c) for c in between(robots[0], robots[1]).changes] == [
+        "changed link a visual: 'sphere 1' to None",
+        "changed link a visual: None to 'sphere 2'",
+    ]
+    assert [shown(c) for c in between(robots[0], robots[2]).changes] == [
+        "changed link a visual.name: 'lamp' to 'light'"
+    ]
+
+
+def test_an_element_that_is_added_has_the_name_of_the_second_robot() -> None:
+    other = changed(('"tool"', '"tip"'), ("</robot>", '<gazebo reference="tip"/></robot>'))
+    assert [shown(c) for c in between(ARM, other).changes] == [
+        "renamed link tool>tip",
+        "added element gazebo tip",
     ]
 
 

@@ -219,6 +219,16 @@ def test_a_mesh_is_compared_by_its_content(
     assert outcome(capsys, "one/a.urdf", "two/a.urdf")[0] == 0
 
 
+def test_xml_that_is_nested_deeply_is_compared(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    deep = "<a>" * 1400 + "{}" + "</a>" * 1400 + "</robot>"
+    for name, text in (("a.urdf", "x"), ("b.urdf", "y")):
+        Path(name).write_text(ARM.replace("</robot>", deep.format(text)))
+    status, out, _ = outcome(capsys, "a.urdf", "b.urdf")
+    assert status == 1 and "x → y" in out
+
+
 # --- trouble ---
 
 

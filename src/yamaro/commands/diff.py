@@ -120,14 +120,17 @@ def _ignore(message: str) -> None:
 
 
 def _compared(sides: tuple[Side, Side], tolerance: float) -> Changes:
+    from ..sandbox.deep_stack import run_on_deep_stack
     from ..tools.diff.sides import same_file
 
     first, second = sides
-    return first.robot.changes(
-        second.robot,
-        tolerance=tolerance,
-        same_file=lambda *names: same_file(sides, *names),
-        has_extras=first.has_extras and second.has_extras,
+    return run_on_deep_stack(  # other XML may be nested deeply
+        lambda: first.robot.changes(
+            second.robot,
+            tolerance=tolerance,
+            same_file=lambda *names: same_file(sides, *names),
+            has_extras=first.has_extras and second.has_extras,
+        )
     )
 
 

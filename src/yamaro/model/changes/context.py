@@ -10,6 +10,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
     from ...source import Span
+    from ...xml.tree import Element
     from ..pose import Pose
     from ..robot import Robot
     from .matching import Matching
@@ -49,9 +50,11 @@ class Comparing:
         matching: which link and joint is which.
         tolerance: which values are equal.
         changes: those found so far.
+        equal: whether two trees are equal, by their identities, with the trees, which it keeps
+            alive.
     """
 
-    __slots__ = ("_same_file", "changes", "first", "matching", "second", "tolerance")
+    __slots__ = ("_same_file", "changes", "equal", "first", "matching", "second", "tolerance")
 
     def __init__(
         self,
@@ -67,6 +70,7 @@ class Comparing:
         self.matching = matching
         self.tolerance = tolerance
         self.changes: list[Change] = []
+        self.equal: dict[tuple[int, int], tuple[bool, Element, Element]] = {}
         self._same_file = same_file
 
     # --- noting what differs ---

@@ -38,7 +38,9 @@ def compare_other_elements(comparing: Comparing) -> None:
     """Note in what the elements of two robots differ that are not links, joints or materials."""
     root, other = comparing.first.element, comparing.second.element
     mine = _others(comparing.first)
-    theirs = _with_first_names(_others(comparing.second), comparing)
+    originals = _others(comparing.second)
+    theirs = _with_first_names(originals, comparing)
+    names = {id(each): _label(_key(own)) for each, own in zip(theirs, originals, strict=True)}
     owner = Owner("robot", comparing.first.name, new_name=None, places=(root.span, other.span))
     _compare_attributes(root, other, "", owner, comparing, apart={"name"})
     for key, (some, others) in _by_key(mine, theirs).items():
@@ -50,7 +52,7 @@ def compare_other_elements(comparing: Comparing) -> None:
         for element in removed:
             comparing.add("element", name, is_new=False, place=element.span)
         for element in added:
-            comparing.add("element", name, is_new=True, place=element.span)
+            comparing.add("element", names[id(element)], is_new=True, place=element.span)
 
 
 def compare_rest(
@@ -82,11 +84,25 @@ def _with_first_names(elements: list[Element], comparing: Comparing) -> list[Ele
     renamed = comparing.matching.renamed()
     if not renamed or not elements:
         return elements
-    copies = [unshared(element) for element in elements]
+    copies = [_copy(element) for element in elements]
     names = RobotNames([Element(kind, elements[0].span, {"name": name})
                         for kind, name in _bodies(comparing.second)])  # fmt: skip
     names.rename(copies, lambda name: renamed.get(name, name))
     return copies
+
+
+def _copy(element: Element) -> Element:
+    """Return a copy of a tree, with texts of its own, which may be changed."""
+    copy = unshared(element)
+    pending = [copy]
+    while pending:
+        each = pending.pop()
+        each.children = [
+            Text(child.value, child.span) if isinstance(child, Text) else child
+            for child in each.children
+        ]
+        pending += each.elements()
+    return copy
 
 
 def _bodies(robot: Robot) -> list[tuple[str, str]]:
@@ -137,9 +153,21 @@ def _paired(
 
 
 def _same(one: Element, other: Element, comparing: Comparing) -> bool:
-    """Return whether two trees are equal; their depth is limited where they are read."""
+    """Return whether two trees are equal; their depth is limited where they are read.
+
+    The answer is kept: without that, each level would ask those below it twice.
+    """
     if one is other:
         return True
+    key = (id(one), id(other))
+    known = comparing.equal.get(key)
+    if known is None:
+        known = (_is_equal(one, other, comparing), one, other)
+        comparing.equal[key] = known
+    return known[0]
+
+
+def _is_equal(one: Element, other: Element, comparing: Comparing) -> bool:
     first, second = values_of(one), values_of(other)
     if one.name != other.name or first.keys() != second.keys():
         return False

@@ -161,7 +161,7 @@ def _paired(
     """Return which shape is which, what is only in the first row, and what only in the second."""
     pairs: list[tuple[Visual | Collision, Visual | Collision]] = []
     mine, others = list(one), list(other)
-    for key in (_whole, _name, _shape, _pose, _kind):
+    for key in (_whole, _name, _content, _shape, _pose, _kind):
         if not mine or not others:
             break
         alike: dict[object, list[list[Visual | Collision]]] = {}
@@ -180,24 +180,28 @@ def _paired(
 def _whole(body: Visual | Collision) -> object:
     material = getattr(body, "material", None)
     name = None if material is None else material.name
-    return (body.name, name, _shape(body), _pose(body))
+    return (body.name, name, _content(body))
 
 
 def _name(body: Visual | Collision) -> object:
     return body.name or id(body)
 
 
+def _content(body: Visual | Collision) -> object:
+    return (shape_key(body.shape), pose_signature(body.pose))
+
+
 def _shape(body: Visual | Collision) -> object:
-    return shape_key(body.shape)
+    return id(body) if body.name else shape_key(body.shape)
 
 
 def _pose(body: Visual | Collision) -> object:
-    return pose_signature(body.pose)
+    return id(body) if body.name else pose_signature(body.pose)
 
 
 def _kind(body: Visual | Collision) -> object:
-    """Return what any two shapes share: in the end they are matched in order."""
-    return None
+    """Return what any two shapes without names share: in the end they are matched in order."""
+    return id(body) if body.name else None
 
 
 def _compare_bodies(

@@ -5,7 +5,7 @@ from __future__ import annotations
 from ...model.changes.change import ADDED, CHANGED, REMOVED, RENAMED
 from ...model.changes.context import angle_text, length_text
 from ...model.changes.tolerance import distance_between
-from ...terminal import BLUE, BOLD, DIM, RED, YELLOW, painted, printable
+from ...terminal import BLUE, BOLD, DIM, RED, YELLOW, painted, printable, shortened
 from .values import ARROW, value_text, values_text
 
 TYPE_CHECKING = False
@@ -142,7 +142,7 @@ class DiffText:
             begin = "     "
         for row in rows:
             place = self._place(row)
-            parts = [begin + ("  " if begin.strip() and row.text else " ") + printable(row.text)]
+            parts = [begin + ("  " if begin.strip() and row.text else " ") + shortened(row.text)]
             if place:
                 parts.append(_painted(f"({printable(place)})", DIM, color))
             lines.append("  ".join(parts).rstrip())

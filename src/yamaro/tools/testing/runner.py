@@ -9,6 +9,7 @@ from ...arguments import UsageError
 from ...diagnostics import ERROR, Diagnostic, YamaroError, failure
 from ...program import Program
 from ...runtime.library import rules_of
+from ...sandbox.deep_stack import run_on_deep_stack
 from ...source import KEYWORD_ARGUMENT
 from .files import read_test_file
 from .golden import compare_with_golden
@@ -139,9 +140,12 @@ class Runner:
         if case.errors:
             return [_missing(expected, "has no errors") for expected in case.errors]
         found = [*_other_warnings(case, build), *self._unmet(case, file, build)]
-        if case.golden is not None:
-            differing, result.accepted = compare_with_golden(
-                build, case.golden, folder=os.path.dirname(file.source.path), accepts=self._accepts
+        golden = case.golden
+        if golden is not None:
+            differing, result.accepted = run_on_deep_stack(
+                lambda: compare_with_golden(
+                    build, golden, folder=os.path.dirname(file.source.path), accepts=self._accepts
+                )
             )
             found += differing
         return found
