@@ -1,14 +1,17 @@
--- Neovim 0.11 and newer: put this file into ~/.config/nvim/lsp/, and vim.lsp.enable('yamaro') into init.lua.
+-- Neovim 0.11 and newer: put this file into ~/.config/nvim/plugin/.
 vim.filetype.add({
   pattern = {
     ['.*%.urdf%.ya?ml'] = 'yamaro',
     ['.*%.yamaro%.ya?ml'] = 'yamaro',
-    ['.*%.ya?ml'] = function(_, buffer)
-      local lines = vim.api.nvim_buf_get_lines(buffer, 0, 200, false)
-      local is_robot = vim.fn.match(lines, [[^\(robot\|model\)\s*[:/]]) >= 0
-      return is_robot and 'yamaro' or nil
-    end,
+    ['.*%.ya?ml'] = {
+      function(_, buffer)
+        local lines = vim.api.nvim_buf_get_lines(buffer, 0, 200, false)
+        return vim.fn.match(lines, '^\\(robot\\|model\\)\\s*[:/]') >= 0 and 'yamaro' or nil
+      end,
+      { priority = 10 },
+    },
   },
 })
 vim.treesitter.language.register('yaml', 'yamaro')
-return { cmd = { 'yamaro', 'lsp' }, filetypes = { 'yamaro' }, root_markers = { 'package.xml', '.git' } }
+vim.lsp.config('yamaro', { cmd = { 'yamaro', 'lsp' }, filetypes = { 'yamaro' }, root_markers = { '.git' } })
+vim.lsp.enable('yamaro')

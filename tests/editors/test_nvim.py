@@ -98,3 +98,39 @@ def test_every_feature_works_in_neovim(tmp_path, version):
     assert told["formatted"] == "robot: rover"
     if version == "0.11":
         assert told["hint"] == "= 0.25"
+
+
+@pytest.mark.slow
+def test_the_set_up_of_the_docs_starts_the_server(tmp_path):
+    if "0.11" not in VERSIONS:
+        pytest.skip("needs Neovim 0.11")
+    folder = tmp_path / "config" / "nvim" / "plugin"
+    folder.mkdir(parents=True)
+    shutil.copy(HERE.parents[1] / "editors" / "nvim" / "yamaro.lua", folder)
+    path = tmp_path / "rover.yaml"
+    path.write_text(ROBOT)
+    (tmp_path / "leg.yaml").write_text("model:\n")
+    script = tmp_path / "look.lua"
+    script.write_text(
+        "vim.wait(30000, function() return #vim.diagnostic.get(0) > 0 end, 50)\n"
+        "local found = vim.diagnostic.get(0)[1]\n"
+        "io.stdout:write(vim.bo.filetype .. ' ' .. (found and found.code or 'nothing'))\n"
+        "vim.cmd('qall!')\n"
+    )
+    done = subprocess.run(
+        [VERSIONS["0.11"], "--headless", str(path), "-c", f"luafile {script}"],
+        cwd=tmp_path,
+        env={
+            **os.environ,
+            "PATH": f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}",
+            "XDG_CONFIG_HOME": str(tmp_path / "config"),
+            "XDG_DATA_HOME": str(tmp_path),
+            "XDG_STATE_HOME": str(tmp_path),
+            "XDG_CACHE_HOME": str(tmp_path),
+        },
+        capture_output=True,
+        text=True,
+        timeout=PATIENCE,
+        check=False,
+    )
+    assert done.stdout.strip() == "yamaro unknown-parent", done.stderr

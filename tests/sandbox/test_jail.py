@@ -1440,3 +1440,13 @@ def test_a_part_longer_than_the_answer_is_noticed() -> None:
         unpack(struct.pack("<Q", (1 << 64) - 1) + b"x")
     with pytest.raises(jail.JailAnswerBroken, match="ends within a length"):
         unpack(b"\x00")
+
+
+@in_jail
+def test_work_that_nobody_wants_any_more_is_ended() -> None:
+    asked = iter([False, False, True])
+    limits = jail.JailLimits(is_abandoned=lambda: next(asked))
+    with pytest.raises(jail.JailAbandoned):
+        jail.run_jailed(sleep, readable=(), limits=limits)
+    with pytest.raises(ChildProcessError):  # no child is left
+        os.waitpid(-1, os.WNOHANG)

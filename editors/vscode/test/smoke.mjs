@@ -32,22 +32,21 @@ const file = path.join(work, "rover.urdf.yaml");
 const data = path.join(home, "data");
 const extensions = path.join(home, "extensions");
 mkdirSync(work);
-mkdirSync(path.join(data, "User"), { recursive: true });
 mkdirSync(screens, { recursive: true });
 writeFileSync(file, ROBOT);
-writeFileSync(
-  path.join(data, "User", "settings.json"),
-  JSON.stringify({
-    "yamaro.path": yamaro,
-    "yamaro.timeout": 60_000,
-    "editor.formatOnSave": true,
-    "editor.hover.delay": 100,
-    "workbench.startupEditor": "none",
-    "security.workspace.trust.enabled": false,
-    "telemetry.telemetryLevel": "off",
-    "files.autoSave": "off",
-  }),
-);
+const set = (kind, values) => {
+  mkdirSync(path.join(data, kind), { recursive: true });
+  writeFileSync(path.join(data, kind, "settings.json"), JSON.stringify(values));
+};
+set("Machine", { "yamaro.path": yamaro, "yamaro.timeout": 60_000 });
+set("User", {
+  "editor.formatOnSave": true,
+  "editor.hover.delay": 100,
+  "workbench.startupEditor": "none",
+  "security.workspace.trust.enabled": false,
+  "telemetry.telemetryLevel": "off",
+  "files.autoSave": "off",
+});
 
 const server = path.join(modules, "node_modules", "code-server", "out", "node", "entry.js");
 const own = ["--user-data-dir", data, "--extensions-dir", extensions];
@@ -165,7 +164,12 @@ try {
   // Completion: a key of the joint.
   await go(10, column(10, "type: fixed"));
   await page.keyboard.type("ax", { delay: 60 });
-  await until("an offer", async () => (await text(".suggest-widget")).includes("axis"));
+  await until("an offer", async () => {
+    if ((await text(".suggest-widget.visible")).includes("axis")) return true;
+    await press("Control", "Space");
+    await new Promise((resolve) => setTimeout(resolve, 1500));
+    return false;
+  });
   await shot("5-completion");
   await press("Escape");
   await press("Backspace");

@@ -173,6 +173,9 @@ def test_an_editor_can_have_the_page_in_a_frame_if_it_asks_for_that(served: Serv
     policy = headers["Content-Security-Policy"]
     assert "frame-ancestors vscode-webview:" in policy and "unsafe" not in policy
     assert served.ask("state", **framed)[0] == 403
+    assert served.ask("state", Host="localhost:1")[0] == 200  # a port that an editor hands on
+    for host in ("evil.example:1", "127.0.0.1.evil.example:1", "localhost", "localhost:x"):
+        assert served.ask("state", Host=host)[0] == 421
     assert served.ask("", Sec_Fetch_Site="cross-site", Sec_Fetch_Dest="empty")[0] == 403
     assert served.ask_raw("/", headers=framed)[0] == 404
 

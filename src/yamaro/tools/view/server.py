@@ -130,6 +130,15 @@ class Server(ThreadingHTTPServer):
         """Return the address of the page."""
         return f"http://{HOST}:{self.server_port}/{self.token}/"
 
+    def is_host(self, host: str) -> bool:
+        """Return whether a Host header names this server.
+
+        An editor that runs elsewhere hands its own port on to ours, of which it alone knows.
+        """
+        name, _, port = host.partition(":")
+        is_handed_on = self.is_embedded and name in (HOST, "localhost") and port.isdigit()
+        return host in self.hosts or is_handed_on
+
     def server_bind(self) -> None:
         """Bind, without looking up the name of this machine, which may take seconds."""
         TCPServer.server_bind(self)
@@ -223,7 +232,7 @@ class Handler(BaseHTTPRequestHandler):
     def _check_sender(self) -> None:
         """Refuse requests under another name, or from a page of another origin."""
         hosts = self.headers.get_all("Host", [])
-        if len(hosts) != 1 or hosts[0].lower() not in self.server.hosts:
+        if len(hosts) != 1 or not self.server.is_host(hosts[0].lower()):
             raise Refused(HTTPStatus.MISDIRECTED_REQUEST)
         origin = self.headers.get("Origin")
         if origin is not None and origin.lower() != f"http://{hosts[0].lower()}":
