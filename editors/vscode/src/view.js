@@ -39,8 +39,9 @@ class RobotView {
     panel.webview.html = note("The robot is being built …");
     try {
       const url = await this.start(file, entry);
-      const outside = await vscode.env.asExternalUri(vscode.Uri.parse(url));
-      panel.webview.html = frame(outside.toString(true));
+      const { origin, pathname } = new URL(url);
+      const outside = await vscode.env.asExternalUri(vscode.Uri.parse(`${origin}/`)); // some lose a path
+      panel.webview.html = frame(outside.toString(true).replace(/\/*$/, pathname));
     } catch (error) {
       panel.webview.html = note(String(error.message ?? error));
     }
