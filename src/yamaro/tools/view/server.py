@@ -80,6 +80,7 @@ EMBEDDED_HEADERS = {
         "frame-ancestors 'none'", f"frame-ancestors {_EDITORS}"
     ),
     "Cross-Origin-Resource-Policy": "cross-origin",
+    "Cache-Control": "no-store, no-transform",  # what hands a port on must not hold events back
 }
 """The headers for a page in a frame of an editor."""
 
