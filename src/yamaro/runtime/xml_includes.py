@@ -34,10 +34,15 @@ def read_included(source: Source, limits: Limits) -> tuple[Element, bool]:
     Raises:
         YamaroError: it is not XML.
     """
-    if source.path.lower().endswith(".xacro"):
+    if is_named_xacro(source):
         return read_xml(source, limits, exact=True).root, True
     root = read_xml(source, limits, exact="xacro:" in source.text).root
     return root, is_xacro(root)
+
+
+def is_named_xacro(source: Source) -> bool:
+    """Return whether the name of a file says that it is xacro's."""
+    return source.path.lower().endswith(".xacro")
 
 
 def is_xacro(root: Element) -> bool:

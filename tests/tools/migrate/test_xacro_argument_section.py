@@ -96,14 +96,36 @@ def test_a_comment_that_goes_with_one_argument_is_its_help(tmp_path: Path) -> No
     )
 
 
-def test_other_files_see_an_argument_that_they_read(tmp_path: Path) -> None:
-    made = migrated(
-        tmp_path,
-        '<xacro:arg name="n" default="a"/><xacro:include filename="lib.xacro"/><xacro:arm/>',
-        lib='<b n="$(arg n)"/><xacro:macro name="arm"><c n="$(arg n)"/></xacro:macro>',
-    )
+LIB = '<b n="$(arg n)"/><xacro:macro name="arm"><c n="$(arg n)"/></xacro:macro>'
+ONCE = '<xacro:arg name="n" default="a"/><xacro:include filename="lib.xacro"/><xacro:arm/>'
+
+
+IN_MACRO = """
+<xacro:macro name="m" params="n"><xacro:include filename="lib.xacro"/></xacro:macro>
+<xacro:arg name="n" default="a"/><xacro:m n="1"/>"""
+
+
+def test_a_file_that_reads_an_argument_gets_it_from_its_include(tmp_path: Path) -> None:
+    made = migrated(tmp_path, ONCE, lib=LIB)
     assert "arguments:\n  n: a\n" in made["r.yaml"]
-    hold_for(tmp_path, ["n:=b"])
+    assert "include: {path: lib.yaml, n: $(n)}\n" in made["r.yaml"]
+    assert hold_for(tmp_path, ["n:=b"]) == []
+
+
+@pytest.mark.parametrize(
+    ("robot", "lib"),
+    [
+        (f'{ONCE}<xacro:include filename="lib.xacro"/>', LIB),  # twice
+        (ONCE, LIB + '<xacro:include filename="more.xacro"/>'),  # in another file
+        (f'<xacro:property name="n" value="$(arg n)"/>{ONCE}', LIB + '<d n="${n}"/>'),
+        (IN_MACRO, '<b n="$(arg n)"/>'),
+    ],
+)
+def test_where_an_include_cannot_pass_it_other_files_see_it_too(
+    tmp_path: Path, robot: str, lib: str
+) -> None:
+    migrated(tmp_path, robot, lib=lib, more='<e n="$(arg n)"/>')
+    hold_for(tmp_path, [], ["n:=b"])
 
 
 def test_defaults_may_be_made_of_arguments_above(tmp_path: Path) -> None:
@@ -119,3 +141,25 @@ def test_nothing_else_can_be_passed(tmp_path: Path) -> None:
     section(tmp_path, '<xacro:arg name="n" default="a"/><a n="$(arg n)"/>')
     with pytest.raises(YamaroError, match="unknown-argument"):
         build(tmp_path / "out" / "r.yaml", command_line=["m:=1"])
+
+
+OWN = '<xacro:property name="n" value="lib"/><b n="${n} $(arg n)"/>'
+OF_CALLER = """
+<xacro:macro name="inner"><b n="${n}"/></xacro:macro>
+<xacro:macro name="m" params="n"><xacro:inner/></xacro:macro>"""
+
+
+@pytest.mark.parametrize(
+    ("lib", "call", "is_named_otherwise"),
+    [(OF_CALLER, '<xacro:m n="1"/>', False), (OWN, "", True)],
+)
+def test_the_main_file_reads_an_argument_by_its_name_if_nothing_there_has_it(
+    tmp_path: Path, lib: str, call: str, is_named_otherwise: bool
+) -> None:
+    text = f"""
+    <xacro:arg name="n" default="a"/>
+    <xacro:include filename="lib.xacro"/>
+    <a n="$(arg n)"/>{call}"""
+    made = migrated(tmp_path, text, lib=lib)["r.yaml"]
+    assert ("arg_n" in made) is is_named_otherwise
+    hold_for(tmp_path, [], ["n:=b"])

@@ -331,7 +331,7 @@ def test_a_variable_is_global_only_if_another_file_reads_it(
     assert f"  size{scope}: 2\n" in made["r.yaml"]
 
 
-def test_an_argument_is_global_only_if_another_file_reads_it(tmp_path: Path) -> None:
+def test_an_argument_is_passed_only_if_another_file_reads_it(tmp_path: Path) -> None:
     made = migrated(
         tmp_path,
         """\
@@ -346,7 +346,7 @@ def test_an_argument_is_global_only_if_another_file_reads_it(tmp_path: Path) -> 
         """,
     )
     assert "arguments:\n  size: 2\n  width: 3\nmodel:\n" in made["r.yaml"]
-    assert "  variables:\n    width/global: $(width)\n" in made["r.yaml"]
+    assert "  include: {path: lib.yaml, width: $(width)}\n" in made["r.yaml"]
 
 
 INERTIA = """\
@@ -658,7 +658,7 @@ def test_a_variable_is_local_if_other_files_only_have_parameters_of_its_name(
         </xacro:macro>
         """,
     )
-    assert "  variables:\n    given/global: $(given)\n" in made["r.yaml"]
+    assert "  include: {path: part.yaml, given: $(given)}\n" in made["r.yaml"]
 
 
 def test_a_variable_that_others_may_change_stays_global(tmp_path: Path) -> None:

@@ -9,7 +9,7 @@ from ...confined import has_jail, no_jail, run_in_jail, time_is_over
 from ...diagnostics import ERROR, YamaroError
 from ...main_file import finder_for, reach_of
 from ...policy import JAIL, SAFE, Policy
-from ...runtime.xml_includes import read_included, xacro_in_safe_mode
+from ...runtime.xml_includes import is_named_xacro, read_included, xacro_in_safe_mode
 from ...sandbox.deadline import TimeOver, run_within
 from ...sandbox.deep_stack import run_on_deep_stack
 from ...sandbox.jail.limits import JailAnswerBroken, JailUnavailable
@@ -145,8 +145,10 @@ class Job:
 
     def _migrate(self) -> Result:
         limits = self.policy.limits
-        root, is_xacro = read_included(self.source, limits)
         is_guarded = not self.policy.is_trusted and not self.policy.is_confined
+        if is_named_xacro(self.source) and not is_guarded:
+            return self._migrate_xacro()
+        root, is_xacro = read_included(self.source, limits)
         if is_xacro:
             if is_guarded:
                 raise xacro_in_safe_mode(root.span)

@@ -11,8 +11,9 @@ import re
 from ....runtime.predefined import CONSTANTS
 from ....xacro.literals import guess_value
 from ....yaml.scalars import type_plain
-from ..document import RECORD_WIDTH, Body, Entry, Quoted, pieces_of
-from .tidying import stem_of
+from ..document import RECORD_WIDTH, Body, Entry, Quoted, Row, pieces_of
+from .passing_on import pass_on
+from .tidying import bodies_in, entries_in, stem_of
 from .uses import Uses
 
 TYPE_CHECKING = False
@@ -58,7 +59,11 @@ def declare_arguments(files: Mapping[str, Body], main: str, program: XacroProgra
             return False
         found[name] = Entry(name, value)
     _add_help(entries, found, variables)
-    _replace(sections, variables, entries, found)
+    for name in found:
+        _drop_alias(name, files, main)
+    shared = _replace(sections, variables, entries, found)
+    passed = {entry.key for entry in shared if pass_on(entry.key, files, main)}
+    _hand_on(sections, [entry for entry in shared if entry.key not in passed])
     return True
 
 
@@ -175,12 +180,9 @@ def _is_help(comment: str) -> bool:
 
 def _replace(
     sections: Body, variables: Body, entries: list[Entry], found: Mapping[str, Entry]
-) -> None:
-    """Put arguments in the place of variables; those that other files read are handed on."""
+) -> list[Entry]:
+    """Put arguments in the place of variables; return those that other files read."""
     taken = {id(entry) for entry in entries}
-    shared = [
-        Entry(entry.key, f"$({stem_of(entry)})") for entry in entries if entry.key != stem_of(entry)
-    ]
     section = Body(found.values())
     section.opening, variables.opening = variables.opening, ""
     variables.entries = [entry for entry in variables if id(entry) not in taken]
@@ -193,12 +195,48 @@ def _replace(
     else:
         new.ending = old.ending
         sections.entries[index] = new
-    if shared:
-        _hand_on(sections, shared)
+    return [Entry(stem_of(entry)) for entry in entries if entry.key != stem_of(entry)]
 
 
-def _hand_on(sections: Body, variables: list[Entry]) -> None:
+def _drop_alias(name: str, files: Mapping[str, Body], main: str) -> None:
+    """Read an argument by its own name where the main file alone read it by another.
+
+    Something else of its name is elsewhere, and nothing in the main file but its declaration.
+    """
+    sections = files[main]
+    variables = _root_variables(sections)
+    alias = re.compile(rf"\barg_{name}\b")
+    mine = list(entries_in(sections))
+    named = [own for own in mine if own.key == f"arg_{name}" and own.value == f"$({name})"]
+    if variables is None or len(named) != 1 or named[0] not in variables.entries:
+        return
+    others = [own for path in files if path != main for own in entries_in(files[path])]
+    declared = [own for body in bodies_in(sections) for own in _variables_in(body)]
+    if (
+        any(isinstance(own.value, Row) for own in mine)  # parameters of functions
+        or [stem_of(own) for own in declared].count(name) > 1
+        or any(own.key.startswith(f"{name}/") for own in others)  # they may set it here
+        or any(alias.search(own.key) or alias.search(str(own.value)) for own in others)
+    ):
+        return
+    variables.entries.remove(named[0])
+    for own in mine:
+        own.key = alias.sub(name, own.key)
+        if isinstance(own.value, str):
+            own.value = type(own.value)(alias.sub(name, own.value))
+
+
+def _variables_in(body: Body) -> list[Entry]:
+    """Return the variables that a body declares."""
+    sections = [own.value for own in body if own.key == "variables"]
+    return [own for section in sections if isinstance(section, Body) for own in section]
+
+
+def _hand_on(sections: Body, shared: list[Entry]) -> None:
     """Declare variables for all files, before anything else in the model."""
+    variables = [Entry(f"{entry.key}/global", f"$({entry.key})") for entry in shared]
+    if not variables:
+        return
     last = sections.entries[-1]
     model = last.value if isinstance(last.value, Body) else Body()
     if model.entries and model.entries[0].key == "variables":

@@ -127,7 +127,7 @@ def _functions_in(files: list[Body]) -> dict[str, Body]:
 
 def _make_local(files: dict[str, Body], program: XacroProgram) -> None:
     """Take the scope from variables that are declared once, and read in that file only."""
-    words = {path: set(_words_read(sections)) for path, sections in files.items()}
+    words = {path: set(words_read(sections)) for path, sections in files.items()}
     others = {word for text in program.files.data.values() for word in _WORD.findall(text)}
     if len(program.roots) > len(files):
         for root in program.roots.values():
@@ -155,7 +155,7 @@ def _make_local(files: dict[str, Body], program: XacroProgram) -> None:
 def _drop_empty_files(files: dict[str, Body], main: str) -> None:
     """Leave out files with nothing in them, and their includes."""
     includes = [
-        _path_of_include(entry)
+        path_of_include(entry)
         for sections in files.values()
         for entry in entries_in(sections)
         if entry.key == "include"
@@ -170,13 +170,13 @@ def _drop_empty_files(files: dict[str, Body], main: str) -> None:
                 body.entries[:] = [
                     entry
                     for entry in body
-                    if entry.key != "include" or _file_meant(entry, own) not in empty
+                    if entry.key != "include" or file_meant(entry, own) not in empty
                 ]
 
 
-def _file_meant(include: Entry, path: str) -> str:
+def file_meant(include: Entry, path: str) -> str:
     """Return the path of the source that an include in a source names."""
-    return os.path.normpath(os.path.join(os.path.dirname(path), _path_of_include(include)))
+    return os.path.normpath(os.path.join(os.path.dirname(path), path_of_include(include)))
 
 
 def _is_empty(sections: Body) -> bool:
@@ -185,7 +185,8 @@ def _is_empty(sections: Body) -> bool:
     )
 
 
-def _path_of_include(entry: Entry) -> str:
+def path_of_include(entry: Entry) -> str:
+    """Return the path in an include, as it is written."""
     if isinstance(entry.value, Body):
         return next((str(own.value) for own in entry.value if own.key == "path"), "")
     return str(entry.value)
@@ -225,7 +226,7 @@ def _words_of_values(body: Body) -> Iterator[str]:
             yield from _WORD.findall(entry.value)
 
 
-def _words_read(body: Body) -> Iterator[str]:
+def words_read(body: Body) -> Iterator[str]:
     """Return the same without the names of parameters."""
     for entry in entries_in(body):
         if "$(" in entry.key:
