@@ -242,27 +242,33 @@ def _report_two_parents(child: str, first: Joint, second: Joint, context: CheckC
 def _check_circles(hanging: Hanging, context: CheckContext) -> bool:
     """Report each circle of joints once; return whether there is one."""
     parents = hanging.parents
-    done: set[str] = set()
-    circles = []
-    for start, parent in parents.items():
-        if parent in done or (parent not in parents and parent != start):
-            done.add(start)  # as it is with most, since parents are mostly written first
-            continue
-        path: dict[str, None] = {}
-        name = start
-        while name in parents and name not in done and name not in path:
-            path[name] = None
-            name = parents[name]
-        if name in path:
-            names = list(path)
-            circles.append(names[names.index(name) :])
-        done.update(path)
+    circles = _circles(parents)
     if circles:
         order = {name: index for index, name in enumerate(parents)}
         for circle in circles:
             last = circle.index(max(circle, key=order.__getitem__))
             _report_circle(circle[last:] + circle[:last], hanging, context)
     return bool(circles)
+
+
+def _circles(above: dict[str, str]) -> list[list[str]]:
+    """Return each circle once in what has at most one thing above it."""
+    done: set[str] = set()
+    circles = []
+    for start, upper in above.items():
+        if upper in done or (upper not in above and upper != start):
+            done.add(start)  # as it is with most, since parents are mostly written first
+            continue
+        path: dict[str, None] = {}
+        name = start
+        while name in above and name not in done and name not in path:
+            path[name] = None
+            name = above[name]
+        if name in path:
+            names = list(path)
+            circles.append(names[names.index(name) :])
+        done.update(path)
+    return circles
 
 
 def _report_circle(circle: list[str], hanging: Hanging, context: CheckContext) -> None:
@@ -367,22 +373,9 @@ def _check_mimics(robot: Robot, tree: Tree, context: CheckContext) -> None:
             )
         elif tree.joints.get(name) is joint:
             masters[name] = master
-    _check_mimic_circles(masters, tree, context)
+    for circle in _circles(masters):
+        _report_mimic_circle(circle, tree, context)
     context.outermost = None
-
-
-def _check_mimic_circles(masters: dict[str, str], tree: Tree, context: CheckContext) -> None:
-    done: set[str] = set()
-    for start in masters:
-        path: dict[str, None] = {}
-        name = start
-        while name in masters and name not in done and name not in path:
-            path[name] = None
-            name = masters[name]
-        if name in path:
-            names = list(path)
-            _report_mimic_circle(names[names.index(name) :], tree, context)
-        done.update(path)
 
 
 def _report_mimic_circle(circle: list[str], tree: Tree, context: CheckContext) -> None:
