@@ -174,14 +174,7 @@ COMMANDS = {
             ("FILE ADDRESS [name:=value ...]",),
             "show where a value in the output comes from",
             "Show where in the YAML an element or attribute of the output comes from.",
-            words=(
-                FILE_WORDS[0],
-                (
-                    "ADDRESS",
-                    "elbow_joint/limit@upper, link:arm/visual[2], /gazebo[3] from the root",
-                ),
-                FILE_WORDS[1],
-            ),
+            words=(FILE_WORDS[0], ADDRESS_WORD, FILE_WORDS[1]),
             looks=True,
             endings=ENDINGS,
             examples=("yamaro why robot.yaml elbow_joint/limit@upper",),

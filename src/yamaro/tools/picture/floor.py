@@ -18,8 +18,6 @@ CELLS = 192
 DARKNESS = 0.5
 """How dark the shadow is where the robot touches the floor, from 0 to 1."""
 
-SAMPLES_PER_CELL = 3
-
 
 class Shadow:
     """The shadow that light from everywhere leaves on the floor: dark where something is near it.

@@ -21,9 +21,6 @@ if TYPE_CHECKING:
     from .mesh_files import MeshFiles
     from .origins import Json
 
-MOST_DIAGNOSTICS = 500
-"""Errors or warnings that the page lists; the terminal counts them all."""
-
 
 class Description:
     """A robot as the page shows it.
