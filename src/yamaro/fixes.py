@@ -92,7 +92,7 @@ def _is_whole(text: str, at: int, word: str) -> bool:
 
 def _is_plain(text: str) -> bool:
     """Return whether a text means itself wherever YAML has a word."""
-    return text[0].isalpha() and all(c.isalnum() or c in "_-./:" for c in text)
+    return (text[0].isalpha() or text[0] == "_") and all(c.isalnum() or c in "_-./:" for c in text)
 
 
 def _goes_on(character: str) -> bool:

@@ -53,11 +53,14 @@ def check_outermost(child: Element, context: CheckContext) -> None:
         return
     near = _near_outermost(child)
     if near is not None:
+        from ..fixes import respelling
+
         context.warn(
             "unknown-element",
             f"URDF has no element '{name}', so parsers ignore it",
             child,
             hint=f"did you mean '{near}'?",
+            fix=respelling(child.span, child.name, near),
         )
 
 

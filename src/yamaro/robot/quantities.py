@@ -5,7 +5,7 @@ Loaded for the first text that is not a row of plain numbers.
 
 from __future__ import annotations
 
-from ..diagnostics import YamaroError, did_you_mean, failure
+from ..diagnostics import YamaroError, failure, suggest
 from ..source import Span
 from ..units import (
     ACCELERATION,
@@ -278,9 +278,9 @@ def _unknown_unit(
     elif meant is not None:
         hint = f"write {meant}"
     else:
+        meant = suggest(fault.unit, fitting) or suggest(fault.unit, UNITS)
         hint = (
-            did_you_mean(fault.unit, fitting)
-            or did_you_mean(fault.unit, UNITS)
+            (f"did you mean '{meant}'?" if meant else None)
             or _units_hint(wanted.dimensions or ())
             or f"units are {', '.join(UNITS)}"
         )
