@@ -136,6 +136,14 @@ def test_noise_of_one_quantity_is_not_that_of_the_other() -> None:
     assert (sensor.noise, sensor.noises) == (None, {"angular_velocity": 0.5})
 
 
+def test_noise_of_all_beside_that_of_one_quantity() -> None:
+    sensor = sensor_in(
+        """<sensor name="s" type="imu"><imu><noise><stddev>0.1</stddev>
+             <accel><stddev>0.2</stddev></accel></noise></imu></sensor>"""
+    )
+    assert sensor.noises == {"all": 0.1, "linear_acceleration": 0.2}
+
+
 def test_no_noise() -> None:
     sensor = sensor_in(
         """<sensor name="s" type="ray"><ray><noise><type>none</type><stddev>1</stddev></noise></ray>

@@ -74,6 +74,8 @@ MEASURED = {
     "gps": ("position_sensing",),
 }
 """What the one number for a sensor's noise is about."""
+ALL = "all"
+"""Stands for all that a sensor measures, where `<noise>` does not say more."""
 OPTICAL: Rotation = ((0.0, 0.0, 1.0), (-1.0, 0.0, 0.0), (0.0, -1.0, 0.0))
 """R_camera_optical: x forward and z up, to z forward and y down. Source: REP 103."""
 _TOLERANCE = 0.01
@@ -297,10 +299,10 @@ def _read_noise(note: Note, kind: str, element: Element, plugins: list[Element])
     found = list(_noises(element, ""))
     quantities: dict[str, set[str]] = {}
     for quantity, place in found:
-        quantities.setdefault(quantity, set()).add(content(place) or "")
+        quantities.setdefault(quantity or ALL, set()).add(content(place) or "")
     values = set().union(*quantities.values()) if quantities else set()
     measured = MEASURED.get(kind, ())
-    if len(values) == 1 and all(each in quantities for each in measured if "" not in quantities):
+    if len(values) == 1 and all(each in quantities for each in measured if ALL not in quantities):
         note.put("noise", values.pop(), found[0][1])
     elif quantities:
         each = {name: max(texts, key=float) for name, texts in quantities.items()}
