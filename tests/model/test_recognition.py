@@ -308,7 +308,7 @@ SURFACES = [
         ),
         (1, 0.5, 0.5, 1000, 3),
     ),
-    ("<mu1>wet</mu1><selfCollide>true</selfCollide>", None),
+    ("<mu1>wet</mu1><selfCollide>true</selfCollide><kp>-1</kp>", None),
 ]
 
 
@@ -471,7 +471,7 @@ model:
     link: {mass: 1, geometry: sphere, scale: 1, collision: }
 - gazebo/reference=base_link: {mu1: 9, "<sensor/name=imu, type=imu>": {update_rate: 1}}
 - gazebo/reference=rod_link: {mu1: 7, "<sensor/name=hit, type=contact>": }
-- ros2_control/name=r, type=system:
+- ros2_control/name=more, type=system:
     hardware: {plugin: other}
 - transmission/name=t:
     type: SimpleTransmission
@@ -494,7 +494,7 @@ def test_words_win_over_elements(mode: str | None, gazebo: bool) -> None:
         ("rod_link", 7),
     ]
     assert [each.command for each in robot.actuators.values()] == ["effort"]
-    assert [each.plugin for each in robot.controls] == ["own"]
+    assert [each.plugin for each in robot.controls] == ["own", "other"]
 
 
 def test_elements_of_a_file_are_not_written_again() -> None:

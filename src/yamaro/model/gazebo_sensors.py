@@ -75,7 +75,7 @@ MEASURED = {
 }
 """What the one number for a sensor's noise is about."""
 ALL = "all"
-"""Stands for all that a sensor measures, where `<noise>` does not say more."""
+"""Means all that a sensor measures, where `<noise>` does not say more."""
 OPTICAL: Rotation = ((0.0, 0.0, 1.0), (-1.0, 0.0, 0.0), (0.0, -1.0, 0.0))
 """R_camera_optical: x forward and z up, to z forward and y down. Source: REP 103."""
 _TOLERANCE = 0.01

@@ -47,10 +47,10 @@ class Note:
         return True
 
     def put_number(self, attribute: str, origin: Element | None) -> bool:
-        """Note the number in an element; return whether there is one."""
+        """Note the number in an element, unless it is negative; return whether it was noted."""
         text = content(origin)
-        is_number = text is not None and len(numbers_in(text)) == 1
-        return is_number and self.put(attribute, text, origin)
+        row = numbers_in(text)
+        return len(row) == 1 and row[0] >= 0 and self.put(attribute, text, origin)
 
     def put_child(self, kind: str, origin: Element, attribute: str, value: str) -> None:
         """Add a note with one attribute."""
