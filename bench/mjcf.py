@@ -120,7 +120,11 @@ def judge(
     except NotJudged as error:
         tally.add("0 not judged", name, str(error))
     except Exception as error:
-        tally.add("0 not read by pinocchio", name, str(error).strip().splitlines()[0][:120])
+        tally.add(
+            "0 not read by pinocchio",
+            name,
+            (str(error).strip() or repr(error)).splitlines()[0][:120],
+        )
     try:
         model = Mujoco(mjcf, build.assets, joints)
     except Exception as error:
