@@ -40,6 +40,7 @@ def build(
     repair_inertia: bool = False,
     sdf_version: str | None = None,
     on_progress: Callable[[float], None] | None = None,
+    partial: bool = False,
 ) -> Build:
     """Compile a file.
 
@@ -75,6 +76,8 @@ def build(
         repair_inertia: balance inertia that no body can have, instead of refusing it.
         sdf_version: "1.11" (the default), "1.9" or "1.12".
         on_progress: is called with how far the work is, from 0 to 1, where a format takes long.
+        partial: leave out formats that cannot be written, which `Build.refused` then explains, and
+            do not warn of losses.
 
     Raises:
         YamaroError: the input has errors; it holds them, and the warnings found before.
@@ -88,7 +91,7 @@ def build(
         command_line=command_line, variables=variables, strict=strict, advice=advice,
         on_message=on_message, has_root=has_root, output=output, meshes=meshes, gazebo=gazebo,
         records=records, target=target, base=base, repair_inertia=repair_inertia,
-        sdf_version=sdf_version, on_progress=on_progress,
+        sdf_version=sdf_version, on_progress=on_progress, partial=partial,
     )  # fmt: skip
 
 

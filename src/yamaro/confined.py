@@ -120,7 +120,7 @@ def run_confined(
 
 def outcome_of_build(build: Build, *, has_root: bool) -> Outcome:
     """Return what leaves the jail of a build; with `has_root` the tree does too."""
-    from .sandbox.outcome import Outcome
+    from .sandbox.outcome import Document, Outcome
     from .xml.tree import unshared
 
     return Outcome(
@@ -130,7 +130,10 @@ def outcome_of_build(build: Build, *, has_root: bool) -> Outcome:
         meshes=build.meshes,
         root=build.robot_tree() if has_root else None,
         notes=[unshared(note) for note in build.notes] if has_root else (),
-        documents=[_document_of(each, build, has_root=has_root) for each in build.outputs.values()],
+        documents=[
+            *(_document_of(each, build, has_root=has_root) for each in build.outputs.values()),
+            *(Document(format, "", refusal=reason) for format, reason in build.refused.items()),
+        ],
     )
 
 
@@ -189,14 +192,19 @@ def _first_output(outcome: Outcome, targets: Sequence[Target]) -> Build:
     """Return the build of the first format that left a jail, with those of all in its `outputs`."""
     from .sandbox.jail import JailAnswerBroken
 
-    if [each.format for each in outcome.documents] != [each.format for each in targets]:
+    found = {each.format: each for each in outcome.documents}
+    if found.keys() != {each.format for each in targets} or len(found) < len(outcome.documents):
         raise JailAnswerBroken("the answer holds other formats than were asked for")
     builds = {
-        target.format: _build_of_document(document, target, outcome)
-        for document, target in zip(outcome.documents, targets, strict=True)
+        target.format: _build_of_document(found[target.format], target, outcome)
+        for target in targets
+        if not found[target.format].refusal
     }
-    first = builds[targets[0].format]
+    if not builds:
+        raise JailAnswerBroken("the answer holds no document")
+    first = next(iter(builds.values()))
     first.outputs = builds
+    first.refused = {each.format: each.refusal for each in outcome.documents if each.refusal}
     return first
 
 

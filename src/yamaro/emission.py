@@ -10,7 +10,7 @@ from __future__ import annotations
 import os
 
 from .arguments import UsageError
-from .diagnostics import Reporter, YamaroError, did_you_mean
+from .diagnostics import ERROR, Reporter, YamaroError, did_you_mean
 from .phases import add_gazebo, check, evaluate, lower
 from .pipeline import explain, interpreter_for
 from .request import Target
@@ -111,20 +111,29 @@ def compile_targets(request: Request, library: Library, policy: Policy, say: Say
     runs = _Runs(request, library, policy, say)
     builds: dict[str, Build] = {}
     errors = Reporter()
+    refused: dict[str, str] = {}
     has_failed = False
     for target in request.targets:
         run = runs.run_for(target.format)
         try:
             builds[target.format] = _build(run, target, request)
         except YamaroError as error:
+            if request.is_partial and not run.is_faulty:
+                refused[target.format] = _reason_of(error)
+                continue
             has_failed = True
             for diagnostic in error.diagnostics:
                 errors.add(diagnostic)
     if has_failed:
         raise YamaroError(errors.diagnostics)
     first = next(iter(builds.values()))
-    first.outputs = builds
+    first.outputs, first.refused = builds, refused
     return first
+
+
+def _reason_of(error: YamaroError) -> str:
+    """Return the message of the first error."""
+    return next(each.message for each in error.diagnostics if each.severity == ERROR)
 
 
 class _Run:
@@ -231,7 +240,7 @@ def _build(run: _Run, target: Target, request: Request) -> Build:
         build = _written(run, target, request)
     except YamaroError as error:
         raise YamaroError([*found, *error.diagnostics]) from None
-    losses = diagnostics_of(build.losses, target.format)
+    losses = [] if request.is_partial else diagnostics_of(build.losses, target.format)
     for diagnostic in (*found, *losses):
         request.reporter.add(diagnostic)
     return build
@@ -245,19 +254,21 @@ def _found_for(format: str, diagnostics: Sequence[Diagnostic]) -> list[Diagnosti
 
 def _written(run: _Run, target: Target, request: Request) -> Build:
     """Return the build of a format; raise YamaroError if it cannot be written."""
-    finder, robot, limits = request.paths.finder, run.robot_of(), run.interpreter.limits
+    finder, limits = request.paths.finder, run.interpreter.limits
+    is_any_xml = request.is_partial and target.format == "urdf" and run.root.name != "robot"
+    robot = None if is_any_xml else run.robot_of()
     root, document, text = run.root, None, ""
     file_name = target.file_name
     if file_name is None:
         file_name = stem_for(robot, request.stem) + ENDINGS[target.format]
     losses: Sequence[Loss]
     assets: Mapping[str, bytes] | None = None
-    if target.format == "urdf":
+    if target.format == "urdf" or robot is None:
         from .targets.urdf import losses_of
 
         if request.has_gazebo and run.notes:
             root = add_gazebo(root, run.notes, request.reporter)
-        losses = losses_of(run.told_robot(), has_gazebo=request.has_gazebo)
+        losses = () if robot is None else losses_of(run.told_robot(), request.has_gazebo)
         written = target.paths.applied_to(root) if run.has_files else root
     else:
         output = write_target(robot, _wanted(robot, target, request.stem, file_name))
@@ -280,9 +291,9 @@ def _written(run: _Run, target: Target, request: Request) -> Build:
     return build
 
 
-def stem_for(robot: Robot, stem: str) -> str:
+def stem_for(robot: Robot | None, stem: str) -> str:
     """Return the name of a robot's files without the ending: its own, or else that of its file."""
-    name = robot.name
+    name = "" if robot is None else robot.name
     fits = name and not name.startswith(".") and name.isprintable() and len(name) <= MOST_LETTERS
     return name if fits and not {"/", "\\", ":"} & set(name) else stem
 

@@ -40,6 +40,7 @@ if TYPE_CHECKING:
         sdf_version: str | None
         meshes: str
         gazebo: bool
+        partial: bool
 
     T = TypeVar("T")
     Say = Callable[[str], None]
@@ -153,6 +154,7 @@ class Program:
         repair_inertia: bool = False,
         sdf_version: str | None = None,
         on_progress: Callable[[float], None] | None = None,
+        partial: bool = False,
     ) -> Build:
         """Compile the file; see `yamaro.build`.
 
@@ -161,20 +163,15 @@ class Program:
             UsageError: a `name:=value` is malformed, or the value of another argument.
         """
         request = self._request(
-            command_line,
-            variables,
-            strict=strict,
-            advice=advice,
-            output=output,
-            meshes=meshes,
-            gazebo=gazebo,
-            records=records,
-        )
+            command_line, variables, strict=strict, advice=advice, output=output, meshes=meshes,
+            gazebo=gazebo, records=records,
+        )  # fmt: skip
         if target is not None:
             from .emission import targets_of
 
             paths = request.paths
             paths = request.paths = paths.whole() if isinstance(paths, RelativePaths) else paths
+            request.is_partial = partial
             request.targets = targets_of(
                 target, paths, has_meshes=meshes != NONE, base=base,
                 repairs_inertia=repair_inertia, sdf_version=sdf_version,

@@ -107,12 +107,14 @@ class Request:
         records: whether places hold which variables were read there; see `RecordedSpan`.
         targets: the output formats asked for; none for URDF or other XML without a word about
             what it cannot hold.
+        is_partial: whether formats that cannot be written are left out, and losses not reported.
     """
 
     __slots__ = (
         "adjustment",
         "has_advice",
         "has_gazebo",
+        "is_partial",
         "packages",
         "paths",
         "places",
@@ -152,6 +154,7 @@ class Request:
         self.has_gazebo = has_gazebo
         self.records = records
         self.targets = targets
+        self.is_partial = False
 
     def wanted_advice(self) -> Callable[[str], bool] | None:
         """Return what decides which codes of advice to report, or None if no advice is wanted."""

@@ -45,6 +45,7 @@ class Build:
         file_name: what its file is called; "" if it was built for no file.
         format: the output format: `urdf` (also for other XML), `sdf`, `mjcf`, `srdf` or `usd`.
         losses: what the format cannot hold as it is, if a format was asked for.
+        refused: why formats that were asked for are not in `outputs`, by their names.
         outputs: the builds of all formats that were asked for together, this one among them.
         finder: finds the files of meshes and textures.
         notes: what the robot has that is not an element of the document, such as sensors.
@@ -68,6 +69,7 @@ class Build:
         "notes",
         "outputs",
         "pieces",
+        "refused",
         "warnings",
     )
 
@@ -118,6 +120,7 @@ class Build:
         self.file_name = ""
         self.losses = losses
         self.outputs: dict[str, Build] = {}
+        self.refused: dict[str, str] = {}
 
     @property
     def meshes(self) -> list[str]:

@@ -276,7 +276,7 @@ def test_a_forged_document_is_found_out(document: str) -> None:
 
 def document(**parts: bytes) -> bytes:
     """Return the answer with a document in an output format, with some of its parts replaced."""
-    names = "name file_name text root robot notes losses has_assets".split()
+    names = "name file_name refusal text root robot notes losses has_assets".split()
     usual = {"name": b"mjcf", "text": FINE.encode(), "has_assets": b"1"} | parts
     packed = [usual.pop(name, b"") for name in names]
     assets = [each for name, data in usual.items() for each in (name.encode(), data)]

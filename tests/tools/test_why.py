@@ -220,6 +220,8 @@ def test_the_answer_names_place_variables_calls_and_urdf(
         "   = length = 0.8, set at robot.yaml:23:26\n"
         "   = in Arm, called at robot.yaml:23:5\n"
         '   = urdf: <joint name="left_arm_joint"> <limit upper="1.6">\n'
+        '   = sdf: <joint name="left_arm_joint"> <axis> <limit> <upper> 1.6\n'
+        '   = mjcf: <body name="left_arm_link"> <joint range="-1 1.6">\n'
     )
 
 
@@ -269,6 +271,9 @@ model:
         "   |                                       ^^^\n"
         "   = mirrored by 'mirror' at robot.yaml:5:3\n"
         '   = urdf: <joint name="right_arm_joint"> <limit lower="-0.7">\n'
+        '   = sdf: <joint name="right_arm_joint"> <axis> <limit> <lower> -0.7\n'
+        "   = mjcf: not written: the link 'left_arm_link' is moved by the joint 'left_arm_joint', "
+        "but has no mass, and no link that is fixed to it has\n"
     )
     assert "mirrored" not in outcome(capsys, "why", "robot.yaml", "left_arm_joint/limit@lower")[1]
     out = outcome(capsys, "why", "robot.yaml", "right_arm_joint@name")[1]
@@ -310,7 +315,11 @@ def test_json_is_the_same_however_far_the_file_is_trusted(
     }
     assert [(each["name"], each["value"]) for each in data["variables"]] == [("length", "0.8")]
     assert [(each["kind"], each["name"]) for each in data["steps"]] == [("called", "Arm")]
-    assert data["formats"] == {"urdf": '<joint name="left_arm_joint"> <limit upper="1.6">'}
+    assert data["formats"] == {
+        "urdf": '<joint name="left_arm_joint"> <limit upper="1.6">',
+        "sdf": '<joint name="left_arm_joint"> <axis> <limit> <upper> 1.6',
+        "mjcf": '<body name="left_arm_link"> <joint range="-1 1.6">',
+    }
     trusted = outcome(capsys, *words[:4], "--trust")[1]
     assert out == trusted
 
@@ -384,3 +393,64 @@ def test_a_faulty_robot_is_reported_as_by_a_build(capsys: pytest.CaptureFixture[
     status, out, err = outcome(capsys, "why", "robot.yaml", "base_link")
     assert (status, out) == (1, "")
     assert "error[undefined-name]" in err
+
+
+# --- what formats make of it ------------------------------------------------------------------
+
+IN_FORMATS = """\
+model:
+- part: {name: base, link: {geometry: sphere, radius: 1, mass: 1}}
+- for i in range(2):
+  - part:
+      name: $(['arm', 'tip'][i])
+      joint:
+        type: continuous
+        parent: $(['base', 'arm'][i])
+        axis: z
+        limit: {effort: 5, velocity: 2}
+        dynamics: {damping: $(i + 0.5)}
+      link: {geometry: sphere, radius: 1, mass: $(i + 1)}
+"""
+
+
+@pytest.mark.parametrize(
+    ("address", "format", "said"),
+    [
+        ("tip_joint/dynamics@damping", "mjcf", '<body name="tip_link"> <joint damping="1.5">'),
+        ("arm_joint/dynamics@damping", "mjcf", '<body name="arm_link"> <joint damping="0.5">'),
+        ("arm_joint/limit@velocity", "mjcf", "lost (velocity limits)"),
+        ("tip_joint/limit@effort", "sdf", '<joint name="tip_joint"> <axis> <limit> <effort> 5'),
+        ("tip_link/inertial/mass@value", "sdf", '<link name="tip_link"> <inertial> <mass> 2'),
+        ("tip_link", "mjcf", '<body name="arm_link"> <body name="tip_link">'),
+        ("arm_link", "sdf", '<model name="robot"> <link name="arm_link">'),
+    ],
+)
+def test_each_format_says_what_it_makes_of_an_address(
+    capsys: pytest.CaptureFixture[str], address: str, format: str, said: str
+) -> None:
+    Path("robot.yaml").write_text(IN_FORMATS, encoding="utf-8")
+    out = outcome(capsys, "why", "robot.yaml", address)[1]
+    assert f"= {format}: {said}\n" in out
+
+
+def test_an_address_can_be_one_in_another_format(capsys: pytest.CaptureFixture[str]) -> None:
+    Path("robot.yaml").write_text(IN_FORMATS, encoding="utf-8")
+    status, out, _ = outcome(
+        capsys, "why", "--to", "mjcf", "robot.yaml", "body:tip_link/joint@damping"
+    )
+    assert status == 0
+    assert out.startswith("body:tip_link/joint@damping = 1.5\n --> robot.yaml:11:29\n")
+    assert '= urdf: <joint name="tip_joint"> <dynamics damping="1.5">\n' in out
+    status, out, _ = outcome(capsys, "why", "--to", "sdf", "robot.yaml", "link:arm_link")
+    assert (status, out.splitlines()[1]) == (0, " --> robot.yaml:12:7")
+
+
+def test_an_address_in_a_format_that_is_not_written_is_wrong_usage(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    text = IN_FORMATS.replace("mass: $(i + 1)", "")
+    Path("robot.yaml").write_text(text, encoding="utf-8")
+    status, _, err = outcome(capsys, "why", "--to", "mjcf", "robot.yaml", "body:tip_link")
+    assert status == 2
+    assert "there is no mjcf of this robot: the link 'arm_link'" in err
+    assert outcome(capsys, "why", "--to", "sdf,mjcf", "robot.yaml", "x")[0] == 2

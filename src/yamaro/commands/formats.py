@@ -21,6 +21,8 @@ if TYPE_CHECKING:
     from ..streams import Streams
     from .arguments import Arguments
 
+SHAPES = ("visual", "collision", "geom", "mesh", "material")
+"""Words in an address that is about shapes."""
 START = 200
 """Characters in which a file that was generated says so."""
 
@@ -31,12 +33,14 @@ def targets_in(arguments: Arguments) -> Targets:
     Raises:
         WrongUsage: a format is unknown, or options do not go together.
     """
-    words = [word for text in arguments.lists["to"] for word in text.split(",")]
+    words = [word for text in arguments.lists.get("to", ()) for word in text.split(",")]
     formats = list(dict.fromkeys(word.strip().lower() for word in words if word.strip()))
     for format in formats:
         if format not in ENDINGS:
             hint = near(format, ENDINGS) or "; choose from " + ", ".join(ENDINGS)
             raise WrongUsage(f"unknown output format {quote(format)}{hint}")
+    if arguments.command == "why":
+        return _for_why(arguments, formats)
     if not formats:
         raise WrongUsage("'--to' needs output formats: " + ", ".join(ENDINGS))
     if "sdf" not in formats and arguments.has("sdf-version"):
@@ -56,6 +60,19 @@ def targets_in(arguments: Arguments) -> Targets:
     elif is_folder(arguments, formats):
         wanted["meshes"] = arguments.options.get("meshes", "copy")
     return wanted
+
+
+def _for_why(arguments: Arguments, formats: list[str]) -> Targets:
+    """Return all formats whose documents show what is made of something.
+
+    Meshes are read only for what is about shapes, since that takes time.
+    """
+    is_about_shapes = any(word in arguments.words[1] for word in SHAPES)
+    return {
+        "target": list(dict.fromkeys(["urdf", "sdf", "mjcf", *formats])),
+        "partial": True,
+        "meshes": "relative" if is_about_shapes else "none",
+    }
 
 
 def is_folder(arguments: Arguments, formats: list[str]) -> bool:

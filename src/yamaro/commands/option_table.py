@@ -169,12 +169,15 @@ OPTIONS = {
             "to",
             "write these output formats: urdf, sdf, mjcf, srdf, usd, separated by commas; several "
             "need a folder: -o FOLDER/",
-            ("build", "check", "watch"),
+            ("build", "check", "watch", "why"),
             value="FORMATS",
             wants="urdf, sdf, mjcf, srdf or usd",
             is_repeatable=True,
             completes="urdf sdf mjcf srdf usd",
-            help_in={"check": "also report what these output formats cannot hold: urdf, sdf, ..."},
+            help_in={
+                "check": "also report what these output formats cannot hold: urdf, sdf, ...",
+                "why": "look ADDRESS up in the document of that output format",
+            },
         ),
         Option(
             "base",

@@ -124,7 +124,7 @@ def targets_of(arguments: Arguments) -> Targets:
     Raises:
         WrongUsage: a format is unknown, or options do not go together.
     """
-    if arguments.has("to"):
+    if arguments.has("to") or arguments.command == "why":
         from .formats import targets_in
 
         return {**targets_in(arguments), "gazebo": arguments.has("gazebo")}

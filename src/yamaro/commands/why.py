@@ -25,11 +25,24 @@ def run(arguments: Arguments, streams: Streams) -> int:
     )
 
 
+def _format_in(arguments: Arguments) -> str:
+    """Return the format whose document the address is looked up in."""
+    formats = arguments.lists.get("to", ["urdf"])
+    if len(formats) > 1 or "," in formats[0]:
+        raise WrongUsage("'yamaro why' looks an address up in one output format")
+    return formats[0].strip().lower()
+
+
 def _answer(build: Build, address: str, arguments: Arguments, streams: Streams) -> str:
     from ..tools.why import UnknownAddress, answer, answer_data, answer_text
+    from ..tools.why_formats import in_formats
 
+    home = _format_in(arguments)
+    if home not in build.outputs:
+        raise WrongUsage(f"there is no {home} of this robot: {build.refused.get(home, '')}")
     try:
-        found = answer(build.root, address)
+        found = answer(build.outputs[home].root, address, format=home)
+        found.formats = in_formats(found, home, build)
     except UnknownAddress as error:
         raise WrongUsage(str(error)) from None
     if arguments.has("json"):

@@ -25,9 +25,20 @@ class Document:
         robot: the tree of the robot as it was run for this format, if it was asked for and is not
             that of the outcome.
         notes: what comes with that tree.
+        refusal: why there is no document, or "".
     """
 
-    __slots__ = ("assets", "file_name", "format", "losses", "notes", "robot", "root", "text")
+    __slots__ = (
+        "assets",
+        "file_name",
+        "format",
+        "losses",
+        "notes",
+        "refusal",
+        "robot",
+        "root",
+        "text",
+    )
 
     def __init__(
         self,
@@ -40,9 +51,11 @@ class Document:
         robot: Element | None = None,
         notes: Sequence[Element] = (),
         file_name: str = "",
+        refusal: str = "",
     ) -> None:
         self.format = format
         self.file_name = file_name
+        self.refusal = refusal
         self.text = text
         self.root = root
         self.losses = losses

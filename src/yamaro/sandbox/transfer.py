@@ -284,6 +284,7 @@ class _Packer:
             [
                 _text(document.format),
                 _text(document.file_name),
+                _text(document.refusal),
                 _text(document.text),
                 self._optional_tree(document.root),
                 self._optional_tree(document.robot),
@@ -417,9 +418,10 @@ class _Unpacker:
         return Fix(_read_text(title), edits, is_safe=bool(is_safe))
 
     def document(self, data: bytes, limits: Limits) -> Document:
-        name, file_name, packed, root, robot, notes, losses, has_assets, *assets = unpack(data)
+        name, file_name, refusal, packed, root, robot, notes, losses, *rest = unpack(data)
+        has_assets, *assets = rest
         text = packed.decode()
-        if name != _USD:
+        if name != _USD and not refusal:
             check_document(text, limits)
         elif len(text) > limits.output:
             raise ValueError("a document is longer than it may be")
@@ -435,6 +437,7 @@ class _Unpacker:
             if _read_numbers(has_assets, 1) != [0]
             else None,
             file_name=_read_inner(file_name) if file_name else "",
+            refusal=_read_text(refusal),
         )
 
     def tree(self, data: bytes) -> Element:

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 GAZEBO_HINT = "--gazebo also writes it for Gazebo"
 
 
-def losses_of(robot: Robot, *, has_gazebo: bool) -> list[Loss]:
+def losses_of(robot: Robot, has_gazebo: bool) -> list[Loss]:
     """Return what is lost of a robot in URDF, except for loops, which lowering refuses.
 
     Args:

@@ -12,7 +12,8 @@ from ..rendering import excerpt_lines, trace_lines
 from ..source import RecordedSpan, Span
 from ..terminal import BOLD, CYAN, painted, shortened
 from ..xml.tree import Element, Text
-from ..xml.values import escaped_attribute, format_value
+from ..xml.values import format_value
+from .why_formats import tags_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -40,6 +41,7 @@ class Answer:
         name_span: where the name is written that the value contains, for names of parts.
         is_derived: whether no text gives the value: it follows from the key at `span`.
         trace: the calls and includes that led there.
+        formats: what each output format makes of it, by the name of the format.
         path: the elements around the element, from a child of the root to the element itself.
     """
 
@@ -47,6 +49,7 @@ class Answer:
         "address",
         "attribute",
         "element",
+        "formats",
         "is_derived",
         "name_span",
         "path",
@@ -62,6 +65,7 @@ class Answer:
         self.element = element
         self.attribute = attribute
         self.path = path
+        self.formats = {"urdf": tags_of(path, attribute)}
         self.trace = _trace_of(path)
         self.span: Span = element.span
         self.value: str | None = None
@@ -104,13 +108,9 @@ class Answer:
         outermost = self.path[1] if len(self.path) > 1 else self.element
         return outermost.span.others if isinstance(outermost.span, RecordedSpan) else ()
 
-    def in_formats(self) -> dict[str, str]:
-        """Return what each output format makes of it, by the name of the format."""
-        return {"urdf": _in_urdf(self.path, self.attribute)}
 
-
-def answer(root: Element, address: str) -> Answer:
-    """Return where what an address names comes from.
+def answer(root: Element, address: str, *, format: str = "urdf") -> Answer:
+    """Return where what an address names comes from, in a document of a format.
 
     Raises:
         UnknownAddress: it leads nowhere.
@@ -118,7 +118,7 @@ def answer(root: Element, address: str) -> Answer:
     if address.startswith("/"):
         path, rest = [root], address if not address.startswith("/@") else address[1:]
     else:
-        path, rest = _named(root, address)
+        path, rest = _named(root, address) if format == "urdf" else _named_deep(root, address)
     steps, at, attribute = rest.partition("@")
     for step in steps.split("/"):
         if step:
@@ -174,6 +174,19 @@ def _named(root: Element, address: str) -> tuple[list[Element], str]:
     return [root, matches[0]], rest[len(name) :]
 
 
+def _named_deep(root: Element, address: str) -> tuple[list[Element], str]:
+    """Return the path to the element, however deep, that an address begins with, and the rest."""
+    paths: dict[int, list[Element]] = {id(root): [root]}
+    pending = [root]
+    for element in pending:
+        for child in element.elements():
+            paths[id(child)] = [*paths[id(element)], child]
+            pending.append(child)
+    whole = root.with_children([each for each in pending if each is not root])
+    found, rest = _named(whole, address)
+    return paths[id(found[-1])], rest
+
+
 def _unknown_name(kind: str, rest: str, among: Sequence[Element]) -> UnknownAddress:
     name = rest.partition("@")[0].partition("/")[0]
     known = [known for element in among if (known := _name_of(element))]
@@ -223,22 +236,6 @@ def _trace_of(path: Sequence[Element]) -> Frame | None:
     return None
 
 
-# --- what formats make of it ------------------------------------------------------------------
-
-
-def _in_urdf(path: Sequence[Element], attribute: str | None) -> str:
-    """Return the tags around an element in URDF, and its own with the attribute asked for."""
-    inner = path[1:] if len(path) > 1 else path
-    tags = []
-    for element in inner:
-        name = "name" if "name" in element.attributes else "reference"
-        shown = attribute if element is path[-1] and attribute is not None else name
-        value = element.attributes.get(shown)
-        text = "" if value is None else f' {shown}="{escaped_attribute(format_value(value))}"'
-        tags.append(f"<{element.name}{text}>")
-    return " ".join(tags)
-
-
 # --- as text and as data ----------------------------------------------------------------------
 
 
@@ -271,7 +268,7 @@ def _remarks(answer: Answer) -> Iterator[tuple[str, str]]:
         yield "", line
     for span in answer.mirrors:
         yield "", f"mirrored by '{span.written()}' at {span.place()}"
-    for name, text in answer.in_formats().items():
+    for name, text in answer.formats.items():
         yield f"{name}: ", text
 
 
@@ -323,7 +320,7 @@ def answer_data(answer: Answer) -> dict[str, object]:
             {"kind": step.kind, "name": step.name, "place": _place(step.span)}
             for step in _steps(answer.trace)
         ],
-        "formats": answer.in_formats(),
+        "formats": answer.formats,
         "attributes": {}
         if answer.attribute is not None
         else {
