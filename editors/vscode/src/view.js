@@ -106,11 +106,14 @@ class RobotView {
     editor.revealRange(new vscode.Range(at, at), vscode.TextEditorRevealType.InCenterIfOutsideViewport);
   }
 
-  /** Tell the views in which line the cursor is. */
-  select(event) {
+  /** Tell the views which part the cursor is in: the last line of it, at or before which it is made. */
+  async select(event) {
     const { document, selection } = event.textEditor;
-    if (document.uri.scheme !== "file") return;
-    const message = { type: "yamaro.line", file: document.uri.fsPath, line: selection.active.line + 1 };
+    if (document.uri.scheme !== "file" || this.panels.size === 0) return;
+    const symbols = await vscode.commands.executeCommand("vscode.executeDocumentSymbolProvider", document.uri);
+    const part = innermost(symbols ?? [], selection.active);
+    if (!part) return;
+    const message = { type: "yamaro.line", file: document.uri.fsPath, line: part.range.end.line + 1 };
     for (const { panel } of this.panels.values()) panel.webview.postMessage(message);
   }
 
@@ -128,6 +131,17 @@ class RobotView {
       this.end(file);
     }
   }
+}
+
+/** Return the innermost part around a position, which is a class among the symbols. */
+function innermost(symbols, position) {
+  let found;
+  for (const symbol of symbols) {
+    if (!symbol.range?.contains(position)) continue;
+    if (symbol.kind === vscode.SymbolKind.Class) found = symbol;
+    found = innermost(symbol.children ?? [], position) ?? found;
+  }
+  return found;
 }
 
 function page(policy, head, body) {
