@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 from tests.tools.lsp.client import Client
+from tests.waiting import wait_for
 
 TREE = {"textDocument": {"documentSymbol": {"hierarchicalDocumentSymbolSupport": True}}}
 ARM = """robot: arm
@@ -208,8 +209,8 @@ def test_an_included_file_is_seen_as_a_part_of_its_program(client, tmp_path):
     )
     leg = "model:\n- part:\n    name: foot\n    link:\n      xyz: 0 0 $(length)\n"
     uri = client.open(tmp_path / "leg.yaml", leg)
-    client.wait_for(lambda: client.published and uri in client.diagnostics)
-    found = client.request("textDocument/definition", client.at(uri, leg, "length", after=1))
+    place = client.at(uri, leg, "length", after=1)
+    found = wait_for(lambda: client.request("textDocument/definition", place))  # it looks around
     assert found[0]["uri"].endswith("main.yaml")
     client.change(uri, 2, [{"text": leg.replace("(length)", "(lenght)")}])
     client.wait_for_codes(uri, ["undefined-name"])
