@@ -55,31 +55,45 @@ class Server:
         self._edited: dict[str, None] = {}  # files whose parse is to be published
         self._due: dict[str, float] = {}  # when a main file is to be built
         self._requests = 0  # that were sent to the editor
+        self._busy = threading.RLock()  # held while this thread works, and while another one forks
 
     def run(self) -> int:
         """Serve until the editor is gone or says so; return the exit status."""
         threading.Thread(target=self._listen, name="listener", daemon=True).start()
+        if hasattr(os, "register_at_fork"):
+            # A jail that is forked in the midst of an import would wait for it for ever.
+            os.register_at_fork(
+                before=self._busy.acquire,
+                after_in_parent=self._busy.release,
+                after_in_child=self._busy.release,
+            )
         gc.disable()  # looking through a long robot takes longer than to answer; see `_tidy`
         while True:
             try:
                 kind, value = self._events.get(timeout=self._patience())
             except queue.Empty:
-                if not self._rest():
-                    return 1
-                continue
+                kind, value = "pause", None
             try:
-                if kind == "message":
-                    status = self._take(value)
-                    if status is not None:
-                        return status
-                elif kind == "broken":
-                    self._send_error(None, PARSE_ERROR, value)
-                elif kind == "end":
-                    return 0 if self._is_shut_down else 1
-                else:
-                    self._take_result(value)
+                with self._busy:
+                    status = self._handle(kind, value)
             except OSError:  # nobody reads
                 return 1
+            if status is not None:
+                return status
+
+    def _handle(self, kind: str, value: Json) -> int | None:
+        """Handle one event; return the exit status if it is the last."""
+        if kind == "message":
+            return self._take(value)
+        if kind == "end":
+            return 0 if self._is_shut_down else 1
+        if kind == "pause":
+            return None if self._rest() else 1
+        if kind == "broken":
+            self._send_error(None, PARSE_ERROR, value)
+        else:
+            self._take_result(value)
+        return None
 
     def _listen(self) -> None:
         while True:
