@@ -208,6 +208,8 @@ def test_an_included_file_is_seen_as_a_part_of_its_program(client, tmp_path):
         "robot: r\nvariables:\n  length/child: 2\nmodel:\n- include: leg.yaml\n"
     )
     leg = "model:\n- part:\n    name: foot\n    link:\n      xyz: 0 0 $(length)\n"
+    main = {"uri": (tmp_path / "main.yaml").as_uri(), "type": 1}
+    client.notify("workspace/didChangeWatchedFiles", {"changes": [main]})  # it is new
     uri = client.open(tmp_path / "leg.yaml", leg)
     place = client.at(uri, leg, "length", after=1)
     found = wait_for(lambda: client.request("textDocument/definition", place))  # it looks around

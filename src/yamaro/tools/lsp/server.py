@@ -366,10 +366,16 @@ class Server:
         self._publish_all()
 
     def _files_changed(self, parameters: Json) -> None:
+        from .texts import may_be_of_robots
         from .uris import path_of
 
+        workspace = self._workspace
         for change in parameters["changes"]:
             path = path_of(change["uri"])
+            text = workspace.text_of(path) if may_be_of_robots(path) else None
+            if text is not None and workspace.note_includes(path, workspace.includes_of(text)):
+                for opened in list(workspace.open):
+                    self._touch(opened, pause=workspace.settings.pause)
             for main, result in self._workspace.results.items():
                 if path in result.files and path not in self._workspace.open:
                     self._due[main] = time.monotonic() + self._workspace.settings.pause
