@@ -61,7 +61,7 @@ class Server:
         """Serve until the editor is gone or says so; return the exit status."""
         threading.Thread(target=self._listen, name="listener", daemon=True).start()
         if hasattr(os, "register_at_fork"):
-            # A jail that is forked in the midst of an import would wait for it for ever.
+            # A jail that is forked in the midst of an import would wait for it without end.
             os.register_at_fork(
                 before=self._busy.acquire,
                 after_in_parent=self._busy.release,
