@@ -244,7 +244,7 @@ def test_what_a_file_says_is_no_command_to_github() -> None:
 def test_junit_has_a_suite_for_each_file() -> None:
     source = "a: x\nb: y\nc: z\n"
     found = [finding(source, "x"), finding(source, "y"), finding(source, "z", code="other-code")]
-    found[2].message = 'a <b> & "c" \x1b[2J'
+    found[2].message = 'a <b> & "c" \\x1b[2J'
     bad = checked(*found, path="")
     good, allowed = checked(path="/good.yaml", is_fine=True), checked(found[0], is_fine=True)
     text = junit_report([bad, good, allowed])
@@ -255,7 +255,7 @@ def test_junit_has_a_suite_for_each_file() -> None:
     assert suites == [("2", "2"), ("1", "0"), ("1", "0")]
     assert root[0][0].get("name") == "some-code"
     assert root[0][0][0].get("message") == "wrong 1 (and 1 more)"
-    assert root[0][1][0].get("message") == 'a <b> & "c" ?[2J'
+    assert root[0][1][0].get("message") == 'a <b> & "c" \\x1b[2J'
 
 
 def test_reports_of_nothing_are_documents() -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from ..inertia import written_moments
 from ..output import APPROXIMATED, LOST, Loss
 from ..sdf_sensors import details_of, times_of, type_of
 from ..tags import Tag, given, row_of
@@ -11,6 +12,7 @@ if TYPE_CHECKING:
     from ...model.link import Inertial, Link
     from ...model.pose import Pose
     from ...model.sensors import Sensor
+    from ..inertia import Principal
 
 POINT_RADIUS = 1e-6
 """The radius, in metres, of the ball whose inertia a point mass gets."""
@@ -40,9 +42,21 @@ def numbers_of(pose: Pose) -> tuple[float, ...]:
     return (*pose.position, *pose.rpy)
 
 
-def inertial_tag(link: Link, inertial: Inertial, losses: list[Loss]) -> Tag:
-    """Return the `<inertial>` of a link with mass."""
-    inertia = inertial.inertia
+def inertial_tag(
+    link: Link, inertial: Inertial, principal: Principal | None, losses: list[Loss]
+) -> Tag:
+    """Return the `<inertial>` of a link with mass.
+
+    Args:
+        link: the link.
+        inertial: its mass and inertia as they are written.
+        principal: the same along the principal axes, as a body can have it.
+        losses: takes what is approximated.
+    """
+    inertia, pose = inertial.inertia, inertial.pose
+    if principal is not None and principal.is_changed:
+        first, second, third = written_moments(principal.moments)
+        inertia, pose = (first, 0.0, 0.0, second, 0.0, third), principal.pose
     if not any(inertia):
         moment = 2 / 5 * inertial.mass * POINT_RADIUS**2
         inertia = (moment, 0.0, 0.0, moment, 0.0, moment)
@@ -58,7 +72,7 @@ def inertial_tag(link: Link, inertial: Inertial, losses: list[Loss]) -> Tag:
         )
     return Tag(
         "inertial",
-        [*pose_tag(inertial.pose), Tag("mass", inertial.mass), _inertia_tag(inertia)],
+        [*pose_tag(pose), Tag("mass", inertial.mass), _inertia_tag(inertia)],
         span=inertial.span,
         trace=link.trace,
     )

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from ...diagnostics import failure
+from ...diagnostics import YamaroError, failure
 from ...model.joint import FIXED, FLOATING
 from ...model.pose import IDENTITY
 from ..bodies import WORLD, Bodies
 from ..foreign_xml import foreign_losses
+from ..inertia import Inertias
 from ..output import APPROXIMATED, LOST, Loss, Output
 from ..raw_xml import RawXmlOf
 from ..section_losses import lost_sections
@@ -47,6 +48,8 @@ class _Model:
         self._bodies = Bodies(robot)
         self._names = Names(robot, has_world=self._bodies.carriers.get(WORLD, "") is None)
         self._losses: list[Loss] = self._names.losses
+        self._inertias = Inertias(robot, is_fixed=wanted.is_fixed, repairs=wanted.repairs_inertia)
+        self._losses += self._inertias.losses
         self._blocks = GazeboBlocks(robot)
         self._losses += foreign_losses(robot, taken=("gazebo",))
         self._raw = RawXmlOf(robot, "sdf")
@@ -72,6 +75,8 @@ class _Model:
                 robot.span,
                 hint="add a link with a mass",
             )
+        if self._inertias.errors:
+            raise YamaroError(self._inertias.errors)
         parts: list[Tag | Element] = []
         for link in robot.links.values():
             if link.name in self._members:
@@ -102,7 +107,8 @@ class _Model:
         name, members = link.name, self._members[link.name]
         inertial = link.inertial
         if inertial is not None and inertial.mass > 0:
-            parts: list[Tag | Element] = [inertial_tag(link, inertial, self._losses)]
+            principal = self._inertias.by_link.get(name)
+            parts: list[Tag | Element] = [inertial_tag(link, inertial, principal, self._losses)]
         else:
             parts = [inertial_of_nothing(link, self._losses)]
         for member in members:

@@ -6,11 +6,12 @@ from typing import TYPE_CHECKING
 
 from pxr import Gf, Usd, UsdGeom, UsdPhysics
 
+from ...diagnostics import YamaroError
 from ...model.kinematics import link_poses
 from ...model.pose import Pose
-from ...model.principal import principal_axes
 from ..bodies import Bodies
 from ..foreign_xml import foreign_losses
+from ..inertia import Inertias
 from ..output import APPROXIMATED, Loss, Output
 from ..section_losses import lost_sections
 from ..tags import Tag
@@ -55,7 +56,8 @@ class _Model:
         self._wanted = wanted
         self._bodies = Bodies(robot)
         self._poses = link_poses(robot)
-        self.losses: list[Loss] = []
+        self._inertias = Inertias(robot, is_fixed=wanted.is_fixed, repairs=wanted.repairs_inertia)
+        self.losses: list[Loss] = list(self._inertias.losses)
         self.tags: list[Tag] = []
         self._names = Names(self.losses)
         self._paths: dict[str, str] = {}
@@ -68,7 +70,9 @@ class _Model:
         self._shapes = ShapeWriter(self.stage, robot, wanted, self._names, self.root)
 
     def fill(self) -> None:
-        """Write everything."""
+        """Write everything; raise YamaroError if no body can have an inertia."""
+        if self._inertias.errors:
+            raise YamaroError(self._inertias.errors)
         robot, bodies = self._robot, self._bodies
         for link in bodies.order:
             if bodies.is_body(link.name):
@@ -115,20 +119,20 @@ class _Model:
             mass.CreateMassAttr(PLACEHOLDER)
             mass.CreateDiagonalInertiaAttr(Gf.Vec3f(moment))
             return
-        moments, axes = self._principal(link, inertial)
+        moments, pose = self._principal(link, inertial)
         mass.CreateMassAttr(inertial.mass)
         mass.CreateCenterOfMassAttr(Gf.Vec3f(*inertial.pose.position))
         mass.CreateDiagonalInertiaAttr(Gf.Vec3f(*moments))
-        mass.CreatePrincipalAxesAttr(Gf.Quatf(quaternion_of(inertial.pose @ axes)))
+        mass.CreatePrincipalAxesAttr(Gf.Quatf(quaternion_of(pose)))
 
     def _principal(self, link: Link, inertial: Inertial) -> tuple[tuple[float, float, float], Pose]:
-        """Return the principal moments, and T_inertial_axes."""
+        """Return the principal moments, and T_link_axes."""
         if not any(inertial.inertia):
             self._lose(APPROXIMATED, "point masses", link, "balls with a radius of 1 µm")
             moment = 2 / 5 * inertial.mass * POINT_RADIUS**2
-            return (moment, moment, moment), Pose()
-        moments, rotation = principal_axes(inertial.matrix())
-        return moments, Pose(rotation)
+            return (moment, moment, moment), inertial.pose
+        principal = self._inertias.by_link[link.name]
+        return principal.moments, principal.pose
 
     def _lose(self, kind: str, what: str, link: Link, how: str = "") -> None:
         owner = f"'{link.name}'"
