@@ -20,6 +20,10 @@ from typing import Any
 
 import numpy as np
 
+import yamaro.fixes
+import yamaro.runtime.origins
+import yamaro.terminal
+import yamaro.units  # noqa: F401 - with those above, what the first message would import
 from yamaro.diagnostics import Frame, YamaroError
 from yamaro.namespace import Namespace
 from yamaro.runtime.expressions import Evaluator

@@ -261,6 +261,7 @@ model:
           parent: base
           axis: 0 0 1
           limit: {lower: -0.1, upper: 0.7, effort: 1, velocity: 1}
+        link: {geometry: sphere, radius: 0.1, mass: 1}
 """)
     out = outcome(capsys, "why", "robot.yaml", "right_arm_joint/limit@lower")[1]
     assert out == (
@@ -272,8 +273,7 @@ model:
         "   = mirrored by 'mirror' at robot.yaml:5:3\n"
         '   = urdf: <joint name="right_arm_joint"> <limit lower="-0.7">\n'
         '   = sdf: <joint name="right_arm_joint"> <axis> <limit> <lower> -0.7\n'
-        "   = mjcf: not written: the link 'left_arm_link' is moved by the joint 'left_arm_joint', "
-        "but has no mass, and no link that is fixed to it has\n"
+        '   = mjcf: <body name="right_arm_link"> <joint range="-0.7 0.1">\n'
     )
     assert "mirrored" not in outcome(capsys, "why", "robot.yaml", "left_arm_joint/limit@lower")[1]
     out = outcome(capsys, "why", "robot.yaml", "right_arm_joint@name")[1]

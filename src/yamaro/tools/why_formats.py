@@ -20,6 +20,8 @@ if TYPE_CHECKING:
     Path = list[Element]
     Found = list[tuple[Path, str | None]]
 
+TOGETHER = {"lower": "range", "upper": "range"}
+"""Attributes that a format writes in one."""
 MOST = 3
 """How many places in an output are named."""
 SHAPES = ("visual", "collision", "geom")
@@ -130,11 +132,16 @@ def _found(answer: Answer, root: Element) -> Found:
         exact = _own([found for path in paths for found in _at(path, answer.span.key())], owner)
         inside = [found for found in exact if _is_in(found[0], homes)]
         is_of_shape = any(element.name in SHAPES for element in answer.path)
+        if homes:  # a mirrored limit is at the place of the other side's
+            exact = [found for found in exact if _is_of(found[0], owner)]
         exact = inside or ([] if is_of_shape else exact)
     if exact and answer.attribute is not None:
         return exact
     inner: Found = [(path, None) for path in paths if _is_in(path, homes) and _is_of(path, owner)]
-    named: Found = []
+    whole = TOGETHER.get(answer.attribute or "")
+    named: Found = [
+        (path, whole) for path, _ in inner if whole is not None and whole in path[-1].attributes
+    ]
     for word in (answer.attribute, answer.element.name) if answer.attribute is not None else ():
         named = named or [found for found in inner if found[0][-1].name == word]
     return named or exact or _own(_made_of(paths, answer.element), owner) or homes[:1]
