@@ -173,6 +173,24 @@ def test_what_is_written_for_gazebo_is_taken_over(tmp_path: Path) -> None:
     }
 
 
+def test_a_plugin_that_is_a_sensor_has_its_pose(tmp_path: Path) -> None:
+    more = """
+    <gazebo><plugin name="imu" filename="libgazebo_ros_imu.so">
+      <bodyName>body</bodyName><xyzOffset>0.1 0 0.2</xyzOffset><rpyOffset>0 0 0.5</rpyOffset>
+    </plugin></gazebo>
+    """
+    build = sdf_of(URDF.replace("{more}", more), tmp_path, "urdf", sdf_version="1.9")
+    check(build, tmp_path)
+    sensor = model_of(build).find("link[@name='body']/sensor[@type='imu']")
+    assert sensor is not None
+    assert sensor.findtext("pose") == "0.1 0 0.2 0 0 0.5"
+
+
+def test_the_cone_of_a_range_sensor_is_one_ray(tmp_path: Path) -> None:
+    text = ARM.replace("mass: 4,", "mass: 4, sensor/name=near: {type: range, fov: 20deg},")
+    assert told(sdf_of(text, tmp_path)) == {("approximated", "cones of range sensors", "'near'")}
+
+
 def test_a_base_is_free_unless_it_is_told_or_stands_for_the_world(tmp_path: Path) -> None:
     assert model_of(sdf_of(ARM, tmp_path)).find("joint[@name='base_link_world']") is None
     fixed = model_of(sdf_of(ARM, tmp_path, base="fixed"))

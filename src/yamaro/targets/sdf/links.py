@@ -115,7 +115,7 @@ def sensor_tag(sensor: Sensor, *, frame: str | None, collisions: list[str], vers
     return Tag(
         "sensor",
         [
-            *pose_tag(None, frame),
+            *pose_tag(sensor.pose, frame),
             *times_of(sensor),
             *given(("frame_id", named)),
             *details_of(sensor, collisions, has_optical=version != "1.9"),

@@ -5,6 +5,7 @@ from __future__ import annotations
 from ...diagnostics import YamaroError, failure
 from ...model.joint import FIXED, FLOATING
 from ...model.pose import IDENTITY
+from ...model.sensors import Ranger
 from ..bodies import WORLD, Bodies
 from ..foreign_xml import foreign_losses
 from ..inertia import Inertias
@@ -200,6 +201,10 @@ class _Model:
         return found
 
     def _sensor(self, sensor: Sensor, body: str, home: str | None, collisions: list[str]) -> Tag:
+        if isinstance(sensor.details, Ranger) and sensor.details.fov:
+            what, span = "cones of range sensors", sensor.span_of("fov")
+            owner, how = f"'{sensor.name}'", "one ray"
+            self._losses.append(Loss(APPROXIMATED, what, owner, span, trace=sensor.trace, how=how))
         frame = None if home in (None, body) else self._names.links.get(str(home))
         return sensor_tag(sensor, frame=frame, collisions=collisions, version=self._version)
 
