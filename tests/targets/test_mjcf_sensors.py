@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from math import atan2, cos, degrees, hypot, pi, radians, sin, tan
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -137,6 +138,26 @@ def test_each_ray_of_a_lidar_is_where_it_should_be(mjcf: str) -> None:
             found = data.sensor(f"rows_{line}_{ray}").data[0]
             wanted = 4.4 / (cos(radians(around)) * cos(radians(up)))
             assert found == pytest.approx(wanted, abs=1e-9), (ray, line)
+
+
+def test_a_lidar_of_many_rays_has_a_site_for_each(tmp_path: Path) -> None:
+    mujoco = require_module("mujoco")
+    path = tmp_path / "robot.yaml"
+    path.write_text(
+        "robot: many\nbase: fixed\nmodel:\n- part:\n    name: base\n    link: {geometry: sphere, "
+        "radius: 0.1, mass: 1, sensor/name=scan: {type: lidar, xyz: 0 0 1, rpy: 0 0 90deg, "
+        "rays: 512, angle: 90deg, rows: 16, tilt: 30deg, range: 0 30}}\n"
+    )
+    model = mujoco.MjModel.from_xml_string(yamaro.build(path, target="mjcf").xml())
+    assert (model.nsite, model.nsensor) == (512 * 16 + 1, 512 * 16)
+    data = mujoco.MjData(model)
+    mujoco.mj_forward(model, data)
+    for ray, level in ((0, 0), (511, 15), (100, 3)):
+        around = radians(90 - 45 + 90 * ray / 511)
+        up = radians(-15 + 30 * level / 15)
+        found = data.site(f"scan_ray_{level:02}_{ray:03}").xmat.reshape(3, 3)[:, 2]
+        wanted = [cos(around) * cos(up), sin(around) * cos(up), sin(up)]
+        assert found == pytest.approx(wanted, abs=1e-12)
 
 
 def test_left_and_up_are_the_same_for_rays(mjcf: str) -> None:
