@@ -279,7 +279,7 @@ class _Comparison:
         """Compare the inertia of the whole robot about its root."""
         plant, model, data = self.plant, self.model, self.data
         told = {what for what, _ in self.told}
-        if told & {"links without mass", "inertia of links without mass", "floating joints"}:
+        if told & {"links without mass", "inertias of links without mass", "floating joints"}:
             return ""
         frame = plant.world_frame() if base is None else plant.GetFrameByName(self.root)
         found = plant.CalcSpatialInertia(

@@ -195,11 +195,11 @@ OPTIONS = {
         ),
         Option(
             "sdf-version",
-            "version of SDF: 1.11 (the default) or 1.9",
+            "version of SDF: 1.11 (the default), 1.9 or 1.12",
             ("build", "check", "watch"),
             value="VERSION",
-            wants="1.11 or 1.9",
-            choices=("1.11", "1.9"),
+            wants="1.11, 1.9 or 1.12",
+            choices=("1.11", "1.9", "1.12"),
         ),
         Option(
             "gazebo",

@@ -84,9 +84,9 @@ def test_what_usd_cannot_hold_is_reported(tmp_path: Path) -> None:
     found = {(loss.kind, loss.what, loss.owner) for loss in build.losses}
     assert found == {
         ("renamed", "robots", "'my arm'"),
-        ("lost", "limits of velocity", "joint 'rod_joint'"),
-        ("lost", "friction of joints", "joint 'rod_joint'"),
-        ("approximated", "damping of joints", "joint 'rod_joint'"),
+        ("lost", "velocity limits", "joint 'rod_joint'"),
+        ("lost", "friction values of joints", "joint 'rod_joint'"),
+        ("approximated", "damping values of joints", "joint 'rod_joint'"),
         ("lost", "imu sensors", "'imu'"),
         ("lost", "rates, sizes and noise of camera sensors", "'eye'"),
     }

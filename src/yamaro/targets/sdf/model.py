@@ -134,7 +134,7 @@ class _Model:
         if inertial is not None and inertial.mass <= 0 and any(inertial.inertia):
             owner = f"link '{link.name}'"
             self._losses.append(
-                Loss(LOST, "inertia of links without mass", owner, inertial.span, trace=link.trace)
+                Loss(LOST, "inertias of links without mass", owner, inertial.span, trace=link.trace)
             )
 
     def _pose(self, link: Link) -> list[Tag]:

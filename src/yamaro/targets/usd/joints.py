@@ -169,7 +169,7 @@ class JointWriter:
         if damping:
             how = "the damping of their drives"
             dynamics = joint.dynamics or joint
-            self._lose(joint, dynamics, "damping of joints", kind=APPROXIMATED, how=how)
+            self._lose(joint, dynamics, "damping values of joints", kind=APPROXIMATED, how=how)
         drive = UsdPhysics.DriveAPI.Apply(prim.GetPrim(), "linear" if is_linear else "angular")
         drive.CreateTypeAttr("force")
         if effort is not None:
@@ -181,11 +181,11 @@ class JointWriter:
         """Note what USD has no place for."""
         limit, dynamics = joint.limit, joint.dynamics
         if limit is not None and limit.velocity:
-            self._lose(joint, limit, "limits of velocity")
+            self._lose(joint, limit, "velocity limits")
         if limit is not None and any((limit.acceleration, limit.deceleration, limit.jerk)):
             self._lose(joint, limit, "limits of acceleration and jerk")
         if dynamics is not None and dynamics.friction:
-            self._lose(joint, dynamics, "friction of joints")
+            self._lose(joint, dynamics, "friction values of joints")
         if joint.mimic is not None:
             self._lose(joint, joint.mimic, "mimic joints")
         if joint.safety_controller is not None:
