@@ -157,7 +157,10 @@ def test_an_input_is_not_replaced(capsys: pytest.CaptureFixture[str]) -> None:
         (["--to", "sdf,mjcf"], "several output formats need a folder: -o out/"),
         (["--to", "sdf,mjcf", "-o", "a.txt"], "'a.txt' is a file, and several output formats"),
         (["--to", "mjcf", "--sdf-version", "1.9"], "'--sdf-version' needs --to sdf"),
-        (["--to", "sdf", "--sdf-version", "1.7"], "'--sdf-version' takes 1.11 or 1.9, not '1.7'"),
+        (
+            ["--to", "sdf", "--sdf-version", "1.7"],
+            "'--sdf-version' takes 1.11, 1.9 or 1.12, not '1.7'",
+        ),
         (["--base", "free"], "'--base' needs an output format, such as --to sdf"),
         (["--repair-inertia"], "'--repair-inertia' needs an output format, such as --to sdf"),
         (["--to", "sdf", "--base", "loose"], "'--base' takes fixed or free, not 'loose'"),
