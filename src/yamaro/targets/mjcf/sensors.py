@@ -20,7 +20,7 @@ FORWARD = Pose(((0.0, 0.0, -1.0), (-1.0, 0.0, 0.0), (0.0, 1.0, 0.0)))
 """T_sensor_camera: a camera of MuJoCo looks along −z, with y up; one of ours along x, with z up."""
 ALONG_X = "1 0 0"
 MOST_COPIES = 400
-"""Rays that are copies of one: MuJoCo takes 0.5 s for these, 3 s for 1,000 and minutes for 8,000."""
+"""Rays that are copies of one: MuJoCo takes 0.5 s for these, 3 s for 1,000, minutes for 8,000."""
 TOUCH_RADIUS = 1000.0
 """The radius in metres of the sphere in which touches are felt: that of the whole body."""
 IMU_PARTS = {
