@@ -141,11 +141,9 @@ class _Read:
         return self.pin.SE3(rows[:3, :3], rows[:3, 3])
 
     def _local(self, joint: Any, number: int) -> Any:
-        from pxr import Gf
-
         position = joint.GetPrim().GetAttribute(f"physics:localPos{number}").Get()
         rotation = joint.GetPrim().GetAttribute(f"physics:localRot{number}").Get()
-        return self._se3(Gf.Matrix4d(Gf.Rotation(rotation), Gf.Vec3d(position)))
+        return self.pin.SE3(_matrix_of(rotation), np.array(position, dtype=float))
 
     def _add(self, path: str, number: int, placement: Any) -> None:
         """Add a body that is at a placement in a joint of the model, and what is on it."""
@@ -153,7 +151,7 @@ class _Read:
 
         pin, prim = self.pin, self.stage.GetPrimAtPath(path)
         mass = UsdPhysics.MassAPI(prim)
-        axes = np.array(self._se3_of(mass.GetPrincipalAxesAttr().Get()))
+        axes = _matrix_of(mass.GetPrincipalAxesAttr().Get())
         inertia = axes @ np.diag(mass.GetDiagonalInertiaAttr().Get()) @ axes.T
         center = np.array(mass.GetCenterOfMassAttr().Get() or (0, 0, 0))
         center = np.where(np.isfinite(center), center, 0.0)
@@ -165,11 +163,6 @@ class _Read:
             frame = pin.Frame(each.GetName(), number, at, pin.FrameType.OP_FRAME)
             self.frames.setdefault(each.GetName(), self.model.addFrame(frame))
         self._below(path, number, placement)
-
-    def _se3_of(self, rotation: Any) -> Matrix:
-        from pxr import Gf
-
-        return np.array(Gf.Matrix3d(Gf.Rotation(rotation or Gf.Quatf(1)))).T
 
     def _below(self, path: str, number: int, placement: Any) -> None:
         """Add what hangs on a body."""
@@ -188,3 +181,16 @@ class _Read:
             below = self.model.addJoint(number, kind(axis), at, prim.GetName())
             self._numbers[prim.GetName()] = below
             self._add(child, below, end)
+
+
+def _matrix_of(quaternion: Any) -> Matrix:
+    """Return the rotation of a quaternion of Gf, whose own way through an angle is less exact."""
+    w, (x, y, z) = quaternion.GetReal(), quaternion.GetImaginary()
+    w, x, y, z = np.array([w, x, y, z], dtype=float) / np.sqrt(w * w + x * x + y * y + z * z)
+    return np.array(
+        [
+            [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
+            [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
+            [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
+        ]
+    )

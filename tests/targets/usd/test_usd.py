@@ -113,6 +113,16 @@ def test_a_base_is_fixed_where_that_is_asked(tmp_path: Path) -> None:
     )
 
 
+def test_a_root_without_mass_has_1_g(tmp_path: Path) -> None:
+    text = ARM.replace(", mass: 4, visual: {color: 1 0 0 0.5}, collision: null", ", visual: null")
+    stage, build = stage_of(text, tmp_path)
+    mass = stage.GetPrimAtPath("/my_arm/base_link").GetAttribute("physics:mass").Get()
+    assert mass == pytest.approx(1e-3)
+    assert ("approximated", "links without mass") in {
+        (each.kind, each.what) for each in build.losses
+    }
+
+
 @pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.name)
 def test_examples_move_as_in_urdf(path: Path, tmp_path: Path) -> None:
     oracles.require_module("pinocchio")

@@ -12,7 +12,7 @@ from ...model.pose import Pose
 from ..bodies import Bodies
 from ..foreign_xml import foreign_losses
 from ..inertia import Inertias
-from ..output import APPROXIMATED, Loss, Output
+from ..output import APPROXIMATED, LOST, Loss, Output
 from ..section_losses import lost_sections
 from ..tags import Tag
 from .cameras import add_cameras
@@ -28,6 +28,8 @@ if TYPE_CHECKING:
 
 POINT_RADIUS = 1e-6
 """The radius, in metres, of the ball whose inertia a point mass gets."""
+SMALLEST = 1e-9
+"""The least moment of inertia, as part of the greatest: USD takes none of 0."""
 PLACEHOLDER = 1e-3
 """The mass, in kg, of a body without any, since USD takes 0 for a mass that is not given."""
 
@@ -108,6 +110,9 @@ class _Model:
         place(UsdGeom.Xform.Define(self.stage, path), self._bodies.poses[link.name])
         self.tags.append(Tag("Xform", name=path, span=link.span, trace=link.trace))
         self._shapes.add(link, path, Pose())
+        inertial = link.inertial
+        if inertial is not None and any(inertial.inertia):
+            self._lose(LOST, "inertias of links without mass", link)
 
     # --- mass ---
 
@@ -118,6 +123,7 @@ class _Model:
             moment = 2 / 5 * PLACEHOLDER * 0.01**2
             mass.CreateMassAttr(PLACEHOLDER)
             mass.CreateDiagonalInertiaAttr(Gf.Vec3f(moment))
+            mass.CreatePrincipalAxesAttr(Gf.Quatf(1.0))
             return
         moments, pose = self._principal(link, inertial)
         mass.CreateMassAttr(inertial.mass)
@@ -132,7 +138,12 @@ class _Model:
             moment = 2 / 5 * inertial.mass * POINT_RADIUS**2
             return (moment, moment, moment), inertial.pose
         principal = self._inertias.by_link[link.name]
-        return principal.moments, principal.pose
+        first, second, third = moments = principal.moments
+        least = SMALLEST * max(moments)
+        if min(moments) < least:
+            self._lose(APPROXIMATED, "moments of inertia of 0", link, "a billionth of the greatest")
+            moments = (max(first, least), max(second, least), max(third, least))
+        return moments, principal.pose
 
     def _lose(self, kind: str, what: str, link: Link, how: str = "") -> None:
         owner = f"'{link.name}'"

@@ -6,16 +6,16 @@ from typing import TYPE_CHECKING
 
 from pxr import Gf, UsdGeom
 
+from ...model.pose import quaternion_from_rotation
+
 if TYPE_CHECKING:
     from ...model.pose import Pose
 
 
 def quaternion_of(pose: Pose) -> Gf.Quatd:
-    """Return the rotation of a pose."""
-    # Gf multiplies rows by matrices: the transpose of ours.
-    columns = list(zip(*pose.rotation, strict=True))
-    quaternion = Gf.Matrix3d(*(value for column in columns for value in column)).ExtractRotation()
-    return quaternion.GetQuat().GetNormalized()
+    """Return the rotation of a pose; Gf's own way through an angle is exact to 1e-5 only."""
+    w, x, y, z = quaternion_from_rotation(pose.rotation)
+    return Gf.Quatd(w, x, y, z)
 
 
 def place(prim: UsdGeom.Xformable, pose: Pose, scale: tuple[float, ...] | None = None) -> None:
