@@ -47,7 +47,7 @@ class Bodies:
         self.carriers: dict[str, str | None] = {}
         self.poses: dict[str, Pose] = {}
         self.without_mass: list[str] = []
-        self.order = _from_the_roots(robot)
+        self.order = from_the_roots(robot)
         for link in self.order:
             if link.name not in self.carriers:
                 self._place(link)
@@ -104,7 +104,7 @@ class Bodies:
         return []
 
 
-def _from_the_roots(robot: Robot) -> list[Link]:
+def from_the_roots(robot: Robot) -> list[Link]:
     """Return the links, each after the one it is attached to; links in a circle are left out."""
     found = list(robot.roots)
     for link in found:

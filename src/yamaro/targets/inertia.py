@@ -11,6 +11,7 @@ from ..model.joint import FIXED
 from ..model.pose import Pose, multiply
 from ..model.principal import principal_axes
 from ..xml.values import format_number
+from .bodies import from_the_roots
 from .output import APPROXIMATED, Loss
 
 TYPE_CHECKING = False
@@ -128,7 +129,7 @@ class Inertias:
     def _check_moving(self, robot: Robot, *, is_fixed: bool) -> None:
         """Report what moves without mass, with all that is fixed to it."""
         upper: dict[str, str] = {}
-        for link in _from_the_roots(robot):
+        for link in from_the_roots(robot):
             joint = robot.parent_joint(link.name)
             rests = joint is not None and joint.type == FIXED
             upper[link.name] = upper[joint.parent] if joint is not None and rests else link.name
@@ -185,11 +186,3 @@ def written_moments(moments: Vector) -> Vector:
         moment, step = rest * (1 - step), 2 * step
     found[greatest] = float(format_number(moment))
     return (found[0], found[1], found[2])
-
-
-def _from_the_roots(robot: Robot) -> list[Link]:
-    """Return the links, each after the one above it."""
-    found = list(robot.roots)
-    for link in found:
-        found += [robot.links[joint.child] for joint in robot.joints_below(link.name)]
-    return found

@@ -82,6 +82,15 @@ def row_of(numbers: Iterable[float]) -> str:
     )
 
 
+def unused(name: str, used: set[str]) -> str:
+    """Return a name that is not used yet, this one or with a number, and take it."""
+    found, number = name, 2
+    while found in used:
+        found, number = f"{name}_{number}", number + 1
+    used.add(found)
+    return found
+
+
 def given(*pairs: tuple[str, float | str | None]) -> list[Tag]:
     """Return the elements of those that have a value."""
     return [Tag(name, value) for name, value in pairs if value is not None]

@@ -44,11 +44,6 @@ def add_keyframes(writing: Writing, raw: list[Element]) -> None:
         _add(writing, name, state, order, others)
 
 
-def home_positions(writing: Writing) -> dict[str, Position]:
-    """Return the positions of the robot's joints at home, by name."""
-    return _positions(writing, writing.robot.states.get(HOME))
-
-
 def home_poses(writing: Writing) -> dict[str, Pose]:
     """Return T_root_link of every link at home, by name."""
     return link_poses(writing.robot, _given(writing, writing.robot.states.get(HOME)))

@@ -8,7 +8,7 @@ from __future__ import annotations
 from ...xml.tree import Element
 from ...xml.values import format_value
 from ..output import LOST, RENAMED, Loss
-from ..tags import Tag
+from ..tags import Tag, unused
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -97,21 +97,12 @@ class SensorCopier:
         """
         name = format_value(sensor.attributes.get("name"))
         made = sensor.with_children(self._known(sensor, f"sensor '{name}'", trace))
-        new = self._unused(body, name)
+        new = unused(name, self._used.setdefault(body, set()))
         if new != name:
             made.attributes = {**made.attributes, "name": new}
             what, owner = "sensors of one name in one link", f"'{name}'"
             self.losses.append(Loss(RENAMED, what, owner, sensor.span, trace=trace, how=new))
         return _placed(made, frame)
-
-    def _unused(self, body: str, name: str) -> str:
-        """Return a name that no other sensor of a body has."""
-        used = self._used.setdefault(body, set())
-        found, number = name, 2
-        while found in used:
-            found, number = f"{name}_{number}", number + 1
-        used.add(found)
-        return found
 
     def _known(self, element: Element, owner: str, trace: Step | None) -> list[Node]:
         children: list[Node] = []

@@ -31,7 +31,6 @@ if TYPE_CHECKING:
     from ..output import Wanted
 
 MODEL_FRAME = "__model__"
-FORMAT_NAME = "SDFormat"
 
 
 def write(robot: Robot, wanted: Wanted) -> Output:

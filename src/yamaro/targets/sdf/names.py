@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from ..bodies import WORLD
 from ..output import RENAMED, Loss
+from ..tags import unused
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -44,11 +45,7 @@ class Names:
 
     def new(self, name: str) -> str:
         """Return a name for what the robot has no name for: this one, if nothing else has it."""
-        found, number = name, 2
-        while found in self._taken:
-            found, number = f"{name}_{number}", number + 1
-        self._taken.add(found)
-        return found
+        return unused(name, self._taken)
 
     def _name(self, what: str, thing: Link | Joint, ending: str, wanted: set[str]) -> str:
         """Return the name of a link or joint, and note it if it is another one."""

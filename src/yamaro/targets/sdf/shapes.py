@@ -6,7 +6,7 @@ from ...model.shapes import Box, Capsule, Cylinder, Mesh, Sphere
 from ...xml.tree import Element
 from ..output import LOST, Loss
 from ..sdf_sensors import surface_of
-from ..tags import Tag, given, row_of
+from ..tags import Tag, given, row_of, unused
 from .links import pose_tag
 
 TYPE_CHECKING = False
@@ -104,17 +104,8 @@ class Shapes:
             content,
             span=shape.span,
             trace=link.trace,
-            name=self._unused(body + "/" + kind, name),
+            name=unused(name, self._used.setdefault(f"{body}/{kind}", set())),
         )
-
-    def _unused(self, scope: str, name: str) -> str:
-        """Return a name that no other shape of its kind has in the body."""
-        used = self._used.setdefault(scope, set())
-        found, number = name, 2
-        while found in used:
-            found, number = f"{name}_{number}", number + 1
-        used.add(found)
-        return found
 
     def _geometry(self, shape: Shape, link: Link) -> Tag:
         if isinstance(shape, Box):

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 
 from ..output import RENAMED, Loss
+from ..tags import unused
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -32,12 +33,7 @@ class Names:
         plain = _OTHER.sub("_", name) or "_"
         if plain[0].isdigit():
             plain = f"_{plain}"
-        used = self._used.setdefault(around, set())
-        found, number = plain, 2
-        while found in used:
-            found, number = f"{plain}_{number}", number + 1
-        used.add(found)
-        return f"{around}/{found}"
+        return f"{around}/{unused(plain, self._used.setdefault(around, set()))}"
 
     def told(self, around: str, name: str, what: str, span: Span, trace: Step | None) -> str:
         """Return the path of a new prim, and note it if its name is another one."""

@@ -18,8 +18,8 @@ if TYPE_CHECKING:
     from .sides import Origin, Origins
 
 NO_FILE = "/dev/null"
-SEVEN, NINE = 7, 9
-"""How many words git gives; nine for a file that was renamed."""
+NINE = 9
+"""How many words git gives for a file that was renamed; seven for others."""
 
 
 class Called:

@@ -5,13 +5,13 @@ from __future__ import annotations
 import re
 
 from ...source import Span
-from ...yaml.nodes import MappingNode, ScalarNode, SequenceNode
+from ...yaml.nodes import ScalarNode, SequenceNode
 from .cursor import word_of
 from .names import pairs_of_mappings
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Sequence
+    from collections.abc import Sequence
 
     from ...yaml.nodes import YamlNode
 
@@ -189,12 +189,3 @@ def _naming(root: YamlNode | None) -> tuple[str, str]:
                     joint = pattern.text if own.text == "joint" else joint
                     link = pattern.text if own.text == "link" else link
     return joint, link
-
-
-def mappings_in(node: YamlNode) -> Iterator[MappingNode]:
-    """Yield a mapping, or those in a list."""
-    if isinstance(node, MappingNode):
-        yield node
-    for item in node.items if isinstance(node, SequenceNode) else ():
-        if isinstance(item, MappingNode):
-            yield item
