@@ -8,43 +8,52 @@ mass, a limit, a shape or a plugin. Their readers, bench/features/, know the for
 Yamaro. A feature that is missing in the output must lie in an element at which a loss is
 reported; at an element that is reported as lost, a feature must be missing.
 
-Inputs are the URDF files of the corpus, and what xacro makes of its xacro files.
+Inputs are the URDF files of the corpus, and what xacro makes of its xacro files. URDF says nothing
+of what SRDF holds: there, groups, states and pairs of links to keep are added to each robot.
 """
 
 from __future__ import annotations
 
 import argparse
-import csv
 import re
 import sys
 import traceback
 from collections import Counter, defaultdict
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
 
 ROOT = Path(__file__).parents[1]
 sys.path.insert(0, str(ROOT))
 
-from bench.features import mjcf, sdf, urdf  # noqa: E402
-from bench.features.feature import Feature, Key, rounded  # noqa: E402
+from bench.features import mjcf, sdf, srdf, urdf  # noqa: E402
+from bench.features.feature import Feature, Key, nearest  # noqa: E402
+from bench.verdicts import robots  # noqa: E402
 
 import yamaro  # noqa: E402 - after the path
 from yamaro.result import Build  # noqa: E402
 
 NAMELESS = frozenset(
-    ("gazebo", "in shape", "in sensor", "visual", "collision", "color", "texture", "plugin")
+    (
+        *("gazebo", "in shape", "in sensor", "visual", "collision", "shape name", "color"),
+        *("texture", "plugin"),
+    )
 )
 """Features that do not say whose they are: one that is missing may be any of them."""
-READERS = {"sdf": sdf.read, "mjcf": mjcf.read}
-MESHES = {"sdf": "keep", "mjcf": "none"}
-"""MuJoCo's format needs the files of meshes, which the corpus does not have."""
+COUNTED = frozenset(("visual", "collision", "mimic"))
+"""Features that an output has no more of than the input."""
 
 
-def robots(corpus: Path) -> Iterator[Path]:
-    """Yield the URDF files of the corpus."""
-    with (corpus / "urdf.tsv").open(encoding="utf-8", newline="") as file:
-        yield from (corpus / "src" / row["path"] for row in csv.DictReader(file, delimiter="\t"))
-    yield from sorted((corpus / "expected").rglob("*.urdf"))
+def _read_usd(text: str, own: Mapping[str, str]) -> Iterator[Key]:
+    from bench.features import usd  # which needs usd-core
+
+    return usd.read(text, own)
+
+
+READERS = {"sdf": sdf.read, "mjcf": mjcf.read, "usd": _read_usd, "srdf": srdf.read}
+MESHES = {"sdf": "keep", "mjcf": "none", "usd": "none", "srdf": "none"}
+"""Formats other than SDF need the files of meshes, which the corpus does not have."""
+TOLERANCES = {"sdf": 1e-9, "mjcf": 1e-9, "usd": 1e-6, "srdf": 1e-9}
+"""How far numbers may be off, as part of them: USD has single precision."""
 
 
 class Verdict:
@@ -53,6 +62,7 @@ class Verdict:
     Attributes:
         silent: features that are missing and not reported.
         invented: losses where nothing is missing, as texts.
+        added: features that are in the output and not in the input.
         told: how many features are missing and reported.
         kept: how many features are in the output.
     """
@@ -60,22 +70,27 @@ class Verdict:
     def __init__(self) -> None:
         self.silent: list[Feature] = []
         self.invented: list[str] = []
+        self.added: list[str] = []
         self.told = 0
         self.kept = 0
 
 
-def compare(text: str, build: Build, format: str, *, has_meshes: bool) -> Verdict:
+def compare(features: Iterable[Feature], build: Build, format: str) -> Verdict:
     """Return what is missing in an output, and what is reported."""
-    features = urdf.read(text, has_meshes=has_meshes)
     names = {
-        loss.owner.rpartition(" ")[2].strip("'"): loss.how
+        new: re.sub(r".*?'(.*?)'($| of link .*)", r"\1", loss.owner)
         for loss in build.losses
         if loss.kind == "renamed"
+        for new in (loss.how, *loss.how.split(", "))  # a joint of several numbers is several
     }
-    found: Counter[Key] = Counter(map(rounded, READERS[format](build.xml(), names)))
     groups: dict[Key, list[Feature]] = defaultdict(list)
     for feature in features:
-        groups[rounded(feature.key)].append(feature)
+        groups[feature.key].append(feature)
+    read = READERS[format](build.xml(), names)
+    found: Counter[Key] = Counter(nearest(read, groups, TOLERANCES[format]))
+    for key in groups:  # in SRDF, a pair is kept by saying nothing of it
+        if key[0] == "kept":
+            found[key] = 1 - found[("disabled", *key[1:])]
     places = {loss.span.start for loss in build.losses}
     verdict = Verdict()
     missing_at: set[int] = set()
@@ -91,23 +106,40 @@ def compare(text: str, build: Build, format: str, *, has_meshes: bool) -> Verdic
             missing_at.update(place for each in reported for place in each.places)
         if key[0] in NAMELESS:
             missing_at.update(place for each in group for place in each.places)
-            rest = [each for each in group if places.isdisjoint(each.places)]
-            verdict.silent += rest[: max(0, missing - len(reported))]
+        rest = [each for each in group if places.isdisjoint(each.places)]
+        verdict.silent += rest[: max(0, missing - len(reported))]
+    for key, count in found.items():
+        if key[0] in COUNTED and count > len(groups[key]):
+            verdict.added.append(" ".join(map(str, key)))
     for loss in build.losses:
         if loss.kind == "lost" and loss.span.start not in missing_at:
             verdict.invented.append(f"{loss.what}: {loss.owner} at {loss.span.place()}")
     return verdict
 
 
-def built(path: Path, format: str) -> Build | str:
-    """Return a robot in a format, or why it is not written."""
+def built(path: Path, format: str) -> tuple[Build | str, list[Feature]]:
+    """Return a robot in a format, or why it is not written, and its features."""
+    text = text_of(path)
+    given = None
+    if format == "srdf":
+        planted = srdf.Planted(path, text)
+        features, path = planted.features, path.with_suffix(".yaml")
+        given = planted.text
+    else:
+        features = urdf.read(text, has_meshes=MESHES[format] != "none")
     try:
-        return yamaro.build(
-            path, target=format, meshes=MESHES[format], on_message=lambda line: None
+        build = yamaro.build(
+            path, target=format, meshes=MESHES[format], on_message=lambda line: None, text=given
         )
     except yamaro.YamaroError as error:
         first = next(each for each in error.diagnostics if each.severity == "error")
-        return first.code
+        return first.code, []
+    return build, features
+
+
+def text_of(path: Path) -> str:
+    """Return the text of a URDF."""
+    return path.read_bytes().decode().removeprefix("\ufeff")
 
 
 def main() -> int:
@@ -132,7 +164,7 @@ def main() -> int:
 
 
 NAMES = (
-    "robots", "features kept", "told", "silent", "invented", "robots that are honest",
+    "robots", "features kept", "told", "silent", "invented", "added", "robots that are honest",
     "faults of ours",
 )  # fmt: skip
 
@@ -144,15 +176,14 @@ def judge(
     counts["robots"] += 1
     name = f"{format}: {path.relative_to(corpus)}"
     try:
-        build = built(path, format)
+        if urdf.is_xacro(text_of(path)):
+            counts["robots"] -= 1
+            return False
+        build, features = built(path, format)
         if isinstance(build, str):
             refused[build] += 1
             return False
-        text = path.read_bytes().decode().removeprefix("\ufeff")
-        if urdf.is_xacro(text):
-            counts["robots"] -= 1
-            return False
-        verdict = compare(text, build, format, has_meshes=MESHES[format] != "none")
+        verdict = compare(features, build, format)
     except Exception:
         counts["faults of ours"] += 1
         print(f"{name}: {traceback.format_exc(limit=-3)}")
@@ -161,11 +192,14 @@ def judge(
     counts["told"] += verdict.told
     counts["silent"] += len(verdict.silent)
     counts["invented"] += len(verdict.invented)
+    counts["added"] += len(verdict.added)
     for feature in verdict.silent[:show]:
         print(f"{name}: SILENT {feature}")
     for invented in verdict.invented[:show]:
         print(f"{name}: INVENTED {invented}")
-    is_honest = not (verdict.silent or verdict.invented)
+    for added in verdict.added[:show]:
+        print(f"{name}: ADDED {added}")
+    is_honest = not (verdict.silent or verdict.invented or verdict.added)
     counts["robots that are honest"] += is_honest
     return not is_honest
 

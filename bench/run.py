@@ -17,7 +17,20 @@ from pathlib import Path
 from measuring import HEADER
 
 FOLDER = Path(__file__).parent
-SCRIPTS = ("start", "legs", "linear", "flat", "sweep", "safety", "view", "model", "faults", "lsp")
+SCRIPTS = (
+    "start",
+    "legs",
+    "linear",
+    "flat",
+    "sweep",
+    "sweeps",
+    "kept",
+    "safety",
+    "view",
+    "model",
+    "faults",
+    "lsp",
+)
 
 
 def machine() -> str:

@@ -66,6 +66,7 @@ def _no_outside_influence(monkeypatch: pytest.MonkeyPatch) -> None:
     for name in _OUTSIDE_INFLUENCES:
         if name in os.environ:
             monkeypatch.delenv(name)
+    monkeypatch.setenv("YAMARO_CACHE", "off")
 
 
 @pytest.fixture

@@ -11,7 +11,8 @@ import sys
 from collections.abc import Iterator
 from pathlib import Path
 
-SOURCE = Path(__file__).parents[1] / "src" / "yamaro"
+ROOT = Path(__file__).parents[1]
+SOURCES = (ROOT / "src" / "yamaro", ROOT / "ros" / "yamaro_ros")
 MOST_OF_MODULE = 500
 MOST_OF_FUNCTION = 40
 
@@ -40,13 +41,14 @@ def lines_of(function: ast.FunctionDef | ast.AsyncFunctionDef) -> int:
 
 
 def faults() -> list[str]:
-    """Return what is too long in the package."""
+    """Return what is too long in the packages."""
     most = f"a module may have {MOST_OF_MODULE}, a function {MOST_OF_FUNCTION}"
     found: list[str] = []
-    for path in sorted(SOURCE.rglob("*.py")):
-        name = path.relative_to(SOURCE).as_posix()
-        for long, lines in too_long(path.read_text(encoding="utf-8"), name):
-            found.append(f"{long} has {lines} lines; {most}")
+    for source in SOURCES:
+        for path in sorted(source.rglob("*.py")):
+            name = path.relative_to(source).as_posix()
+            for long, lines in too_long(path.read_text(encoding="utf-8"), name):
+                found.append(f"{long} has {lines} lines; {most}")
     return found
 
 

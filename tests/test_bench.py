@@ -13,8 +13,8 @@ from tests.waiting import PATIENCE
 
 BENCH = Path(__file__).parents[1] / "bench"
 OTHERS = {
-    *("attached", "losses", "measuring", "mirrored", "mjcf"),
-    *("others", "reading", "robots", "run", "sdf", "usd"),
+    *("attached", "changes", "engines", "losses", "measuring", "mirrored", "mjcf"),
+    *("killed", "others", "reading", "robots", "run", "sdf", "style", "urdf", "usd", "verdicts"),
 }
 """What measures nothing by itself, and what needs a corpus that is not part of the project."""
 SCRIPTS = sorted({path.stem for path in BENCH.glob("*.py")} - OTHERS)

@@ -211,6 +211,9 @@ def is_from_a_case(module_name: str) -> bool:
 
 @pytest.mark.parametrize("expected", sorted(CASES.glob("*/*.xml")), ids=case_id)
 def test_expected_output_is_well_formed(expected: Path) -> None:
+    if read_options(expected.with_suffix(".yaml")).get("command") == "why":
+        assert " = " in expected.read_text(encoding="utf-8").partition("\n")[0]
+        return
     assert etree.parse(expected).getroot() is not None
 
 

@@ -21,14 +21,13 @@ from lxml import etree
 
 import yamaro
 from tests.consumers import oracles
+from tests.example_files import EXAMPLES, PROGRAMS
 from yamaro.commands.main import main
 from yamaro.model.compare import compare
 from yamaro.model.robot import Robot
 
-EXAMPLES = Path(__file__).parents[1] / "examples"
 ROBOTS = Path(__file__).parent / "examples"
 """The same robots, written without `mirror`, units and the like."""
-FILES = sorted(path for path in EXAMPLES.rglob("*.yaml") if ".test." not in path.name)
 MIRROR = np.diag([1.0, -1.0, 1.0])
 
 
@@ -111,7 +110,7 @@ def commands(path: Path) -> list[str]:
 
 @pytest.mark.parametrize(
     ("path", "command"),
-    [(path, command) for path in FILES for command in commands(path)],
+    [(path, command) for path in PROGRAMS for command in commands(path)],
     ids=lambda value: example_id(value) if isinstance(value, Path) else value,
 )
 def test_commands_at_the_head_of_a_file_work(
@@ -121,8 +120,8 @@ def test_commands_at_the_head_of_a_file_work(
     monkeypatch: pytest.MonkeyPatch,
     capsys: pytest.CaptureFixture[str],
 ) -> None:
-    shutil.copytree(path.parent, tmp_path / "there")
-    monkeypatch.chdir(tmp_path / "there")
+    shutil.copytree(EXAMPLES, tmp_path / "there")  # some include files of others
+    monkeypatch.chdir(tmp_path / "there" / path.parent.name)
     words = shlex.split(command)[1:]
     assert main(["--strict", *words]) == 0
     assert capsys.readouterr().err == ""
@@ -139,15 +138,15 @@ def repeats_a_key(node: yaml.Node | None) -> bool:
 
 def test_both_forms_are_shown_each_throughout_a_folder() -> None:
     repeating = {
-        path.parent.name for path in FILES if repeats_a_key(yaml.compose(path.read_bytes()))
+        path.parent.name for path in PROGRAMS if repeats_a_key(yaml.compose(path.read_bytes()))
     }
     listing = {
         path.parent.name
-        for path in FILES
+        for path in PROGRAMS
         if re.search(r"^(model|functions):\n(\s*#.*\n)*\s*- ", path.read_text(), re.MULTILINE)
     }
     assert repeating == {"diff_drive", "hexapod", "leg_robot", "pan_tilt"}
-    assert listing == {"arm", "quadruped", "world"}
+    assert listing == {path.parent.name for path in PROGRAMS} - repeating
 
 
 def without_half_turns(xml: str) -> str:
@@ -455,6 +454,150 @@ def test_quadruped_puts_its_feet_where_two_bones_reach() -> None:
     x = -lengths[0] * math.sin(thigh) - lengths[1] * math.sin(thigh + calf)
     z = -lengths[0] * math.cos(thigh) - lengths[1] * math.cos(thigh + calf)
     np.testing.assert_allclose(foot - hip, [x, 0, z], atol=1e-12)
+
+
+# --- drone, hand and humanoid -----------------------------------------------------------------
+
+
+def stand(name: str, folder: Path, state: str = "home") -> tuple[Any, Any]:
+    """Return MuJoCo's model of an example on a floor, and its data two seconds after a state."""
+    mujoco = oracles.require_module("mujoco")
+    path = EXAMPLES / name / f"{name}.yaml"
+    build = yamaro.build(path, target="mjcf", on_message=lambda line: None)
+    for file, content in {**build.assets, f"{name}.xml": build.xml().encode()}.items():
+        (folder / file).write_bytes(content)
+    model = mujoco.MjModel.from_xml_path(str(folder / "scene.xml"))
+    data = mujoco.MjData(model)
+    mujoco.mj_resetDataKeyframe(model, data, model.key(state).id)
+    while data.time < 2:
+        mujoco.mj_step(model, data)
+    return model, data
+
+
+@pytest.mark.parametrize(
+    ("name", "legs"), [("drone", 4), ("humanoid", 2), ("mobile_manipulator", 4)]
+)
+def test_an_example_with_a_free_base_stands_on_its_feet(
+    name: str, legs: int, tmp_path: Path
+) -> None:
+    model, data = stand(name, tmp_path)
+    start = model.key("home").qpos
+    assert np.abs(data.qpos[:3] - start[:3]).max() < 0.02
+    assert np.abs(data.qpos[7:] - start[7:]).max() < 0.04
+    assert data.qpos[3] > 0.999  # cosine of half of the angle by which it leans
+    floor = model.geom("floor").id
+    on_floor = {
+        int(model.geom_bodyid[geom])
+        for contact in data.contact
+        if floor in contact.geom
+        for geom in contact.geom
+        if geom != floor
+    }
+    assert len(on_floor) == legs
+
+
+@pytest.mark.parametrize("rotors", [4, 6, 8])
+def test_drone_has_rotors_around_it_that_turn_in_alternate_directions(rotors: int) -> None:
+    urdf = compile_example("drone", f"rotors:={rotors}", "arm_length:=0.4")
+    root = read(urdf)
+    placed = Placed(urdf)
+    places = np.array([placed.at(f"rotor_{i}_link") for i in range(rotors)])
+    np.testing.assert_allclose(np.hypot(places[:, 0], places[:, 1]), 0.4, rtol=1e-12)
+    np.testing.assert_allclose(places[:, :2].sum(axis=0), 0, atol=1e-12)
+    turns = [each.text for each in root.iter("turningDirection")]
+    assert turns == ["ccw", "cw"] * (rotors // 2)
+    lowest = placed.at("foot_0_link")[2]
+    cylinder = root.find("link[@name='foot_0_link']/collision")
+    middle = oracles.floats(cylinder.find("origin").get("xyz"))[2]
+    length = float(cylinder.find("geometry/cylinder").get("length"))
+    assert lowest + middle - length / 2 == pytest.approx(0)  # on the ground
+
+
+def test_hand_closes_its_fingers_until_the_tips_meet() -> None:
+    urdf = compile_example("hand")
+    root = read(urdf)
+    assert len(list(root.iter("mimic"))) == 6
+    fingers = ("thumb", "index", "ring")
+
+    def gap(motor: float) -> float:
+        follow = {"proximal": motor, "middle": 0.8 * motor, "distal": 0.5 * motor}
+        offsets = {"proximal": 0.0, "middle": math.pi / 6, "distal": math.radians(25)}
+        positions = {
+            f"{finger}_{name}_joint": angle + offsets[name]
+            for finger in fingers
+            for name, angle in follow.items()
+        }
+        placed = Placed(urdf, **positions)
+        tips = [placed.at(f"{finger}_tip_link") for finger in fingers]
+        return min(float(np.linalg.norm(tips[i] - tips[i - 1])) for i in range(3)) - 2 * 0.008
+
+    assert 0 <= gap(0) < 0.002
+    assert gap(math.radians(-40)) > 0.08
+
+
+@pytest.mark.parametrize("state", ["open", "closed"])
+def test_hand_holds_its_states(state: str, tmp_path: Path) -> None:
+    model, data = stand("hand", tmp_path, state)
+    assert np.abs(data.qpos - model.key(state).qpos).max() < 0.01
+
+
+@pytest.mark.parametrize("crouch", [0.0, 0.5, 1.2])
+def test_humanoid_puts_its_soles_on_the_ground_at_home(crouch: float) -> None:
+    path = EXAMPLES / "humanoid" / "humanoid.yaml"
+    build = yamaro.build(path, command_line=[f"crouch:={crouch}", "shin_length:=0.33"])
+    home = build.robot.states["home"].positions
+    placed = Placed(build.xml(), **home)
+    for side, y in (("left", 0.08), ("right", -0.08)):
+        sole = placed.T(f"{side}_sole")
+        np.testing.assert_allclose(sole[:3, 3], [0, y, 0], atol=1e-12)
+        np.testing.assert_allclose(sole[:3, :3], np.eye(3), atol=1e-12)
+    # Between the heels, 75 mm behind the ankles, and the tips of the toes.
+    assert -0.075 < placed.centre_of_mass()[0] < 0.135
+
+
+def test_humanoid_has_groups_and_states_for_both_sides() -> None:
+    path = EXAMPLES / "humanoid" / "humanoid.yaml"
+    robot = yamaro.build(path).robot
+    assert set(robot.groups) == {"left_leg", "left_arm", "right_leg", "right_arm", "body"}
+    home = robot.states["home"].positions
+    assert home["left_shoulder_roll_joint"] == -home["right_shoulder_roll_joint"] != 0
+    assert home["left_shin_joint"] == home["right_shin_joint"] != 0
+
+
+# --- dual_arm_cell and mobile_manipulator -----------------------------------------------------
+
+
+def test_the_arms_of_the_cell_are_those_of_the_other_example() -> None:
+    urdf = compile_example("dual_arm_cell", "spacing:=1.0")
+    placed = Placed(urdf)
+    alone = Placed(compile_example("arm")).at("tool0")
+    for side, y in (("left", 0.5), ("right", -0.5)):
+        base = placed.at(f"{side}_base_link")
+        np.testing.assert_allclose(base, [-0.32, y, 0.74], atol=1e-12)
+        np.testing.assert_allclose(placed.at(f"{side}_tool0"), base + alone, atol=1e-12)
+    names = [each.get("name") for each in read(urdf).findall("ros2_control")]
+    assert names == ["left_arm", "right_arm"]
+
+
+def test_the_cell_holds_its_home(tmp_path: Path) -> None:
+    model, data = stand("dual_arm_cell", tmp_path)
+    assert model.nu == 14
+    assert np.abs(data.qpos - model.key("home").qpos).max() < 0.02
+
+
+def test_mobile_manipulator_does_not_tip_over_with_its_arm_stretched_out() -> None:
+    urdf = compile_example("mobile_manipulator")
+    placed = Placed(urdf)  # with all joints at 0 the arm points forward
+    front, rear = placed.at("front_left_wheel_link"), placed.at("rear_right_wheel_link")
+    assert front[2] == rear[2] == pytest.approx(0.11)
+    x, y, _ = placed.centre_of_mass()
+    assert rear[0] < x < front[0]
+    assert rear[1] < y < front[1]
+    (wheels,) = [
+        each for each in read(urdf).findall("ros2_control") if each.get("name") == "wheels"
+    ]
+    assert {each.get("name") for each in wheels.iterfind("joint/command_interface")} == {"velocity"}
+    assert len(wheels.findall("joint")) == 4
 
 
 # --- world ------------------------------------------------------------------------------------

@@ -11,8 +11,8 @@ import pytest
 from tests.test_cases import case_id, find_cases, read_options
 from yamaro.api import build
 from yamaro.arguments import UsageError
-from yamaro.diagnostics import Diagnostic, YamaroError
-from yamaro.fixes import Edit, Fix, replacement, respelling
+from yamaro.diagnostics import Diagnostic, YamaroError, did_you_mean
+from yamaro.fixes import Edit, Fix, renumbering, replacement, respelling
 from yamaro.policy import Policy
 from yamaro.source import Source, Span
 
@@ -107,6 +107,30 @@ def test_a_word_is_respelled_in_its_place(written: str, word: str, near: str, re
 )
 def test_what_is_not_written_is_not_respelled(written: str, word: str, near: str) -> None:
     assert respelling(span_of(f"x: {written}", written), word, near) is None
+
+
+def test_a_hint_at_a_near_word_brings_its_fix() -> None:
+    span = span_of("a: raduis", "raduis")
+    hint = did_you_mean("raduis", ["radius", "length"])
+    assert Diagnostic("x", "", span, hint=hint).fix is None  # the text is that of no file
+    span.source.path = "/t.yaml"
+    fix = Diagnostic("x", "", span, hint=hint).fix
+    assert fix is not None and not fix.is_safe
+    assert applied(span.source.text, fix.edits) == "a: radius"
+    assert did_you_mean("raduis", ["mass"]) is None
+
+
+@pytest.mark.parametrize(
+    ("written", "result"),
+    [("3 4 0", "0.6 0.8 0"), ("'3 4 0'", "'0.6 0.8 0'"), ("3 $(y) 0", None), ("''", None)],
+)
+def test_numbers_that_are_written_are_replaced(written: str, result: str | None) -> None:
+    fix = renumbering(span_of(f"x: {written} y", written), "0.6 0.8 0")
+    if result is None:
+        assert fix is None
+    else:
+        assert fix is not None
+        assert applied(f"x: {written} y", fix.edits) == f"x: {result} y"
 
 
 def test_a_fix_shows_itself() -> None:

@@ -10,6 +10,8 @@ import pytest
 REPOSITORY = Path(__file__).parents[1]
 DOCUMENTS = sorted([*REPOSITORY.glob("*.md"), *(REPOSITORY / "docs").rglob("*.md")])
 
+LARGEST_PICTURE = 150_000
+
 LINK = re.compile(r"\]\(([^)\s]+)\)")
 HEADING = re.compile(r"^#{1,6} +(.+?) *$", re.MULTILINE)
 FENCED = re.compile(r"^( *)(`{3,}|~{3,}).*?^ *\2`*$", re.MULTILINE | re.DOTALL)
@@ -48,6 +50,14 @@ def broken_links(path: Path) -> list[str]:
 )
 def test_links_lead_somewhere(path: Path) -> None:
     assert broken_links(path) == []
+
+
+def test_the_pictures_are_small_and_each_is_in_a_document() -> None:
+    texts = map(prose, [*DOCUMENTS, REPOSITORY / "examples" / "README.md"])
+    shown = {name for text in texts for name in re.findall(r"[\w-]+\.png\b", text)}
+    pictures = [*(REPOSITORY / "docs").rglob("*.png")]
+    assert sorted({path.name for path in pictures} - shown) == []
+    assert [path.name for path in pictures if path.stat().st_size > LARGEST_PICTURE] == []
 
 
 def test_broken_links_are_found(tmp_path: Path) -> None:

@@ -365,7 +365,14 @@ def test_a_jail_that_cannot_be_set_up_is_no_bar_to_safe_mode(
 
 @needs_jail
 @pytest.mark.parametrize(
-    "answer", [b"", b"\0" * 7, jail.pack([b""] * 8), jail.pack([b"x"] * 8), jail.pack([b""] * 3)]
+    "answer",
+    [
+        b"",
+        b"\0" * 7,
+        jail.pack([b"", b"\0" * 7]),
+        jail.pack([b"x", b""]),
+        *(jail.pack([b"", jail.pack(parts)]) for parts in ([b""] * 8, [b"x"] * 8, [b""] * 3)),
+    ],
 )
 def test_an_answer_that_is_none_is_an_error(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, answer: bytes

@@ -18,7 +18,7 @@ const options = { absWorkingDir: here, bundle: true, minify: true, legalComments
 // A bundle tells what it was made from: a test without Node.js sees when it is out of date.
 const sources = [
   ...readdirSync(join(here, "src")).map((name) => `src/${name}`),
-  ...["build.mjs", "icon.svg", "index.html", "package-lock.json", "view.css"],
+  ...["build.mjs", "colours.css", "icon.svg", "index.html", "package-lock.json", "view.css"],
 ];
 const hash = createHash("sha256");
 for (const name of sources.sort()) hash.update(`${name}\0`).update(readFileSync(join(here, name)));

@@ -14,16 +14,13 @@ from .feature import Key
 KINDS = {"hinge": "revolute", "slide": "prismatic", "free": "floating", "ball": "ball"}
 
 
-def read(text: str, names: Mapping[str, str]) -> Iterator[Key]:
-    """Yield the features of an MJCF, with the names that things have in the robot.
+def read(text: str, own: Mapping[str, str]) -> Iterator[Key]:
+    """Yield the features of an MJCF, with the names in the robot.
 
     Args:
         text: the document.
-        names: what is called differently in it, by the names in the robot.
+        own: the names in the robot of what is called differently in it.
     """
-    own = {new: old for old, new in names.items()}
-    for old, new in names.items():  # a joint of several numbers is several joints
-        own.update(dict.fromkeys(new.split(", "), old))
     root = etree.fromstring(text.encode())
     materials = {each.get("name"): each for each in root.iterfind("asset/material")}
     yield ("link", "world")
@@ -33,12 +30,16 @@ def read(text: str, names: Mapping[str, str]) -> Iterator[Key]:
         yield ("link", own.get(site.get("name", ""), site.get("name", "")))
     for geom in root.iterfind("worldbody//geom"):
         yield from _geom(geom, materials)
+        called = geom.get("name", "")
+        yield ("shape name", own.get(called, called))
     for equality in root.iterfind("equality/joint"):
         offset, factor, *_ = map(float, equality.get("polycoef", "").split())
         yield ("mimic", equality.get("joint1"), equality.get("joint2"), factor, offset)
     for actuator in root.iterfind("actuator/*"):
         yield ("actuated", actuator.get("joint"))
-    yield from _sensors(root)
+        if actuator.get("gear") is not None:
+            yield ("gear", actuator.get("joint"), float(actuator.get("gear")))
+    yield from _sensors(root, own)
 
 
 def _body(body: etree._Element, own: Mapping[str, str]) -> Iterator[Key]:
@@ -62,6 +63,9 @@ def _body(body: etree._Element, own: Mapping[str, str]) -> Iterator[Key]:
 
 def _joint(name: str, found: list[etree._Element]) -> Iterator[Key]:
     joint = found[0]
+    dynamics = [joint.get(each) for each in ("damping", "frictionloss")]
+    if (len(found) > 1 or joint.get("type") == "free") and any(dynamics):
+        yield ("dynamics", name)
     if len(found) > 1:
         yield ("joint", name, "planar" if len(found) == 3 else "floating")
     elif joint.tag == "freejoint":
@@ -110,15 +114,16 @@ IN_SENSORS = {
 """What the elements of MJCF hold of Gazebo's sensors."""
 
 
-def _sensors(root: etree._Element) -> Iterator[Key]:
+def _sensors(root: etree._Element, own: Mapping[str, str]) -> Iterator[Key]:
     for each in (*root.iterfind("sensor/*"), *root.iterfind("worldbody//camera")):
-        name = each.get("name", "")
+        part = each.get("name", "")
         inner = IN_SENSORS.get(each.tag, {"pose"})
-        while name:
+        while part:
+            name = own.get(part, part)
             yield ("sensor", name)
             for key in (*inner, "always_on"):
                 yield ("in sensor", name, key)
                 yield ("in sensor", name, key)  # a lidar has its rays in two directions
             if each.get("noise") is not None:
                 yield ("in sensor", name, "stddev")
-            name = name.rpartition("_")[0]
+            part = part.rpartition("_")[0] if name == part else ""

@@ -9,21 +9,20 @@ from lxml import etree
 from .feature import Key, plain
 
 
-def read(text: str, names: Mapping[str, str]) -> Iterator[Key]:
-    """Yield the features of an SDF, with the names that things have in the robot.
+def read(text: str, own: Mapping[str, str]) -> Iterator[Key]:
+    """Yield the features of an SDF, with the names in the robot.
 
     Args:
         text: the document.
-        names: what is called differently in it, by the names in the robot.
+        own: the names in the robot of what is called differently in it.
     """
-    own = {new: old for old, new in names.items()}
     model = etree.fromstring(text.encode()).find("model")
     assert model is not None
     for each in model:
         name = own.get(each.get("name", ""), each.get("name", ""))
         if each.tag == "link":
             yield ("link", name)
-            yield from _link(each, name)
+            yield from _link(each, name, own)
         elif each.tag == "frame":
             yield ("link", name)
         elif each.tag == "joint":
@@ -35,26 +34,29 @@ def read(text: str, names: Mapping[str, str]) -> Iterator[Key]:
     yield ("link", "world")  # is always there
 
 
-def _link(link: etree._Element, name: str) -> Iterator[Key]:
+def _link(link: etree._Element, name: str, own: Mapping[str, str]) -> Iterator[Key]:
     mass = link.findtext("inertial/mass")
     if mass is not None:
         yield ("mass", name, float(mass))
     for each in link:
         if each.tag in ("visual", "collision"):
             yield from _shape(each)
+            called = each.get("name", "")
+            yield ("shape name", own.get(called, called))
         elif each.tag == "sensor":
-            yield from _sensor(each)
+            yield from _sensor(each, own)
         elif each.tag not in ("inertial", "pose"):
             yield _gazebo(each)
 
 
-def _sensor(sensor: etree._Element) -> Iterator[Key]:
-    yield ("sensor", sensor.get("name"))
+def _sensor(sensor: etree._Element, own: Mapping[str, str]) -> Iterator[Key]:
+    name = own.get(sensor.get("name", ""), sensor.get("name", ""))
+    yield ("sensor", name)
     for inner in sensor.iterdescendants():
         if inner.tag == "plugin":
             yield ("plugin", inner.get("filename", ""))
         elif not any(each.tag == "plugin" for each in inner.iterancestors()):
-            yield ("in sensor", sensor.get("name"), inner.tag)
+            yield ("in sensor", name, inner.tag)
 
 
 def _shape(node: etree._Element) -> Iterator[Key]:
@@ -99,7 +101,7 @@ def _joint(joint: etree._Element, name: str, own: Mapping[str, str]) -> Iterator
     child = joint.findtext("child") or ""
     yield ("fixed", own.get(child, child)) if kind == "fixed" else ("joint", name, kind)
     for each in joint.findall("sensor"):
-        yield from _sensor(each)
+        yield from _sensor(each, own)
     for inner in joint.iterfind("physics//*"):
         yield _gazebo(inner)
     axis = joint.find("axis")

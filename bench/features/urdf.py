@@ -32,7 +32,7 @@ ATTRIBUTES = {
     "mimic": "joint multiplier offset",
     "safety_controller": "soft_lower_limit soft_upper_limit k_position k_velocity",
 }  # fmt: skip
-WHOLE = {"transmission", "ros2_control", "actuated", "plugin"}
+WHOLE = {"transmission", "ros2_control", "actuated", "gear", "plugin"}
 """What is told of by a place somewhere in it."""
 GAZEBO = {
     "mu1": "mu", "selfCollide": "self_collide", "turnGravityOff": "gravity", "maxVel": "max_vel",
@@ -192,11 +192,12 @@ def _features(root: Node, *, has_meshes: bool) -> Iterator[tuple[Key, Node]]:
             yield from _joint(node, massive, every)
         elif node.name == "ros2_control":
             yield ("ros2_control", name), node
-            yield from _actuated(node, actuated)
-        elif node.name == "transmission":
-            yield from _actuated(node, actuated)
         elif node.name not in CHILDREN["robot"]:
             yield ("element", node.name), node
+    for kind in ("ros2_control", "transmission"):  # the first one wins
+        for node in root.children:
+            if node.name == kind:
+                yield from _actuated(node, actuated)
     yield from _gazebo(root, has_meshes=has_meshes)
 
 
@@ -266,6 +267,9 @@ def _shape(node: Node, materials: dict[str, Node]) -> Iterator[tuple[Key, Node]]
     if shape is None:
         return
     yield (node.name, shape.name, *_sizes(shape)), shape
+    has_volume = all(isinstance(each, float) and each > 0 for each in _sizes(shape))
+    if node.get("name") and has_volume:
+        yield ("shape name", node.get("name")), node
     material = node.first("material")
     if node.name != "visual" or material is None:
         return
@@ -301,6 +305,12 @@ def _joint(joint: Node, massive: set[str], links: set[str]) -> Iterator[tuple[Ke
     elif massive.issuperset(ends):
         yield ("fixed", ends[-1]), joint
     limit = joint.first("limit")
+    dynamics = joint.first("dynamics")
+    if kind not in ("revolute", "continuous", "prismatic"):
+        for part, node in (("limit", limit), ("dynamics", dynamics)):
+            if node is not None and any(map(node.number, node.attributes)):
+                yield (part, name), node
+        limit = dynamics = None
     if limit is not None:
         if kind in ("revolute", "prismatic"):
             lower, upper = limit.number("lower") or 0.0, limit.number("upper") or 0.0
@@ -310,9 +320,6 @@ def _joint(joint: Node, massive: set[str], links: set[str]) -> Iterator[tuple[Ke
             value = limit.number(each)
             if value is not None and value < UNLIMITED:
                 yield (each, name, value), limit
-    dynamics = joint.first("dynamics")
-    if dynamics is not None and kind not in ("revolute", "continuous", "prismatic"):
-        yield ("dynamics", name), dynamics
     for each in ("damping", "friction"):
         if dynamics is not None and dynamics.number(each):
             yield (each, name, dynamics.number(each)), dynamics
@@ -346,8 +353,21 @@ def _actuated(node: Node, known: set[str]) -> Iterator[tuple[Key, Node]]:
         if is_driven and name not in known:
             known.add(name)
             yield ("actuated", name), node if node.name == "transmission" else joint
+            yield from _gear(node, name)
     if node.name == "transmission" and len(known) == before:
         yield ("transmission", node.get("name")), node
+
+
+def _gear(transmission: Node, joint: str) -> Iterator[tuple[Key, Node]]:
+    """Yield how often the motor of a simple transmission turns for one turn of its joint."""
+    kind = transmission.first("type")
+    name = transmission.get("type") or (kind.text if kind is not None else "")
+    for place in (*transmission.children, transmission) if "SimpleTransmission" in name else ():
+        node = place.first("mechanicalReduction") or place.first("mechanical_reduction")
+        if node is not None and place.name in ("actuator", "joint", "transmission"):
+            if float(node.text) != 1:
+                yield ("gear", joint, float(node.text)), transmission
+            return
 
 
 def _in_shape(node: Node) -> Iterator[tuple[Key, Node]]:

@@ -7,7 +7,14 @@
                               ("\\$([^)]*)" . font-lock-variable-name-face)
                               ("^[ -]*\\([^:#\n]+\\):" 1 font-lock-keyword-face)))))
 (add-to-list 'auto-mode-alist '("\\.\\(urdf\\|yamaro\\)\\.ya?ml\\'" . yamaro-mode))
-(add-to-list 'magic-mode-alist '("\\(.*\n\\)\\{,50\\}\\(robot\\|model\\)[ \t]*[:/]" . yamaro-mode))
+(defconst yamaro-begin
+  "\\(.*\n\\)\\{,50\\}\\(\\(robot\\|model\\)[ \t]*[:/]\\|functions:.*\n\\(.*\n\\)\\{,20\\}[ -]+[A-Z][A-Za-z0-9_]*[(/:]\\)")
+(defun yamaro-is-robot ()
+  "Whether a YAML file holds a robot, or functions of one; tests of robots are no robots."
+  (let ((name (or (buffer-file-name) "")) (case-fold-search nil))
+    (and (string-match-p "\\.ya?ml\\'" name) (not (string-match-p "\\.test\\.ya?ml\\'" name))
+         (looking-at yamaro-begin))))
+(add-to-list 'magic-mode-alist '(yamaro-is-robot . yamaro-mode))
 (add-to-list 'eglot-server-programs '(yamaro-mode . ("yamaro" "lsp")))
 (add-hook 'yamaro-mode-hook #'eglot-ensure)
 (provide 'yamaro)

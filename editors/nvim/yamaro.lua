@@ -4,9 +4,15 @@ vim.filetype.add({
     ['.*%.urdf%.ya?ml'] = 'yamaro',
     ['.*%.yamaro%.ya?ml'] = 'yamaro',
     ['.*%.ya?ml'] = {
-      function(_, buffer)
+      function(path, buffer)
+        if path:find('%.test%.ya?ml$') then -- for `yamaro test`
+          return nil
+        end
         local lines = vim.api.nvim_buf_get_lines(buffer, 0, 200, false)
-        return vim.fn.match(lines, '^\\(robot\\|model\\)\\s*[:/]') >= 0 and 'yamaro' or nil
+        local text = table.concat(lines, '\n')
+        local is_robot = vim.fn.match(lines, '^\\(robot\\|model\\)\\s*[:/]') >= 0
+        local has_functions = ('\n' .. text):find('\nfunctions:.*\n[ -]+%u[%w_]*[(/:]')
+        return (is_robot or has_functions) and 'yamaro' or nil
       end,
       { priority = 10 },
     },

@@ -17,6 +17,8 @@ if TYPE_CHECKING:
     from .policy import Policy as Policy
     from .program import Program as Program
     from .result import Build as Build
+    from .tools.sweep.api import Sweep as Sweep
+    from .tools.sweep.api import sweep as sweep
     from .yaml.flexidict import FlexiDict as FlexiDict
 
 __version__ = "0.1.0"
@@ -31,12 +33,14 @@ __all__ = [
     "Pose",
     "Program",
     "Robot",
+    "Sweep",
     "UsageError",
     "YamaroError",
     "YamaroWarning",
     "build",
     "convert",
     "load",
+    "sweep",
 ]
 
 # Where each name comes from when it is first asked for: the command imports this package too, and
@@ -52,12 +56,14 @@ _MODULES = {
     "Pose": "model.pose",
     "Program": "program",
     "Robot": "model.robot",
+    "Sweep": "tools.sweep.api",
     "UsageError": "arguments",
     "YamaroError": "diagnostics",
     "YamaroWarning": "diagnostics",
     "build": "api",
     "convert": "api",
     "load": "api",
+    "sweep": "tools.sweep.api",
 }
 
 

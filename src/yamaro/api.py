@@ -62,7 +62,8 @@ def build(
             which the file is called as `Build.file_name` says.
         meshes: how the XML names meshes and textures that are there: "relative", "keep" (as they
             are written), "absolute", "copy" (the files of `Build.assets`, which are not written),
-            "package://NAME", or "none", without shapes that are meshes.
+            "package://NAME", "package://" (in the package that each is in; others by `file://`), or
+            "none", without shapes that are meshes.
         gazebo: also write the sensors and the surfaces of collisions for Gazebo.
         allow: codes of diagnostics that are warnings, also with `strict`.
         deny: codes of diagnostics that are errors.

@@ -1,4 +1,4 @@
-"""The codes of diagnostics whose severity can be chosen, with `--allow` and `--deny`."""
+"""The codes of diagnostics: whose severity can be chosen, and where they are described."""
 
 from __future__ import annotations
 
@@ -9,13 +9,15 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Collection
 
+HOME = "https://pypi.org/project/yamaro/"
+"""Where Yamaro is at home, with links to its documentation."""
 ADJUSTABLE = frozenset(
     """
     ambiguous-parent anchored-expression angle-too-large assumed-limit axis-not-unit bad-color
     bad-inertia bad-mass bad-mesh bad-name bad-size bad-version capsule-needs-urdf-1.1
     comment-entry dollar-in-string duplicate-joint duplicate-link duplicate-material far-center
-    fixed-mimic function-replaced gimbal-rpy hidden-value ignored-limit joint-cycle large-mesh
-    leftover-expression limit-order long-chain massless-moving mimic-cycle
+    fixed-mimic function-replaced gimbal-rpy hidden-package hidden-value ignored-limit joint-cycle
+    large-mesh leftover-expression limit-order long-chain massless-moving mimic-cycle
     mirror-axis mirror-raw misplaced-key misplaced-part missing-attribute missing-element
     missing-extra missing-limit missing-mesh-file misspelt-statement needs-version open-loop
     negative-value no-link no-range not-a-number not-urdf odd-density odd-inertia odd-mass
@@ -51,3 +53,8 @@ def fault_of_codes(allowed: Collection[str], denied: Collection[str]) -> str | N
         if code in denied:
             return f"'{code}' cannot be both allowed and denied"
     return None
+
+
+def help_uri(code: str) -> str:
+    """Return the address at which a diagnostic is described, under the heading of its code."""
+    return f"{HOME}#{code}"

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
     from typing import TypeVar
 
+    from .files.readable import Reach
     from .request import Request, Target
     from .result import Build
     from .sandbox.jail import JailError, JailLimits
@@ -28,6 +29,9 @@ if TYPE_CHECKING:
 
 GRACE = 2.0
 """Seconds that a conversion in a jail has to report that its time is over, before it is ended."""
+
+MOST_WANTED = 100
+"""Packages that a conversion in a jail may want at once."""
 
 MOST_READ = 1 << 30
 """Bytes that reading files may give."""
@@ -68,7 +72,7 @@ def run_confined(
     work: Callable[[Callable[[str], None]], Outcome],
     *,
     policy: Policy,
-    readable: Sequence[str],
+    reach: Reach | None,
     name: str,
     has_root: bool,
     has_document: bool = True,
@@ -78,7 +82,7 @@ def run_confined(
     Args:
         work: does it; it is given a function that takes what is printed.
         policy: the limits.
-        readable: the folders it may read.
+        reach: what it may read; None for nothing.
         name: what its file is called in messages.
         has_root: whether a tree has to come out.
         has_document: whether a document has to come out.
@@ -108,7 +112,7 @@ def run_confined(
         return outcome
 
     try:
-        return run_in_jail(work_in_jail, read, policy=policy, readable=readable, name=name)
+        return run_in_jail(work_in_jail, read, policy=policy, reach=reach, name=name)
     except JailUnavailable as error:
         if policy.mode == JAIL:
             raise no_jail(str(error), name) from None
@@ -128,6 +132,7 @@ def outcome_of_build(build: Build, *, has_root: bool) -> Outcome:
         pieces=() if build.outputs else build.pieces,
         files=build.files,
         meshes=build.meshes,
+        noted=build.noted,
         root=build.robot_tree() if has_root else None,
         notes=[unshared(note) for note in build.notes] if has_root else (),
         documents=[
@@ -185,6 +190,7 @@ def build_of_outcome(outcome: Outcome, request: Request, policy: Policy) -> Buil
         warnings=outcome.diagnostics,
         files=outcome.files,
         notes=outcome.notes,
+        noted=outcome.noted,
     )
 
 
@@ -244,16 +250,19 @@ def run_in_jail(
     read: Callable[[bytes], T],
     *,
     policy: Policy,
-    readable: Sequence[str],
+    reach: Reach | None,
     name: str,
 ) -> T:
     """Return what `read` makes of the bytes that `work` returns in a jail.
+
+    A file may read the folder of a Python package that it names, but what it names is known only
+    when it is run. So if it wants such packages that are there, it is run once more.
 
     Args:
         work: is run in the jail.
         read: checks what came out, which may be a lie; raises JailAnswerBroken.
         policy: the limits.
-        readable: the folders that may be read.
+        reach: what may be read; None for nothing.
         name: what the file is called in messages.
 
     Raises:
@@ -262,19 +271,10 @@ def run_in_jail(
         JailUnavailable: there is no jail; nothing was run.
         JailAbandoned: the policy says that nobody wants the result.
     """
-    from .sandbox.jail import KEPT_VARIABLES, JailError, JailUnavailable, JailWorkFailed, run_jailed
-
-    def work_in_jail() -> bytes:
-        policy.is_confined = True  # in this process, which is a copy
-        return work()
+    from .sandbox.jail import JailError, JailUnavailable, JailWorkFailed
 
     try:
-        data = run_jailed(
-            work_in_jail,
-            readable=readable,
-            limits=_jail_limits(policy),
-            environment=[*KEPT_VARIABLES, *MODEL_PATHS],
-        )
+        data = _data_of_jail(work, policy, reach)
         return run_on_deep_stack(lambda: run_within(_seconds(policy), lambda: read(data)))
     except TimeOver:
         raise time_is_over(name, policy) from None
@@ -286,6 +286,42 @@ def run_in_jail(
         raise _failure_of_jail(error, policy, name) from None
     except JailError as error:
         raise _failure_of_jail(error, policy, name) from None
+
+
+def _data_of_jail(work: Callable[[], bytes], policy: Policy, reach: Reach | None) -> bytes:
+    """Return what `work` returns in a jail, where it can read the packages that it wants."""
+    from .sandbox.jail import KEPT_VARIABLES, pack, run_jailed
+
+    def work_in_jail() -> bytes:
+        policy.is_confined = True  # in this process, which is a copy
+        if reach is None:
+            return pack([b"", work()])
+        reach.is_confined = True
+        data = work()
+        return pack([pack([each.encode() for each in reach.wanted[:MOST_WANTED]]), data])
+
+    while True:
+        answer = run_jailed(
+            work_in_jail,
+            readable=() if reach is None else reach.roots,
+            limits=_jail_limits(policy),
+            environment=[*KEPT_VARIABLES, *MODEL_PATHS],
+        )
+        wanted, data = _wanted_and_data(answer)
+        if reach is None or not reach.has_new(wanted):
+            return data
+
+
+def _wanted_and_data(answer: bytes) -> tuple[list[str], bytes]:
+    """Return the packages that a jailed process wants, and what it answers otherwise."""
+    from .sandbox.jail import JailAnswerBroken, unpack
+
+    try:
+        packed, data = unpack(answer)
+        wanted = [each.decode("ascii") for each in unpack(packed)]
+    except ValueError as error:
+        raise JailAnswerBroken(f"its answer is malformed: {error}") from None
+    return wanted[:MOST_WANTED], data
 
 
 class Reader:

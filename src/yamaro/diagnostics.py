@@ -54,6 +54,27 @@ to the child of the root that it is in; a child of the root itself was not calle
 element can be in many places. Walks give their findings the trace of the place, see `settle`."""
 
 
+class Meant(str):
+    """The hint "did you mean 'x'?"; a diagnostic that has it has the fix that writes it.
+
+    Attributes:
+        word: what is written.
+        near: what is probably meant.
+    """
+
+    __slots__ = ("near", "word")
+
+    near: str
+    word: str
+
+    @classmethod
+    def of(cls, word: str, near: str) -> Meant:
+        """Return the hint that `near` is probably meant by `word`."""
+        hint = cls(f"did you mean '{near}'?")
+        hint.word, hint.near = word, near
+        return hint
+
+
 class Diagnostic:
     """One thing to report about an input."""
 
@@ -81,7 +102,8 @@ class Diagnostic:
             notes: further facts, such as the place of a first definition; one line each.
             severity: ERROR or WARNING.
             trace: the calls and includes that led to the place.
-            fix: the change of the text that the hint describes, if that is known.
+            fix: the change of the text that the hint describes, if that is known. A hint that
+                `did_you_mean` returns brings its own, unless the word is not written at the place.
         """
         self.code = code
         self.message = message
@@ -90,6 +112,10 @@ class Diagnostic:
         self.notes = tuple(notes)
         self.severity = severity
         self.trace = trace
+        if fix is None and type(hint) is Meant and span.source.path:
+            from .fixes import respelling
+
+            fix = respelling(span, hint.word, hint.near)
         self.fix = fix
 
     def copy(self) -> Diagnostic:
@@ -303,7 +329,7 @@ def _matching(one: str, other: str) -> int:
     return 0
 
 
-def did_you_mean(word: str, candidates: Iterable[str]) -> str | None:
+def did_you_mean(word: str, candidates: Iterable[str]) -> Meant | None:
     """Return the hint "did you mean 'x'?", or None when nothing is near."""
     near = suggest(word, candidates)
-    return f"did you mean '{near}'?" if near else None
+    return Meant.of(word, near) if near else None

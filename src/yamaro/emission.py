@@ -11,6 +11,8 @@ import os
 
 from .arguments import UsageError
 from .diagnostics import ERROR, Reporter, YamaroError, did_you_mean
+from .model.reading import read_robot
+from .model.values import NumberReader
 from .phases import add_gazebo, check, evaluate, lower
 from .pipeline import explain, interpreter_for
 from .request import Target
@@ -162,7 +164,17 @@ class _Run:
         reporter, finder = Reporter(), request.paths.finder
         try:
             self.root, self.notes = lower(self.root, interpreter, finder, reporter)
-            self.has_files = check(self.root, finder, reporter, request.wanted_advice())
+            numbers = NumberReader()
+            if self.root.name == "robot":
+                self.robot = read_robot(self.root, notes=self.notes, numbers=numbers)
+            self.has_files = check(
+                self.root,
+                finder,
+                reporter,
+                request.wanted_advice(),
+                robot=self.robot,
+                numbers=numbers,
+            )
             self.diagnostics = reporter.diagnostics
         except YamaroError as error:
             self.is_faulty = True
@@ -176,15 +188,11 @@ class _Run:
 
     def told_robot(self) -> Robot:
         """Return the robot with what the file says of it in words, and not in elements of XML."""
-        from .model.reading import read_robot
-
         return read_robot(self.root, notes=self.notes, recognizes=False)
 
     def robot_of(self) -> Robot:
         """Return the robot; raise YamaroError if the root is not a `<robot>`."""
         if self.robot is None:
-            from .model.reading import read_robot
-
             self.robot = read_robot(self.root, notes=self.notes)
         return self.robot
 
@@ -267,7 +275,7 @@ def _written(run: _Run, target: Target, request: Request) -> Build:
         from .targets.urdf import losses_of
 
         if request.has_gazebo and run.notes:
-            root = add_gazebo(root, run.notes, request.reporter)
+            root = add_gazebo(root, run.notes, request.reporter, reports_losses=False)
         losses = () if robot is None else losses_of(run.told_robot(), request.has_gazebo)
         written = target.paths.applied_to(root) if run.has_files else root
     else:

@@ -9,6 +9,9 @@ if TYPE_CHECKING:
     from .source import Span
 
 
+_OF_NUMBERS = frozenset("0123456789.eE+- ")
+
+
 class Edit:
     """One change of a text: what replaces the characters of a span; an empty span inserts."""
 
@@ -71,6 +74,18 @@ def respelling(span: Span, word: str, near: str | None, *, is_safe: bool = False
         return None
     start = span.start + places[0]
     return replacement(Span(span.source, start, start + len(word)), near, is_safe=is_safe)
+
+
+def renumbering(span: Span, numbers: str) -> Fix | None:
+    """Return the fix that writes other numbers; None if there are no plain numbers in the span."""
+    from .source import Span
+
+    written = span.written()
+    bare = written.strip("'\"")
+    if not bare or not set(bare) <= _OF_NUMBERS:
+        return None
+    start = span.start + written.index(bare)
+    return replacement(Span(span.source, start, start + len(bare)), numbers)
 
 
 def _occurrences(text: str, word: str) -> list[int]:

@@ -74,7 +74,7 @@ def reach_of(path: str, policy: Policy, packages: Mapping[str, str]) -> Reach | 
 
 def finder_for(path: str, reach: Reach | None, given: Mapping[str, str]) -> PackageFinder:
     """Return what finds packages for a main file, also in a jail that only they can be read in."""
-    finder = PackageFinder(given=given)
+    finder = PackageFinder(given=given, reach=reach)
     if reach is not None:
         finder.around(os.path.dirname(os.path.abspath(path)))
     return finder

@@ -96,6 +96,45 @@ def write_files(files: Mapping[str, bytes]) -> None:
         guard.reset()
 
 
+def write_folder(path: str, files: Mapping[str, bytes]) -> None:
+    """Write a new folder with all files in it, so that it is seen whole or not at all.
+
+    Args:
+        path: the folder; those around it are made.
+        files: the contents by the paths in the folder, which have `/`.
+
+    Raises:
+        OSError: with the reason, also if there is something at the path; nothing is left then.
+    """
+    path = os.path.abspath(path)
+    os.makedirs(os.path.dirname(path), exist_ok=True)
+    temporary = _temporary(path)
+    try:
+        for inner, data in files.items():
+            file = os.path.join(temporary, *inner.split("/"))
+            os.makedirs(os.path.dirname(file), exist_ok=True)
+            _write_new(file, [data], file, None)
+        _take_place(temporary, path)
+    except BaseException:
+        from shutil import rmtree
+
+        rmtree(temporary, ignore_errors=True)
+        raise
+
+
+def _take_place(temporary: str, path: str) -> None:
+    """Give a folder its name; raise OSError if there is something, also an empty folder."""
+    os.mkdir(path)  # which `rename` alone would replace
+    try:
+        if os.name == "nt":
+            os.rmdir(path)
+        os.rename(temporary, path)
+    except BaseException:
+        if os.path.isdir(path):
+            os.rmdir(path)
+        raise
+
+
 def is_input(path: str, inputs: Iterable[str]) -> bool:
     """Return whether writing to `path` would overwrite one of the regular files `inputs`."""
     try:

@@ -14,6 +14,8 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Mapping, Sequence
 
     from .files.mesh_files import MeshFinder
+    from .model.robot import Robot
+    from .model.values import NumberReader
     from .request import Request
     from .runtime.interpreter import Interpreter
     from .source import Span
@@ -87,13 +89,26 @@ def _put_together(root: Element) -> Element:
     return settle_materials(root)
 
 
-def add_gazebo(root: Element, notes: Sequence[Element], reporter: Reporter) -> Element:
-    """Return a robot with the elements that Gazebo reads of its sensors and surfaces."""
+def add_gazebo(
+    root: Element, notes: Sequence[Element], reporter: Reporter, *, reports_losses: bool = True
+) -> Element:
+    """Return a robot with the elements that Gazebo reads of its sensors and surfaces.
+
+    Args:
+        root: the robot.
+        notes: what it holds besides URDF.
+        reporter: takes warnings.
+        reports_losses: whether what these elements cannot hold is reported.
+    """
     from .model.reading import read_robot
     from .targets.gazebo import with_gazebo
+    from .targets.losses import diagnostics_of
+    from .targets.shared_losses import cones
 
     # What the robot says to Gazebo in elements of its own is written already.
     robot = read_robot(root, notes=notes, recognizes=False)
+    for diagnostic in diagnostics_of(cones(robot), "urdf") if reports_losses else ():
+        reporter.add(diagnostic)
     return with_gazebo(root, robot, reporter)
 
 
@@ -102,8 +117,14 @@ def check(
     finder: MeshFinder,
     reporter: Reporter,
     wants: Callable[[str], bool] | None,
+    *,
+    robot: Robot | None = None,
+    numbers: NumberReader | None = None,
 ) -> bool:
-    """Check a robot, and report advice with the codes wanted; return whether it refers to files."""
+    """Check a robot, and report advice with the codes wanted; return whether it refers to files.
+
+    `robot` is what was read of the root with `numbers`, if it was.
+    """
     if root.name != "robot":
         if root.span.source.is_xml:
             from .check.robot import check_format
@@ -117,10 +138,16 @@ def check(
         root,
         reporter=reporter,
         resolve_mesh=finder.resolve,
-        places_searched=finder.places_searched,
+        package_fault=finder.package_fault,
         path_meant=finder.path_meant,
         advice=advisor,
+        robot=robot,
+        numbers=numbers,
     )
+    if clashes := finder.package_clashes():
+        from .check.packages import warn_of_clashes
+
+        warn_of_clashes(clashes, root, reporter)
     for diagnostic in advisor.diagnostics if advisor else ():
         if wants is not None and wants(diagnostic.code):
             reporter.add(diagnostic)

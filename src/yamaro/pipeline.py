@@ -57,6 +57,7 @@ def compile_request(
         pieces=document.pieces,
         warnings=reporter.diagnostics,
         files=list(interpreter.files.read),
+        noted=interpreter.noted.readings() if interpreter.noted is not None else (),
     )
 
 
@@ -77,7 +78,7 @@ def interpreter_for(
         say: takes the lines that they print.
         target: the output format that is written.
     """
-    return Interpreter(
+    interpreter = Interpreter(
         _handlers(request),
         library=library,
         reporter=request.reporter,
@@ -87,6 +88,11 @@ def interpreter_for(
         shares=not request.records,
         target=target,
     )
+    if request.records:
+        from .runtime.recording import Noted
+
+        interpreter.noted = Noted(interpreter)
+    return interpreter
 
 
 def explain(errors: Iterable[Diagnostic], interpreter: Interpreter) -> None:

@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from .diagnostics import Diagnostic
     from .files.loader import Loader
     from .files.packages import PackageFinder
+    from .files.readable import Reach
     from .result import Build
     from .sandbox.outcome import Outcome
     from .source import Source
@@ -87,12 +88,18 @@ class Program:
         self._text = text
         self._policy = policy or Policy()
         self._packages = dict(packages or {})
-        self._reach = reach_of(path, self._policy, self._packages)
+        self._reach = self._reach_of(loader)
         self._library = Library(
             loader or FileLoader(self._policy.limits, self._reach), rules_of(self._policy)
         )
         self._source: Source | None = None
         self._in_jail: Program | None = None  # the same file, once safe mode has refused it
+
+    def _reach_of(self, loader: Loader | None) -> Reach | None:
+        """Return what may be read: that of the loader, which packages that are named add to."""
+        if isinstance(loader, FileLoader) and loader.reach and not self._policy.is_trusted:
+            return loader.reach
+        return reach_of(self._path, self._policy, self._packages)
 
     def parse(self) -> None:
         """Read and parse the main file.
@@ -162,6 +169,37 @@ class Program:
             YamaroError: the input has errors; it holds them, and the warnings found before.
             UsageError: a `name:=value` is malformed, or the value of another argument.
         """
+        request = self.request(
+            command_line=command_line, variables=variables, strict=strict, advice=advice,
+            output=output, meshes=meshes, gazebo=gazebo, records=records, target=target, base=base,
+            repair_inertia=repair_inertia, sdf_version=sdf_version, on_progress=on_progress,
+            partial=partial,
+        )  # fmt: skip
+        return self.compile(request, lambda build: build, say=on_message, has_root=has_root)
+
+    def request(
+        self,
+        *,
+        command_line: Sequence[str] = (),
+        variables: Mapping[str, object] | None = None,
+        strict: bool = False,
+        advice: bool = False,
+        output: str | os.PathLike[str] | None = None,
+        meshes: str = RELATIVE,
+        gazebo: bool = False,
+        records: bool = False,
+        target: str | Sequence[str] | None = None,
+        base: str | None = None,
+        repair_inertia: bool = False,
+        sdf_version: str | None = None,
+        on_progress: Callable[[float], None] | None = None,
+        partial: bool = False,
+    ) -> Request:
+        """Return what `build` compiles with these arguments.
+
+        Raises:
+            UsageError: a `name:=value` is malformed, or the value of another argument.
+        """
         request = self._request(
             command_line, variables, strict=strict, advice=advice, output=output, meshes=meshes,
             gazebo=gazebo, records=records,
@@ -177,7 +215,7 @@ class Program:
                 repairs_inertia=repair_inertia, sdf_version=sdf_version,
                 output=None if output is None else os.fspath(output), progress=on_progress,
             )  # fmt: skip
-        return self._compile(request, lambda build: build, say=on_message, has_root=has_root)
+        return request
 
     def xml_and_warnings(
         self, command_line: Sequence[str], variables: Mapping[str, object]
@@ -189,7 +227,7 @@ class Program:
             UsageError: a `name:=value` is malformed.
         """
         request = self._request(command_line, variables)
-        return self._compile(request, lambda build: (build.xml(), build.warnings))
+        return self.compile(request, lambda build: (build.xml(), build.warnings))
 
     def _request(
         self,
@@ -224,7 +262,7 @@ class Program:
             records=records,
         )
 
-    def _compile(
+    def compile(
         self,
         request: Request,
         take: Callable[[Build], T],
@@ -306,8 +344,9 @@ class Program:
                 return work()
             return Reader(self._policy, readable=finder.roots, name=self._path).run(work)
 
+        is_cached = self._policy.is_trusted  # others change nothing on the disk
         if mode == RELATIVE:
-            return RelativePaths(folder, finder, run)
+            return RelativePaths(folder, finder, run, is_cached=is_cached)
         from .targets.mesh_paths import MeshPaths
 
         assets: Assets | None = None
@@ -316,7 +355,7 @@ class Program:
 
             assets = Assets(finder, run)
         try:
-            return MeshPaths(mode, folder, finder, assets, run=run)
+            return MeshPaths(mode, folder, finder, assets, run=run, is_cached=is_cached)
         except ValueError as error:
             raise UsageError(str(error)) from None
 
@@ -410,7 +449,7 @@ class Program:
         return run_confined(
             work_there,
             policy=self._policy,
-            readable=self._reach.roots,
+            reach=self._reach,
             name=source.name,
             has_root=has_root,
             has_document=has_document,

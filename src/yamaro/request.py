@@ -67,23 +67,31 @@ class RelativePaths:
         assets: no copies.
     """
 
-    __slots__ = ("_folder", "_run", "finder")
+    __slots__ = ("_folder", "_is_cached", "_run", "finder")
 
     assets: Assets | None = None
 
     def __init__(
-        self, folder: str, finder: MeshFinder, run: Callable[[Callable[[], bytes]], bytes]
+        self,
+        folder: str,
+        finder: MeshFinder,
+        run: Callable[[Callable[[], bytes]], bytes],
+        *,
+        is_cached: bool,
     ) -> None:
         """Name files for an output in a folder; see `MeshPaths`."""
         self.finder = finder
         self._folder = folder
         self._run = run
+        self._is_cached = is_cached
 
     def whole(self) -> MeshPaths:
         """Return what knows all of it."""
         from .targets.mesh_paths import MeshPaths
 
-        return MeshPaths(RELATIVE, self._folder, self.finder, run=self._run)
+        return MeshPaths(
+            RELATIVE, self._folder, self.finder, run=self._run, is_cached=self._is_cached
+        )
 
     def applied_to(self, root: Element) -> Element:
         """Return a robot with these paths; `root` stays as it is."""

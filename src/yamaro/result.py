@@ -11,6 +11,7 @@ if TYPE_CHECKING:
     from .diagnostics import Diagnostic
     from .model.robot import Robot
     from .request import RelativePaths
+    from .source import Reading
     from .targets.mesh_paths import MeshPaths
     from .targets.output import Loss
     from .xml.tree import Element
@@ -49,6 +50,7 @@ class Build:
         outputs: the builds of all formats that were asked for together, this one among them.
         finder: finds the files of meshes and textures.
         notes: what the robot has that is not an element of the document, such as sensors.
+        noted: if that was asked for, the values of names where they are declared.
         pieces: the document, in pieces.
         warnings: the warnings, in order.
     """
@@ -66,6 +68,7 @@ class Build:
         "finder",
         "format",
         "losses",
+        "noted",
         "notes",
         "outputs",
         "pieces",
@@ -83,6 +86,7 @@ class Build:
         warnings: list[Diagnostic],
         files: list[str],
         notes: Sequence[Element] = (),
+        noted: Sequence[Reading] = (),
         format: str = "urdf",
         document: Element | None = None,
         losses: Sequence[Loss] = (),
@@ -99,6 +103,7 @@ class Build:
             warnings: what was noticed, in order.
             files: the absolute path of every file read, in order.
             notes: what the robot has that is not an element of the document.
+            noted: the values of names where they are declared.
             format: the output format.
             document: the root of the document, if it is not the finished tree.
             losses: what the format cannot hold as it is.
@@ -116,6 +121,7 @@ class Build:
         self.warnings = warnings
         self.files = files
         self.notes = notes
+        self.noted = noted
         self.format = format
         self.file_name = ""
         self.losses = losses

@@ -185,6 +185,7 @@ def test_every_code_is_explained() -> None:
     explained = set(re.findall(r"^### `([a-z0-9.-]+)`", page, re.MULTILINE))
     used = {code for robot in FAULTY + bad_robots("advice") for code in robot.codes}
     used |= {"missing-mesh-file", "unknown-package", "large-mesh", "long-chain", "not-urdf"}
+    used.add("hidden-package")
     assert used == explained
 
 
@@ -455,7 +456,9 @@ def file_findings(text: str, *, there: dict[str, str], packages: set[str]) -> li
         read(text),
         reporter=reporter,
         resolve_mesh=lambda filename, span: there.get(filename),
-        places_searched=lambda name, span: None if name in packages else ["/opt/a", "/opt/b"],
+        package_fault=lambda name, span: (
+            None if name in packages else ("install it", ["/opt/a", "/opt/b"])
+        ),
     )
     return reporter.diagnostics
 
@@ -483,7 +486,7 @@ def test_an_unknown_package_is_told_once_with_the_places_looked_at() -> None:
     assert finding.code == "unknown-package"
     assert finding.span.written() == "package://p/a.stl"
     assert finding.hint is not None
-    assert finding.hint.endswith("searched in /opt/a, /opt/b")
+    assert finding.hint == "install it; searched in /opt/a, /opt/b"
 
 
 def test_a_missing_texture_is_told() -> None:
@@ -607,7 +610,7 @@ def test_no_tree_at_all_makes_the_check_fail(root: Element) -> None:
         reporter=reporter,
         advice=advice,
         resolve_mesh=lambda filename, span: None,
-        places_searched=lambda name, span: [],
+        package_fault=lambda name, span: ("install it", []),
     )
     for diagnostic in reporter.diagnostics + advice.diagnostics:
         assert diagnostic.hint

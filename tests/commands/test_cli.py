@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib.metadata
 import io
 import os
 import shutil
@@ -507,6 +508,7 @@ def test_words_after_two_dashes_are_no_options() -> None:
         ("--", "missing FILE"),
         ("a:=1", "missing FILE"),
         ("check", "'yamaro check' needs a FILE"),
+        ("new", "'yamaro new' needs a NAME"),
         ("a.yaml b.yaml", "unexpected argument 'b.yaml' after 'a.yaml'"),
         (
             "a.yaml legs=6",
@@ -681,8 +683,7 @@ def test_the_page_on_the_command_lists_its_options() -> None:
 
 
 def test_version_is_that_of_the_package(capsys: pytest.CaptureFixture[str]) -> None:
-    project = (Path(__file__).parents[2] / "pyproject.toml").read_text()
-    version = project.partition('\nversion = "')[2].partition('"')[0]
+    version = importlib.metadata.version("yamaro")
     assert outcome(capsys, "--version") == (0, f"yamaro {version}\n", "")
     assert outcome(capsys, "-V")[0] == 0
 
@@ -1263,8 +1264,8 @@ def test_values_of_an_argument_are_listed(capsys: pytest.CaptureFixture[str]) ->
             "yamaro ",
             ["yamaro", ""],
             (
-                "a.urdf args bin check completion diff fmt help lsp migrate picture robot.yaml "
-                "test tree two.yml view watch why"
+                "a.urdf args bin check completion diff fmt help lsp migrate new picture "
+                "robot.yaml sweep test tree two.yml view watch why"
             ),
         ),
         ("yamaro ro", ["yamaro", "ro"], "robot.yaml"),

@@ -148,6 +148,17 @@ def test_a_file_that_cannot_be_written_is_reported(capsys: pytest.CaptureFixture
     assert (status, "cannot write 'robot.yaml'" in said) == (1, True)
 
 
+@pytest.mark.skipif(sys.platform == "win32", reason="has no named pipes")
+def test_a_pipe_is_not_written_to(capsys: pytest.CaptureFixture[str]) -> None:
+    reading, writing = os.pipe()
+    os.write(writing, MESSY.encode())
+    os.close(writing)
+    status, out, err = outcome(capsys, f"/dev/fd/{reading}")
+    os.close(reading)
+    assert (status, out) == (1, "")
+    assert "it is not a regular file; 'yamaro fmt -' formats standard input" in err
+
+
 def test_fmt_loads_no_compiler() -> None:
     write(MESSY)
     code = (

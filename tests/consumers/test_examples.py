@@ -14,9 +14,8 @@ from lxml import etree
 
 import yamaro
 from tests.consumers import oracles
+from tests.example_files import EXAMPLES, programs_in
 from yamaro.commands.main import main
-
-EXAMPLES = Path(__file__).parents[2] / "examples"
 
 # These make no robot, and are judged by their own tests.
 OTHER_XML = re.compile(r"^(sdf|mujoco|launch|world)\b[^\n]*:", re.MULTILINE)
@@ -29,8 +28,7 @@ SHOWN_WARNINGS = {
 
 
 def main_files(folder: Path) -> list[Path]:
-    paths = [path for path in sorted(folder.rglob("*.yaml")) if ".test." not in path.name]
-    texts = {path: path.read_text(encoding="utf-8") for path in paths}
+    texts = {path: path.read_text(encoding="utf-8") for path in programs_in(folder)}
     return [
         path
         for path in texts

@@ -43,7 +43,7 @@ local client = vim.lsp.start_client({
   name = 'yamaro',
   cmd = command,
   root_dir = vim.fn.getcwd(),
-  init_options = { inlayHints = true },
+  init_options = { inlayHints = true, packages = { rover_description = vim.fn.getcwd() } },
   capabilities = vim.lsp.protocol.make_client_capabilities(),
 })
 vim.lsp.buf_attach_client(0, client)
@@ -125,6 +125,27 @@ local function run()
     end
   end
   told.completed = vim.api.nvim_get_current_line()
+
+  -- completion in other contexts
+  told.offered = {}
+  for written, wanted in pairs({
+    ['joint: {type: re'] = 'revolute',
+    ['joint: {type: fixed, parent: ba'] = 'base',
+    ['joint: {type: fixed, xyz: 0 0 $(le'] = 'reach',
+    ['Ar'] = 'Arm',
+    ['include: le'] = 'leg.yaml',
+    ['include: package://ro'] = 'rover_description',
+  }) do
+    local indent = string.find(written, 'joint', 1, true) and '    ' or '- '
+    vim.api.nvim_set_current_line(indent .. written)
+    vim.api.nvim_win_set_cursor(0, { vim.api.nvim_win_get_cursor(0)[1], #indent + #written })
+    told.offered[written] = 'nothing'
+    for _, item in ipairs(request('textDocument/completion').items) do
+      if item.label == wanted then
+        told.offered[written] = item.label
+      end
+    end
+  end
   vim.api.nvim_set_current_line('    joint: {type: fixed, parent: base, xyz: 0 0 $(reech)}')
 
   -- quick fix
@@ -142,7 +163,17 @@ local function run()
   told.signature = signature and { signature.signatures[1].label, signature.activeParameter }
   vim.api.nvim_set_current_line('- Arm: left')
 
-  -- links, folds, highlights
+  -- what cannot be renamed, with the reason; highlights; the manual
+  go('made = 3', 1)
+  local position = vim.lsp.util.make_position_params(0, vim.lsp.get_client_by_id(client).offset_encoding)
+  position.newName = 'other'
+  told.refused = vim.lsp.buf_request_sync(0, 'textDocument/rename', position, 20000)[client].error.message
+  go('$(reach)', 3)
+  told.highlights = #request('textDocument/documentHighlight')
+  go('joint: {type', 1)
+  told.manual = request('textDocument/hover').contents.value
+
+  -- links, folds
   local document = { textDocument = { uri = vim.uri_from_bufnr(0) } }
   told.folds = #(vim.lsp.buf_request_sync(0, 'textDocument/foldingRange', document, 20000)[client].result)
   told.links = #(vim.lsp.buf_request_sync(0, 'textDocument/documentLink', document, 20000)[client].result)
@@ -164,6 +195,24 @@ local function run()
     vim.lsp.buf.formatting_sync(nil, 20000)
   end
   told.formatted = vim.api.nvim_buf_get_lines(0, 0, 1, false)[1]
+
+  -- a xacro file of the program
+  vim.cmd('silent! write')
+  vim.cmd('edit gripper.urdf.xacro')
+  vim.lsp.buf_attach_client(0, client)
+  go('${width}', 4)
+  told['xacro hover'] = request('textDocument/hover').contents.value
+  vim.lsp.buf.definition()
+  need('xacro definition', function() return vim.api.nvim_win_get_cursor(0)[1] == 2 end)
+  told['xacro definition'] = vim.api.nvim_get_current_line()
+  go('${width}', 4)
+  vim.api.nvim_set_current_line((vim.api.nvim_get_current_line():gsub('width', 'widht')))
+  need('xacro diagnostic', function() return codes() ~= '' end)
+  local found = vim.diagnostic.get(0)[1]
+  told['xacro diagnostic'] = { found.lnum, found.code }
+  vim.lsp.buf.code_action()
+  need('xacro fix', function() return not string.find(buffer(), 'widht', 1, true) end)
+  told['xacro fixed'] = vim.api.nvim_get_current_line()
   told.encoding = vim.lsp.get_client_by_id(client).offset_encoding
 end
 

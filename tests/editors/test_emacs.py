@@ -5,19 +5,17 @@
 
 from __future__ import annotations
 
-import json
 import os
 import shutil
 import subprocess
-import sys
 from pathlib import Path
 
 import pytest
 
-from tests.editors.test_nvim import ROBOT
+from tests.editors.editing import HERE, ROBOT, drive, write_robot
+from tests.editors.test_nvim import FOUND, write_found
 from tests.waiting import PATIENCE
 
-HERE = Path(__file__).parent
 SETUP = HERE.parents[1] / "editors" / "emacs" / "yamaro.el"
 ELPA = Path("/usr/share/emacs/site-lisp/elpa")
 
@@ -29,31 +27,17 @@ def _has_eglot() -> bool:
 @pytest.mark.slow
 @pytest.mark.skipif(not _has_eglot(), reason="needs Emacs with eglot")
 def test_features_work_in_eglot(tmp_path):
-    (tmp_path / "leg.yaml").write_text("model:\n")
-    path = tmp_path / "rover.urdf.yaml"
-    path.write_text(ROBOT)
-    result = tmp_path / "result.json"
-    done = subprocess.run(
+    path = write_robot(tmp_path)
+    told = drive(
         ["emacs", "-Q", "--batch", "-l", str(HERE / "eglot.el")],
-        cwd=tmp_path,
-        env={
-            **os.environ,
+        tmp_path,
+        {
             "HOME": str(tmp_path),
             "LANG": "C.UTF-8",
-            "YAMARO_COMMAND": json.dumps([sys.executable, "-m", "yamaro", "lsp"]),
             "YAMARO_FILE": str(path),
-            "YAMARO_RESULT": str(result),
             "YAMARO_SETUP": str(SETUP),
         },
-        capture_output=True,
-        text=True,
-        timeout=PATIENCE,
-        check=False,
     )
-    assert result.exists(), done.stdout + done.stderr
-    told = json.loads(result.read_text(encoding="utf-8"))
-    assert "fault" not in told, (told, done.stderr)
-    assert [key for key, value in told.items() if key.startswith("reached") and not value] == []
     assert told["mode"] == "yamaro-mode"
     assert "did you mean 'base_link'" in told["diagnostic"]
     assert told["definition"] == "  length: 0.5"
@@ -63,3 +47,32 @@ def test_features_work_in_eglot(tmp_path):
     assert told["formatted"] == "robot: rover"
     assert "mass 6 kg" in told["hover"]
     assert told["symbols"] > 1
+    assert told["references"] == 4
+    assert told["signature"] == "Arm(side, size=1)"
+    assert told["refused"].startswith("'made' is assigned in `process` at ")
+    assert "name 'widht' is not defined" in told["xacro diagnostic"]
+    assert told["xacro definition"] == '  <xacro:property name="width" value="0.1"/>'
+    assert '<xacro:property name="width" value="0.1">' in told["xacro hover"]
+
+
+@pytest.mark.skipif(not _has_eglot(), reason="needs Emacs with eglot")
+def test_emacs_finds_the_files_that_are_yamaros(tmp_path):
+    write_found(tmp_path)
+    show = f"""(progn
+      (add-to-list 'package-directory-list "{ELPA}") (package-initialize) (load "{SETUP}")
+      (remove-hook 'yamaro-mode-hook #'eglot-ensure)
+      (dolist (name (list {" ".join(f'"{name}"' for name in FOUND)}))
+        (find-file name) (princ (format "%s %s\\n" name major-mode))))"""
+    done = subprocess.run(
+        ["emacs", "-Q", "--batch", "-l", "package", "--eval", show],
+        cwd=tmp_path,
+        env={**os.environ, "HOME": str(tmp_path), "LANG": "C.UTF-8"},
+        capture_output=True,
+        text=True,
+        timeout=PATIENCE,
+        check=False,
+    )
+    modes = dict(line.split() for line in done.stdout.splitlines())
+    assert {name: modes.get(name) == "yamaro-mode" for name in FOUND} == {
+        name: is_found for name, (_, is_found) in FOUND.items()
+    }, done.stderr

@@ -5,7 +5,6 @@
 
 from __future__ import annotations
 
-import json
 import os
 import shutil
 import subprocess
@@ -14,28 +13,8 @@ from pathlib import Path
 
 import pytest
 
+from tests.editors.editing import HERE, ROBOT, drive, write_robot
 from tests.waiting import PATIENCE
-
-HERE = Path(__file__).parent
-ROBOT = """robot: rover
-variables:
-  length: 0.5
-  half: $(length / 2)
-functions:
-  Arm(side, size=1):
-  - print: $(side) $(size)
-model:
-- part:
-    name: base
-- part:
-    name: arm
-    joint: {type: fixed, parent: bse, xyz: 0 0 0}
-    link: {geometry: box, size: 1 1 1, mass: 6, xyz: "$('🤖'[:0])0 0 $(length)", rpy: 0 0 $(half)}
-- part:
-    name: tip
-    joint: {type: fixed, parent: base} # here
-- include: leg.yaml
-"""
 
 
 def _versions() -> dict[str, str]:
@@ -58,29 +37,12 @@ VERSIONS = _versions()
 def test_every_feature_works_in_neovim(tmp_path, version):
     if version not in VERSIONS:
         pytest.skip(f"needs Neovim {version}")
-    (tmp_path / "leg.yaml").write_text("model:\n")
-    path = tmp_path / "rover.urdf.yaml"
-    path.write_text(ROBOT)
-    result = tmp_path / "result.json"
-    done = subprocess.run(
+    path = write_robot(tmp_path)
+    told = drive(
         [VERSIONS[version], "--clean", "--headless", str(path), "-c", f"luafile {HERE}/nvim.lua"],
-        cwd=tmp_path,
-        env={
-            **os.environ,
-            "YAMARO_COMMAND": json.dumps([sys.executable, "-m", "yamaro", "lsp"]),
-            "YAMARO_RESULT": str(result),
-            "XDG_STATE_HOME": str(tmp_path),
-            "XDG_CACHE_HOME": str(tmp_path),
-        },
-        capture_output=True,
-        text=True,
-        timeout=PATIENCE,
-        check=False,
+        tmp_path,
+        {"XDG_STATE_HOME": str(tmp_path), "XDG_CACHE_HOME": str(tmp_path)},
     )
-    assert result.exists(), done.stdout + done.stderr
-    told = json.loads(result.read_text())
-    assert "fault" not in told, (told, done.stderr)
-    assert [key for key, value in told.items() if key.startswith("reached") and not value] == []
     line, column, message = told["diagnostic"]
     assert (line, column) == (12, 33)
     assert "did you mean 'base_link'" in message
@@ -91,10 +53,25 @@ def test_every_feature_works_in_neovim(tmp_path, version):
     base = ROBOT.replace("bse", "base").rstrip("\n")
     assert told["renamed"] == base.replace("length", "reach")
     assert told["completed"] == "    joint: {type: }"
+    assert told["offered"] == {
+        "joint: {type: re": "revolute",
+        "joint: {type: fixed, parent: ba": "base",
+        "joint: {type: fixed, xyz: 0 0 $(le": "reach",
+        "Ar": "Arm",
+        "include: le": "leg.yaml",
+        "include: package://ro": "rover_description",
+    }
+    assert told["refused"].startswith("'made' is assigned in `process` at ")
+    assert told["highlights"] == 4
+    assert "the joint to the parent" in told["manual"]
+    assert told["xacro diagnostic"] == [7, "xacro-undefined"]
+    assert told["xacro definition"] == '  <xacro:property name="width" value="0.1"/>'
+    assert '<xacro:property name="width" value="0.1">' in told["xacro hover"]
+    assert told["xacro fixed"] == '      <origin xyz="0 ${width} 0"/>'
     assert told["fixed"] == "    joint: {type: fixed, parent: base, xyz: 0 0 $(reach)}"
     assert told["signature"] == ["Arm(side, size=1)", 1]
     assert told["folds"] > 5
-    assert told["links"] == 1
+    assert told["links"] == 2
     assert told["formatted"] == "robot: rover"
     if version == "0.11":
         assert told["hint"] == "= 0.25"
@@ -107,9 +84,7 @@ def test_the_set_up_of_the_docs_starts_the_server(tmp_path):
     folder = tmp_path / "config" / "nvim" / "plugin"
     folder.mkdir(parents=True)
     shutil.copy(HERE.parents[1] / "editors" / "nvim" / "yamaro.lua", folder)
-    path = tmp_path / "rover.yaml"
-    path.write_text(ROBOT)
-    (tmp_path / "leg.yaml").write_text("model:\n")
+    path = write_robot(tmp_path).rename(tmp_path / "rover.yaml")
     script = tmp_path / "look.lua"
     script.write_text(
         "vim.wait(30000, function() return #vim.diagnostic.get(0) > 0 end, 50)\n"
@@ -134,3 +109,46 @@ def test_the_set_up_of_the_docs_starts_the_server(tmp_path):
         check=False,
     )
     assert done.stdout.strip() == "yamaro unknown-parent", done.stderr
+
+
+FOUND = {
+    "arm.urdf.yaml": ("", True),
+    "robot.yaml": ("# A robot.\n\nrobot: r\n", True),
+    "model.yml": ("model:\n- link/name=a:\n", True),
+    "leg.yaml": ("variables: {a: 1}\nfunctions:\n  # One.\n  Leg(side)/parent:\n  - part:\n", True),
+    "list.yaml": ("functions:\n- Leg:\n  - print: a\n", True),
+    "deploy.yaml": ("service: s\nfunctions:\n  hello:\n    handler: h.Hello\n", False),
+    "arm.test.yaml": ("robot: arm.yaml\ncases: []\n", False),
+    "other.yaml": ("a: 1\n", False),
+}
+"""Files with their texts, and whether an editor takes them for Yamaro's."""
+
+
+def write_found(folder: Path) -> None:
+    for name, (text, _) in FOUND.items():
+        (folder / name).write_text(text)
+
+
+@pytest.mark.skipif("0.11" not in VERSIONS, reason="needs Neovim 0.11")
+def test_neovim_finds_the_files_that_are_yamaros(tmp_path):
+    write_found(tmp_path)
+    setup = HERE.parents[1] / "editors" / "nvim" / "yamaro.lua"
+    names = ", ".join(f"'{name}'" for name in FOUND)
+    show = f"""for _, name in ipairs({{ {names} }}) do
+      vim.cmd.edit(name)
+      io.stdout:write(name .. ' ' .. vim.bo.filetype .. '\\n')
+    end"""
+    commands = [f"luafile {setup}", "lua vim.lsp.enable('yamaro', false)", f"lua {show}", "qall!"]
+    done = subprocess.run(
+        [VERSIONS["0.11"], "--clean", "--headless", *(f"+{each}" for each in commands)],
+        cwd=tmp_path,
+        env={**os.environ, "HOME": str(tmp_path)},
+        capture_output=True,
+        text=True,
+        timeout=PATIENCE,
+        check=False,
+    )
+    types = dict(line.split() for line in done.stdout.splitlines())
+    assert {name: types.get(name) == "yamaro" for name in FOUND} == {
+        name: is_found for name, (_, is_found) in FOUND.items()
+    }, done.stderr

@@ -292,6 +292,62 @@ def test_several_changes_at_once_are_mirrored_too() -> None:
     assert_mirrored(changes, between(other, ARM))
 
 
+def test_shapes_in_another_order_have_the_number_that_they_have_in_each_robot() -> None:
+    shape = '<visual><origin xyz="{0} 0 0"/><geometry><sphere radius="{1}"/></geometry></visual>'
+    one, other = (
+        f'<robot name="r"><link name="a">{"".join(shape.format(*each) for each in row)}</link></robot>'
+        for row in (((1, 0.1), (2, 0.2), (3, 0.3)), ((3, 0.3), (1, 0.1), (2, 0.25)))
+    )
+    there, back = between(one, other), between(other, one)
+    assert [shown(c) for c in there.changes] == ["changed link a visual[2→3].radius: 0.2 to 0.25"]
+    assert [shown(c) for c in back.changes] == ["changed link a visual[3→2].radius: 0.25 to 0.2"]
+
+
+def test_a_link_moved_by_a_joint_that_only_one_robot_has_is_moved_either_way() -> None:
+    """The camera is a root of its own in one robot, and on the base in the other."""
+    joint = (
+        '<joint name="stand" type="fixed"><origin xyz="0 0 1"/>'
+        '<parent link="base"/><child link="camera"/></joint></robot>'
+    )
+    one = changed(('<link name="base">', '<link name="camera"/><link name="base">'))
+    other = changed(("</robot>", joint), text=one)
+    there, back = between(one, other), between(other, one)
+    assert_mirrored(there, back)
+    for changes, kind in ((there, "added"), (back, "removed")):
+        (change,) = changes.changes
+        assert (change.kind, change.of, change.name) == (kind, "joint", "stand")
+        assert change.moved is not None and change.moved.distance == pytest.approx(1)
+        assert changes.motion.reference == there.motion.reference
+
+
+def test_ranges_that_do_not_overlap_are_compared_in_the_same_positions_either_way() -> None:
+    one = changed(('lower="-2" upper="2"', 'lower="0" upper="0.5"'))
+    other = changed(
+        ('lower="-2" upper="2"', 'lower="-1.5" upper="-1"'),
+        ('<axis xyz="0 0 1"/>', '<axis xyz="0 0.1 1"/>'),
+    )
+    there, back = between(one, other), between(other, one)
+    assert_mirrored(there, back)
+    assert there.motion.reason == back.motion.reason != ""
+
+
+@pytest.mark.parametrize("lost", ["base", "upper"])
+def test_what_was_renamed_is_found_in_a_part_of_a_robot(lost: str) -> None:
+    """As in a file of a gripper, whose first joint is on a link that other files have."""
+    end = ARM.index("</link>", ARM.index(f'<link name="{lost}"')) + len("</link>")
+    part = ARM[: ARM.index(f'<link name="{lost}"')] + ARM[end:]
+    found = [
+        shown(change)
+        for old, new in (('"shoulder"', '"waist"'), ('"elbow"', '"knee"'), ('"lower"', '"shin"'))
+        for change in between(part, changed((old, new), text=part)).changes
+    ]
+    assert found == [
+        "renamed joint shoulder>waist",
+        "renamed joint elbow>knee",
+        "renamed link lower>shin",
+    ]
+
+
 def assert_mirrored(there: Changes, back: Changes) -> None:
     swapped = {"added": "removed", "removed": "added"}
     mirrored = []

@@ -13,14 +13,13 @@ from typing import Any
 
 import pytest
 
+from tests.example_files import PROGRAMS
 from tests.test_cases import find_cases, read_options
 from yamaro.commands.main import main
 from yamaro.syntax import parser
 from yamaro.syntax.names import is_function_name
 from yamaro.yaml.nodes import MappingNode, ScalarNode, SequenceNode, YamlNode
 from yamaro.yaml.reader import Reading
-
-EXAMPLES = Path(__file__).parents[2] / "examples"
 
 Rebuild = Callable[[YamlNode, "list[tuple[ScalarNode, YamlNode]]"], YamlNode]
 
@@ -167,9 +166,6 @@ def test_cases_give_the_same_in_both_forms(
             arguments += ["--strict"] if "strict" in options else []
             different += requires_same(case, arguments, patch, capsys)
     assert not different, "\n\n".join(different)
-
-
-PROGRAMS = sorted(path for path in EXAMPLES.rglob("*.yaml") if ".test." not in path.name)
 
 
 @pytest.mark.parametrize("path", PROGRAMS, ids=lambda path: path.stem)

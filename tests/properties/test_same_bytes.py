@@ -12,10 +12,10 @@ from typing import Any
 
 import pytest
 
+from tests.example_files import PROGRAMS
 from tests.test_cases import find_cases, read_options
 
 ROOT = Path(__file__).parents[2]
-EXAMPLES = sorted(path for path in (ROOT / "examples").rglob("*.yaml") if ".test." not in path.name)
 # Those that show where they run, or for which Python, differ by right.
 ABOUT_THE_PLACE = ("cwd", "env", "find", "load", "dirname", "package", "python", "home")
 
@@ -111,7 +111,7 @@ def build_all(
 
 @pytest.fixture(scope="module")
 def files() -> list[Path]:
-    return EXAMPLES + plain_cases()
+    return PROGRAMS + plain_cases()
 
 
 @pytest.fixture(scope="module")

@@ -146,7 +146,7 @@ def findings(root: Element) -> list[Diagnostic]:
         reporter=faults,
         advice=advice,
         resolve_mesh=lambda filename, span: None,
-        places_searched=lambda package, span: ["/opt"],
+        package_fault=lambda package, span: ("install it", ["/opt"]),
     )
     return faults.diagnostics + advice.diagnostics
 

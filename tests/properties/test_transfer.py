@@ -10,6 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from tests.effort import examples
+from tests.example_files import PROGRAMS
 from yamaro.api import build
 from yamaro.diagnostics import Diagnostic, Frame, YamaroError
 from yamaro.fixes import Edit, Fix
@@ -23,11 +24,6 @@ from yamaro.source import Source, Span
 from yamaro.xml.tree import Comment, Element, Text
 from yamaro.xml.writer import write
 
-EXAMPLES = sorted(
-    path
-    for path in (Path(__file__).parents[2] / "examples").rglob("*.yaml")
-    if ".test." not in path.name
-)
 texts = st.text(max_size=12)
 names = st.text(st.characters(exclude_characters="\0", exclude_categories=["Cs"]), max_size=12)
 codes = st.sampled_from(["a", "jail-broken", "capsule-needs-urdf-1.1"])
@@ -64,7 +60,7 @@ def trace(frame: Frame | None) -> list[Any]:
     return [frame.kind, frame.name, frame.span.key(), trace(frame.parent), trace(frame.home)]
 
 
-@pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.name)
+@pytest.mark.parametrize("path", PROGRAMS, ids=lambda path: path.name)
 def test_all_of_an_outcome_comes_through(path: Path) -> None:
     sent = outcome_of(path)
     got = from_bytes(to_bytes(sent))
@@ -219,11 +215,9 @@ FINE = '<?xml version="1.0"?>\n<robot name="r">\n  <link name="é&#10;"/>\n</rob
 
 def answer(**parts: bytes) -> bytes:
     """Return an answer without a tree, with some of its parts replaced."""
-    names = (
-        "messages sources frames diagnostics document files meshes nodes notes documents".split()
-    )
+    names = "messages sources frames diagnostics document files meshes nodes notes documents noted"
     usual = {"document": FINE.encode()} | parts
-    return pack([usual.get(name, b"") for name in names])
+    return pack([usual.get(name, b"") for name in names.split()])
 
 
 def test_a_document_that_is_fine_is_believed() -> None:

@@ -175,11 +175,8 @@ def test_a_misspelt_file_is_taken_for_one_with_an_ending_of_yaml(ending: str) ->
 
 def test_a_package_that_is_nowhere_is_told_by_its_name_alone() -> None:
     error = fault("out: {include: package://none/deep/a.yaml}")
-    assert (error.code, error.message, error.hint) == (
-        "unknown-package",
-        "the package 'none' is not found",
-        "source its workspace, or set its folder: --package none:=FOLDER",
-    )
+    assert (error.code, error.message) == ("unknown-package", "the package 'none' is not found")
+    assert error.hint is not None and error.hint.endswith("--package none:=FOLDER")
 
 
 def test_a_file_that_is_named_from_the_root_or_the_home_is_shown_by_its_whole_path(

@@ -120,7 +120,7 @@ def test_importing_in_process_sees_the_same_modules(tmp_path: Path) -> None:
 
 
 def test_without_a_folder_only_installed_modules_are_found() -> None:
-    modules = LocalModules("", {})
+    modules = LocalModules("", {}, print)
     assert modules.find("yamaro") is None
     assert modules.import_hook("math").floor(1.5) == 1
     with pytest.raises(ModuleNotFoundError):

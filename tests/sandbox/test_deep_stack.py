@@ -455,3 +455,29 @@ def test_eight_threads_convert_at_once(tmp_path: Path) -> None:
         assert outcomes[number] == f'<?xml version="1.0"?>\n<out>\n  <v>{number}</v>\n</out>\n' * 5
     assert sys.getrecursionlimit() == limit
     assert "own" not in sys.modules
+
+
+STARTS_A_THREAD = """
+import time
+{before}
+from yamaro import build
+work = "lambda: (time.sleep(0.3), print('done', flush=True))"
+code = "import threading, time; threading.Thread(target=" + work + ").start()"
+with open("robot.yaml", "w") as file:
+    file.write("process: |\\n  " + code + "\\nout: {{a: 1}}\\n")
+build("robot.yaml")
+"""
+
+
+@pytest.mark.parametrize("before", ["", "import threading"], ids=["first", "imported before"])
+def test_threads_that_a_file_starts_are_waited_for(before: str, tmp_path: Path) -> None:
+    environment = {k: v for k, v in os.environ.items() if not k.startswith("COVERAGE_")}
+    finished = subprocess.run(
+        [sys.executable, "-c", STARTS_A_THREAD.format(before=before)],
+        cwd=tmp_path,
+        capture_output=True,
+        text=True,
+        timeout=PATIENCE,
+        env={**environment, "PYTHONPATH": os.pathsep.join(sys.path)},
+    )
+    assert (finished.returncode, finished.stderr) == (0, "done\n")

@@ -38,6 +38,7 @@ class Standing:
         worst: the greatest way of a joint from its place, as part of its range.
         joint: which joint that is.
         sank: how far a free root went down, in metres.
+        weak: the actuators that are at their greatest effort in the end.
     """
 
     def __init__(self, model: Any, seconds: float = 5.0) -> None:
@@ -49,6 +50,12 @@ class Standing:
         mujoco.mj_forward(model, data)
         while data.time < seconds:
             mujoco.mj_step(model, data)
+        self.weak = [
+            model.actuator(index).name
+            for index in range(model.nu)
+            if model.actuator_forcelimited[index]
+            and abs(data.actuator_force[index]) >= 0.999 * model.actuator_forcerange[index].max()
+        ]
         self.warnings = [index for index, each in enumerate(data.warning) if each.number]
         self.is_finite = bool(np.isfinite(data.qpos).all())
         self.worst, self.joint = 0.0, ""

@@ -38,12 +38,12 @@ def test_each_element_that_is_not_urdf_is_a_loss_at_its_place() -> None:
         ("attributes 'concave' of <collision>", "link 'base'", 4),
         ("attributes 'fuzz' of <box>", "link 'base'", 4),
         ("<compliance> elements", "joint 'j'", 8),
-        ("transmissions without an actuator", "'t'", 11),
+        ("transmissions that give no actuator", "'t'", 11),
         ("<mujoco> elements", "the robot", 13),
-        ("Gazebo's <plugin>", "the robot", 14),
-        ("Gazebo's <turnGravityOff>", "'base'", 17),
-        ("Gazebo's <plugin>", "'base'", 18),
-        ("Gazebo's <sensor>", "'base'", 19),
+        ("Gazebo's <plugin> elements", "the robot", 14),
+        ("Gazebo's <turnGravityOff> elements", "'base'", 17),
+        ("Gazebo's <plugin> elements", "'base'", 18),
+        ("Gazebo's <sensor> elements", "'base'", 19),
     ]
     assert {each.kind for each in losses} == {"lost"}
 
@@ -52,7 +52,7 @@ def test_what_a_writer_takes_itself_is_not_a_loss() -> None:
     losses = foreign_losses(Robot.from_xml(URDF), taken=("gazebo", "mujoco"))
     assert [each.what for each in losses][-2:] == [
         "<compliance> elements",
-        "transmissions without an actuator",
+        "transmissions that give no actuator",
     ]
 
 

@@ -170,6 +170,10 @@ def test_the_files_used_are_listed_as_before(
             "package://arm",
             [f"package://arm/{name}" for name in (*MEANT[:3], "meshes/a.obj")],
         ),
+        (
+            "package://",
+            [f"package://arm/{name}" for name in (*MEANT[:3], "meshes/a.obj")],
+        ),
     ],
 )
 def test_an_option_says_how_meshes_are_named(
@@ -196,12 +200,43 @@ def test_a_file_outside_of_the_package_is_named_by_its_path(robot: Path, tmp_pat
     assert names_in(xml) == ["../../o.obj"]
 
 
+def test_each_mesh_is_named_in_its_own_package_and_others_by_uris(
+    robot: Path, tmp_path: Path
+) -> None:
+    (tmp_path / "tool").mkdir()
+    (tmp_path / "tool/package.xml").write_text("<package><name>tool</name></package>")
+    (tmp_path / "o o.obj").write_text(TETRAHEDRON)
+    (tmp_path / "tool/t.obj").write_text(TETRAHEDRON)
+    files = ["../o o.obj", "../tool/t.obj", str(robot / "meshes/a.obj"), "https://x.org/a.stl"]
+    (robot / "robot.yaml").write_text(
+        "model:\n"
+        + "".join(
+            f"- part: {{name: a{i}, joint: {{type: fixed, parent: root}},\n"
+            f"         link: {{geometry: '{file}', visual: }}}}\n"
+            for i, file in enumerate(files)
+        )
+        + "- link/name=root:\n"
+    )
+    names = names_in(build(robot / "robot.yaml", meshes="package://").xml())
+    assert names == [
+        f"file://{tmp_path}/o%20o.obj",
+        "package://tool/t.obj",
+        "package://arm/meshes/a.obj",
+        "https://x.org/a.stl",
+    ]
+    (robot / "package.xml").unlink()
+    names = names_in(build(robot / "robot.yaml", meshes="package://").xml())
+    assert names[2] == f"file://{robot}/meshes/a.obj"
+
+
 @pytest.mark.parametrize(
     ("how", "told"),
     [
         ("package://nowhere", "the package 'nowhere' is not found"),
-        ("package://", "the package '' is not found"),
-        ("relativ", "'relativ' is not one of relative, keep, absolute, copy, package://NAME, none"),
+        (
+            "relativ",
+            "'relativ' is not one of relative, keep, absolute, copy, package://NAME, package://",
+        ),
     ],
 )
 def test_an_unknown_way_to_name_meshes_is_wrong_usage(

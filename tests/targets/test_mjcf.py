@@ -24,7 +24,9 @@ from tests.targets.standing import Standing, with_position_actuators
 
 ROOT = Path(__file__).parents[2]
 EXAMPLES = ("pan_tilt/pan_tilt", "leg_robot/robot", "hexapod/hexapod", "quadruped/quadruped",
-            "arm/arm", "diff_drive/diff_drive")  # fmt: skip
+            "arm/arm", "diff_drive/diff_drive", "drone/drone", "hand/hand",
+            "humanoid/humanoid", "dual_arm_cell/dual_arm_cell",
+            "mobile_manipulator/mobile_manipulator")  # fmt: skip
 
 
 def mjcf_of(path: Path, **options: Any) -> yamaro.Build:

@@ -89,6 +89,18 @@ def test_gyro_and_accelerometer_of_a_spinning_robot(mjcf: str) -> None:
     assert data.sensor("imu_orientation").data == pytest.approx(wanted, abs=1e-9)
 
 
+CRANE = """\
+robot: crane
+base: fixed
+model:
+- part: {name: mast, link: {geometry: box, size: 0.1 0.1 1, mass: 1}}
+- part:
+    name: hook
+    joint: {type: fixed, parent: mast, sensor/name=load: {type: force_torque}}
+    link: {geometry: box, size: 0.1 0.1 0.1, xyz: 0.5 0 0, mass: 2}
+"""
+
+
 def test_force_and_torque_at_a_wrist(mjcf: str) -> None:
     mujoco = require_module("mujoco")
     model, data = compiled(mjcf)
@@ -105,6 +117,23 @@ def test_force_and_torque_at_a_wrist(mjcf: str) -> None:
     torque = np.cross(center, force)
     assert data.sensor("wrist_force").data == pytest.approx(force, abs=1e-9)
     assert data.sensor("wrist_torque").data == pytest.approx(torque, abs=1e-9)
+
+
+def test_forces_have_the_opposite_sign_in_gazebo(tmp_path: Path) -> None:
+    """A load of 2 kg, 0.5 m in front of a fixed joint, is held by 2·g N, and −g N·m about y."""
+    mujoco = require_module("mujoco")
+    path = tmp_path / "crane.yaml"
+    path.write_text(CRANE)
+    build = yamaro.build(path, target="mjcf")
+    model = mujoco.MjModel.from_xml_string(build.xml())
+    data = mujoco.MjData(model)
+    mujoco.mj_forward(model, data)
+    assert data.sensor("load_force").data == pytest.approx([0, 0, 2 * GRAVITY], abs=1e-9)
+    assert data.sensor("load_torque").data == pytest.approx([0, -GRAVITY, 0], abs=1e-9)
+    told = [(loss.kind, loss.how) for loss in build.losses if loss.what == "force_torque sensors"]
+    assert told == [("approximated", "the opposite: what the parent exerts on the child")]
+    sdf = yamaro.build(path, target="sdf").xml()
+    assert "<measure_direction>child_to_parent</measure_direction>" in sdf
 
 
 def wall(x: float, y: float, turn: float) -> str:

@@ -193,7 +193,9 @@ def test_without_the_binding_the_package_reads(monkeypatch: pytest.MonkeyPatch) 
     monkeypatch.setattr(libyaml, "_load_binding", fail)
     import yaml
 
-    assert libyaml._choose() == (yaml.SafeLoader, yaml.YAMLError)
+    from yamaro.yaml.pure import PureParser
+
+    assert libyaml._choose() == (PureParser, yaml.YAMLError)
 
 
 def test_the_parser_and_its_errors_are_chosen_together() -> None:

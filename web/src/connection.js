@@ -39,15 +39,23 @@ export function follow(onState, onConnection) {
  * @returns {Promise<string>} why it was refused, or the empty string
  */
 export async function post(action, content) {
+  return (await ask(action, content)).fault ?? "";
+}
+
+/**
+ * Ask the server for something.
+ * @returns {Promise<object>} its answer; `fault` is why there is none
+ */
+export async function ask(action, content) {
   try {
     const response = await fetch(action, {
       method: "POST",
       headers: { "Content-Type": "application/json" },
       body: JSON.stringify(content),
     });
-    return response.ok ? "" : await response.text();
+    return response.ok ? await response.json() : { fault: await response.text() };
   } catch {
-    return "yamaro view has ended";
+    return { fault: "yamaro view has ended" };
   }
 }
 

@@ -3,6 +3,7 @@
 import { follow, latestPoster, post } from "./connection.js";
 import { followCursor, linkAt } from "./cursor.js";
 import { byId, show } from "./dom.js";
+import { Downloads } from "./downloads.js";
 import { equivalentBox } from "./inertia.js";
 import { Joints } from "./joints.js";
 import { Fault, Warnings } from "./messages.js";
@@ -53,6 +54,7 @@ const joints = new Joints({
 const origin = new Origin({ onOpen: openPlace, onClose: () => select(null) });
 const fault = new Fault({ onOpen: openPlace });
 const warnings = new Warnings({ onSelect: selectOwner, onOpen: openPlace });
+const downloads = new Downloads();
 const sendVariables = latestPoster("variables", (refusal) => notify(refusal));
 const variables = new Variables({
   onChange: sendVariables,
@@ -192,7 +194,8 @@ function showPane(name) {
 
 function onKey(event) {
   if (event.target.closest("input, textarea") || event.ctrlKey || event.metaKey || event.altKey) return;
-  const actions = { f: () => look("iso"), r: () => joints.reset(), Escape: () => select(null) };
+  const leave = () => (downloads.card.hidden ? select(null) : downloads.toggle(false));
+  const actions = { f: () => look("iso"), r: () => joints.reset(), Escape: leave };
   KINDS.forEach((kind, index) => (actions[String(index + 1)] = () => toggle(kind)));
   if (event.key === "/") {
     event.preventDefault();

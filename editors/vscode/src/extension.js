@@ -7,6 +7,8 @@ const { LanguageClient } = require("vscode-languageclient/node");
 const { RobotView } = require("./view.js");
 
 const IS_ROBOT = /^(robot|model)\s*[:/]/m;
+const HAS_FUNCTIONS = /^functions:(?=[^]*^[ -]+[A-Z]\w*[(/:])/m; // their names begin with a capital letter
+const IS_TEST = /\.test\.ya?ml$/;
 const LONGEST_LOOK = 200_000;
 
 let client;
@@ -82,11 +84,13 @@ async function restart() {
   await start();
 }
 
-/** Give a YAML file that holds a robot the language id, so that other extensions leave it alone. */
+/** Give a YAML file that holds a robot, or functions of one, the language id, so that other extensions leave it alone. */
 async function detect(document) {
   if (document.languageId !== "yaml" || !settings().get("detectLanguage")) return;
+  if (IS_TEST.test(document.fileName)) return; // for `yamaro test`
   const end = document.positionAt(LONGEST_LOOK);
-  if (IS_ROBOT.test(document.getText(new vscode.Range(new vscode.Position(0, 0), end)))) {
+  const text = document.getText(new vscode.Range(new vscode.Position(0, 0), end));
+  if (IS_ROBOT.test(text) || HAS_FUNCTIONS.test(text)) {
     await vscode.languages.setTextDocumentLanguage(document, "yamaro");
   }
 }

@@ -1,209 +1,128 @@
-// Drives VS Code (code-server in Chromium) with the packed extension: what is seen is asserted, and
-// kept as screenshots. scripts/editors calls it.
+// Drives VS Code with the packed extension: what is seen is asserted, and kept as screenshots.
+// scripts/editors calls it.
 //
 //   node smoke.mjs CODE-SERVER-FOLDER EXTENSION.vsix YAMARO SCREENSHOTS
 import assert from "node:assert/strict";
-import { spawn, spawnSync } from "node:child_process";
-import { mkdirSync, mkdtempSync, readFileSync, writeFileSync } from "node:fs";
-import { createRequire } from "node:module";
-import { tmpdir } from "node:os";
+import { readFileSync } from "node:fs";
 import path from "node:path";
+import { Code, pause } from "./code.mjs";
 
-const [modules, vsix, yamaro, screens] = process.argv.slice(2).map((each) => path.resolve(each));
-const puppeteer = createRequire(path.join(modules, "package.json"))("puppeteer-core");
-const CHROMIUM = process.env.CHROMIUM ?? "/usr/bin/chromium";
-const PATIENCE = 120_000;
+const NAME = "rover.urdf.yaml";
 const ROBOT = `robot: rover
 variables:
   length: 0.5
 model:
 - part:
     name: base
-    link: {visual: {geometry: box, size: 1 1 0.2}}
-- part:
+    link:
+      visual:
+        # a plate for the arm
+        geometry: box
+        size: 1 1 0.2
+- part:  # on it
     name: arm
     joint: {type: fixd, parent: base, xyz: 0 0 $(length)}
-    link: {geometry: box, size: 0.2 0.2 $(length), mass: 6}
+    link: {geometry: box, size: 0.2 0.2 $(length), mass: 6, visual: {color: 0.9 0.4 0.1 1}}
 `;
 
-const home = mkdtempSync(path.join(tmpdir(), "yamaro-code-"));
-const work = path.join(home, "work");
-const file = path.join(work, "rover.urdf.yaml");
-const data = path.join(home, "data");
-const extensions = path.join(home, "extensions");
-mkdirSync(work);
-mkdirSync(screens, { recursive: true });
-writeFileSync(file, ROBOT);
-const set = (kind, values) => {
-  mkdirSync(path.join(data, kind), { recursive: true });
-  writeFileSync(path.join(data, kind, "settings.json"), JSON.stringify(values));
+const code = await Code.open({ words: process.argv.slice(2), files: { [NAME]: ROBOT } });
+const { page } = code;
+const saved = () => readFileSync(path.join(code.work, NAME), "utf8");
+const lineOf = (mark) => saved().split("\n").findIndex((each) => each.includes(mark)) + 1;
+const place = (mark, after = 0) => {
+  const line = lineOf(mark);
+  return [line, saved().split("\n")[line - 1].indexOf(mark) + 1 + after];
 };
-set("Machine", { "yamaro.path": yamaro, "yamaro.timeout": 60_000 });
-set("User", {
-  "editor.formatOnSave": true,
-  "editor.hover.delay": 100,
-  "workbench.startupEditor": "none",
-  "security.workspace.trust.enabled": false,
-  "telemetry.telemetryLevel": "off",
-  "files.autoSave": "off",
-});
-
-const server = path.join(modules, "node_modules", "code-server", "out", "node", "entry.js");
-const own = ["--user-data-dir", data, "--extensions-dir", extensions];
-const installed = spawnSync(process.execPath, [server, ...own, "--install-extension", vsix], { encoding: "utf8" });
-assert.match(installed.stdout, /successfully installed/, installed.stdout + installed.stderr);
-
-const port = 20_000 + (process.pid % 20_000);
-const running = spawn(
-  process.execPath,
-  [server, ...own, "--auth", "none", "--bind-addr", `127.0.0.1:${port}`, "--disable-telemetry",
-    "--disable-update-check", "--disable-workspace-trust", work],
-  { stdio: ["ignore", "pipe", "pipe"] },
-);
-let log = "";
-running.stdout.on("data", (text) => (log += text));
-running.stderr.on("data", (text) => (log += text));
-
-async function until(what, look, patience = PATIENCE) {
-  const end = Date.now() + patience;
-  for (;;) {
-    const found = await look().catch(() => null);
-    if (found) return found;
-    if (Date.now() > end) {
-      await page?.screenshot({ path: path.join(screens, "failed.png") });
-      throw new Error(`waited in vain for ${what}\n${log.slice(-2000)}`);
-    }
-    await new Promise((resolve) => setTimeout(resolve, 250));
-  }
-}
-
-let page;
-const browser = await puppeteer.launch({
-  executablePath: CHROMIUM,
-  headless: true,
-  args: ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"],
-});
-const shot = (name) => page.screenshot({ path: path.join(screens, `${name}.png`) });
-const press = async (...keys) => {
-  for (const key of keys.slice(0, -1)) await page.keyboard.down(key);
-  await page.keyboard.press(keys.at(-1));
-  for (const key of keys.slice(0, -1).reverse()) await page.keyboard.up(key);
-};
-const text = (selector) => page.$$eval(selector, (found) => found.map((each) => each.textContent).join("\n"));
-const cursor = () => text(".statusbar-item[id='status.editor.selection']");
-
-/** Put the cursor at a line and column. */
-async function go(line, column) {
-  await press("Escape");
-  await press("Control", "KeyG");
-  await until("the field for a line", () => page.$(".quick-input-widget:not([style*='display: none']) input"));
-  await page.keyboard.type(`${line}:${column}`, { delay: 15 });
-  await press("Enter");
-  await until(`line ${line}`, async () => (await cursor()).includes(`Ln ${line}, Col ${column}`), 20_000);
-}
-
-const column = (line, mark) => readFileSync(file, "utf8").split("\n")[line - 1].indexOf(mark) + 1;
-
-async function save() {
-  await press("Control", "KeyS");
-  await until("the file to be saved", async () => !(await page.$(".tab.dirty")));
-  return readFileSync(file, "utf8");
-}
 
 try {
-  await until("code-server", async () => (await fetch(`http://127.0.0.1:${port}/healthz`)).ok);
-  page = await browser.newPage();
-  await page.setViewport({ width: 1500, height: 850 });
-  await page.goto(`http://127.0.0.1:${port}/?folder=${encodeURIComponent(work)}`);
-  await until("the workbench", () => page.$(".monaco-workbench .explorer-folders-view"));
-  await press("Control", "KeyP");
-  await until("the field for files", () => page.$(".quick-input-widget input"));
-  await page.keyboard.type("rover.urdf.yaml", { delay: 20 });
-  await until("the file", async () => (await text(".quick-input-list")).includes("rover.urdf.yaml"));
-  await press("Enter");
+  await code.openFile(NAME);
 
   // Squiggle: the server has started, and its build has said what is wrong.
-  await until("the editor", () => page.$(".monaco-editor .view-line"));
-  await until("the language", async () => (await text("[id='status.editor.mode']")).includes("Yamaro"));
-  await until("a squiggle", () => page.$(".squiggly-error"));
-  await shot("1-squiggle");
+  await code.until("the language", async () => (await code.text("[id='status.editor.mode']")).includes("Yamaro"));
+  await code.until("a squiggle", () => page.$(".squiggly-error"));
+  await code.shot("1-squiggle");
+
+  // The grammar: comments have one colour wherever they are, and nothing in them has another.
+  const styles = await page.$$eval(".view-line > span", (lines) =>
+    lines
+      .map((line) => [...line.children].map((each) => [each.textContent.trim(), each.className]))
+      .map((words) => words.slice(words.findIndex(([text]) => text.startsWith("#"))))
+      .filter(([[text]]) => text.startsWith("#")),
+  );
+  assert.equal(styles.length, 2, JSON.stringify(styles));
+  assert.equal(new Set(styles.flat().map(([, style]) => style)).size, 1, JSON.stringify(styles));
 
   // Quick fix: fixd becomes fixed.
-  await go(10, column(10, "fixd") + 1);
-  await press("Control", "Period");
-  await until("the menu", async () => (await text(".action-widget")).includes("change 'fixd' to 'fixed'"));
-  await shot("2-quick-fix");
-  await press("Enter");
-  await until("no squiggle", async () => !(await page.$(".squiggly-error")));
-  assert.match(await save(), /type: fixed,/);
+  await code.go(...place("fixd", 1));
+  await code.press("Control", "Period");
+  await code.until("the menu", async () => (await code.text(".action-widget")).includes("change 'fixd' to 'fixed'"));
+  await code.shot("2-quick-fix");
+  await code.press("Enter");
+  await code.until("no squiggle", async () => !(await page.$(".squiggly-error")));
+  await code.save();
+  assert.match(saved(), /type: fixed,/);
 
   // Hover: the mass of the part, once it is built.
-  await until("a hover", async () => {
-    await go(9, column(9, "arm") + 1);
-    await press("Control", "KeyK");
-    await press("Control", "KeyI");
-    await new Promise((resolve) => setTimeout(resolve, 1500));
-    return (await text(".monaco-hover")).includes("mass 6 kg");
-  });
-  await shot("3-hover");
+  await code.hover(...place("name: arm", 7), "mass 6 kg");
+  await code.shot("3-hover");
 
   // F12: from $(length) to its variable.
-  await go(10, column(10, "length") + 1);
-  await press("F12");
-  await until("the definition", async () => (await cursor()).includes("Ln 3, Col 3"));
+  await code.go(...place("$(length)", 3));
+  await code.press("F12");
+  await code.until("the definition", async () => (await code.cursor()).includes("Ln 3, Col 3"));
 
   // F2: the variable gets another name wherever it is meant.
-  await press("F2");
-  await until("the field for a name", () => page.evaluate('!!document.activeElement?.closest(".rename-box")'));
-  await page.keyboard.type("reach", { delay: 20 });
-  await shot("4-rename");
-  await press("Enter");
-  await until("the new name", async () => (await text(".view-lines")).replaceAll("\u00a0", " ").includes("reach: 0.5"));
-  assert.equal((await save()).match(/reach/g).length, 3);
+  await code.press("F2");
+  await code.until("the field for a name", () => page.evaluate('!!document.activeElement?.closest(".rename-box")'));
+  await code.type("reach");
+  await code.shot("4-rename");
+  await code.press("Enter");
+  await code.until("the new name", async () => (await code.text(".view-lines")).includes("reach: 0.5"));
+  await code.save();
+  assert.equal(saved().match(/reach/g).length, 3);
 
   // Completion: a key of the joint.
-  await go(10, column(10, "type: fixed"));
-  await page.keyboard.type("ax", { delay: 60 });
-  await until("an offer", async () => {
-    if ((await text(".suggest-widget.visible")).includes("axis")) return true;
-    await press("Control", "Space");
-    await new Promise((resolve) => setTimeout(resolve, 1500));
+  await code.go(...place("type: fixed"));
+  await code.type("ax", 60);
+  await code.until("an offer", async () => {
+    if ((await code.text(".suggest-widget.visible")).includes("axis")) return true;
+    await code.press("Control", "Space");
+    await pause(1500);
     return false;
   });
-  await shot("5-completion");
-  await press("Escape");
-  await press("Backspace");
-  await press("Backspace");
+  await code.shot("5-completion");
+  await code.press("Escape");
+  await code.press("Backspace");
+  await code.press("Backspace");
 
   // Format on save.
-  await go(1, 7);
-  await page.keyboard.type("     ", { delay: 20 });
-  assert.match(await save(), /^robot: rover\n/);
+  await code.go(1, 7);
+  await code.type("     ");
+  await code.save();
+  assert.match(saved(), /^robot: rover\n/);
 
-  // The live view beside the text; the line of the cursor selects a part, a click leads to its line.
-  await press("F1");
-  await until("the palette", () => page.$(".quick-input-widget input"));
-  await page.keyboard.type("Yamaro: Show the Robot", { delay: 20 });
-  await until("the command", async () => (await text(".quick-input-list")).includes("Show the Robot"));
-  await press("Enter");
-  const find = async () => {
-    for (const each of page.frames()) {
-      if (await each.evaluate("window.yamaro?.version > 0").catch(() => false)) return each;
-    }
-    return null;
-  };
-  const view = await until("the view", find);
+  // The live view beside the text: the line of the cursor selects a part.
+  const view = await code.showView();
+  const title = () => view.$eval("#origin-title", (each) => each.textContent);
   await page.mouse.click(500, 120);
-  await go(9, 6);
-  await until("the part", async () => (await view.$eval("#origin-title", (each) => each.textContent)) === "arm_link");
-  await new Promise((resolve) => setTimeout(resolve, 1500));
-  await shot("6-view");
-  await go(1, 1);
-  await view.evaluate("document.querySelector('#origin-open').click()");
-  await until("the line of the part", async () => /Ln (8|9|10|11), /.test(await cursor()));
-  await shot("7-click-to-line");
-  console.log(`VS Code: squiggle, quick fix, hover, F12, F2, completion, format on save, view; see ${screens}`);
+  await code.go(...place("name: base"));
+  await code.until("the base", async () => (await title()) === "base_link");
+  await code.go(...place("name: arm"));
+  await code.until("the arm", async () => (await title()) === "arm_link");
+  await pause(1500);
+  await code.shot("6-view");
+
+  // A click on the robot selects the part there, and a click on a line in its card leads to it.
+  await code.go(1, 1);
+  const box = await (await view.$("canvas")).boundingBox();
+  await page.mouse.click(box.x + box.width / 2, box.y + box.height * 0.8);
+  await code.until("what was clicked", async () => (await title()) === "base_link");
+  await pause(500);
+  await code.shot("7-click");
+  await (await view.$("#origin-rows .place")).click();
+  await code.until("its line", async () => (await code.cursor()).includes(`Ln ${lineOf("visual:")},`));
+  await code.shot("8-click-to-line");
+  console.log(`VS Code: squiggle, quick fix, hover, F12, F2, completion, format on save, view; see ${code.screens}`);
 } finally {
-  await browser.close();
-  running.kill();
+  await code.close();
 }

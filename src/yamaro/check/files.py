@@ -12,6 +12,8 @@ if TYPE_CHECKING:
 
     from ..source import Span
 
+    PackageFault = Callable[[str, Span], tuple[str, Sequence[str]] | None]
+
 PACKAGE_SCHEME = "package://"
 LOCAL_SCHEMES = (PACKAGE_SCHEME, "file://")
 
@@ -20,7 +22,7 @@ def check_files(
     context: CheckContext,
     *,
     resolve_mesh: Callable[[str, Span], str | None],
-    places_searched: Callable[[str, Span], Sequence[str] | None] | None,
+    package_fault: PackageFault | None,
     path_meant: Callable[[str, Span], str | None] | None = None,
 ) -> None:
     """Report each file that is not there and each unknown package once, where first used."""
@@ -38,15 +40,15 @@ def check_files(
         if resolve_mesh(filename, span) is not None:
             continue
         package = package_of(filename)
-        places = None
-        if package is not None and places_searched is not None:
-            places = places_searched(package, span)
-        if package is None or places is None:
+        fault = None
+        if package is not None and package_fault is not None:
+            fault = package_fault(package, span)
+        if package is None or fault is None:
             path = path_meant(filename, span) if path_meant is not None else None
             _report_missing(filename, path, element, owner, context)
         elif package not in told:
             told.add(package)
-            _report_package(package, places, element, owner, context)
+            _report_package(package, fault, element, owner, context)
     context.outermost = None
 
 
@@ -112,13 +114,18 @@ def _report_missing(
 
 
 def _report_package(
-    package: str, places: Sequence[str], element: Element, owner: Element, context: CheckContext
+    package: str,
+    fault: tuple[str, Sequence[str]],
+    element: Element,
+    owner: Element,
+    context: CheckContext,
 ) -> None:
+    hint, places = fault
     looked = "; searched in " + ", ".join(places) if places else ""
     context.warn(
         "unknown-package",
         f"the package '{package}', where {label(owner)} has its {element.name}, is not found",
         element,
         attribute="filename",
-        hint=f"source its workspace, or set its folder: --package {package}:=FOLDER{looked}",
+        hint=f"{hint}{looked}",
     )

@@ -81,6 +81,8 @@ def _check_axis(axis: Element, joint: Element, context: CheckContext) -> None:
             hint="write the direction that the joint moves along or rotates about, such as 0 0 1",
         )
     elif abs(length - 1) > UNIT_TOLERANCE:
+        from ..fixes import renumbering
+
         unit = " ".join(shown(part / length) for part in xyz)
         context.warn(
             "axis-not-unit",
@@ -88,6 +90,7 @@ def _check_axis(axis: Element, joint: Element, context: CheckContext) -> None:
             axis,
             attribute="xyz",
             hint=f"write {unit}; some parsers scale the motion by the length",
+            fix=renumbering(axis.value_span("xyz"), unit),
         )
     else:
         context.sound.add(("axis", text))

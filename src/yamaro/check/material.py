@@ -101,19 +101,25 @@ def _check_color(material: Element, context: CheckContext) -> None:
     rgba = context.numbers.row(color, "rgba", 4)
     if not rgba or all(0 <= part <= 1 for part in rgba):
         return
+    from ..fixes import renumbering
+
     worst = max(rgba, key=lambda part: abs(part - 0.5))
+    divided = _divided(rgba)
     context.warn(
         "bad-color",
         f"the color of {label(material)} holds {shown(worst)}, but its four numbers go from 0 to 1",
         color,
         attribute="rgba",
-        hint=_color_hint(rgba),
+        hint="write red green blue alpha, such as `0.8 0.8 0.8 1`"
+        if divided is None
+        else f"divide by 255: `{divided}`",
+        fix=None if divided is None else renumbering(color.value_span("rgba"), divided),
     )
 
 
-def _color_hint(rgba: tuple[float, ...]) -> str:
+def _divided(rgba: tuple[float, ...]) -> str | None:
+    """Return a color that goes from 0 to 255 as one from 0 to 1; None if it does not."""
     if min(rgba) < 0 or max(rgba) > 255 or max(rgba) < 2:
-        return "write red green blue alpha, such as `0.8 0.8 0.8 1`"
+        return None
     alpha = rgba[3] if rgba[3] <= 1 else rgba[3] / 255
-    parts = [*(part / 255 for part in rgba[:3]), alpha]
-    return f"divide by 255: `{' '.join(f'{part:.3g}' for part in parts)}`"
+    return " ".join(f"{part:.3g}" for part in (*(part / 255 for part in rgba[:3]), alpha))

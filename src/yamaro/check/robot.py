@@ -14,11 +14,13 @@ from .tree import check_spelling, check_tree
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
+    from collections.abc import Callable
 
     from ..diagnostics import Reporter
     from ..model.robot import Robot
+    from ..model.values import NumberReader
     from ..source import Span
+    from .files import PackageFault
 
 
 def check(
@@ -26,9 +28,11 @@ def check(
     *,
     reporter: Reporter,
     resolve_mesh: Callable[[str, Span], str | None] | None = None,
-    places_searched: Callable[[str, Span], Sequence[str] | None] | None = None,
+    package_fault: PackageFault | None = None,
     path_meant: Callable[[str, Span], str | None] | None = None,
     advice: Reporter | None = None,
+    robot: Robot | None = None,
+    numbers: NumberReader | None = None,
 ) -> bool:
     """Check the robot and report each fault as a warning at the value that is wrong.
 
@@ -37,27 +41,25 @@ def check(
         reporter: takes the faults.
         resolve_mesh: gives the file of a mesh or texture as referred to at a span, or None if it
             is not there. Without it no files are looked at.
-        places_searched: gives, for the name of a package that cannot be found, the places looked
-            at; None for a package that is known.
+        package_fault: gives, for a package that cannot be found, how to get it and the places
+            looked at; None for a package that is known.
         path_meant: gives the path that the name of a file means, to report one that is not
             there.
         advice: takes what is legal but seldom meant, such as a density of 50,000 kg/m³. Without it
             this is not worked out.
+        robot: what `read_robot` gives of the root, if that is there already.
+        numbers: what it reads numbers with.
 
     Returns:
         Whether it has meshes or textures.
     """
-    context = CheckContext(root, reporter)
-    robot = read_robot(root, numbers=context.numbers)
+    context = CheckContext(root, reporter, numbers=numbers)
+    robot = robot or read_robot(root, numbers=context.numbers)
     context.version = _check_robot(robot, context)
     check_elements(root, context)
     context.stage = TREE
     tree = check_tree(robot, context)
-    context.stage = MATERIALS
-    if robot.own_materials or context.material_uses:
-        from .material import check_materials
-
-        check_materials(robot, context)
+    _check_materials(robot, context)
     if context.has_extensions or any(joint.mimic is not None for joint in robot.all_joints):
         from .references import check_references
 
@@ -69,7 +71,7 @@ def check(
         check_files(
             context,
             resolve_mesh=resolve_mesh,
-            places_searched=places_searched,
+            package_fault=package_fault,
             path_meant=path_meant,
         )
     context.flush()
@@ -78,6 +80,14 @@ def check(
 
         check_advice(robot, tree, context, advice=advice, resolve_mesh=resolve_mesh)
     return bool(context.file_owners)
+
+
+def _check_materials(robot: Robot, context: CheckContext) -> None:
+    context.stage = MATERIALS
+    if robot.own_materials or context.material_uses:
+        from .material import check_materials
+
+        check_materials(robot, context)
 
 
 def check_format(root: Element, reporter: Reporter) -> None:

@@ -329,12 +329,15 @@ def _report_sign(
     # urdfdom refuses a negative acceleration, deceleration and jerk where it reads them.
     is_refused = context.version == "1.2" and name in LIMITS_OF_1_2
     tell = context.error if is_refused else context.warn
+    from ..fixes import renumbering
+
     tell(
         "negative-value",
         f"{where} is {shown(number)}, but cannot be negative",
         element,
         attribute=name,
         hint="write the value without a sign; it applies to both directions",
+        fix=renumbering(element.value_span(name), f"{shown(-number)}"),
     )
 
 

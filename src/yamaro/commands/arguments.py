@@ -12,7 +12,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from .option_table import Option
+    from .option import Option
 
 
 class Arguments:
@@ -196,12 +196,13 @@ def _check_words_of_git(words: list[str]) -> None:
 def _missing_file(command: str) -> str:
     if command == BUILD:
         return "missing FILE"
+    word = "NAME" if command == "new" else "FILE"
     aside = (
         f"; to compile the file of that name, write './{command}'"
         if os.path.isfile(command)
         else ""
     )
-    return f"'yamaro {command}' needs a FILE{aside}"
+    return f"'yamaro {command}' needs a {word}{aside}"
 
 
 def _second_file(first: str, second: str) -> str:

@@ -24,7 +24,9 @@ def run(arguments: Arguments, streams: Streams) -> int:
 
         return args.run(arguments, streams)
     if arguments.has("deps"):
-        return convert_file(arguments, streams, _dependencies, form=NAMES)
+        from .dependencies import listed
+
+        return convert_file(arguments, streams, listed, form=NAMES)
 
     def conclude(build: Build) -> None:
         if not streams.quiet and not goes_to_standard_output(arguments):
@@ -60,21 +62,3 @@ def _sum_up(build: Build, arguments: Arguments, streams: Streams) -> None:
 
 def _document(build: Build) -> Iterable[bytes]:
     return build.encoded()
-
-
-def _dependencies(build: Build) -> list[bytes]:
-    """Return a line for each file; refuse a name that programs would read as several."""
-    from ..diagnostics import failure_of_all
-
-    builds = list(build.outputs.values()) or [build]
-    read = [path for each in builds for path in (*each.files, *each.meshes)]
-    names = dict.fromkeys(filter(os.path.isabs, read))
-    for name in names:
-        if name.splitlines() != [name]:
-            raise failure_of_all(
-                "name-with-line-break",
-                f"--deps lists one name a line, and '{name}' has a line break in it",
-                build.files[0],
-                "rename the file, or have it named without --deps",
-            )
-    return [os.fsencode(name) + b"\n" for name in names]

@@ -61,6 +61,10 @@ FILE_WORDS = (
         "set a variable, n:=3, sides:=[left, right], or an argument of xacro",
     ),
 )
+AXIS_HELP = (
+    "thigh=0.2..0.4, thigh=0.2..0.4:0.05 in steps, legs=4,6, kp=log:10..500, gain=normal:1,0.05; "
+    "by default all arguments with a range or choices"
+)
 ADDRESS_WORD = ("ADDRESS", "elbow_joint/limit@upper, link:arm/visual[2], /gazebo[3] from the root")
 ENDINGS = ("yaml", "yml", "urdf", "xacro")
 
@@ -207,6 +211,45 @@ COMMANDS = {
             looks=True,
             endings=("test.yaml", "test.yml"),
             examples=("yamaro test", "yamaro test robots --junit results.xml"),
+        ),
+        Command(
+            "new",
+            ("NAME",),
+            "make a package of a robot, for pip and colcon",
+            "Make a folder with a small robot to start from: a package for pip and for colcon, "
+            "with a test, checks in CI, and a README with a picture. The last part of NAME is the "
+            "name of the package.",
+            words=(("NAME", "the folder to make, such as rover_description; it must not exist"),),
+            examples=("yamaro new rover_description", "yamaro new src/rover_description"),
+        ),
+        Command(
+            "sweep",
+            (
+                "STUDY -o FOLDER",
+                "FILE [name=AXIS ...] [name:=value ...] --samples N -o FOLDER",
+                "show FOLDER NUMBER",
+                "plot FOLDER [--metric NAME] -o FILE",
+            ),
+            "build many variants of a robot, and a table of them",
+            "Build a robot with many values of its arguments, and write a table of them: the "
+            "values, whether each variant could be built, and what was measured of it. See "
+            "docs/sweeps.md.",
+            words=(
+                ("STUDY", "a YAML file with the key `sweep`"),
+                FILE_WORDS[0],
+                ("name=AXIS", AXIS_HELP),
+                ("name:=value", "pass a value to all variants"),
+                ("show", "build variant NUMBER of the sweep in FOLDER again"),
+                ("plot", "draw the results of the sweep in FOLDER by its arguments"),
+            ),
+            endings=ENDINGS,
+            examples=(
+                "yamaro sweep leg.yaml thigh=0.2..0.4 legs=4,6 --samples 1000 -o runs/",
+                "yamaro sweep study.yaml -o runs/ --engine dask://host:8786 --resume",
+                "yamaro sweep show runs/ 4711 > variant.urdf",
+                "yamaro sweep plot runs/ --metric mass --minimize -o plot.png",
+            ),
+            takes_several=True,
         ),
         Command(
             "lsp",

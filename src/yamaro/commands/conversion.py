@@ -62,8 +62,7 @@ def convert_file(
     """
     from ..diagnostics import YamaroError
 
-    arguments.resolve_output()
-    refuse_overwriting(arguments, lambda: arguments.words)
+    _check_places(arguments)
     policy = make_policy(arguments)
     if not policy.is_trusted:
         streams.silence_libraries()
@@ -87,6 +86,16 @@ def convert_file(
     if conclude is not None and status == DONE:
         conclude(build)
     return status
+
+
+def _check_places(arguments: Arguments) -> None:
+    """Raise WrongUsage if the output cannot be where it is wanted."""
+    arguments.resolve_output()
+    refuse_overwriting(arguments, lambda: arguments.words)
+    if arguments.has("depfile"):
+        from .dependencies import check_depfile
+
+        check_depfile(arguments)
 
 
 def find_in_file(
@@ -131,7 +140,11 @@ def _overlay(arguments: Arguments, policy: Policy, texts: Mapping[str, str]) -> 
 def _deliver_build(
     build: Build, chunks: Iterable[bytes | str], arguments: Arguments, streams: Streams, form: str
 ) -> int:
-    """Write what was taken of a build, and the copies of meshes; return the exit status."""
+    """Write what was taken of a build, and what belongs to it; return the exit status."""
+    if arguments.has("depfile"):  # before the output, which is then never newer than that
+        status = _write_depfile(build, arguments, streams)
+        if status != DONE:
+            return status
     if arguments.has("to") and arguments.command == "build" and not arguments.has("deps"):
         from .formats import deliver_formats
 
@@ -139,6 +152,17 @@ def _deliver_build(
     refuse_overwriting(arguments, lambda: [*build.files, *build.meshes])
     status = deliver_assets(lambda: build.assets, arguments, streams)
     return deliver(chunks, arguments, streams, form) if status == DONE else status
+
+
+def _write_depfile(build: Build, arguments: Arguments, streams: Streams) -> int:
+    from ..diagnostics import YamaroError
+    from .dependencies import write_depfile
+
+    try:
+        return write_depfile(build, arguments, streams)
+    except YamaroError as error:
+        show(error.diagnostics, arguments, streams)
+        return INPUT_ERROR
 
 
 def _bound_process(

@@ -116,8 +116,16 @@ def _deliver(text: _Text, arguments: Arguments, streams: Streams) -> int:
 
 
 def _replace(text: _Text, streams: Streams) -> int:
+    import os
+
     from ..output import write_file
 
+    if not os.path.isfile(text.path):
+        streams.say(
+            f"yamaro: error: cannot write {quote(text.path)}: it is not a regular file; "
+            "'yamaro fmt -' formats standard input"
+        )
+        return INPUT_ERROR
     try:
         write_file(text.path, [text.data()])
     except OSError as error:

@@ -27,18 +27,24 @@ START = 200
 """Characters in which a file that was generated says so."""
 
 
-def targets_in(arguments: Arguments) -> Targets:
-    """Return what the options ask for.
-
-    Raises:
-        WrongUsage: a format is unknown, or options do not go together.
-    """
+def formats_in(arguments: Arguments) -> list[str]:
+    """Return the formats that `--to` names; raise WrongUsage if one is unknown."""
     words = [word for text in arguments.lists.get("to", ()) for word in text.split(",")]
     formats = list(dict.fromkeys(word.strip().lower() for word in words if word.strip()))
     for format in formats:
         if format not in ENDINGS:
             hint = near(format, ENDINGS) or "; choose from " + ", ".join(ENDINGS)
             raise WrongUsage(f"unknown output format {quote(format)}{hint}")
+    return formats
+
+
+def targets_in(arguments: Arguments) -> Targets:
+    """Return what the options ask for.
+
+    Raises:
+        WrongUsage: a format is unknown, or options do not go together.
+    """
+    formats = formats_in(arguments)
     if arguments.command == "why":
         return _for_why(arguments, formats)
     if not formats:

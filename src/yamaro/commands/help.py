@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from ..streams import Streams
     from .arguments import Arguments
     from .command_table import Command
-    from .option_table import Option
+    from .option import Option
 
 COLUMNS = 100
 MARGIN = 24
@@ -55,7 +55,7 @@ def help_of(name: str) -> str:
 def _usage(command: Command) -> list[str]:
     name = "yamaro" if command.name == BUILD else f"yamaro {command.name}"
     lines = [f"{name} [options] {form}" for form in command.forms]
-    if command.name in ("completion", "help", "lsp"):  # their only options are those of all
+    if command.name in ("completion", "help", "lsp", "new"):  # their only options are those of all
         lines = [f"{name} {form}" for form in command.forms]
     return [("usage: " if number == 0 else "       ") + line for number, line in enumerate(lines)]
 

@@ -158,6 +158,10 @@ def _command(name: str) -> Run:
         from .diff import run
     elif name == "test":
         from .test import run
+    elif name == "new":
+        from .new import run
+    elif name == "sweep":
+        from .sweep import run
     elif name == "lsp":
         from .lsp import run
     elif name == "fmt":

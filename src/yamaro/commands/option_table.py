@@ -7,72 +7,18 @@ where it has an effect.
 from __future__ import annotations
 
 from .command_table import COMMANDS
-
-
-class Option:
-    """An option.
-
-    Attributes:
-        name: the long form, without the dashes.
-        short: the letter of its short form, or "".
-        value: what is written after it, as the help shows it; "" for an option without a value.
-        wants: what the value is, for messages.
-        help: what it does; up to the first `;`, `:` or `(` also for shells.
-        help_in: what it does in commands where that is something else.
-        commands: the names of the commands that take it.
-        is_repeatable: whether it may be given several times; `Arguments.lists` holds the values.
-        choices: the values it can have; any if empty.
-        completes: what a shell offers for the value: "files", "commands", or words with spaces in
-            between; "limits", "views", "shown" and "codes" mean the words of those tables.
-        excludes: names of the options that may not be given with it.
-    """
-
-    __slots__ = (
-        "choices", "commands", "completes", "excludes", "help", "help_in", "is_repeatable", "name",
-        "short", "value", "wants",
-    )  # fmt: skip
-
-    def __init__(
-        self,
-        name: str,
-        help: str,
-        commands: tuple[str, ...],
-        *,
-        short: str = "",
-        value: str = "",
-        wants: str = "",
-        is_repeatable: bool = False,
-        choices: tuple[str, ...] = (),
-        completes: str = "",
-        excludes: tuple[str, ...] = (),
-        help_in: dict[str, str] | None = None,
-    ) -> None:
-        """Describe an option."""
-        self.name = name
-        self.short = short
-        self.value = value
-        self.wants = wants
-        self.help = help
-        self.commands = commands
-        self.is_repeatable = is_repeatable
-        self.choices = choices
-        self.completes = completes or " ".join(choices)
-        self.excludes = excludes
-        self.help_in = help_in or {}
-
-    @property
-    def spellings(self) -> tuple[str, ...]:
-        """Return how it is written on the command line, the short form first."""
-        return (f"-{self.short}", f"--{self.name}") if self.short else (f"--{self.name}",)
-
+from .option import Option
+from .sweep_options import SWEEP_OPTIONS
 
 ALL = tuple(COMMANDS)
-BUILDING = ("build", "check", "tree", "view", "watch", "picture", "why")
+BUILDING = ("build", "check", "tree", "view", "watch", "picture", "why", "sweep")
 """The commands that build one file of the user's, and show its messages."""
 WORKING = (*BUILDING, "migrate", "diff", "test")
 """The commands that run a file."""
 READING = (*WORKING, "args")
 """The commands that read a file."""
+WRITING = ("build", "check", "view", "watch")
+"""The commands that write output formats, or say what these lose."""
 PICTURE = ("picture",)
 VIEW = ("view",)
 DIFF = ("diff",)
@@ -85,7 +31,7 @@ OPTIONS = {
             "output",
             "write to FILE instead of standard output, or into a folder: out/; after an error, "
             "nothing is changed",
-            ("build", "check", "watch", "picture", "migrate"),
+            ("build", "check", "watch", "picture", "migrate", "sweep"),
             short="o",
             value="FILE",
             wants="a file name",
@@ -97,6 +43,7 @@ OPTIONS = {
                 "watch": "the file to write, or a folder: out/",
                 "migrate": "write to FILE instead of standard output; a xacro robot of several "
                 "files needs a folder",
+                "sweep": "the folder of the sweep: runs/; with 'show' and 'plot', a file",
             },
         ),
         Option("force", "replace existing files", ("migrate",)),
@@ -156,20 +103,29 @@ OPTIONS = {
             ("build",),
         ),
         Option(
+            "depfile",
+            "also write to FILE which files the output depends on, for make, Ninja and CMake",
+            ("build",),
+            value="FILE",
+            wants="a file name",
+            completes="files",
+            excludes=("deps", "help-args"),
+        ),
+        Option(
             "meshes",
             "how the XML refers to existing meshes and textures: relative to the output (the "
             "default), keep the paths as written, absolute, copy them to assets/ beside the "
-            "output, package://NAME; none omits meshes",
+            "output, package://NAME, package:// for the package that each is in; none omits meshes",
             ("build", "watch"),
             value="HOW",
-            wants="relative, keep, absolute, copy, package://NAME or none",
+            wants="relative, keep, absolute, copy, package://NAME, package:// or none",
             completes="relative keep absolute copy package:// none",
         ),
         Option(
             "to",
             "write these output formats: urdf, sdf, mjcf, srdf, usd, separated by commas; several "
             "need a folder: -o FOLDER/",
-            ("build", "check", "watch", "why"),
+            ("build", "check", "watch", "why", "sweep"),
             value="FORMATS",
             wants="urdf, sdf, mjcf, srdf or usd",
             is_repeatable=True,
@@ -177,29 +133,34 @@ OPTIONS = {
             help_in={
                 "check": "also report what these output formats cannot hold: urdf, sdf, ...",
                 "why": "look ADDRESS up in the document of that output format",
+                "sweep": "build these output formats: urdf, sdf, mjcf, srdf, usd, separated by "
+                "commas",
             },
         ),
         Option(
             "base",
             "fix the root of the robot in the world, or let it move freely; by default as the "
             "robot says",
-            ("build", "check", "watch"),
+            (*WRITING, "sweep"),
             value="HOW",
             wants="fixed or free",
             choices=("fixed", "free"),
+            help_in={"view": "the same for downloads: fix the root, or let it move freely"},
         ),
         Option(
             "repair-inertia",
             "balance inertia that no body can have, instead of refusing it",
-            ("build", "check", "watch"),
+            (*WRITING, "sweep"),
+            help_in={"view": "balance inertia that no body can have in downloads"},
         ),
         Option(
             "sdf-version",
             "version of SDF: 1.11 (the default), 1.9 or 1.12",
-            ("build", "check", "watch"),
+            (*WRITING, "sweep"),
             value="VERSION",
             wants="1.11, 1.9 or 1.12",
             choices=("1.11", "1.9", "1.12"),
+            help_in={"view": "version of SDF in downloads: 1.11 (the default), 1.9 or 1.12"},
         ),
         Option(
             "gazebo",
@@ -330,12 +291,13 @@ OPTIONS = {
             value="N",
             wants="a number",
         ),
+        *SWEEP_OPTIONS,
         Option(
             "quiet",
             "show errors only: no warnings and no output of 'print'",
             (*READING, "fmt"),
             short="q",
-            help_in={"fmt": "do not name the files"},
+            help_in={"fmt": "do not name the files", "sweep": "show errors only: no summary"},
         ),
         Option("strict", "treat warnings as errors", BUILDING),
         Option(
@@ -382,6 +344,7 @@ OPTIONS = {
             WORKING,
             value="SECONDS",
             wants="a number of seconds",
+            help_in={"sweep": "end a variant that takes longer; 60 by default"},
         ),
         Option(
             "allow-path",

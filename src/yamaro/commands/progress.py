@@ -17,10 +17,16 @@ PATIENCE, INTERVAL = 1.0, 0.1
 
 def progress_on(streams: Streams) -> Callable[[float], None] | None:
     """Return what takes how far long work is, from 0 to 1; None where nobody would see it."""
-    return _Bar(streams).show if streams.is_terminal() and not streams.quiet else None
+    bar = bar_on(streams)
+    return None if bar is None else bar.show
 
 
-class _Bar:
+def bar_on(streams: Streams) -> Bar | None:
+    """Return a bar; None where nobody would see it."""
+    return Bar(streams) if streams.is_terminal() and not streams.quiet else None
+
+
+class Bar:
     """A bar in one line of a terminal, which is cleared at the end."""
 
     def __init__(self, streams: Streams) -> None:
@@ -30,6 +36,11 @@ class _Bar:
 
     def show(self, part: float) -> None:
         """Show how far the work is."""
+        left = (monotonic() - self._began) * (1 - part) / max(part, 0.01)
+        self.show_text(part, f"{max(left, 1):.0f} s left")
+
+    def show_text(self, part: float, text: str) -> None:
+        """Show how far the work is, and a text after it."""
         now = monotonic()
         if part >= 1:
             if self._is_there:
@@ -39,6 +50,5 @@ class _Bar:
             self._shown = now
             self._is_there = True
             done = round(part * WIDTH)
-            left = (now - self._began) * (1 - part) / max(part, 0.01)
             bar = "#" * done + "." * (WIDTH - done)
-            self._streams.put_in_line(f"[{bar}] {part:4.0%}, {max(left, 1):.0f} s left")
+            self._streams.put_in_line(f"[{bar}] {part:4.0%}, {text}")

@@ -128,6 +128,12 @@ def targets_of(arguments: Arguments) -> Targets:
         from .formats import targets_in
 
         return {**targets_in(arguments), "gazebo": arguments.has("gazebo")}
+    if arguments.command == "view":
+        return {
+            "base": arguments.options.get("base"),
+            "repair_inertia": arguments.has("repair-inertia"),
+            "sdf_version": arguments.options.get("sdf-version"),
+        }
     for name in ("base", "repair-inertia", "sdf-version"):
         if arguments.has(name):
             raise WrongUsage(f"'--{name}' needs an output format, such as --to sdf")

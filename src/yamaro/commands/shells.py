@@ -10,7 +10,7 @@ from .option_table import OPTIONS, options_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from .option_table import Option
+    from .option import Option
 
 SHELLS = ("bash", "zsh", "fish")
 

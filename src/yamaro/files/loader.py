@@ -82,7 +82,7 @@ class FileLoader:
 
 
 class OverlayLoader(FileLoader):
-    """Reads what is open in the editor from there, and all else from the disk."""
+    """Reads some files from texts that are not on the disk, such as an editor's."""
 
     def __init__(self, texts: Mapping[str, str], loader: FileLoader) -> None:
         """Hold the texts that are open, by absolute paths; the rest as another loader reads it."""

@@ -9,8 +9,11 @@ from .loader import LoadError
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Iterable
+
     from ..source import Span
     from ..xml.tree import Element
+    from .installed import InstalledPackage
     from .packages import PackageFinder
     from .readable import Reach
 
@@ -18,7 +21,7 @@ FILE_ELEMENTS = ("mesh", "texture")
 """The elements of URDF whose `filename` names a file."""
 
 RELATIVE, KEEP, ABSOLUTE, COPY, NONE = "relative", "keep", "absolute", "copy", "none"
-"""How an output may name these files; `package://NAME` is one more way."""
+"""How an output may name these files; `package://NAME` and `package://` are two more."""
 
 
 class MeshFinder:
@@ -67,7 +70,7 @@ class MeshFinder:
             return path
         if not self._start or "://" in filename:
             return None
-        path = self._packages.resolve_uri(filename, self._start)
+        path = self._packages.resolve_uri(filename, self._start, span)
         return path if path and self.allows(path) and os.path.isfile(path) else None
 
     def reachable(self, filename: str, span: Span) -> str | None:
@@ -78,8 +81,9 @@ class MeshFinder:
             return None
 
     def package_folder(self, package: str, directory: str) -> str | None:
-        """Return the folder of a package that is looked for from a folder, or None."""
-        return self._packages.find(package, directory)
+        """Return the folder of a package, looked for from a folder and from the main file."""
+        found = self._packages.find(package, directory)
+        return found or (self._packages.find(package, self._start) if self._start else None)
 
     @staticmethod
     def _check_reach(reach: Reach, path: str, filename: str, span: Span) -> None:
@@ -96,7 +100,7 @@ class MeshFinder:
         """
         if "\x00" in filename:
             return None
-        return self._packages.resolve_uri(filename, _directory(span))
+        return self._packages.resolve_uri(filename, _directory(span), span)
 
     def allows(self, path: str) -> bool:
         """Return whether a file may be read, such as a texture that a mesh names."""
@@ -107,12 +111,28 @@ class MeshFinder:
         """Return the files and folders that may be read; none where everything may be."""
         return [] if self._reach is None else self._reach.roots
 
-    def places_searched(self, package: str, span: Span) -> list[str] | None:
-        """Return where a package was looked for, or None if it is known."""
+    def package_clashes(self) -> list[tuple[InstalledPackage, str, Span | None]]:
+        """Return the Python packages that ROS packages of their names were taken for."""
+        return self._packages.clashes()
+
+    def places_meant(self, filename: str, folders: Iterable[str]) -> list[str]:
+        """Return the absolute paths that a name in files of these folders may mean."""
+        if "\x00" in filename:
+            return []
+        found = (self._packages.resolve_uri(filename, folder) for folder in folders)
+        return list(dict.fromkeys(path for path in found if path))
+
+    def package_around(self, path: str) -> tuple[str, str] | None:
+        """Return name and folder of the package that a file is in, or None."""
+        return self._packages.package_around(path)
+
+    def package_fault(self, package: str, span: Span) -> tuple[str, list[str]] | None:
+        """Return how to get a package, and where it was looked for, or None if it is known."""
         directory = _directory(span)
-        if self._packages.find(package, directory) is not None:
+        if self._packages.find(package, directory, span) is not None:
             return None
-        return self._packages.looked_at(package, directory)
+        places = self._packages.looked_at(package, directory)
+        return self._packages.hint_for(package, directory), places
 
     def referred_to(self, root: Element) -> list[str]:
         """Return the files of every mesh and texture in a tree, each once, in order.

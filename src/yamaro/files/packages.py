@@ -1,7 +1,8 @@
-"""Finds ROS packages and the files that `package://` and other URIs name; needs no ROS.
+"""Finds packages and the files that `package://` and other URIs name; needs no ROS.
 
 The order is that of a sourced ROS set-up: the ament index (ROS 2), ROS_PACKAGE_PATH (ROS 1), and
-then, so that a checkout works without any set-up, the folders around the file itself.
+then, so that a checkout works without any set-up, the folders around the file itself. What Python
+packages bring comes last.
 """
 
 from __future__ import annotations
@@ -14,9 +15,15 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping
 
+    from ..source import Span
+    from .installed import InstalledPackage, InstalledPackages
+    from .readable import Reach
+
 MAX_DEPTH = 8
 MAX_FOLDERS = 10_000
 MAX_MANIFEST_BYTES = 1 << 20
+MOST_PLACES = 8
+"""Places that a message names in which a package was looked for."""
 IGNORE_MARKERS = frozenset(("AMENT_IGNORE", "CATKIN_IGNORE", "COLCON_IGNORE", "rospack_nosubdirs"))
 SKIPPED_FOLDERS = frozenset(("build", "devel", "install", "log", "node_modules", "__pycache__"))
 AMENT_INDEX = os.path.join("share", "ament_index", "resource_index", "packages")
@@ -29,41 +36,82 @@ class PackageFinder:
     Threads may share one: at worst two of them read the same folder.
     """
 
-    __slots__ = ("_environ", "_found", "_given", "_home", "_scans")
+    __slots__ = (
+        "_around",
+        "_environ",
+        "_found",
+        "_given",
+        "_has_installed",
+        "_home",
+        "_installed",
+        "_named",
+        "_reach",
+        "_scans",
+    )
 
     def __init__(
         self,
         environ: Mapping[str, str] | None = None,
         *,
         given: Mapping[str, str] | None = None,
+        reach: Reach | None = None,
     ) -> None:
-        """Use the search paths of `environ`, or else of the process, after the folders given."""
+        """Begin without having read anything.
+
+        Args:
+            environ: the search paths, instead of those of the process; what Python packages bring
+                is not found then.
+            given: folders of packages by name, which are not searched for.
+            reach: what may be read, to which the folder of each Python package named is added;
+                None for everything.
+        """
         self._given = {name: os.path.abspath(path) for name, path in (given or {}).items()}
         self._environ = os.environ if environ is None else environ
+        self._has_installed = environ is None
+        self._installed: InstalledPackages | None = None
+        self._reach = reach
+        self._named: dict[str, tuple[str, Span | None]] = {}
         self._home = os.path.expanduser("~")  # a jail hides where it is
         self._found: dict[tuple[str, str], str | None] = {}
+        self._around: dict[str, tuple[str, str] | None] = {}
         self._scans: dict[tuple[str, int], dict[str, str]] = {}
 
-    def find(self, name: str, start: str) -> str | None:
+    def find(self, name: str, start: str, span: Span | None = None) -> str | None:
         """Return the absolute folder of package `name`, or None if it is nowhere.
 
         Looked at, in this order: the folders given by name, each prefix of AMENT_PREFIX_PATH (its
         share folder counts), each folder of ROS_PACKAGE_PATH, and then the surroundings of `start`:
         the folders it lies in, what is beside the package it belongs to, its repository and
-        its workspace.
+        its workspace. Last come Python packages and the cache of robot_descriptions.
 
         Args:
             name: the package's name, as in its package.xml.
             start: the folder of the file that asks.
+            span: where the name is written, if that is known.
         """
         if name in self._given:
             return self._given[name]
         key = (name, start)
         if key not in self._found:
-            self._found[key] = self._find(name, start) if is_package_name(name) else None
+            self._found[key] = self._find(name, start, span) if is_package_name(name) else None
         return self._found[key]
 
-    def _find(self, name: str, start: str) -> str | None:
+    def _find(self, name: str, start: str, span: Span | None) -> str | None:
+        folder = self._find_sourced(name)
+        if folder is None:
+            for own in _ancestors(start):
+                if manifest_name(own) == name:
+                    return own
+            for root, depth in surroundings(start):
+                if folder := self._packages_below(root, depth).get(name):
+                    break
+        if folder is None:
+            return self._find_installed(name)
+        self._named.setdefault(name, (folder, span))
+        return folder
+
+    def _find_sourced(self, name: str) -> str | None:
+        """Return the folder of a package that the environment's search paths lead to."""
         for prefix in self._paths("AMENT_PREFIX_PATH"):
             share = os.path.join(prefix, "share", name)
             if os.path.isfile(os.path.join(prefix, AMENT_INDEX, name)) and os.path.isdir(share):
@@ -71,13 +119,37 @@ class PackageFinder:
         for path in self._paths("ROS_PACKAGE_PATH"):
             if folder := self._packages_below(path).get(name):
                 return folder
-        for folder in _ancestors(start):
-            if manifest_name(folder) == name:
-                return folder
-        for root, depth in surroundings(start):
-            if folder := self._packages_below(root, depth).get(name):
-                return folder
         return None
+
+    def _find_installed(self, name: str) -> str | None:
+        if self._reach is not None:
+            return self._reach.package(name)
+        installed = self.installed()
+        return installed.folder(name) if installed is not None else None
+
+    def installed(self) -> InstalledPackages | None:
+        """Return what finds the packages that Python packages bring, if it is to be asked."""
+        if self._installed is None and self._has_installed:
+            from .installed import InstalledPackages
+
+            self._installed = InstalledPackages()
+        return self._installed
+
+    def clashes(self) -> list[tuple[InstalledPackage, str, Span | None]]:
+        """Return the Python packages that were not taken as ROS has a package of their name.
+
+        Each comes with the folder that was taken, and the place where its name is written. A
+        Python package with the same name and version as the ROS package is that package.
+        """
+        installed = self.installed() if self._named else None
+        if installed is None:
+            return []
+        found = []
+        for name, (folder, span) in self._named.items():
+            other = installed.all().get(name)
+            if other is not None and other.folder is not None and not _is_same(other, folder):
+                found.append((other, folder, span))
+        return found
 
     def looked_at(self, name: str, start: str) -> list[str]:
         """Return the places `find` looks at for `name`, each as a phrase to show to a person."""
@@ -91,7 +163,34 @@ class PackageFinder:
                 places.append(f"{variable} (not set)")
         places.append(f"{os.path.abspath(start)} and the folders that contain it")
         places.extend(f"{root} and the folders below it" for root, _ in surroundings(start))
+        if (installed := self.installed()) is not None:
+            places.extend(installed.looked_at())
         return places
+
+    def hint_for(self, name: str, start: str) -> str:
+        """Return how to get a package that is not found: what was meant, or where it may be."""
+        installed = self.installed()
+        if installed is not None and is_package_name(name):
+            found = installed.all().get(name)
+            if found is not None and found.folder is None:
+                return (
+                    f"the Python package '{found.distribution}' says that it is the folder of the "
+                    f"module '{found.value}', which is not found; if it is installed with "
+                    "'pip install -e', install it without -e"
+                )
+            if installed.has_distribution(name):
+                brought = installed.brought_by(name)
+                if brought:
+                    shown = "', '".join(brought)
+                    return f"the Python package '{name}' brings '{shown}'"
+                return (
+                    f"the Python package '{name}' is installed, but does not say where its robots "
+                    "are: it needs an entry point in the group 'yamaro.packages'"
+                )
+        from ..diagnostics import suggest
+
+        near = suggest(name, self.names(start))
+        return f"did you mean '{near}'?" if near else package_hint(name)
 
     def names(self, start: str) -> list[str]:
         """Return the names of all packages that `find` could find from `start`, sorted."""
@@ -106,6 +205,8 @@ class PackageFinder:
         names.update(filter(None, map(manifest_name, _ancestors(start))))
         for root, depth in surroundings(start):
             names.update(self._packages_below(root, depth))
+        if (installed := self.installed()) is not None:
+            names.update(installed.names())
         return sorted(names)
 
     def search_paths(self) -> list[str]:
@@ -125,13 +226,23 @@ class PackageFinder:
                 folders += self._packages_below(root, depth).values()
         return folders
 
-    def resolve_uri(self, uri: str, base_dir: str) -> str | None:
+    def package_around(self, path: str) -> tuple[str, str] | None:
+        """Return name and folder of the package that a file is in, or None if it is in none."""
+        folder = os.path.dirname(path)
+        if folder not in self._around:
+            names = ((manifest_name(each), each) for each in _ancestors(folder))
+            found = ((name, each) for name, each in names if name and is_package_name(name))
+            self._around[folder] = next(found, None)
+        return self._around[folder]
+
+    def resolve_uri(self, uri: str, base_dir: str, span: Span | None = None) -> str | None:
         """Return the absolute path that a mesh, texture or file name means.
 
         Args:
             uri: `package://name/path`, `model://name/path`, `file:///path`, or a plain path,
                 which may start with `~` and is relative to `base_dir`.
             base_dir: the folder of the file in which the name is written.
+            span: where it is written, if that is known.
 
         Returns:
             The path, which may be missing; None for a package or model that is nowhere, and for
@@ -147,7 +258,7 @@ class PackageFinder:
             return None
         name, _, inner = rest.partition("/")
         folder = self._find_model(name) if scheme == "model" else None
-        folder = folder or self.find(name, base_dir)
+        folder = folder or self.find(name, base_dir, span)
         return _absolute(_unquoted(inner, folder), folder) if folder else None
 
     def _expanded(self, path: str) -> str:
@@ -173,16 +284,20 @@ class PackageFinder:
         return list(dict.fromkeys(os.path.abspath(part) for part in parts if part))
 
     def _packages_below(self, root: str, depth: int = MAX_DEPTH) -> dict[str, str]:
-        """Return name and folder of each package in `root` or below; the first of a name wins."""
         packages = self._scans.get((root, depth))
         if packages is None:
-            packages = {}
-            for folder in _package_folders(root, depth):
-                name = manifest_name(folder)
-                if name:
-                    packages.setdefault(name, folder)
-            self._scans[root, depth] = packages
+            packages = self._scans[root, depth] = packages_below(root, depth)
         return packages
+
+
+def packages_below(root: str, depth: int = MAX_DEPTH) -> dict[str, str]:
+    """Return name and folder of each package in `root` or below; the first of a name wins."""
+    packages: dict[str, str] = {}
+    for folder in _package_folders(root, depth):
+        name = manifest_name(folder)
+        if name:
+            packages.setdefault(name, folder)
+    return packages
 
 
 def is_package_name(name: str) -> bool:
@@ -192,19 +307,40 @@ def is_package_name(name: str) -> bool:
 
 def package_hint(package: str) -> str:
     """Return how to say where a package is that is not found."""
-    return f"source its workspace, or set its folder: --package {package}:=FOLDER"
+    return (
+        "source its ROS workspace, install its Python package with pip, or set its folder: "
+        f"--package {package}:=FOLDER"
+    )
+
+
+def _is_same(installed: InstalledPackage, folder: str) -> bool:
+    """Return whether a Python package is the ROS package in a folder."""
+    from .installed import is_same_name
+
+    inner = os.path.realpath(installed.folder or "")
+    if inner.startswith(os.path.realpath(folder).rstrip(os.sep) + os.sep):
+        return True  # a checkout that pip has installed as editable
+    return is_same_name(installed.distribution, manifest_name(folder) or "") and (
+        installed.version == manifest_text(folder, "version")
+    )
 
 
 def manifest_name(folder: str) -> str | None:
     """Return the name that the folder's package.xml gives, or None if there is none to read."""
+    return manifest_text(folder, "name")
+
+
+def manifest_text(folder: str, tag: str) -> str | None:
+    """Return the text of the first element of a name in the folder's package.xml, or None."""
     try:
         data = read_start(os.path.join(folder, "package.xml"), MAX_MANIFEST_BYTES)
     except OSError:
         return None
     text = _without_comments(data.decode("utf-8", "replace"))
-    start = text.find("<name")
-    while start >= 0 and text[start + 5 : start + 6] not in (">", " ", "\t", "\r", "\n"):
-        start = text.find("<name", start + 5)
+    tag = f"<{tag}"
+    start, length = text.find(tag), len(tag)
+    while start >= 0 and text[start + length : start + length + 1] not in tuple("> \t\r\n"):
+        start = text.find(tag, start + length)
     if start < 0:
         return None
     content, end, _ = text[start:].partition(">")[2].partition("<")

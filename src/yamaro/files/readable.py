@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import os
 
+from .installed import InstalledPackages
 from .loader import LoadError
 from .packages import PackageFinder, surroundings
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Iterable, Sequence
 
 
 class Reach:
@@ -17,13 +18,55 @@ class Reach:
 
     Attributes:
         roots: their paths, absolute and without symbolic links.
+        is_confined: whether this process is one that the kernel confines, which sees none of what
+            Python packages bring.
+        wanted: the names of packages that a confined process has asked for.
     """
 
-    __slots__ = ("roots",)
+    __slots__ = ("_installed", "_packages", "is_confined", "roots", "wanted")
 
     def __init__(self, roots: Sequence[str]) -> None:
         """Allow what lies in `roots`; a link counts as what it leads to."""
         self.roots = list(dict.fromkeys(os.path.realpath(root) for root in roots))
+        self.is_confined = False
+        self.wanted: list[str] = []
+        self._installed: InstalledPackages | None = None
+        self._packages: dict[str, str] = {}
+
+    def package(self, name: str) -> str | None:
+        """Return the folder of a package that a Python package brings, and allow to read it.
+
+        A confined process cannot allow itself anything: it finds what was allowed before, and what
+        it wants is noted, for the process that started it.
+        """
+        folder = self._packages.get(name)
+        if folder is not None:
+            return folder
+        if self.is_confined:
+            self.wanted.append(name)
+            return None
+        if self._installed is None:
+            self._installed = InstalledPackages()
+        folder = self._installed.folder(name)
+        if folder is not None:
+            self._packages[name] = folder
+            self._allow(folder)
+        return folder
+
+    def has_new(self, names: Iterable[str]) -> bool:
+        """Return whether packages that a confined process wants are there; they are allowed."""
+        count = len(self._packages)
+        for name in names:
+            self.package(name)
+        return len(self._packages) > count
+
+    def also_allow(self, other: Sequence[str]) -> None:
+        """Allow the folders and files of another reach, too."""
+        self.roots += [root for root in other if root not in self.roots]
+
+    def _allow(self, folder: str) -> None:
+        if not _holds_home(folder):
+            self.also_allow([os.path.realpath(folder)])
 
     def allows(self, path: str) -> bool:
         """Return whether a path, having followed its links, lies where files may be read."""
@@ -69,6 +112,8 @@ def roots_of(path: str, allowed: Sequence[str], packages: PackageFinder) -> list
         roots.append(folder)
         found += packages.around(folder)
         found += [root for root, depth in surroundings(folder) if depth > 1]
-    home = os.path.realpath(os.path.expanduser("~"))
-    roots += [root for root in found if not Reach([root]).allows(home)]
-    return roots
+    return roots + [root for root in found if not _holds_home(root)]
+
+
+def _holds_home(folder: str) -> bool:
+    return Reach([folder]).allows(os.path.expanduser("~"))

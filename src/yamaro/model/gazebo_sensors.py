@@ -129,17 +129,18 @@ class GazeboSensors:
         homes = self._robot.joints if kind == FORCE_TORQUE else self._robot.links
         if kind is None or home not in homes:
             return
-        name = self._free_name(attribute_text(element, "name") or kind, home)
+        written = attribute_text(element, "name") or kind
+        name = self._free_name(written, home)
         if name is None:
             return
         cameras = [each for each in element.elements() if each.name == "camera"]
         if attribute_text(element, "type") == "multicamera" and cameras:
             for number, camera in enumerate(cameras):
                 own = f"{name}_{attribute_text(camera, 'name') or number}"
-                note = Note("sensor", camera, trace, name=own, type=kind)
+                note = Note("sensor", camera, trace, name=own, type=kind, written_name=written)
                 self._read(note, element, home, camera)
             return
-        note = Note("sensor", element, trace, name=name, type=kind)
+        note = Note("sensor", element, trace, name=name, type=kind, written_name=written)
         self._read(note, element, home, cameras[0] if cameras else None)
 
     def _read(self, note: Note, element: Element, home: str, camera: Element | None) -> None:
@@ -235,10 +236,11 @@ class GazeboSensors:
         home = content(where) or ""
         if kind is None or home not in homes:
             return
-        name = self._free_name(attribute_text(element, "name") or kind, home)
+        written = attribute_text(element, "name") or kind
+        name = self._free_name(written, home)
         if name is None:
             return
-        note = Note("sensor", element, trace, name=name, type=kind)
+        note = Note("sensor", element, trace, name=name, type=kind, written_name=written)
         _read_rate(note, element, [element])
         _read_topic(note, element, [element])
         _read_noise(note, kind, element, [element])

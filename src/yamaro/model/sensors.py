@@ -105,6 +105,7 @@ class Sensor(Written):
 
     Attributes:
         name: its name.
+        written_name: what a file calls it; `name` differs if several sensors are called so.
         type: `imu`, `lidar`, `camera`, `depth_camera`, `gps`, `contact`, `magnetometer`, `range`,
             or in a joint `force_torque`.
         link: the name of the link that it is in, or None.
@@ -123,13 +124,14 @@ class Sensor(Written):
 
     __slots__ = (
         "details", "frame", "joint", "link", "name", "noise", "noises", "pose", "rate", "topic",
-        "trace", "type",
+        "trace", "type", "written_name",
     )  # fmt: skip
 
     def __init__(self, element: Element, trace: Step | None) -> None:
         self.element = element
         self.trace = trace
         self.name = attribute_text(element, "name") or ""
+        self.written_name = attribute_text(element, "written_name") or self.name
         self.type = attribute_text(element, "type") or ""
         self.link = attribute_text(element, "link")
         self.joint = attribute_text(element, "joint")

@@ -175,6 +175,15 @@ def match_arguments(
     return match
 
 
+def _new_match(
+    node: FunctionNode, arguments: list[Argument], span: Span, interpreter: Interpreter
+) -> Match:
+    """Return which argument goes to which parameter, for this call and those to come."""
+    match = match_arguments(node, arguments, span, interpreter.files)
+    interpreter.matches[id(arguments)] = match
+    return match
+
+
 def _parameter_of(
     argument: Argument,
     index: int,
@@ -334,8 +343,7 @@ def call(
         return
     match = interpreter.matches.get(id(arguments))
     if match is None or match.node is not function.node:
-        match = match_arguments(function.node, arguments, span, interpreter.files)
-        interpreter.matches[id(arguments)] = match
+        match = _new_match(function.node, arguments, span, interpreter)
     closure = function.closure
     callee = Scope(closure.home, interpreter.shared_names, closure=closure, caller=scope.context)
     given = evaluate_arguments(match, scope, interpreter.values)
@@ -346,6 +354,8 @@ def call(
     interpreter.enter(frame, span)
     try:
         bind(match, given, callee, interpreter.values)
+        if interpreter.noted is not None:
+            interpreter.noted.take_parameters(callee, function.node)
         interpreter.run_body(function.node.body, callee, out)
         if callee.kinds:
             for key, value in callee.exported():

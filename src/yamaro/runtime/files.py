@@ -6,7 +6,7 @@ import os
 
 from ..diagnostics import Frame, Reporter, YamaroError, failure
 from ..files.loader import LoadError
-from ..files.packages import PackageFinder, package_hint
+from ..files.packages import MOST_PLACES, PackageFinder
 from ..source import Source, Span
 from ..syntax.document import Document, ImportNode
 from ..syntax.python import PythonCode
@@ -166,8 +166,6 @@ class Files:
 
         for node in document.imports:
             home.names.update(evaluator.guard(load, node, node.span))
-        for path in modules.files:
-            self.note(path)
 
     def _import_safely(
         self, document: Document, home: Home, evaluator: Evaluator, safety: SafeRuntime
@@ -195,7 +193,7 @@ class Files:
         if directory not in self._modules:
             from .modules import LocalModules
 
-            self._modules[directory] = LocalModules(directory, self._library.modules)
+            self._modules[directory] = LocalModules(directory, self._library.modules, self.note)
         return self._modules[directory]
 
     def load(self, path: str, span: Span, home: Home) -> Source:
@@ -209,7 +207,7 @@ class Files:
         Raises:
             YamaroError: the file does not exist or package, or it is not text in its encoding.
         """
-        resolved = self.packages.resolve_uri(path, home.directory)
+        resolved = self.packages.resolve_uri(path, home.directory, span)
         if resolved is None:
             raise self._unknown_package(path, span, home)
         absolute = os.path.normpath(resolved)
@@ -290,8 +288,8 @@ class Files:
             "unknown-package",
             f"the package '{package}' is not found",
             span,
-            hint=package_hint(package),
-            notes=[f"searched in {place}" for place in places[:6]],
+            hint=self.packages.hint_for(package, start),
+            notes=[f"searched in {place}" for place in places[:MOST_PLACES]],
         )
 
 

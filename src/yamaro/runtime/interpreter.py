@@ -38,6 +38,7 @@ if TYPE_CHECKING:
     from ..xml.tree import Element, Node
     from .library import Library
     from .python_errors import Explainer
+    from .recording import Noted
     from .unread import Passed
 
     Handlers = Mapping[type, Callable[["Interpreter", Any, Scope, list[Node], Body | None], None]]
@@ -48,7 +49,13 @@ LONGEST_CYCLE = 20
 
 
 class Interpreter:
-    """One conversion: runs the main file and everything it includes."""
+    """One conversion: runs the main file and everything it includes.
+
+    Attributes:
+        noted: notes the values of names where they are declared, or None.
+    """
+
+    noted: Noted | None = None
 
     def __init__(
         self,
@@ -142,6 +149,9 @@ class Interpreter:
                 warn_of_own_prefix(
                     include, include.own_prefix, names, document.source, self.reporter
                 )
+            if self.noted is not None:
+                for entry in document.arguments:
+                    self.noted.take(scope, [entry.name], entry.span)
         words: list[Node] = []
         for statement in document.sections:
             if document.is_lone_section and include is None and type(statement) is RobotWordNode:

@@ -18,7 +18,7 @@ from .expressions import run_module
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Mapping, Sequence
+    from collections.abc import Callable, Mapping, Sequence
     from types import CodeType, ModuleType
     from typing import Any
 
@@ -28,15 +28,23 @@ if TYPE_CHECKING:
 class LocalModules:
     """The modules in one folder, for one conversion."""
 
-    __slots__ = ("_codes", "_directory", "_modules", "_prefix", "files")
+    __slots__ = ("_codes", "_directory", "_modules", "_note", "_prefix")
 
-    def __init__(self, directory: str, codes: dict[str, CodeType]) -> None:
-        """Look for modules in `directory`; `codes` holds those compiled before, by their paths."""
+    def __init__(
+        self, directory: str, codes: dict[str, CodeType], note: Callable[[str], None]
+    ) -> None:
+        """Look for modules in a folder.
+
+        Args:
+            directory: the folder.
+            codes: holds those compiled before, by their paths.
+            note: takes the path of each file that is read.
+        """
         self._directory = directory
         self._codes = codes
         self._modules: dict[str, ModuleType] = {}
+        self._note = note
         self._prefix = f"_yamaro_{id(self):x}"
-        self.files: list[str] = []  # what was read
 
     def close(self) -> None:
         """Take the modules out of `sys.modules`."""
@@ -79,7 +87,7 @@ class LocalModules:
                 with open_regular(path) as file:
                     code = compile(file.read(), path, "exec", dont_inherit=True)
                 self._codes[path] = code
-            self.files.append(path)
+            self._note(path)
             run_module(code, fields)
         except BaseException:
             del self._modules[name]

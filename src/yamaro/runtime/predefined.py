@@ -8,7 +8,7 @@ import os
 
 from ..diagnostics import InputFault, Reporter, did_you_mean
 from ..files.loader import LoadError, decode
-from ..files.packages import package_hint
+from ..files.packages import MOST_PLACES
 from ..syntax.context import ParseContext
 from ..syntax.names import FACTORS
 from ..syntax.nodes import Constant, DictValue, ListValue
@@ -126,11 +126,12 @@ class Helpers:
 
     def _unknown_package(self, package: str) -> InputFault:
         """Return the fault of a package that is nowhere."""
-        places = self._packages.looked_at(package, self._directory)
+        places = self._packages.looked_at(package, self._directory)[:MOST_PLACES]
+        hint = self._packages.hint_for(package, self._directory)
         return InputFault(
             "unknown-package",
             f"the package '{package}' is not found",
-            (f"searched in {', '.join(places)}; " if places else "") + package_hint(package),
+            (f"searched in {', '.join(places)}; " if places else "") + hint,
         )
 
     def env(self, name: str, default: Any = _REQUIRED) -> Any:

@@ -13,21 +13,24 @@ from ..syntax.nodes import (
     DictValue,
     DynamicNode,
     ElementNode,
+    FunctionNode,
     ListContent,
     ListValue,
     PartNode,
+    ProcessNode,
     TextContent,
+    VariablesNode,
 )
 from ..syntax.template import Template
 from ..xml.tree import Element, Text
 from .markup import run_dynamic, run_element, run_part, run_static
 from .origins import names_in
-from .statements import HANDLERS
+from .statements import HANDLERS, run_process, run_variables
 from .values import print_text
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Iterable, Iterator
     from typing import Any
 
     from ..syntax.nodes import Body, Value
@@ -37,6 +40,38 @@ if TYPE_CHECKING:
 
 LONGEST_VALUE = 2000
 """Characters of a variable's value that are recorded."""
+MOST_VALUES = 20
+"""Values of one variable that are noted where it is set."""
+
+
+class Noted:
+    """The values that names have where they are declared, in the order of the run."""
+
+    __slots__ = ("_interpreter", "_values")
+
+    def __init__(self, interpreter: Interpreter) -> None:
+        """Begin with nothing noted."""
+        self._interpreter = interpreter
+        self._values: dict[tuple[str, str, int], list[Reading]] = {}
+
+    def take(self, scope: Scope, names: Iterable[str], span: Span) -> None:
+        """Note the values of names that were declared just now, at a place."""
+        for name in names:
+            noted = self._values.setdefault((name, span.source.path, span.start), [])
+            if len(noted) < MOST_VALUES:
+                value = scope.find(name)
+                if value is MISSING or callable(value) or isinstance(value, Namespace):
+                    continue
+                noted.append(Reading(name, _text_of(self._interpreter, value, span), span))
+
+    def take_parameters(self, scope: Scope, node: FunctionNode) -> None:
+        """Note the values of the parameters of a function that was called just now."""
+        for parameter in node.parameters:
+            self.take(scope, [parameter.name], parameter.span)
+
+    def readings(self) -> list[Reading]:
+        """Return all of them: the name, the value, and where it is declared."""
+        return [each for noted in self._values.values() for each in noted]
 
 
 def run_recorded_element(
@@ -124,6 +159,26 @@ def run_recorded_part(
             element.span = RecordedSpan(element.span, name_span=places[-1])
 
 
+def run_recorded_variables(
+    interpreter: Interpreter, node: VariablesNode, scope: Scope, out: list[Node], body: Body | None
+) -> None:
+    """Declare variables, and note their values."""
+    run_variables(interpreter, node, scope, out, body)
+    assert interpreter.noted is not None
+    for entry in node.entries:
+        if isinstance(entry.name, str):
+            interpreter.noted.take(scope, [entry.name], entry.span)
+
+
+def run_recorded_process(
+    interpreter: Interpreter, node: ProcessNode, scope: Scope, out: list[Node], body: Body | None
+) -> None:
+    """Run Python, and note what the names in it mean behind it."""
+    run_process(interpreter, node, scope, out, body)
+    assert interpreter.noted is not None
+    interpreter.noted.take(scope, dict.fromkeys(node.code.code.co_names), node.span)
+
+
 def _recorded(
     interpreter: Interpreter, value: str | Value, span: Span, scope: Scope
 ) -> RecordedSpan | None:
@@ -187,5 +242,7 @@ RECORDING_HANDLERS: Handlers = {
     DynamicNode: run_recorded_dynamic,
     Element: run_recorded_static,
     PartNode: run_recorded_part,
+    ProcessNode: run_recorded_process,
+    VariablesNode: run_recorded_variables,
 }
 """`HANDLERS`, with those in place of which this module records."""

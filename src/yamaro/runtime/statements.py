@@ -54,7 +54,7 @@ def run_for(
     context = scope.context
     names = node.names
     single = names[0] if len(names) == 1 else None
-    most = interpreter.limits.turns
+    most, noted = interpreter.limits.turns, interpreter.noted
     for index, item in enumerate(iterate(node, scope, interpreter.values)):
         if index >= most:
             raise too_many_turns(node.span, interpreter.limits)
@@ -67,6 +67,8 @@ def run_for(
             values = unpack(item, index, node, interpreter.evaluator)
             for name, value in zip(names, values, strict=True):
                 context.declare(name, value, place=node.span)
+        if noted is not None:
+            noted.take(context, names, node.span)
         interpreter.run_body(node.body, scope, out)
 
 

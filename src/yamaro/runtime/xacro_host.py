@@ -70,7 +70,7 @@ class XacroHost:
             YamaroError: there is no such package.
         """
         start = os.path.dirname(span.source.path or self._main.path)
-        folder = self._files.packages.find(name, start)
+        folder = self._files.packages.find(name, start, span)
         if folder is None:
             raise self._files.unknown_package(name, span, start)
         return folder

@@ -159,7 +159,7 @@ class Guards(OperatorGuards):
         return self.attribute(owner, name)
 
     def _no_member(self, module: Module, name: str) -> SafetyError:
-        hint = did_you_mean(name, module.members)
+        hint: str | None = did_you_mean(name, module.members)
         if hint is None:
             known = len(module.members)
             hint = RUN_IT

@@ -2,11 +2,16 @@
 
 That works where Python runs code: at the next step of it the exception comes up. A single call of a
 function written in C, such as a regular expression that never ends, is not interrupted.
+
+A thread watches the clock. Where none can be started, as in a browser, the code is monitored
+instead, which Python can do from 3.12 on; an older Python runs it without a deadline.
 """
 
 from __future__ import annotations
 
 import _thread
+import sys
+import time
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -32,9 +37,13 @@ def run_within(seconds: float | None, function: Callable[[], T]) -> T:
     """
     if seconds is None:
         return function()
-    watch = _Watch()
+    watch: _Watch | _Monitor = _Watch()
     try:
-        watch.begin(seconds)
+        try:
+            watch.begin(seconds)
+        except RuntimeError:  # no thread can be started
+            watch = _Monitor()
+            watch.begin(seconds)
         return function()
     finally:
         # No `with` could do this: the exception may come up at the first step of __exit__.
@@ -83,6 +92,50 @@ class _Watch:
                     return
                 _raise_in(self._thread, TimeOver)
             seconds = AGAIN_AFTER
+
+
+class _Monitor:
+    """Raises TimeOver where monitored code calls a function or jumps, as each loop does.
+
+    It sees all code of the process: there is but one thread.
+    """
+
+    __slots__ = ("_tool", "_until")
+
+    def __init__(self) -> None:
+        self._tool: int | None = None
+        self._until = float("inf")
+
+    def begin(self, seconds: float) -> None:
+        """Begin to look at the clock."""
+        monitoring = getattr(sys, "monitoring", None)
+        if monitoring is None:
+            return
+        free = [number for number in range(6) if monitoring.get_tool(number) is None]
+        if not free:
+            return
+        self._until = time.monotonic() + seconds
+        self._tool = free[-1]  # the first ones are those of debuggers and profilers
+        monitoring.use_tool_id(self._tool, "yamaro deadline")
+        events = monitoring.events
+        for event in (events.JUMP, events.PY_START):
+            monitoring.register_callback(self._tool, event, self._look)
+        monitoring.set_events(self._tool, events.JUMP | events.PY_START)
+
+    def end(self) -> None:
+        """Raise no more."""
+        self._until = float("inf")
+        if self._tool is not None:
+            monitoring = sys.monitoring  # type: ignore[attr-defined,unused-ignore]
+            monitoring.set_events(self._tool, 0)
+            monitoring.free_tool_id(self._tool)
+            self._tool = None
+
+    def _look(self, *_event: object) -> None:
+        now = time.monotonic()
+        if now >= self._until:
+            self._until = now + AGAIN_AFTER
+            raise TimeOver
 
 
 def _raise_in(thread: int, kind: type[BaseException]) -> None:

@@ -27,6 +27,8 @@ _lock = _thread.allocate_lock()  # stack size and recursion limit are set for th
 _limits: list[int] = []  # the recursion limit before each function that runs
 _idle: list[_Worker] = []  # threads that wait for more to do; to start one takes half a millisecond
 MAX_IDLE = 4
+_FIRST_IS_MAIN = sys.version_info < (3, 13)
+"""Whether the thread that first imports `threading` counts as the main one."""
 
 if hasattr(os, "register_at_fork"):  # a forked process has none of the threads
     os.register_at_fork(after_in_child=_idle.clear)
@@ -36,7 +38,9 @@ if hasattr(os, "register_at_fork"):  # a forked process has none of the threads
 def run_on_deep_stack(function: Callable[[], T]) -> T:
     """Return what `function` returns, or raise what it raises, having run it in a thread.
 
-    It is called directly where a debugger or a coverage tool traces the calling thread.
+    It is called directly where a debugger or a coverage tool traces the calling thread, and where
+    no thread can be started, as in a browser. There the stack is shallow, and the recursion limit
+    stays as it is: with Python's usual 1,000, functions of YAML can call each other 190 deep.
     """
     if sys.gettrace() is not None or sys.getprofile() is not None:
         return _run_here(function)
@@ -45,7 +49,7 @@ def run_on_deep_stack(function: Callable[[], T]) -> T:
     try:
         worker = _idle_worker() or _new_worker()
         if worker is None:
-            return _run_here(function)
+            return function()
         worker.give(job)
         job.wait()
     except BaseException:
@@ -103,8 +107,8 @@ class _Job:
 class _Worker:
     """A thread with a deep stack, which runs one job after another.
 
-    Python takes the thread that first imports `threading` for the main one, and waits for it when
-    the process ends. So where that is not imported yet, and a job may do it, there is but one job.
+    Up to Python 3.12 the process waits at its end for the thread that first imports `threading`.
+    So where that is not imported yet, and a job may do it, there is but one job.
     """
 
     __slots__ = ("_awake", "_identity", "_is_lasting", "_job", "is_stopped")
@@ -131,7 +135,10 @@ class _Worker:
                 job, self._job = self._job, None
                 if job is None:
                     return
+                importer = _await_children()
                 job.run()
+                if importer is not None and importer in sys.meta_path:
+                    sys.meta_path.remove(importer)
                 if self._is_lasting and len(_idle) < MAX_IDLE:
                     _idle.append(self)
                 else:
@@ -151,6 +158,50 @@ class _Worker:
                 ctypes.c_ulong(self._identity), ctypes.py_object(KeyboardInterrupt)
             )
             job.wait(1.0)
+
+
+class _Importer:
+    """Has threads that this one starts waited for, once `threading` is imported, see below."""
+
+    def find_spec(self, name: str, path: Any = None, target: Any = None) -> Any:
+        """Find `threading` where it is, and add to what its import does."""
+        if name != "threading":
+            return None
+        if self in sys.meta_path:
+            sys.meta_path.remove(self)
+        others = [finder for finder in sys.meta_path if hasattr(finder, "find_spec")]
+        found = (finder.find_spec(name, path, target) for finder in others)
+        spec: Any = next(filter(None, found), None)
+        if spec is None or spec.loader is None:
+            return spec
+        execute = spec.loader.exec_module
+
+        def execute_and_mark(module: Any) -> None:
+            execute(module)
+            _await_children()
+
+        spec.loader.exec_module = execute_and_mark
+        return spec
+
+
+def _await_children() -> _Importer | None:
+    """Have the threads that this one starts waited for at the end, as those of the main thread are.
+
+    A thread takes this from the one that starts it, and a thread that `threading` does not know,
+    such as ours, counts as one that is not waited for.
+
+    Returns:
+        What does so once `threading` is imported, if it is not yet.
+    """
+    threading = sys.modules.get("threading")
+    if threading is not None:
+        threading.current_thread()._daemonic = False
+        return None
+    if _FIRST_IS_MAIN:
+        return None
+    importer = _Importer()
+    sys.meta_path.insert(0, importer)  # type: ignore[arg-type]
+    return importer
 
 
 def _idle_worker() -> _Worker | None:

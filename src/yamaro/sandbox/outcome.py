@@ -9,6 +9,7 @@ if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
 
     from ..diagnostics import Diagnostic
+    from ..source import Reading
     from ..xml.tree import Element
 
 
@@ -76,6 +77,7 @@ class Outcome:
         root: the finished tree, if it was asked for and there is one.
         notes: what comes with the tree of a robot, such as its sensors.
         documents: the documents in the output formats asked for, if there are any.
+        noted: the values of names where they are declared, if they were asked for.
     """
 
     __slots__ = (
@@ -84,6 +86,7 @@ class Outcome:
         "files",
         "meshes",
         "messages",
+        "noted",
         "notes",
         "pieces",
         "root",
@@ -100,6 +103,7 @@ class Outcome:
         root: Element | None = None,
         notes: Sequence[Element] = (),
         documents: Sequence[Document] = (),
+        noted: Sequence[Reading] = (),
     ) -> None:
         self.messages = list(messages)
         self.diagnostics = list(diagnostics)
@@ -109,6 +113,7 @@ class Outcome:
         self.root = root
         self.notes = list(notes)
         self.documents = list(documents)
+        self.noted = list(noted)
 
     @property
     def has_errors(self) -> bool:

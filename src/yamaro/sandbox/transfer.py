@@ -50,6 +50,7 @@ def to_bytes(outcome: Outcome) -> bytes:
     nodes, document = b"", ""
     notes = pack([packer.tree(note) for note in outcome.notes])
     documents = pack([packer.document(each) for each in outcome.documents])
+    noted = pack([packer.reading(each) for each in outcome.noted])
     if outcome.root is not None:
         nodes = packer.tree(outcome.root)  # of which the document is made again
     else:
@@ -66,6 +67,7 @@ def to_bytes(outcome: Outcome) -> bytes:
             nodes,
             notes,
             documents,
+            noted,
         ]
     )
 
@@ -83,7 +85,7 @@ def from_bytes(data: bytes, limits: Limits | None = None) -> Outcome:
     limits = limits or Limits()
     try:
         messages, sources, frames, diagnostics, document, files, meshes, *rest = unpack(data)
-        nodes, notes, documents = rest
+        nodes, notes, documents, noted = rest
         unpacker = _Unpacker(unpack(sources), unpack(frames))
         outcome = Outcome(
             messages=_read_messages(messages, limits),
@@ -93,6 +95,7 @@ def from_bytes(data: bytes, limits: Limits | None = None) -> Outcome:
             root=unpacker.tree(nodes) if nodes else None,
             notes=[unpacker.tree(each) for each in unpack(notes)],
             documents=[unpacker.document(each, limits) for each in unpack(documents)],
+            noted=[unpacker.reading(each) for each in unpack(noted)],
         )
         if (document or nodes) and not outcome.has_errors:
             outcome.pieces = [_read_document(document, outcome.root, limits)]
@@ -219,10 +222,7 @@ class _Packer:
         """
         if not isinstance(span, RecordedSpan):
             return self.span(span)
-        readings = [
-            pack([_text(each.name), _text(each.value), self._optional(each.span)])
-            for each in span.readings
-        ]
+        readings = [self.reading(each) for each in span.readings]
         others = [] if is_inner else [self.recorded(each, is_inner=True) for each in span.others]
         name_span = None if is_inner else span.name_span
         return pack(
@@ -235,8 +235,9 @@ class _Packer:
             ]
         )
 
-    def _optional(self, span: Span | None) -> bytes:
-        return b"" if span is None else self.span(span)
+    def reading(self, reading: Reading) -> bytes:
+        place = b"" if reading.span is None else self.span(reading.span)
+        return pack([_text(reading.name), _text(reading.value), place])
 
     def frame(self, frame: Frame | None) -> int:
         """Return the number of a frame, from 1; those it refers to come before it."""
@@ -371,10 +372,7 @@ class _Unpacker:
             raise ValueError("there is no such kind of place")
         if is_inner and (name_place or others):
             raise ValueError("a place is nested too deeply")
-        readings = []
-        for each in unpack(packed):
-            name, value, span = unpack(each)
-            readings.append(Reading(_read_text(name), _read_text(value), self._optional(span)))
+        readings = [self.reading(each) for each in unpack(packed)]
         return RecordedSpan(
             self.span(place),
             tuple(readings),
@@ -382,8 +380,10 @@ class _Unpacker:
             others=tuple(self.recorded(each, is_inner=True) for each in unpack(others)),
         )
 
-    def _optional(self, data: bytes) -> Span | None:
-        return self.span(data) if data else None
+    def reading(self, data: bytes) -> Reading:
+        name, value, place = unpack(data)
+        span = self.span(place) if place else None
+        return Reading(_read_text(name), _read_text(value), span)
 
     def frame(self, number: int) -> Frame | None:
         """Return a frame by its number, from 1; one that came before."""

@@ -113,25 +113,31 @@ def refuse_other_heads(key: ScalarNode) -> None:
     text = key.text
     for start in ("else if ", "elseif ", "elsif "):
         if text.startswith(start):
-            _refuse(key, start.strip(), f"write elif {text[len(start) :].strip()}:")
+            _refuse(key, start.strip(), f"write elif {text[len(start) :].strip()}:", "elif")
     if text.startswith("while "):
         _refuse(key, "while", "write for i in range(6): with an `if` in it; `process` has `while`")
     name, bracket, rest = text.partition("(")
     if bracket and text.endswith(")") and name.isidentifier() and name[0].isupper():
         arguments = rest[:-1].strip()
+        from ..fixes import replacement
+
         example = f"{name}: {arguments}" if arguments else f"{name}:"
+        fix = None if arguments else replacement(key.span(0, len(text)), name, is_safe=True)
         raise failure(
             "bad-call",
             f"'{text}' is a call as Python writes it",
             key.span(),
             hint=f"write {example}",
+            fix=fix,
         )
 
 
-def _refuse(key: ScalarNode, word: str, hint: str) -> NoReturn:
-    raise failure(
-        "unknown-statement", f"unknown statement `{word}`", key.span(0, len(word)), hint=hint
-    )
+def _refuse(key: ScalarNode, word: str, hint: str, meant: str | None = None) -> NoReturn:
+    from ..fixes import replacement
+
+    span = key.span(0, len(word))
+    fix = None if meant is None else replacement(span, meant, is_safe=True)
+    raise failure("unknown-statement", f"unknown statement `{word}`", span, hint=hint, fix=fix)
 
 
 def _find_in(text: str) -> int | None:

@@ -100,11 +100,18 @@ def parse_expression(node: ScalarNode, start: int, end: int, context: ParseConte
 def _warn_of_xacro(node: ScalarNode, index: int, context: ParseContext) -> None:
     close = node.text.find("}", index)
     inner = node.text[index + 2 : close] if close >= 0 else "…"
+    from ..fixes import Edit, Fix
+
+    fix = None
+    if close >= 0 and not {"{", "("} & set(inner):
+        edits = [Edit(node.span(index, index + 2), "$("), Edit(node.span(close, close + 1), ")")]
+        fix = Fix(f"write $({inner})", edits)
     context.warn(
         "xacro-syntax",
         "'${' is xacro syntax and is not evaluated here",
         node.span(index, index + 2),
         hint=f"write $({inner}) for an expression, or $${{ for a literal ${{",
+        fix=fix,
     )
 
 

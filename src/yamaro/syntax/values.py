@@ -87,12 +87,16 @@ def warn_of_hidden_value(node: ScalarNode, context: ParseContext) -> None:
     end = at
     while end < len(text) and text[end] not in "\r\n":
         end += 1
+    from ..fixes import replacement
+
     hidden = text[at:end].rstrip()
+    span = Span(node.source, at, at + len(hidden))
     context.warn(
         "hidden-value",
         f"'{hidden}' is a YAML comment, so the value is empty",
-        Span(node.source, at, at + len(hidden)),
+        span,
         hint=f"quote the value: '{hidden}'; put a space after # if it is a comment",
+        fix=replacement(span, f"'{hidden}'") if "'" not in hidden else None,
     )
 
 
@@ -101,11 +105,14 @@ def _warn_of_missing_space(key: ScalarNode, value: YamlNode, context: ParseConte
     name, _, rest = key.text.partition(":")
     is_missing = isinstance(value, ScalarNode) and value.style == PLAIN and not value.text
     if is_missing and key.style == PLAIN and name.isidentifier() and rest:
+        from ..fixes import replacement
+
         context.warn(
             "hidden-value",
             f"'{key.text}' is a YAML key with an empty value",
             key.span(),
             hint=f"put a space after the colon: {name}: {rest}",
+            fix=replacement(key.span(), f"{name}: {rest}"),
         )
 
 

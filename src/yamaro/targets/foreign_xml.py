@@ -48,7 +48,9 @@ def foreign_losses(robot: Robot, *, taken: Collection[str] = ()) -> list[Loss]:
         if child.name in taken or child.name == "ros2_control":
             continue
         if child.name in ("link", "joint", "material"):
-            walk.check(child, f"{child.name} '{attribute_text(child, 'name') or ''}'", trace)
+            if not _is_plain(child):
+                owner = f"{child.name} '{attribute_text(child, 'name') or ''}'"
+                walk.check(child, owner, trace)
         elif child.name == "gazebo":
             walk.check_gazebo(child, trace)
         elif child.name == "transmission":
@@ -62,10 +64,28 @@ def foreign_losses(robot: Robot, *, taken: Collection[str] = ()) -> list[Loss]:
 def _outside_of_the_tree(robot: Robot) -> list[Loss]:
     """Return the losses of joints that join nothing, or a link that has another joint already."""
     return [
-        Loss(LOST, "joints outside of the tree", f"'{joint.name}'", joint.span, trace=joint.trace)
+        Loss(
+            LOST,
+            "joints outside of the tree",
+            f"joint '{joint.name}'",
+            joint.span,
+            trace=joint.trace,
+        )
         for joint in robot.all_joints
         if robot.parent_joint(joint.child) is not joint
     ]
+
+
+def _is_plain(element: Element) -> bool:
+    """Return whether a link, joint or material has nothing but what URDF has."""
+    rule = ELEMENTS[element.name]
+    if not element.attributes.keys() <= rule.attributes.keys():
+        return False
+    known = rule.children
+    for child in element.children:
+        if isinstance(child, Element) and not (child.name in known and _is_plain(child)):
+            return False
+    return True
 
 
 class _Walk:
@@ -75,11 +95,12 @@ class _Walk:
         losses: what was found.
     """
 
-    __slots__ = ("_robot", "_sensors", "_sound", "losses")
+    __slots__ = ("_actuators", "_robot", "_sensors", "_sound", "losses")
 
     def __init__(self, robot: Robot) -> None:
         self._robot = robot
         self._sensors: set[object] | None = None
+        self._actuators: set[object] | None = None
         self._sound: set[int] = set()  # the identities of elements in which nothing is foreign
         self.losses: list[Loss] = []
 
@@ -116,7 +137,7 @@ class _Walk:
             if child.name in ("sensor", "plugin") and self._is_sensor(child):
                 self._check_sensor(child, owner, trace)
                 continue
-            self.lose(f"Gazebo's <{child.name}>", owner, child, trace)
+            self.lose(f"Gazebo's <{child.name}> elements", owner, child, trace)
 
     def _is_surface(self, element: Element, reference: str | None) -> bool:
         """Return whether the model has the surface that an element is part of."""
@@ -129,19 +150,28 @@ class _Walk:
         """Note what a sensor says that the model of the robot does not have."""
         for child in element.elements():
             if child.name == "plugin":
-                self.lose("Gazebo's <plugin>", owner, child, trace)
+                self.lose("Gazebo's <plugin> elements", owner, child, trace)
             elif child.elements():
                 self._check_sensor(child, owner, trace)
             elif child.name not in IN_SENSORS:
                 self.lose("details of Gazebo's sensors", f"<{child.name}> in {owner}", child, trace)
 
     def check_transmission(self, transmission: Element, trace: Step | None) -> None:
-        """Note a transmission in which the model of the robot has no actuator."""
+        """Note a transmission, or a joint of it, that gives the model no actuator.
+
+        It may have another one, which wins.
+        """
+        if self._actuators is None:
+            self._actuators = {each.span.key() for each in self._robot.actuators.values()}
         joints = [child for child in transmission.elements() if child.name == "joint"]
-        if any(attribute_text(each, "name") in self._robot.actuators for each in joints):
+        idle = [each for each in joints if each.span.key() not in self._actuators]
+        name = f"'{attribute_text(transmission, 'name') or ''}'"
+        if len(idle) == len(joints):
+            self.lose("transmissions that give no actuator", name, transmission, trace)
             return
-        name = attribute_text(transmission, "name") or ""
-        self.lose("transmissions without an actuator", f"'{name}'", transmission, trace)
+        for joint in idle:
+            owner = f"joint '{attribute_text(joint, 'name') or ''}' of {name}"
+            self.lose("transmissions that give no actuator", owner, joint, trace)
 
     def _is_sensor(self, element: Element) -> bool:
         """Return whether the model has a sensor that is written there."""

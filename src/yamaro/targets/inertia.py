@@ -8,17 +8,17 @@ from __future__ import annotations
 
 from ..diagnostics import Diagnostic
 from ..model.joint import FIXED
-from ..model.pose import Pose, multiply
+from ..model.pose import Pose, multiply, transposed
 from ..model.principal import principal_axes
 from ..xml.values import format_number
-from .bodies import from_the_roots
-from .output import APPROXIMATED, Loss
+from .bodies import Bodies, from_the_roots
+from .output import APPROXIMATED, LOST, Loss
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from ..model.joint import Joint
     from ..model.link import Inertial, Link
-    from ..model.pose import Vector
+    from ..model.pose import Rotation, Vector
     from ..model.robot import Robot
 
 ROUNDING = 1e-9
@@ -49,12 +49,30 @@ class Principal:
         self.is_changed = is_changed
 
 
+def _sum(one: Principal, moments: Vector, turn: Rotation) -> Principal:
+    """Return the mass of a link with moments added, which lie along axes in the same link."""
+    first, second = _matrix(one.moments, one.pose.rotation), _matrix(moments, turn)
+    x, y, z = (_plus(*rows) for rows in zip(first, second, strict=True))
+    found, rotation = principal_axes((x, y, z))
+    return Principal(one.mass, found, Pose(rotation, one.pose.position), is_changed=True)
+
+
+def _matrix(moments: Vector, turn: Rotation) -> Rotation:
+    """Return the matrix of moments along the axes that a rotation gives: R·diag(moments)·Rᵀ."""
+    x, y, z = ((a * moments[0], b * moments[1], c * moments[2]) for a, b, c in turn)
+    return multiply((x, y, z), transposed(turn))
+
+
+def _plus(one: Vector, other: Vector) -> Vector:
+    return (one[0] + other[0], one[1] + other[1], one[2] + other[2])
+
+
 class Inertias:
     """The masses of a robot.
 
     Attributes:
         by_link: by the names of links; those without mass and inertia are left out.
-        losses: the moments that were changed.
+        losses: the moments that were changed, or are those of another link.
         errors: what a simulator would refuse.
     """
 
@@ -75,7 +93,28 @@ class Inertias:
             inertial = link.inertial
             if inertial is not None and (inertial.mass or any(inertial.inertia)):
                 self.by_link[link.name] = self._read(link, inertial, repairs=repairs)
+        if any(not each.mass for each in self.by_link.values()):
+            self._move_to_masses(robot)
         self._check_moving(robot, is_fixed=is_fixed)
+
+    def _move_to_masses(self, robot: Robot) -> None:
+        """Add the moments of links without mass to the links with mass that they are fixed to.
+
+        A body without mass has the same moments about any point. So the robot moves as before,
+        while simulators take no body of inertia alone: Drake ends the process.
+        """
+        bodies = Bodies(robot)
+        for name in [name for name, each in self.by_link.items() if not each.mass]:
+            link, own = robot.links[name], self.by_link.pop(name)
+            carrier = bodies.carriers.get(name)
+            kind, how = LOST, ""
+            if carrier is not None and carrier != name and carrier in self.by_link:
+                kind, how = APPROXIMATED, "moments of the links that they are fixed to"
+                turn = multiply(bodies.poses[name].rotation, own.pose.rotation)
+                self.by_link[carrier] = _sum(self.by_link[carrier], own.moments, turn)
+            what, owner = "inertias of links without mass", f"link '{name}'"
+            span = link.inertial.span if link.inertial is not None else link.span
+            self.losses.append(Loss(kind, what, owner, span, trace=link.trace, how=how))
 
     def _read(self, link: Link, inertial: Inertial, *, repairs: bool) -> Principal:
         moments, rotation = principal_axes(inertial.matrix())

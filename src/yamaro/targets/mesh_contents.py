@@ -16,27 +16,22 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from ..files.mesh_files import MeshFinder
+    from ..meshes.cache import MeshCache
     from ..meshes.surfaces import MeshSurfaces
     from ..source import Span
-
-    Run = Callable[[Callable[[], bytes]], bytes]
+    from .mesh_paths import MeshPaths
 
 
 class MeshContents:
     """Reads the files that shapes and materials name."""
 
-    __slots__ = ("_bytes", "_finder", "_run", "_surfaces", "_textures")
+    __slots__ = ("_bytes", "_cache", "_finder", "_run", "_surfaces", "_textures")
 
-    def __init__(self, finder: MeshFinder, run: Run) -> None:
-        """Read files.
-
-        Args:
-            finder: finds them, and decides which may be read.
-            run: runs what parses them, in a jail if they are not trusted.
-        """
-        self._finder = finder
-        self._run = run
+    def __init__(self, paths: MeshPaths) -> None:
+        """Read files where these paths lead."""
+        self._finder = paths.finder
+        self._run = paths.run
+        self._cache = _cache() if paths.is_cached else None
         self._bytes: dict[str, bytes] = {}
         self._surfaces: dict[bytes, MeshSurfaces] = {}
         self._textures: dict[bytes, bytes] = {}
@@ -73,8 +68,12 @@ class MeshContents:
             raise MeshFileError("it has no format that is read")
         return found
 
-    def surfaces_of(self, path: str) -> MeshSurfaces:
+    def surfaces_of(self, path: str, *, is_kept: bool = False) -> MeshSurfaces:
         """Return the surfaces of a mesh, with their colours and textures.
+
+        Args:
+            path: the file.
+            is_kept: whether the cache keeps them as they are, and not what is made of them.
 
         Raises:
             MeshFileError: it cannot be read.
@@ -86,8 +85,15 @@ class MeshContents:
                 from ..meshes.answers import read_packed, unpacked
             except ImportError as error:
                 raise MissingLibraryError(error.name or str(error)) from error
-            data = self._answer(lambda: read_packed(path, self._finder.allows))
-            self._surfaces[key] = unpacked(data)
+
+            def read() -> bytes:
+                data = self._answer(lambda: read_packed(path, self._finder.allows))
+                self._surfaces[key] = unpacked(data)  # raises what the cache must not keep
+                return data
+
+            data = self.kept(path, "surfaces", read) if is_kept else read()
+            if key not in self._surfaces:
+                self._surfaces[key] = unpacked(data)
         return self._surfaces[key]
 
     def texture_of(self, path: str) -> bytes:
@@ -104,8 +110,32 @@ class MeshContents:
             return data
         key = self._key(path)
         if key not in self._textures:
-            self._textures[key] = self._answer(lambda: png_of(data))
+            self._textures[key] = self.kept(
+                path, "texture", lambda: self._answer(lambda: png_of(data))
+            )
         return self._textures[key]
+
+    def kept(self, path: str, work: str, convert: Callable[[], bytes]) -> bytes:
+        """Return what a file is converted to: from the cache, if it was converted before.
+
+        Args:
+            path: the file.
+            work: names the conversion.
+            convert: does it.
+        """
+        if self._cache is None:
+            return convert()
+        from ..meshes.cache import key_of
+
+        data = self.bytes_of(path)
+        key = key_of(work, data, mesh_format(data) or "", path)
+        if key is None:
+            return convert()
+        found = self._cache.get(key)
+        if found is None:
+            found = convert()
+            self._cache.put(key, found)
+        return found
 
     def _answer(self, work: Callable[[], bytes]) -> bytes:
         try:
@@ -120,3 +150,10 @@ class MeshContents:
         from hashlib import sha256
 
         return sha256(self.bytes_of(path)).digest() + os.fsencode(os.path.dirname(path))
+
+
+def _cache() -> MeshCache | None:
+    from ..meshes.cache import MeshCache, cache_folder
+
+    folder = cache_folder(os.environ)
+    return None if folder is None else MeshCache(folder)

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     Rename = Callable[[str, Span], str]
 
 PACKAGE = "package://"
-MODES = (RELATIVE, KEEP, ABSOLUTE, COPY, PACKAGE + "NAME", NONE)
+MODES = (RELATIVE, KEEP, ABSOLUTE, COPY, PACKAGE + "NAME", PACKAGE, NONE)
 
 
 class MeshPaths:
@@ -35,10 +35,11 @@ class MeshPaths:
     Attributes:
         assets: the copies of files, with the mode `COPY`.
         finder: finds files and packages.
+        is_cached: whether converted meshes are kept on the disk from one run to the next.
         run: runs what parses files that others wrote, in a jail if they are not trusted.
     """
 
-    __slots__ = ("_folder", "_mode", "_package", "assets", "finder", "run")
+    __slots__ = ("_folder", "_mode", "_package", "assets", "finder", "is_cached", "run")
 
     def __init__(
         self,
@@ -48,16 +49,18 @@ class MeshPaths:
         assets: Assets | None = None,
         *,
         run: Run | None = None,
+        is_cached: bool = False,
     ) -> None:
         """Name files for an output in a folder.
 
         Args:
             mode: one of `MODES`: paths relative to the folder, as written, absolute, to copies, in
-                a package, or no meshes at all.
+                a package, in the package that each file is in, or no meshes at all.
             folder: where the output is, absolute.
             finder: finds files and packages.
             assets: the copies, with the mode `COPY`.
             run: see the attribute; None calls it.
+            is_cached: see the attribute.
 
         Raises:
             ValueError: the package is not found, or there is no such mode.
@@ -67,9 +70,10 @@ class MeshPaths:
         self._mode = mode
         self.assets = assets
         self.run: Run = run or (lambda work: work())
+        self.is_cached = is_cached
         self._package = ""
         name = mode.removeprefix(PACKAGE)
-        if name != mode:
+        if name and name != mode:
             self._package = finder.package_folder(name, folder) or ""
             if not self._package:
                 raise ValueError(f"the package '{name}' is not found")
@@ -94,6 +98,8 @@ class MeshPaths:
         is_relative = "://" not in filename and not os.path.isabs(filename)
         if self._mode in (RELATIVE, NONE) and not is_relative:
             return filename
+        if self._mode == PACKAGE and "://" in filename:
+            return filename
         path = self.finder.reachable(filename, span)
         if path is None:
             return filename
@@ -101,11 +107,23 @@ class MeshPaths:
             return path
         if self.assets is not None:
             return self.assets.name_of(path) or filename
+        if self._mode == PACKAGE:
+            return self._uri(path)
         if self._package:
             inner = _below(path, self._package)
             if inner is not None:
                 return f"{self._mode}/{inner}"
         return self._from_folder(filename, path) if is_relative else filename
+
+    def _uri(self, path: str) -> str:
+        """Return what ROS reads a file by, wherever the document is: in its package, or on disk."""
+        found = self.finder.package_around(path)
+        if found is not None:
+            name, folder = found
+            return f"{PACKAGE}{name}/{_below(path, folder)}"
+        from pathlib import Path
+
+        return Path(path).as_uri()
 
     def _from_folder(self, filename: str, path: str) -> str:
         """Return the path of a file from the folder of the output."""

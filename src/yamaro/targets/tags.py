@@ -7,7 +7,7 @@ from ..xml.values import format_value
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterable
+    from collections.abc import Iterable, Mapping
 
     from ..diagnostics import Frame as Step
     from ..source import Span
@@ -23,9 +23,10 @@ class Tag:
         attributes: by name; those that are None are left out.
         span: the place of what it is made of, or None for that of what is around it.
         trace: the calls and includes that led to that place.
+        places: where the values of attributes are written, if not at `span`.
     """
 
-    __slots__ = ("attributes", "content", "name", "span", "trace")
+    __slots__ = ("attributes", "content", "name", "places", "span", "trace")
 
     def __init__(
         self,
@@ -42,6 +43,7 @@ class Tag:
         self.attributes = attributes
         self.span = span
         self.trace = trace
+        self.places: Mapping[str, Span] | None = None
 
     def made(self, span: Span, trace: Step | None) -> Element:
         """Return the element.
@@ -55,7 +57,7 @@ class Tag:
         attributes: dict[str, object] = {
             name: text_of(value) for name, value in self.attributes.items() if value is not None
         }
-        element = Element(self.name, span, attributes, trace=trace)
+        element = Element(self.name, span, attributes, trace=trace, value_spans=self.places)
         element.children = self._children(span, trace)
         return element
 

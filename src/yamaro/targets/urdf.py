@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from .output import APPROXIMATED, LOST, Loss
+from .shared_losses import cones, lost_sections
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -20,7 +21,7 @@ def losses_of(robot: Robot, has_gazebo: bool) -> list[Loss]:
         robot: the robot.
         has_gazebo: whether sensors and surfaces are written for Gazebo.
     """
-    losses: list[Loss] = []
+    losses: list[Loss] = cones(robot) if has_gazebo else []
     if not has_gazebo:
         losses += [
             _loss(
@@ -44,8 +45,7 @@ def losses_of(robot: Robot, has_gazebo: bool) -> list[Loss]:
             losses.append(_loss("actuators", owner, actuator, hint="add a section `control`"))
         elif any(each is not None for each in (actuator.kp, actuator.kd, actuator.armature)):
             losses.append(_loss("gains and armatures of actuators", owner, actuator))
-    losses += [_loss("states", f"state '{each.name}'", each) for each in robot.states.values()]
-    losses += [_loss("groups", f"group '{each.name}'", each) for each in robot.groups.values()]
+    losses += lost_sections(robot, states=True)
     if robot.base is not None and robot.base.type == "free":
         losses.append(_loss("free bases", f"robot '{robot.name}'", robot.base))
     return losses

@@ -100,7 +100,6 @@ class Rebuilder:
         self._program: Program | None = None
         self._watch = FileWatch()
         self._last: Turn | None = None
-        _import_ahead(policy)
 
     def build(self, variables: Mapping[str, object] | None = None) -> Turn:
         """Build with these variables, and watch what took part from now on.
@@ -122,7 +121,33 @@ class Rebuilder:
         self._last = turn
         return turn
 
-    def _try(self, variables: Mapping[str, object]) -> Turn:
+    def build_as(self, format: str | None, variables: Mapping[str, object]) -> Build:
+        """Return the robot in an output format, as for a folder beside the main file.
+
+        Without a format it is the document that the file describes, whatever its root.
+
+        What the file prints is left out: it was printed when the robot was built.
+
+        Raises:
+            YamaroError: the robot has errors, or the format cannot hold it.
+            UsageError: the main file cannot be read.
+        """
+        folder = os.path.join(os.path.dirname(os.path.abspath(self.path)), "")
+        targets: Targets = {**self._targets, "meshes": "copy"}
+        if format is not None:
+            targets["target"] = [format]
+        return self._current().build(
+            command_line=self.command_line,
+            variables=variables,
+            strict=self._strict,
+            on_message=lambda line: None,
+            has_root=False,
+            output=folder,
+            **targets,
+        )
+
+    def _current(self) -> Program:
+        """Return the program of the files as they were read last, or are now."""
         program = self._program or Program(
             self.path,
             policy=self.policy,
@@ -131,8 +156,11 @@ class Rebuilder:
             deny=self._deny,
         )
         self._program = program  # another thread may want it forgotten meanwhile
+        return program
+
+    def _try(self, variables: Mapping[str, object]) -> Turn:
         try:
-            build = program.build(
+            build = self._current().build(
                 command_line=self.command_line,
                 variables=variables,
                 strict=self._strict,
@@ -173,15 +201,6 @@ class Rebuilder:
             return list(dict.fromkeys([main, *turn.build.files, *turn.build.meshes]))
         told = [path for diagnostic in turn.diagnostics for path in _files_of(diagnostic)]
         return list(dict.fromkeys([main, *self._watch.paths, *told, *surroundings(main)]))
-
-
-def _import_ahead(policy: Policy) -> None:
-    """Import what conversions import while they run.
-
-    A jail is a copy of this process. What is here already, they do not have to import again.
-    """
-    if policy.is_safe:
-        pass
 
 
 def _files_of(diagnostic: Diagnostic) -> list[str]:

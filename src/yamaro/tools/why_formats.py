@@ -20,8 +20,12 @@ if TYPE_CHECKING:
     Path = list[Element]
     Found = list[tuple[Path, str | None]]
 
-TOGETHER = {"lower": "range", "upper": "range"}
-"""Attributes that a format writes in one."""
+OTHERWISE = {
+    "lower": ("range", "lowerLimit"),
+    "upper": ("range", "upperLimit"),
+    "effort": ("maxForce",),
+}
+"""Attributes that formats call otherwise, or write in one, with the names that they may have."""
 MOST = 3
 """How many places in an output are named."""
 SHAPES = ("visual", "collision", "geom")
@@ -138,9 +142,11 @@ def _found(answer: Answer, root: Element) -> Found:
     if exact and answer.attribute is not None:
         return exact
     inner: Found = [(path, None) for path in paths if _is_in(path, homes) and _is_of(path, owner)]
-    whole = TOGETHER.get(answer.attribute or "")
     named: Found = [
-        (path, whole) for path, _ in inner if whole is not None and whole in path[-1].attributes
+        (path, name)
+        for path, _ in inner
+        for name in OTHERWISE.get(answer.attribute or "", ())
+        if name in path[-1].attributes
     ]
     for word in (answer.attribute, answer.element.name) if answer.attribute is not None else ():
         named = named or [found for found in inner if found[0][-1].name == word]

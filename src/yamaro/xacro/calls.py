@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ..diagnostics import YamaroError, failure, suggest
+from ..diagnostics import Meant, YamaroError, did_you_mean, failure, suggest
 from ..xml.tree import Element
 from .definitions import assign
 from .namespaces import lift_prefixes
@@ -46,12 +46,11 @@ def insert_block(expansion: Expansion, node: Element, site: Site) -> None:
     name = expansion.statements.attributes(node, ("name",))["name"]
     block = site.scope.block(name)
     if block is None:
-        near = suggest(name, site.scope.block_names())
         raise failure(
             "xacro-unknown-block",
             f"there is no block '{name}'",
             node.value_span("name"),
-            hint=f"did you mean '{near}'?" if near else _block_hint(name, site.scope),
+            hint=did_you_mean(name, site.scope.block_names()) or _block_hint(name, site.scope),
             trace=expansion.frame,
         )
     evaluated = expansion.element(block.element, site.macros, site.scope)
@@ -116,7 +115,7 @@ def _find(name: str, macros: Macros, scope: Scope) -> tuple[Macro, Macros, Scope
 
 def _unknown(expansion: Expansion, node: Element, name: str, site: Site) -> YamaroError:
     near = suggest(name, site.macros.names())
-    hint = f"did you mean '{PREFIX}{near}'?" if near else None
+    hint = Meant.of(PREFIX + name, PREFIX + near) if near else None
     return failure(
         "xacro-unknown-macro",
         f"there is no macro '{name}' here",
@@ -141,12 +140,11 @@ def _take_values(
                 break
         else:
             known = [own.name for own in macro.parameters if not own.is_block]
-            near = suggest(name, known)
             raise failure(
                 "xacro-unknown-parameter",
                 f"the macro '{_name(macro)}' has no parameter '{name}'",
                 node.name_span(name),
-                hint=f"did you mean '{near}'?" if near else _known_hint(known),
+                hint=did_you_mean(name, known) or _known_hint(known),
                 notes=_defined(macro),
                 trace=expansion.frame,
             )

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import re
 
-from ..diagnostics import Frame, InputFault, YamaroError, failure, suggest
+from ..diagnostics import Frame, InputFault, YamaroError, did_you_mean, failure
 from ..source import Span
 from .faults import Fault, add_trace
 from .literals import guess_value
@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from typing import Any, NoReturn
 
     from ..diagnostics import Reporter
+    from ..fixes import Fix
     from .host import Host
     from .python import Python
 
@@ -229,13 +230,11 @@ class XacroEvaluator:
     def arg(self, name: str) -> str:
         """Return an argument of the main file."""
         if name not in self.arguments:
-            near = suggest(name, self.arguments)
             raise Fault(
                 "xacro-undefined",
                 f"the argument '{name}' is not declared before this place",
-                f"did you mean '{near}'?"
-                if near
-                else f'give it, or declare it above: <xacro:arg name="{name}" default="…"/>',
+                did_you_mean(name, self.arguments)
+                or f'give it, or declare it above: <xacro:arg name="{name}" default="…"/>',
             )
         return self.arguments[name]
 
@@ -298,23 +297,26 @@ class XacroEvaluator:
 
     def tell_deprecated(self, name: str, replacement: str) -> None:
         """Warn of a name that is going out of use."""
+        from ..fixes import respelling
+
         self.warn(
             "xacro-deprecated",
             f"{name}() is going out of use",
             hint=f"write {replacement}()",
+            fix=respelling(self._here(), name, replacement),
         )
 
-    def warn(self, code: str, message: str, hint: str | None = None) -> None:
+    def warn(
+        self, code: str, message: str, hint: str | None = None, fix: Fix | None = None
+    ) -> None:
         """Warn at the place being evaluated."""
-        self.reporter.warn(code, message, self._here(), hint=hint, trace=self.place.trace)
+        self.reporter.warn(code, message, self._here(), hint=hint, trace=self.place.trace, fix=fix)
 
 
 def _similar(name: str, scope: Scope) -> str | None:
     """Return a hint at a name that may be meant; for short ones, only what the file defines."""
-    near = suggest(name, scope.own_names())
-    if near is None and len(name) > 3:
-        near = suggest(name, scope.root())
-    return f"did you mean '{near}'?" if near else None
+    hint = did_you_mean(name, scope.own_names())
+    return did_you_mean(name, scope.root()) if hint is None and len(name) > 3 else hint
 
 
 def _column(error: SyntaxError, text: str) -> int | None:

@@ -5,7 +5,7 @@ Values are templates still (see `templates.py`), except where xacro takes them a
 
 from __future__ import annotations
 
-from ..diagnostics import failure, suggest
+from ..diagnostics import did_you_mean, failure
 from .parameters import Parameter, parse_parameters
 from .places import XacroPlace
 
@@ -142,12 +142,11 @@ class Statements:
         self.require(element, *required)
         for name in given:
             if name not in required and name not in optional and not name.startswith("xmlns:"):
-                near = suggest(name, (*required, *optional))
                 self._reporter.warn(
                     "xacro-unknown-attribute",
                     f"<{element.name}> has no attribute '{name}'",
                     element.name_span(name),
-                    hint=f"did you mean '{near}'?" if near else None,
+                    hint=did_you_mean(name, (*required, *optional)),
                     trace=self.trace,
                 )
         return given

@@ -24,12 +24,16 @@ def refuse_characters(source: Source) -> None:
                 _refuse_character(source, text.index(char))
         return
     if _MARK in text:
+        from ..fixes import Edit, Fix
+
         at = text.index(_MARK)
+        place = Span(source, at, at + 1)
         raise failure(
             "misplaced-bom",
             "a byte order mark (U+FEFF) is inside the text",
-            Span(source, at, at + 1),
+            place,
             hint="delete this invisible character; it often comes from pasting files together",
+            fix=Fix("delete the byte order mark", [Edit(place, "")], is_safe=True),
         )
     places = [text.find(char) for char in "\ufffe\uffff\x00\x7f"]
     try:

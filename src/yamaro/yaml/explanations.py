@@ -5,6 +5,8 @@ Each takes what the YAML parser said and returns the error to show, or None if t
 
 from __future__ import annotations
 
+import re
+
 from ..diagnostics import failure
 from ..fixes import Edit, Fix, replacement
 from .brackets import find_close
@@ -308,7 +310,7 @@ def _misplaced(
             given.span(at, at + 1),
             hint=f"write {key}: [{item}], or put the dash on the next line",
         )
-    if "comment or line break" in problem or "indentation indicator" in problem:
+    if re.search("comment or (a )?line break|indentation indicator", problem):
         return failure(
             "yaml-syntax",
             "a block of text begins on the line after its | or >",

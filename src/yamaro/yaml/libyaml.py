@@ -84,7 +84,9 @@ def _choose() -> tuple[Any, Any]:
     except ImportError:
         import yaml
 
-        return yaml.SafeLoader, yaml.YAMLError
+        from .pure import PureParser
+
+        return PureParser, yaml.YAMLError
 
 
 Parser, YAMLError = _choose()

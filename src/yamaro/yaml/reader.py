@@ -155,11 +155,15 @@ def _warn_of_comments(source: Source, root: YamlNode, reporter: Reporter) -> Non
             if not text[at - column + 1 : at].strip(" -"):
                 scalars = scalars or _places_of_scalars(root)
                 if not _is_in_one(at, scalars):
+                    from ..fixes import replacement
+
+                    span, entry = Span(source, at, at + len(word)), f"<{word[:-1]}>:"
                     reporter.warn(
                         "comment-entry",
                         f"'{word}' is a YAML comment here, so this line has no effect",
-                        Span(source, at, at + len(word)),
-                        hint=f"write <{word[:-1]}>: or quote the key",
+                        span,
+                        hint=f"write {entry} or quote the key",
+                        fix=replacement(span, entry),
                     )
             at = text.find(word, at + 1)
 

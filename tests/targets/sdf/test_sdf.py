@@ -18,8 +18,13 @@ EXAMPLES = [
     for name in (
         "arm/arm.yaml",
         "diff_drive/diff_drive.yaml",
+        "drone/drone.yaml",
+        "dual_arm_cell/dual_arm_cell.yaml",
+        "hand/hand.yaml",
         "hexapod/hexapod.yaml",
+        "humanoid/humanoid.yaml",
         "leg_robot/robot.yaml",
+        "mobile_manipulator/mobile_manipulator.yaml",
         "pan_tilt/pan_tilt.yaml",
         "quadruped/quadruped.yaml",
     )
@@ -143,7 +148,7 @@ def test_links_without_mass_are_frames_and_their_shapes_stay(tmp_path: Path) -> 
     assert model.findtext("joint[@name='anchor']/parent") == "world"
     assert model.findtext("joint[@name='anchor']/child") == "body"
     assert told(build) == {
-        ("renamed", "joints named like a link", "'spin'"),
+        ("renamed", "joints named like a link", "joint 'spin'"),
         ("lost", "soft limits", "joint 'spin'"),
     }
     assert model.findtext("joint[@name='spin_joint']/child") == "spin"
@@ -188,7 +193,8 @@ def test_a_plugin_that_is_a_sensor_has_its_pose(tmp_path: Path) -> None:
 
 def test_the_cone_of_a_range_sensor_is_one_ray(tmp_path: Path) -> None:
     text = ARM.replace("mass: 4,", "mass: 4, sensor/name=near: {type: range, fov: 20deg},")
-    assert told(sdf_of(text, tmp_path)) == {("approximated", "cones of range sensors", "'near'")}
+    cone = ("approximated", "cones of range sensors", "sensor 'near'")
+    assert told(sdf_of(text, tmp_path)) == {cone}
 
 
 def test_a_base_is_free_unless_it_is_told_or_stands_for_the_world(tmp_path: Path) -> None:

@@ -15,7 +15,9 @@ FOLDER = Path(__file__).parents[3] / "examples"
 EXAMPLES = [
     FOLDER / name
     for name in (
-        "arm/arm.yaml", "diff_drive/diff_drive.yaml", "hexapod/hexapod.yaml",
+        "arm/arm.yaml", "diff_drive/diff_drive.yaml", "drone/drone.yaml", "hand/hand.yaml",
+        "dual_arm_cell/dual_arm_cell.yaml", "hexapod/hexapod.yaml", "humanoid/humanoid.yaml",
+        "mobile_manipulator/mobile_manipulator.yaml",
         "leg_robot/robot.yaml", "pan_tilt/pan_tilt.yaml", "quadruped/quadruped.yaml",
     )
 ]  # fmt: skip
@@ -83,12 +85,12 @@ def test_what_usd_cannot_hold_is_reported(tmp_path: Path) -> None:
     _, build = stage_of(ARM, tmp_path)
     found = {(loss.kind, loss.what, loss.owner) for loss in build.losses}
     assert found == {
-        ("renamed", "robots", "'my arm'"),
+        ("renamed", "robots", "robot 'my arm'"),
         ("lost", "velocity limits", "joint 'rod_joint'"),
         ("lost", "friction values of joints", "joint 'rod_joint'"),
         ("approximated", "damping values of joints", "joint 'rod_joint'"),
-        ("lost", "imu sensors", "'imu'"),
-        ("lost", "rates, sizes and noise of camera sensors", "'eye'"),
+        ("lost", "imu sensors", "sensor 'imu'"),
+        ("lost", "sizes of cameras in pixels", "sensor 'eye'"),
     }
 
 
@@ -96,7 +98,7 @@ def test_a_camera_looks_along_x_with_z_up(tmp_path: Path) -> None:
     from pxr import Gf, UsdGeom
 
     stage, _ = stage_of(ARM, tmp_path)
-    prim = stage.GetPrimAtPath("/my_arm/rod_link/eye/eye_camera")
+    prim = stage.GetPrimAtPath("/my_arm/rod_link/eye/eye")
     view = UsdGeom.XformCache().GetLocalToWorldTransform(prim)
     assert view.TransformDir(Gf.Vec3d(0, 0, -1)) == pytest.approx((1, 0, 0), abs=1e-9)
     assert view.TransformDir(Gf.Vec3d(0, 1, 0)) == pytest.approx((0, 0, 1), abs=1e-9)

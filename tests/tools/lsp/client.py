@@ -8,6 +8,7 @@ import queue
 import subprocess
 import sys
 import threading
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
@@ -25,15 +26,17 @@ class Client:
         *,
         options: dict[str, Any] | None = None,
         capabilities: dict[str, Any] | None = None,
-        env: dict[str, str] | None = None,
+        env: Mapping[str, str | None] | None = None,
         command: tuple[str, ...] = (sys.executable, "-m", "yamaro", "lsp"),
     ) -> None:
+        """Start a server; a variable of the environment that is None in `env` is taken away."""
+        changed = {**os.environ, **(env or {})}
         self.process = subprocess.Popen(
             command,
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
             stderr=subprocess.PIPE,
-            env={**os.environ, **(env or {})},
+            env={name: value for name, value in changed.items() if value is not None},
         )
         self._messages: queue.Queue[Any] = queue.Queue()
         self._number = 0

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 
+from tests.files.wheels import install
 from tests.tools.lsp.client import Client
 
 ARM = """robot: arm
@@ -88,6 +89,51 @@ def test_hovers(client, tmp_path, mark, after, wanted):
     assert wanted in (_hover(client, uri, ARM, mark, after) or "nothing")
 
 
+SET = """robot: arm
+variables:
+  half: 0.25
+  unread: $(half * 2)
+  "quoted": [1, $(half)]
+functions:
+  Arm(side, size=$(half)):
+  - variables:
+      inner: $(size * 2)
+  - part:
+      name: $(side)_arm
+      joint: {type: fixed, parent: base}
+model:
+- process: made = half * 10
+- part:
+    name: base
+- for i in range(3):
+  - for name, number in [['a', 1], ['b', 2]]:
+    - if number > i:
+      - print: $(i)
+- Arm: middle, size=1
+- Arm: left
+"""
+
+
+@pytest.mark.parametrize(
+    ("mark", "values"),
+    [
+        ("half: 0.25", "`0.25`"),
+        ("unread:", "`0.5`"),
+        ("quoted", "`[1, 0.25]`"),
+        ("side, size", "`'middle'`, `'left'`"),
+        ("size=$", "`1`, `0.25`"),
+        ("inner", "`2`, `0.5`"),
+        ("made", "`2.5`"),
+        ("i in range", "`0`, `1`, `2`"),
+        ("number in", "`1`, `2`"),
+        ("number > i", "`1`, `2`"),
+    ],
+)
+def test_values_are_shown_though_no_output_reads_them(client, tmp_path, mark, values):
+    uri, _ = _open(client, tmp_path / "arm.yaml", SET)
+    assert (_hover(client, uri, SET, mark, 0) or "").endswith(f"value: {values}")
+
+
 def test_nothing_is_said_of_nothing(client, tmp_path):
     uri, _ = _open(client, tmp_path / "arm.yaml", ARM)
     assert _hover(client, uri, ARM, "1 1 1", 1) is None
@@ -163,6 +209,22 @@ def test_completion_knows_where_it_is(client, tmp_path, text, offered, not_offer
     found = _complete(client, tmp_path / "arm.yaml", text)
     assert set(offered) <= set(found)
     assert not set(not_offered) & set(found)
+
+
+def test_packages_that_pip_has_installed_are_known(tmp_path):
+    """They are offered, with their files, and a build takes what they bring."""
+    part = "model:\n- link/name=wheel:\n"
+    site = tmp_path / "site-packages"
+    install(site, "rover", {"rover/part.yaml": part}, entry_points="rover = rover")
+    (tmp_path / "home").mkdir()
+    path = tmp_path / "home" / "arm.yaml"
+    with Client(tmp_path / "home", env={"PYTHONPATH": str(site)}) as client:
+        offered = _complete(client, path, "robot: r\nmodel:\n- include: |")
+        assert offered["package://rover/"] == "package://rover/"
+        offered = _complete(client, path, "robot: r\nmodel:\n- include: package://rover/|")
+        assert "part.yaml" in offered
+        uri, _ = _open(client, path, "robot: r\nmodel:\n- include: package://rover/part.yaml\n")
+        assert client.diagnostics[uri] == []
 
 
 def test_completion_writes_keys_with_a_colon_and_calls_with_parameters(client, tmp_path):

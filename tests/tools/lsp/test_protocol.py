@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import random
 import subprocess
 import sys
 from pathlib import Path
@@ -182,42 +181,6 @@ def test_a_file_that_is_closed_leaves_nothing_behind(tmp_path):
         client.wait_for_codes(uri, ["unknown-parent"])
         client.notify("textDocument/didClose", {"textDocument": {"uri": uri}})
         client.wait_for_codes(uri, [])
-
-
-def test_the_document_is_that_of_the_editor_after_any_edits(tmp_path):
-    """Edits in UTF-16 against a model of them on a text in Python."""
-    chooser = random.Random(7)
-    pieces = ["a", "🤖", "é", "\n", "\r\n", "  ", "- ", ": ", "$(", ")", "part:", "{", "}", "x y"]
-    path = tmp_path / "rover.yaml"
-    with Client(tmp_path) as client:
-        text = ROBOT
-        uri = client.open(path, text)
-        for version in range(2, 202):
-            start = chooser.randrange(len(text) + 1)
-            end = min(len(text), start + chooser.choice((0, 0, 0, 1, 2, 9)))
-            if _splits(text, start) or _splits(text, end):
-                continue
-            new = "".join(chooser.choices(pieces, k=chooser.randrange(3)))
-            change = {"range": _range(text, start, end), "text": new}
-            client.change(uri, version, [change])
-            text = text[:start] + new + text[end:]
-        text = text.replace("robot", "rob") + "\n"
-        symbols = client.request("textDocument/documentSymbol", {"textDocument": {"uri": uri}})
-        assert isinstance(symbols, list)
-        assert client.logs == []
-
-
-def _splits(text: str, offset: int) -> bool:
-    return text[offset - 1 : offset + 1] == "\r\n"
-
-
-def _range(text: str, start: int, end: int) -> dict[str, object]:
-    def position(offset: int) -> dict[str, int]:
-        before = text[:offset].replace("\r\n", "\n").replace("\r", "\n")
-        line = before.rpartition("\n")[2]
-        return {"line": before.count("\n"), "character": len(line.encode("utf-16-le")) // 2}
-
-    return {"start": position(start), "end": position(end)}
 
 
 def test_files_are_found_by_their_uris():

@@ -8,6 +8,7 @@ from typing import Any
 
 import pytest
 
+from tests.tools.migrate.migrating import assert_in_style
 from tests.tools.migrate.same_robot import is_same_robot
 from tests.tools.migrate.test_xacro_migration import HEAD, hold_for, migrated
 from yamaro import build
@@ -54,6 +55,8 @@ def moved(
     for name, text in migration.files.items():
         (folder / "out" / name).parent.mkdir(parents=True, exist_ok=True)
         (folder / "out" / name).write_text(text)
+    for name in migration.origins.values():
+        assert_in_style(name, migration.files[name])
     return migration
 
 

@@ -8,6 +8,7 @@ from tests.tools.migrate.same_robot import is_same_robot
 from yamaro.api import build
 from yamaro.codes import ADJUSTABLE
 from yamaro.source import Source
+from yamaro.tools.format.formatting import formatted
 from yamaro.tools.migrate.urdf import Migration, migrate_urdf
 from yamaro.xml.reader import read_xml
 from yamaro.xml.tree import Element
@@ -32,7 +33,13 @@ def migrated(xml: str, *, exact: bool = False) -> str:
         "robot.yaml", text=migration.text, on_message=lambda message: None, allow=ADJUSTABLE
     ).xml()
     assert is_same_robot(xml.encode(), made.encode(), exact=exact)
+    assert_in_style("robot.yaml", migration.text)
     return migration.text
+
+
+def assert_in_style(name: str, text: str) -> None:
+    """Assert that `yamaro fmt` leaves a source as it is."""
+    assert formatted(Source(text, name=name)) == text
 
 
 def model_of(body: str, *, exact: bool = False) -> str:

@@ -199,14 +199,11 @@ def test_links_and_joints_that_move_take_their_comments_along(tmp_path: Path) ->
         </joint> <!-- the wrist -->
         """,
     )
-    assert made["r.yaml"].partition("model:\n")[2] == textwrap.indent(
-        textwrap.dedent("""\
+    assert made["r.yaml"].partition("model:\n")[2] == textwrap.dedent("""\
         - link/name=base:  # the base
         # the shoulder
         - part:  # the arm
             name: a
             joint: {type: fixed, parent: base}  # is stiff
         - part: {name: b, joint: {type: fixed, parent: a_link}}  # the hand the wrist
-        """),
-        "  ",
-    )
+        """)

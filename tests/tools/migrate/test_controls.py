@@ -74,7 +74,7 @@ def test_a_joint_may_take_several_commands() -> None:
     )
     commands = commands.replace("\n</joint>", '<state_interface name="effort"/></joint>')
     text = migrated(robot(block(HARDWARE, commands)))
-    assert "actuator:\n          command: position, effort\n" in text
+    assert "actuator:\n        command: position, effort\n" in text
 
 
 def test_several_blocks_stay() -> None:

@@ -899,10 +899,10 @@ CASES = {
         part:
           name: base
           link:
-            - collision: {<geometry>: {mesh/filename=a.blend: }}
-            - collision:
-                <geometry>:
-                  sphere/radius=1, segments=8:
+          - collision: {<geometry>: {mesh/filename=a.blend: }}
+          - collision:
+              <geometry>:
+                sphere/radius=1, segments=8:
         """,
     ),
     "comments stay above what they stand above": (
@@ -955,9 +955,9 @@ CASES = {
         """,
         """\
         gazebo:
-          - <#text>: one
-          - static: true
-          - <#text>: two
+        - <#text>: one
+        - static: true
+        - <#text>: two
         plugin: |-
           a
           b

@@ -84,18 +84,18 @@ def test_a_solid_that_is_not_the_geometry_stands_in_the_inertial(tmp_path: Path)
         "2.5",
     )
     assert model_of(made) == [
-        "  - part:",
-        "      name: a",
-        "      link:",
-        "        visual: {geometry: a.stl}",
-        "        inertial: {mass: 3, xyz: 0 0 $(n/2), geometry: cylinder, scale: 0.1 $(n)}",
-        "  - part:",
-        "      name: b",
-        "      link:",
-        "        geometry: cylinder",
-        "        scale: 0.1 1",
-        "        collision:",
-        "        mass: 3",
+        "- part:",
+        "    name: a",
+        "    link:",
+        "      visual: {geometry: a.stl}",
+        "      inertial: {mass: 3, xyz: 0 0 $(n/2), geometry: cylinder, scale: 0.1 $(n)}",
+        "- part:",
+        "    name: b",
+        "    link:",
+        "      geometry: cylinder",
+        "      scale: 0.1 1",
+        "      collision:",
+        "      mass: 3",
     ]
     assert "axis" not in made
 

@@ -9,6 +9,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.tools.migrate.migrating import assert_in_style
 from tests.tools.migrate.same_robot import is_same_robot
 from tests.xacro.test_corpus import CORPUS, UNKNOWN, real, rows
 from yamaro import build
@@ -38,6 +39,8 @@ def migrated(folder: Path, text: str, **files: str) -> dict[str, str]:
     for name, content in migration.files.items():
         (folder / "out" / name).parent.mkdir(parents=True, exist_ok=True)
         (folder / "out" / name).write_text(content)
+    for name in migration.origins.values():
+        assert_in_style(name, migration.files[name])
     return migration.files
 
 
@@ -99,8 +102,8 @@ def test_macros_become_functions_and_properties_variables(tmp_path: Path) -> Non
             else:
               near/at=$(y):
         model:
-          - WheelUnit: {side: left, Origin: {xyz: 0 0 1}}
-          - WheelUnit: {side: right, y: 0.1, Origin: {xyz: 0 0 2}}
+        - WheelUnit: {side: left, Origin: {xyz: 0 0 1}}
+        - WheelUnit: {side: right, y: 0.1, Origin: {xyz: 0 0 2}}
         """)
 
 
@@ -206,7 +209,7 @@ def test_a_default_that_reads_a_parameter_means_that_of_the_caller(tmp_path: Pat
         """,
     )
     assert "  Arm(prefix, tf):\n" in made["r.yaml"]
-    assert "  - Arm: {prefix: l_, tf: $(prefix)}\n" in made["r.yaml"]
+    assert "- Arm: {prefix: l_, tf: $(prefix)}\n" in made["r.yaml"]
 
 
 def test_an_include_whose_name_depends_on_an_argument_still_does(tmp_path: Path) -> None:
@@ -322,20 +325,20 @@ def test_a_file_with_a_namespace_is_included_with_one(tmp_path: Path) -> None:
         variables:
           width/global: 9
         model:
-          - include: {path: gripper.yaml, namespace: left}
-          - include: {path: gripper.yaml, namespace: right}
-          - include: {path: lib.yaml, namespace: tools}
-          - left.Finger:
-              name: thumb
-              Origin:
-                o:
-          - right.Finger:
-              name: thumb
-              Origin:
-                o:
-          - tools.Finger: {side: l}
-          - if width > left.width:
-              w/by=$(2 * left.width + tools.width):
+        - include: {path: gripper.yaml, namespace: left}
+        - include: {path: gripper.yaml, namespace: right}
+        - include: {path: lib.yaml, namespace: tools}
+        - left.Finger:
+            name: thumb
+            Origin:
+              o:
+        - right.Finger:
+            name: thumb
+            Origin:
+              o:
+        - tools.Finger: {side: l}
+        - if width > left.width:
+            w/by=$(2 * left.width + tools.width):
         """)
     assert "  width/parent: 2\n" in made["gripper.yaml"]
     assert "  Finger(name, **Origin)/parent:\n" in made["gripper.yaml"]

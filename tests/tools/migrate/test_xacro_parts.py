@@ -55,9 +55,9 @@ def test_the_origin_of_a_joint_may_be_a_block(tmp_path: Path) -> None:
                 parent: base
                 Origin:
         model:
-          - link/name=base:
-          - Arm: {name: a, Origin: {xyz: 0 0 1}}
-          - Arm: {name: b, Origin: {xyz: 0 0 2}}
+        - link/name=base:
+        - Arm: {name: a, Origin: {xyz: 0 0 1}}
+        - Arm: {name: b, Origin: {xyz: 0 0 2}}
         """)
 
 
@@ -124,17 +124,17 @@ def test_statements_stand_among_the_sections_of_a_link(tmp_path: Path) -> None:
     assert part(tmp_path, link) == textwrap.dedent("""\
         name: a
         link:
-          - geometry: box
-            scale: 1 1 1
+        - geometry: box
+          scale: 1 1 1
+          visual:
+            xyz: 0 0 1
+            Red:
+          if n > 1:
             visual:
-              xyz: 0 0 1
-              Red:
-            if n > 1:
-              visual:
-              inertial: {mass: 2, inertia: 1 0 0 1 0 1}
-            Shell: {size: 1 2 3}
-          - visual:
-              if n > 1: {xyz: 0 0 1}
+            inertial: {mass: 2, inertia: 1 0 0 1 0 1}
+          Shell: {size: 1 2 3}
+        - visual:
+            if n > 1: {xyz: 0 0 1}
         """)
     assert "collision: {geometry: box, scale: $(size)}" in (tmp_path / "out/r.yaml").read_text()
 
@@ -203,12 +203,12 @@ def test_a_joint_moves_to_its_link_past_other_elements(tmp_path: Path) -> None:
         """,
     )
     assert model_of(made) == [
-        "  - link/name=base:",
-        "  - part: {name: a, joint: {type: fixed, parent: base}}",
-        "  # rubber",
-        "  - gazebo/reference=a_link:",
-        "  - part: {name: b, joint: {type: fixed, parent: a_link}}",
-        "  - part: {name: c, joint: {type: fixed, parent: a_link}}",
+        "- link/name=base:",
+        "- part: {name: a, joint: {type: fixed, parent: base}}",
+        "# rubber",
+        "- gazebo/reference=a_link:",
+        "- part: {name: b, joint: {type: fixed, parent: a_link}}",
+        "- part: {name: c, joint: {type: fixed, parent: a_link}}",
     ]
 
 
@@ -377,12 +377,12 @@ def test_the_pose_in_a_block_is_left_out_if_it_is_zeros(tmp_path: Path) -> None:
         <xacro:arm name="c"><!-- upright --><origin rpy="0 0 1"/></xacro:arm>""",
     )
     assert model_of(made)[1:] == [
-        "  - Arm: {name: a}",
-        "  - Arm: {name: b}",
-        "  - Arm:",
-        "      name: c",
-        "      # upright",
-        "      Origin: {rpy: 0 0 1}",
+        "- Arm: {name: a}",
+        "- Arm: {name: b}",
+        "- Arm:",
+        "    name: c",
+        "    # upright",
+        "    Origin: {rpy: 0 0 1}",
     ]
 
 

@@ -68,14 +68,14 @@ def test_conditions_are_turned_round_and_opposite_ones_joined(tmp_path: Path) ->
         """,
     )
     assert made["r.yaml"].partition("model:\n")[2] == (
-        "  - if side != 'left':\n"
-        "      a:\n"
-        "  - else:\n"
-        "      b:\n"
-        "  - if not has_arm:\n"
-        "      c:\n"
-        "  - else:\n"
-        "      d:\n"
+        "- if side != 'left':\n"
+        "    a:\n"
+        "- else:\n"
+        "    b:\n"
+        "- if not has_arm:\n"
+        "    c:\n"
+        "- else:\n"
+        "    d:\n"
     )
 
 
@@ -452,10 +452,10 @@ def test_one_short_entry_under_a_condition_is_on_its_line(tmp_path: Path) -> Non
         <link name="a_link"/>
         """,
     )["r.yaml"]
-    assert "  - if n > 1: {Leg: {x: 1}}\n  - if n > 2: {Leg: {x: 1}}\n  - if n > 1:\n" in made
-    assert "        if n > 1: {limit: {effort: 1, velocity: 2, lower: 0, upper: 1}}\n" in made
-    assert "        if n > 2: {dynamics: {damping: 1}}\n" in made
-    assert "  - if n == 1:\n      d:\n  - else:\n      e:\n" in made
+    assert "- if n > 1: {Leg: {x: 1}}\n- if n > 2: {Leg: {x: 1}}\n- if n > 1:\n" in made
+    assert "      if n > 1: {limit: {effort: 1, velocity: 2, lower: 0, upper: 1}}\n" in made
+    assert "      if n > 2: {dynamics: {damping: 1}}\n" in made
+    assert "- if n == 1:\n    d:\n- else:\n    e:\n" in made
     hold_for(tmp_path, ["n:=1"], ["n:=2"], ["n:=3"])
 
 
@@ -484,7 +484,7 @@ def test_only_what_comes_again_begins_an_item_of_a_list(tmp_path: Path) -> None:
         - visual: {geometry: sphere, scale: 2, xyz: 0 0 3}
           collision:
         """),
-        "      ",
+        "    ",
     )
 
 
@@ -694,4 +694,4 @@ def test_an_expression_that_is_only_a_number_is_that_number(tmp_path: Path) -> N
 
 def test_comments_stand_where_their_entries_do(tmp_path: Path) -> None:
     made = migrated(tmp_path, "<t><a/><!-- b --><b/><c/><d/><!-- a --><a/></t>")["r.yaml"]
-    assert "    - a:\n      # b\n      b:\n      c:\n      d:\n    # a\n    - a:\n" in made
+    assert "  - a:\n    # b\n    b:\n    c:\n    d:\n  # a\n  - a:\n" in made

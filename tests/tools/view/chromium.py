@@ -49,11 +49,11 @@ class Chromium:
         complaints: what the page wrote to the console as an error or a warning, and exceptions.
     """
 
-    def __init__(self, program: str, *, width: int, height: int) -> None:
+    def __init__(self, program: str, *options: str, width: int, height: int) -> None:
         self._folder = tempfile.mkdtemp(prefix="yamaro-chromium-")
         to_browser, self._writer = os.pipe()
         self._reader, from_browser = os.pipe()
-        command = [program, *OPTIONS, f"--user-data-dir={self._folder}", "about:blank"]
+        command = [program, *OPTIONS, *options, f"--user-data-dir={self._folder}", "about:blank"]
         numbers = [str(to_browser), str(from_browser)]
         self._process = subprocess.Popen(
             [sys.executable, "-I", "-S", "-c", _WITH_PIPES, *numbers, *command],

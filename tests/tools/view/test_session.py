@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import sys
 import textwrap
 import webbrowser
 from pathlib import Path
@@ -10,6 +11,7 @@ from typing import Any
 
 import pytest
 
+from tests.files.wheels import install
 from yamaro.api import build
 from yamaro.diagnostics import YamaroError
 from yamaro.files.readable import Reach
@@ -397,6 +399,29 @@ def test_a_texture_that_is_not_an_image_is_a_warning(tmp_path: Path) -> None:
     assert texture.startswith("the texture 'wood.png' cannot be shown: ")
     places = [robot["places"][each["place"]] for each in found]
     assert [place.rpartition("robot.urdf")[2].split(":")[1] for place in places] == ["1", "2"]
+
+
+def test_meshes_of_python_packages_are_given(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    mesh = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"
+    site = tmp_path / "site-packages"
+    install(site, "rover", {"rover/wheel.obj": mesh}, entry_points="rover = rover")
+    monkeypatch.setattr(sys, "path", [*sys.path, str(site)])
+    (tmp_path / "home").mkdir()
+    path = tmp_path / "home" / "robot.urdf"
+    path.write_text(
+        '<robot name="one"><link name="a"><visual><geometry>'
+        '<mesh filename="package://rover/wheel.obj"/></geometry></visual></link></robot>'
+    )
+    session = session_of(path)
+    robot = state_of(session)["robot"]
+    assert robot["diagnostics"] == []
+    (visual,) = robot["links"]["a"]["visual"]
+    found = session.open_file(visual["mesh"]["key"])
+    assert found is not None
+    with found[0] as file:
+        assert file.read().decode() == mesh
 
 
 def test_textures_of_materials_are_given(tmp_path: Path) -> None:

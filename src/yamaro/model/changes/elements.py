@@ -47,7 +47,8 @@ def compare_other_elements(comparing: Comparing) -> None:
         pairs, removed, added = _paired(some, others, comparing)
         name = _label(key)
         for one, twin in pairs:
-            own = Owner("element", name, new_name=None, places=(one.span, twin.span))
+            new = names[id(twin)]
+            own = Owner("element", name, new_name=new, places=(one.span, twin.span))
             _compare(one, twin, "", own, comparing)
         for element in removed:
             comparing.add("element", name, is_new=False, place=element.span)

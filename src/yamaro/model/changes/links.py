@@ -101,8 +101,8 @@ def _is_scaled(mass: float, moments: Inertia, new_mass: float, new_moments: Iner
     """Return whether an inertia is that of the same body with another mass."""
     if not mass or not new_mass:
         return False
-    room = IN_PROPORTION * max(map(abs, new_moments))
     factor = new_mass / mass
+    room = IN_PROPORTION * max(factor * max(map(abs, moments)), max(map(abs, new_moments)))
     return all(abs(a * factor - b) <= room for a, b in zip(moments, new_moments, strict=True))
 
 
@@ -128,17 +128,19 @@ def _compare_shapes(
     is_single = len(one) <= 1 and len(other) <= 1
     pairs, removed, added = _paired(one, other)
 
-    def label(body: Visual | Collision, row: Sequence[Visual | Collision]) -> str:
-        if is_single:
-            return kind
-        return f"{kind}[{next(i for i, each in enumerate(row, 1) if each is body)}]"
-
     for mine, theirs in pairs:
-        _compare_bodies(mine, theirs, label(mine, one), owner, comparing)
-    for mine in removed:
-        _one_sided(mine, label(mine, one), owner, comparing, is_new=False)
-    for theirs in added:
-        _one_sided(theirs, label(theirs, other), owner, comparing, is_new=True)
+        numbers = (_number(mine, one), _number(theirs, other))
+        label = kind if is_single else f"{kind}[{'→'.join(dict.fromkeys(numbers))}]"
+        _compare_bodies(mine, theirs, label, owner, comparing)
+    for bodies, row, is_new in ((removed, one, False), (added, other, True)):
+        for body in bodies:
+            label = kind if is_single else f"{kind}[{_number(body, row)}]"
+            _one_sided(body, label, owner, comparing, is_new=is_new)
+
+
+def _number(body: Visual | Collision, row: Sequence[Visual | Collision]) -> str:
+    """Return which one a shape is of its link's, from 1."""
+    return str(next(i for i, each in enumerate(row, 1) if each is body))
 
 
 def _one_sided(

@@ -6,6 +6,8 @@ from .signatures import joint_signature, link_signature
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Collection, Mapping
+
     from ..joint import Joint
     from ..robot import Robot
 
@@ -31,15 +33,26 @@ class Matching:
             self._match_renamed_joints()
 
     def _match_renamed_links(self) -> None:
-        """Match links of other names: those at the root, and then from parents to children."""
+        """Match links of other names: those below joints of one name, the roots, and the others."""
+        self._match_below_joints()
         self._match_root()
         waiting = [name for name in self._first.links if name in self.links]
         while waiting:
             parent = waiting.pop()
             waiting += self._match_children(parent)
 
+    def _match_below_joints(self) -> None:
+        """Match links that joints of one name hold, whatever else differs."""
+        taken = set(self.links.values())
+        for name in self.joints:
+            link, other = self._first.joints[name].child, self._second.joints[name].child
+            if link in self._first.links and other in self._second.links:
+                if link not in self.links and other not in taken:
+                    self.links[link] = other
+                    taken.add(other)
+
     def _match_root(self) -> None:
-        """Match the only root of each robot, if its links have the same content or children."""
+        """Match the only root of each robot, if both have the same content or joints below."""
         roots, others = self._first.roots, self._second.roots
         if len(roots) != 1 or len(others) != 1:
             return
@@ -65,7 +78,7 @@ class Matching:
     def _pairs_of(self, mine: list[Joint], others: list[Joint]) -> list[tuple[Joint, Joint]]:
         """Return which joints hold the same link: the surest matches first."""
         pairs: list[tuple[Joint, Joint]] = []
-        for key in (_by_name, self._by_content, self._by_link):
+        for key in (self._by_content, self._by_link):
             alike: dict[object, tuple[list[Joint], list[Joint]]] = {}
             for index, row in enumerate((mine, others)):
                 for joint in row:
@@ -88,15 +101,13 @@ class Matching:
         return id(link) if link.is_empty else link_signature(link)
 
     def _match_renamed_joints(self) -> None:
-        """Match joints of other names that hold the same link."""
-        taken = set(self.joints.values())
-        for child, other in self.links.items():
-            mine, theirs = self._first.parent_joint(child), self._second.parent_joint(other)
-            if mine is None or theirs is None or mine.name in self.joints:
-                continue
-            if theirs.name not in taken:
-                self.joints[mine.name] = theirs.name
-                taken.add(theirs.name)
+        """Match joints of other names that hold the same link, even one that is not there."""
+        mine = _by_child(self._first.joints, self.joints)
+        others = _by_child(self._second.joints, self.joints.values())
+        for child, name in mine.items():
+            other = others.get(self.links.get(child, child))
+            if other is not None:
+                self.joints[name] = other
 
     def renamed(self) -> dict[str, str]:
         """Return the names in the second robot that differ, with those in the first."""
@@ -104,5 +115,11 @@ class Matching:
         return {new: old for old, new in pairs if new != old}
 
 
-def _by_name(joint: Joint, _: bool) -> object:
-    return joint.name
+def _by_child(joints: Mapping[str, Joint], known: Collection[str]) -> dict[str, str]:
+    """Return the name of the first joint that holds each link, of those that are not known."""
+    found: dict[str, str] = {}
+    known = set(known)
+    for name, joint in joints.items():
+        if name not in known:
+            found.setdefault(joint.child, name)
+    return found

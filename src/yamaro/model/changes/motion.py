@@ -9,7 +9,7 @@ from __future__ import annotations
 from ..joint import FLOATING, PLANAR, SINGLE
 from ..kinematics import link_poses
 from ..pose import IDENTITY, Pose, rotation_from_rpy
-from .change import Moved
+from .change import ADDED, CHANGED, REMOVED, Moved
 from .tolerance import angle_between, distance_between
 
 TYPE_CHECKING = False
@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from ..joint import Joint
     from ..kinematics import Position
     from ..robot import Robot
+    from .change import Change
     from .context import Comparing
 
 SAMPLES = 6
@@ -93,12 +94,14 @@ class MotionComparison:
     def _positions(self, number: int) -> dict[str, Position]:
         """Return positions, by the names of the first robot, of the joints that both can be given.
 
-        The first are all zero; the others are within the limits of both where these overlap.
+        The first are all zero; the others are within the limits of both where these overlap. They
+        are the same ones if the second robot is compared with the first.
         """
         if not number:
             return {}
         positions: dict[str, Position] = {}
-        for index, (name, new) in enumerate(self._joints.items(), 1):
+        either_way = sorted(self._joints.items(), key=sorted)
+        for index, (name, new) in enumerate(either_way, 1):
             joint, other = self._first.joints[name], self._second.joints[new]
             if joint.mimic is None and other.mimic is None and _kind(joint) == _kind(other):
                 share = (number * index * GOLDEN + number / (SAMPLES + 1)) % 1
@@ -194,39 +197,59 @@ class MotionComparison:
 
     # --- causes ---
 
-    def moved_by(self, causes: list[str]) -> dict[str, Moved]:
-        """Return the links that are elsewhere, by the nearest changed joint above each.
+    def moved_by(self, causes: list[Change]) -> list[tuple[Change, Moved]]:
+        """Return the links that are elsewhere, by the nearest change of a joint above each.
 
         Args:
-            causes: the names, in the first robot, of the joints with changes that could move links.
+            causes: changes that could move links, at most one of each joint.
         """
-        changed = set(causes)
-        groups: dict[str, list[str]] = {}
-        nearest = self._nearest(changed)
-        for name in self._links:
-            cause = nearest.get(name)
-            if cause is not None and self._is_elsewhere(name):
-                groups.setdefault(cause, []).append(name)
-        return {cause: self._moved(names) for cause, names in groups.items()}
+        mine = {change.name: change for change in causes if change.kind != ADDED}
+        theirs = {change.new_name or change.name: change for change in causes}
+        theirs = {new: change for new, change in theirs.items() if change.kind != REMOVED}
+        nearest: dict[str, Change | None] = {}
+        groups: dict[int, tuple[Change, list[str]]] = {}
+        for name in self._links if causes else ():
+            if self._is_elsewhere(name):
+                cause = self._nearest(name, mine, theirs, nearest)
+                if cause is not None:
+                    groups.setdefault(id(cause), (cause, []))[1].append(name)
+        return [(cause, self._moved(names)) for cause, names in groups.values()]
 
-    def _nearest(self, changed: set[str]) -> dict[str, str | None]:
-        """Return the nearest changed joint above each link."""
-        found: dict[str, str | None] = {}
-        for start in self._first.links:
-            way: dict[str, str] = {}
-            name = start
-            while name not in found:
-                joint = self._first.parent_joint(name)
-                if joint is None or name in way:
-                    found[name] = None
-                    break
-                if joint.name in changed:
-                    found[name] = joint.name
-                    break
-                way[name] = name
-                name = joint.parent
-            for link in way:
-                found.setdefault(link, found[name])
+    def _nearest(
+        self,
+        start: str,
+        mine: dict[str, Change],
+        theirs: dict[str, Change],
+        nearest: dict[str, Change | None],
+    ) -> Change | None:
+        """Return the nearest change of a joint above a link in either robot.
+
+        Where no joint has changed, the link above is the same one in both.
+
+        Args:
+            start: the link.
+            mine: the changes, by the names of the joints in the first robot.
+            theirs: the same, by those in the second.
+            nearest: the answers so far, by links.
+        """
+        found: Change | None = None
+        way: list[str] = []
+        name = start
+        while name not in nearest:
+            nearest[name] = None
+            way.append(name)
+            above = self._first.parent_joint(name)
+            others = self._second.parent_joint(self._links[name])
+            found = _cause(
+                None if above is None else mine.get(above.name),
+                None if others is None else theirs.get(others.name),
+            )
+            if found is not None or above is None or above.parent not in self._links:
+                break
+            name = above.parent
+        else:
+            found = nearest[name]
+        nearest.update(dict.fromkeys(way, found))
         return found
 
     def _is_elsewhere(self, name: str) -> bool:
@@ -265,6 +288,14 @@ class MotionComparison:
         return found
 
 
+def _cause(mine: Change | None, theirs: Change | None) -> Change | None:
+    """Return which of two changes to name: either way the same one."""
+    if mine is None or theirs is None or mine is theirs:
+        return mine or theirs
+    changed = [change for change in (mine, theirs) if change.kind == CHANGED]
+    return min(changed or (mine, theirs), key=lambda change: change.name)
+
+
 def _is_beyond(one: tuple[float, float], other: tuple[float, float]) -> bool:
     """Return whether a link is further away than another; by rounding alone it is not."""
     if abs(one[0] - other[0]) > LEAST:
@@ -281,10 +312,21 @@ def _between(one: Pose, other: Pose) -> tuple[float, float]:
 
 
 def _reference(comparing: Comparing) -> str:
-    """Return the link, that both robots have, which is nearest to both roots."""
+    """Return the link, that both robots have, which is nearest to both roots.
+
+    Of several, it is the one that is written first, whichever robot is the first.
+    """
     first, second = _depths(comparing.first), _depths(comparing.second)
+    rows = [
+        {name: i for i, name in enumerate(r.links)} for r in (comparing.first, comparing.second)
+    ]
     links = comparing.matching.links
-    return min(links, key=lambda name: first[name] + second[links[name]], default="")
+
+    def rank(name: str) -> tuple[int, int, list[str]]:
+        new = links[name]
+        return (first[name] + second[new], rows[0][name] + rows[1][new], sorted((name, new)))
+
+    return min(links, key=rank, default="")
 
 
 def _depths(robot: Robot) -> dict[str, int]:
@@ -321,7 +363,7 @@ def _position(joint: Joint, other: Joint, share: float) -> Position | None:
         (low, high), (lower, upper) = joint.range, other.range
         start, end = max(low, lower), min(high, upper)
         if start >= end:
-            start, end = low, high
+            start, end = min(low, lower), max(high, upper)
         if not end - start <= WIDEST:  # in a range without end, near zero
             middle = min(max(0.0, start), end)
             start, end = max(start, middle - WIDEST / 2), min(end, middle + WIDEST / 2)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from .change import CHANGED, REMOVED, RENAMED, Change, Changes
+from .change import ADDED, CHANGED, REMOVED, RENAMED, Change, Changes
 from .context import Comparing, Owner
 from .elements import compare_other_elements, compare_rest
 from .extras import compare_extras, extras_held
@@ -15,11 +15,19 @@ from .tolerance import DEFAULT, Tolerance
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Callable, Mapping
+
     from ..joint import Joint
     from ..link import Link
     from ..pose import Vector
     from ..robot import Robot
     from .context import SameFile
+
+COMPARISONS: dict[str, tuple[Callable[..., None], Callable[..., object]]] = {
+    "link": (compare_links, link_facts),
+    "joint": (compare_joints, joint_facts),
+}
+"""How links and joints are compared, and what to say of one that only one robot has."""
 
 
 def compare_robots(
@@ -47,51 +55,37 @@ def compare_robots(
     owner = Owner("robot", first.name, new_name=None, places=(first.span, second.span))
     comparing.text(owner, "name", (first.name, second.name))
     compare_materials(comparing)
-    _compare_all_links(comparing)
-    _compare_all_joints(comparing)
+    _compare_all("link", (first.links, second.links), matching.links, comparing)
+    _compare_all("joint", (first.joints, second.joints), matching.joints, comparing)
     compare_other_elements(comparing)
     if has_extras:
         compare_extras(comparing)
     return _with_consequences(comparing, has_extras=has_extras)
 
 
-def _compare_all_links(comparing: Comparing) -> None:
-    first, second, names = comparing.first, comparing.second, comparing.matching.links
-    for name, link in first.links.items():
+def _compare_all(
+    of: str,
+    rows: tuple[Mapping[str, Link | Joint], Mapping[str, Link | Joint]],
+    names: dict[str, str],
+    comparing: Comparing,
+) -> None:
+    """Compare all links, or all joints: those that both robots have, and those that one has."""
+    compare, facts = COMPARISONS[of]
+    first, second = rows
+    for name, one in first.items():
         if name not in names:
-            comparing.add("link", name, is_new=False, value=link_facts(link), place=link.span)
+            comparing.add(of, name, is_new=False, value=facts(one), place=one.span)
             continue
-        other = second.links[names[name]]
-        _note_renamed("link", link, other, comparing)
-        if link.element is not other.element:
-            _compare_link(link, other, comparing)
+        other = second[names[name]]
+        _note_renamed(of, one, other, comparing)
+        if one.element is not other.element:
+            compare(one, other, comparing)
+            owner = Owner(of, one.name, new_name=other.name, places=(one.span, other.span))
+            compare_rest(one.element, other.element, "", owner, comparing)
     known = set(names.values())
-    for name, link in second.links.items():
+    for name, other in second.items():
         if name not in known:
-            comparing.add("link", name, is_new=True, value=link_facts(link), place=link.span)
-
-
-def _compare_link(link: Link, other: Link, comparing: Comparing) -> None:
-    compare_links(link, other, comparing)
-    owner = Owner("link", link.name, new_name=other.name, places=(link.span, other.span))
-    compare_rest(link.element, other.element, "", owner, comparing)
-
-
-def _compare_all_joints(comparing: Comparing) -> None:
-    first, second, names = comparing.first, comparing.second, comparing.matching.joints
-    for name, joint in first.joints.items():
-        if name not in names:
-            comparing.add("joint", name, is_new=False, value=joint_facts(joint), place=joint.span)
-            continue
-        other = second.joints[names[name]]
-        _note_renamed("joint", joint, other, comparing)
-        compare_joints(joint, other, comparing)
-        owner = Owner("joint", joint.name, new_name=other.name, places=(joint.span, other.span))
-        compare_rest(joint.element, other.element, "", owner, comparing)
-    known = set(names.values())
-    for name, joint in second.joints.items():
-        if name not in known:
-            comparing.add("joint", name, is_new=True, value=joint_facts(joint), place=joint.span)
+            comparing.add(of, name, is_new=True, value=facts(other), place=other.span)
 
 
 def _note_renamed(of: str, one: Link | Joint, other: Link | Joint, comparing: Comparing) -> None:
@@ -113,9 +107,8 @@ def _with_consequences(comparing: Comparing, *, has_extras: bool) -> Changes:
     for change in comparing.changes:
         if change.of == "joint" and _could_move(change):
             causes.setdefault(change.name, change)
-    if causes:
-        for name, moved in motions.moved_by(list(causes)).items():
-            causes[name].moved = moved
+    for cause, moved in motions.moved_by(list(causes.values())):
+        cause.moved = moved
     new = comparing.matching.links.get(motions.reference, "")
     skipped = [] if has_extras else [*extras_held(first), *extras_held(second)]
     return Changes(
@@ -131,7 +124,7 @@ def _with_consequences(comparing: Comparing, *, has_extras: bool) -> Changes:
 
 def _could_move(change: Change) -> bool:
     """Return whether links can be elsewhere because of a change of a joint."""
-    if change.kind == REMOVED:
+    if change.kind in (ADDED, REMOVED):
         return True
     return change.kind == CHANGED and change.what.partition(".")[0] in KINEMATIC
 

@@ -27,7 +27,8 @@ def add_actuators(writing: Writing) -> None:
     robot = writing.robot
     for name, actuator in robot.actuators.items():
         joint = robot.joints.get(name)
-        if joint is None or joint.type not in SINGLE or joint.mimic is not None:
+        is_driven = joint is not None and joint.type in SINGLE and joint.mimic is None
+        if joint is None or not is_driven or robot.parent_joint(joint.child) is not joint:
             owner, what = (
                 f"joint '{name}'",
                 "actuators of joints that are not independent",

@@ -6,10 +6,11 @@ import os
 from functools import partial
 
 from ...meshes.formats import NO_TRIANGLES, MeshFileError, MissingLibraryError
+from ...model.convex import outer_points
 from ..assets import FOLDER, named_by_content
 from ..mesh_contents import MeshContents
 from ..output import APPROXIMATED, LOST
-from .meshes import FlatMeshError, collision_part, visual_parts
+from .meshes import FlatMeshError, collision_part, points_of, visual_parts
 from .names import MATERIAL, MESH, TEXTURE
 from .writing import Writing, made, row
 
@@ -31,18 +32,18 @@ class Looks:
     """Gives the materials and meshes of shapes, each of which becomes an asset once."""
 
     __slots__ = (
-        "_colors", "_contents", "_materials", "_meshes", "_parts", "_textures", "_useless",
-        "_writing",
+        "_colors", "_contents", "_corners", "_materials", "_meshes", "_parts", "_textures",
+        "_useless", "_writing",
     )  # fmt: skip
 
     def __init__(self, writing: Writing) -> None:
         self._writing = writing
-        paths = writing.wanted.paths
-        self._contents = MeshContents(paths.finder, paths.run)
+        self._contents = MeshContents(writing.wanted.paths)
         self._materials: dict[str, str] = {}
         self._colors: dict[tuple[Color | None, str], str] = {}
         self._textures: dict[str, str] = {}
         self._parts: dict[tuple[str, bool], list[Part]] = {}
+        self._corners: dict[str, list[Vector]] = {}
         self._useless: dict[tuple[str, bool], tuple[str, str]] = {}
         self._meshes: dict[tuple[str, Vector], str] = {}
 
@@ -149,6 +150,19 @@ class Looks:
         trace = collision.trace_in(link)
         name = self._mesh(parts[0], _stem(mesh.filename), mesh, collision, trace)
         return {"type": "mesh", "mesh": name}
+
+    def corners_of(self, mesh: Mesh) -> list[Vector]:
+        """Return the outer corners of a mesh that collides, at its size."""
+        assert mesh.element is not None, "the robot was read from elements"
+        path = self._contents.path_of(mesh.filename, mesh.element.value_span("filename"))
+        assert path is not None, "it was read"
+        if path not in self._corners:
+            try:
+                self._corners[path] = outer_points(points_of(self._parts[path, False][0]))
+            except (ValueError, OverflowError):  # what is not a number is for MuJoCo to say
+                self._corners[path] = []
+        a, b, c = mesh.scale
+        return [(x * a, y * b, z * c) for x, y, z in self._corners[path]]
 
     def _mesh(self, part: Part, stem: str, mesh: Mesh, owner: Written, trace: Step | None) -> str:
         """Append a mesh of a size, and return its name."""

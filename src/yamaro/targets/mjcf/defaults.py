@@ -10,7 +10,7 @@ if TYPE_CHECKING:
 
 FOLDER = "assets"
 SITE_SIZE = "0.005"
-STIFF = {"solref": "0.005 1", "solimp": "0.99 0.999 0.001"}
+STIFF = {"solref": "0.004 1", "solimp": "0.99 0.999 0.001"}
 """How fast and how exactly equalities hold: as stiff as the time step of MuJoCo allows."""
 VISUAL_GROUP, COLLISION_GROUP, SITE_GROUP = "2", "3", "4"
 

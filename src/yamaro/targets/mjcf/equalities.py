@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from ...model.joint import SINGLE
 from ...model.pose import UNTURNED, Pose, rotate, transposed
 from ..output import LOST
+from ..shared_losses import leader_of
 from .names import EQUALITY, SITE
 from .writing import Writing, made, pose_attributes, row
 
@@ -22,13 +22,8 @@ def add_mimics(writing: Writing) -> None:
     """Append an equality for each joint that follows another."""
     robot = writing.robot
     for joint in robot.joints.values():
-        mimic = joint.mimic
-        if mimic is None or joint.child not in writing.plan.carriers:
-            continue
-        leader = robot.joints.get(mimic.joint)
-        if joint.type not in SINGLE or leader is None or leader.type not in SINGLE:
-            owner, what = f"joint '{joint.name}'", "mimics of joints of several numbers"
-            writing.lose(LOST, what, owner, mimic.span, trace=mimic.trace_in(joint))
+        mimic, leader = joint.mimic, leader_of(robot, joint)
+        if mimic is None or leader is None or joint.child not in writing.plan.carriers:
             continue
         places: dict[str, Span] = {
             "joint2": mimic.span_of("joint"),

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from math import hypot
 
-from ...model.joint import FLOATING, PLANAR, PRISMATIC
+from ...model.joint import FLOATING, PLANAR, PRISMATIC, SINGLE
 from ...model.kinematics import link_poses
 from ...model.pose import multiply, rotate, transposed
 from .surfaces import TIME_STEP
@@ -25,6 +25,9 @@ SLOWEST, FASTEST = 10.0, 1.5 / TIME_STEP
 """The least and the greatest natural frequency of a joint with its load, in rad/s. With critical
 damping, which MuJoCo integrates implicitly, it would have to be below 4.8 / TIME_STEP: the roots of
 λ²(1 + 2a) − λ(2 + 2a − a²) + 1, with the step a, are then inside of the unit circle."""
+COUPLED = 0.5 / TIME_STEP
+"""The greatest frequency of a joint that others follow: as fast as the equalities are, whose
+stiffness is by the lighter one of two joints."""
 LEAST_INERTIA = 1e-6
 """In kg·m² or kg, for what has none."""
 SLIP = 0.05
@@ -85,25 +88,34 @@ class Load:
 class Gains:
     """Works out gains, at the positions where joints rest."""
 
-    __slots__ = ("_loads", "_poses", "_writing")
+    __slots__ = ("_followers", "_loads", "_poses", "_writing")
 
     def __init__(self, writing: Writing) -> None:
         self._writing = writing
+        self._followers: dict[str, list[tuple[float, Joint]]] = {}
+        for joint in writing.robot.joints.values():
+            if joint.mimic is not None and joint.type in SINGLE:
+                followers = self._followers.setdefault(joint.mimic.joint, [])
+                followers.append((joint.mimic.multiplier, joint))
         self._poses: Mapping[str, Pose] = {}
         self._loads: dict[str, Load] = {}
 
     def of_position(self, joint: Joint) -> float:
-        """Return the stiffness of a joint, in N·m/rad or N/m.
+        """Return the stiffness of a joint, in N·m/rad or N/m; see `_inertia_and_weight`.
 
         At most `SAG` of the joint's range gives way under the weight of what it carries: of all
         above it, and for a robot that stands on its joints of the whole robot. The load with this
-        stiffness swings at least with `SLOWEST` and at most with `FASTEST`.
+        stiffness swings at least with `SLOWEST` and at most with `FASTEST`. Where other joints
+        follow, what the joint moves itself swings at most with `COUPLED`.
         """
         inertia, weight = self._inertia_and_weight(joint)
         low, high = joint.range if joint.lower is not None else (0.0, 1.0)
         room = min(max(high - low, 1e-3), 1.0)
         wanted = max(weight / (SAG * room), inertia * SLOWEST * SLOWEST)
-        return _rounded(min(wanted, inertia * FASTEST * FASTEST))
+        most = inertia * FASTEST * FASTEST
+        if joint.name in self._followers:
+            most = min(most, self._own(joint)[0] * COUPLED * COUPLED)
+        return _rounded(min(wanted, most))
 
     def of_velocity(self, joint: Joint) -> float:
         """Return the gain of a velocity actuator, in N·m·s/rad or N·s/m."""
@@ -113,9 +125,23 @@ class Gains:
         return _rounded(self._inertia_and_weight(joint)[0] / SETTLING)
 
     def _inertia_and_weight(self, joint: Joint) -> tuple[float, float]:
-        """Return the inertia that a joint moves, and the greatest effort of its weight."""
+        """Return the inertia that a joint moves, and the greatest effort of its weight.
+
+        The joints that follow it count as well: at a multiplier m their inertia m² times, and their
+        weight |m| times.
+        """
         if not self._loads:
             self._read()
+        inertia, weight = self._own(joint)
+        for multiplier, follower in self._followers.get(joint.name, ()):
+            if self._writing.robot.parent_joint(follower.child) is follower:
+                more, heavier = self._own(follower)
+                inertia += multiplier * multiplier * more
+                weight += abs(multiplier) * heavier
+        return inertia, weight
+
+    def _own(self, joint: Joint) -> tuple[float, float]:
+        """Return the inertia that a joint moves itself, and the greatest effort of its weight."""
         load, pose = self._loads[joint.child], self._poses[joint.child]
         axis = rotate(pose.rotation, joint.axis)
         armature = self._armature(joint)

@@ -10,8 +10,11 @@ from .writing import Writing, made, pose_attributes, row
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from ...model.extras import Surface
     from ...model.link import Collision, Link, Visual
+    from ...model.pose import Vector
     from ...model.shapes import SimpleShape
     from ...source import Span
     from ...xml.tree import Element
@@ -55,9 +58,11 @@ def _collision(
     """Return the geom of a collision, or none if MJCF cannot hold its shape."""
     shape = collision.shape
     part: Attributes | None
+    points: Sequence[Vector] = ()
     if isinstance(shape, Mesh):
         part = looks.collision_mesh(link, collision, shape)
         if part is not None:
+            points = looks.corners_of(shape)
             writing.lose(
                 APPROXIMATED,
                 "meshes of collisions",
@@ -70,6 +75,7 @@ def _collision(
         part = _sizes(writing, link, collision)
     if part is None:
         return []
+    writing.collisions.append((link, collision, points))
     if surface is not None:
         part |= surface_attributes(writing, link, surface)
     name = collision.name or f"{stem_of(link.name)}_collision"
@@ -110,7 +116,7 @@ def _sizes(writing: Writing, link: Link, owner: Visual | Collision) -> Attribute
     if min(shape.size) <= 0:
         writing.lose(
             LOST,
-            "shapes of size 0",
+            "shapes with a size that is not positive",
             f"{shape.kind} of link '{link.name}'",
             owner.span,
             trace=owner.trace_in(link),

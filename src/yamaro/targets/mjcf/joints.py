@@ -5,6 +5,7 @@ from __future__ import annotations
 from ...model.joint import CONTINUOUS, FLOATING, PLANAR, PRISMATIC, REVOLUTE
 from ...model.pose import UNTURNED, Pose, rotate, rotation_from_z
 from ..output import APPROXIMATED, LOST, RENAMED
+from ..shared_losses import UNLIMITED
 from .names import JOINT
 from .writing import Places, Writing, made, number, row
 
@@ -18,14 +19,11 @@ if TYPE_CHECKING:
 
     Sources = dict[str, tuple[Written, str]]
 
-UNLIMITED = 1e15
-"""Limits beyond it mean none, such as those of 1e16 that simulators write."""
 LEAST_ROOM = 1e-9
 """Half the range of a joint whose limits leave no room, in radians or metres: MuJoCo takes equal
 limits for none, or refuses them."""
 TYPES = {REVOLUTE: "hinge", CONTINUOUS: "hinge", PRISMATIC: "slide"}
 _PLANE = ("x", "y", "yaw")
-_NOT_IN_MJCF = ("velocity", "acceleration", "deceleration", "jerk")
 
 
 def add_joints(writing: Writing, joint: Joint, body: Element) -> None:
@@ -36,9 +34,6 @@ def add_joints(writing: Writing, joint: Joint, body: Element) -> None:
         body.children += _planar(writing, joint)
     elif joint.type == FLOATING:
         body.children += _floating(writing, joint)
-    else:
-        return
-    _lose_what_is_left(writing, joint)
 
 
 def _single(writing: Writing, joint: Joint) -> Element:
@@ -63,7 +58,7 @@ def _range(writing: Writing, joint: Joint, places: Sources) -> str | None:
     limit = joint.limit
     if limit is None or ends is None:
         if limit is not None and _is_reversed(joint):
-            _lose(writing, joint, limit, "limits of which the lower is the greater")
+            _lose(writing, joint, limit, "limits in the wrong order")
         return None
     places["range"] = (limit, "upper")
     if limit.lower == limit.upper:
@@ -187,27 +182,6 @@ def _rename(writing: Writing, joint: Joint, parts: list[Element]) -> None:
     )
 
 
-# --- what is lost -------------------------------------------------------------------------------
-
-
-def _lose_what_is_left(writing: Writing, joint: Joint) -> None:
-    """Report what a joint has that MJCF does not."""
-    limit = joint.limit
-    if limit is not None:
-        for name in _NOT_IN_MJCF:
-            value = limit.number(name)
-            if value is not None and abs(value) < UNLIMITED:
-                _lose(writing, joint, limit, f"{name} limits", attribute=name)
-        if joint.type in (PLANAR, FLOATING) and any(
-            limit.number(name) for name in ("lower", "upper", "effort")
-        ):
-            _lose(writing, joint, limit, f"limits of {joint.type} joints")
-    if joint.safety_controller is not None:
-        _lose(writing, joint, joint.safety_controller, "soft limits")
-    if joint.calibration is not None:
-        _lose(writing, joint, joint.calibration, "calibrations")
-
-
 def _lose(
     writing: Writing,
     joint: Joint,
@@ -216,11 +190,9 @@ def _lose(
     *,
     kind: str = LOST,
     how: str = "",
-    attribute: str = "",
 ) -> None:
-    span = owner.span_of(attribute) if attribute else owner.span
     name = f"joint '{joint.name}'"
-    writing.lose(kind, what, name, span, trace=owner.trace_in(joint), how=how)
+    writing.lose(kind, what, name, owner.span, trace=owner.trace_in(joint), how=how)
 
 
 # --- positions ----------------------------------------------------------------------------------

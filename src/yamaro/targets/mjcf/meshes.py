@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from math import hypot
-from struct import iter_unpack
+from struct import Struct, iter_unpack
 
 from ...meshes.formats import (
     NO_TRIANGLES,
@@ -14,6 +14,7 @@ from ...meshes.formats import (
     is_binary_stl,
 )
 from ...meshes.obj import obj_of, obj_of_triangles, stl_of
+from ...sandbox.jail.packing import pack, unpack
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -66,6 +67,11 @@ def visual_parts(contents: MeshContents, path: str) -> list[Part]:
     kept = _kept(contents, path)
     if kept is not None and not _has_materials(kept):
         return [kept]
+    converted = contents.kept(path, "mjcf visual", lambda: _packed(_visual_parts(contents, path)))
+    return _unpacked(converted)
+
+
+def _visual_parts(contents: MeshContents, path: str) -> list[Part]:
     groups: dict[object, list[Surface]] = {}
     for surface in contents.surfaces_of(path):
         mixed = None if surface.point_colors is None else id(surface)
@@ -83,8 +89,11 @@ def collision_part(contents: MeshContents, path: str) -> list[Part]:
     """
     part = _kept(contents, path)
     if part is None:
-        part = Part(obj_of(contents.surfaces_of(path)), ".obj")
-    if is_flat(_points_of(part)):
+        part = Part(
+            contents.kept(path, "mjcf collision", lambda: obj_of(contents.surfaces_of(path))),
+            ".obj",
+        )
+    if is_flat(points_of(part)):
         raise FlatMeshError("all its corners are in a plane")
     return [part]
 
@@ -103,6 +112,12 @@ def _kept(contents: MeshContents, path: str) -> Part | None:
     count = int.from_bytes(data[80:84], "little") if is_binary_stl(data) else None
     if count is not None and 0 < count <= MOST_FACETS:
         return Part(data, ".stl")
+    (part,) = _unpacked(contents.kept(path, "mjcf stl", lambda: _packed([_rewritten(data)])))
+    return part
+
+
+def _rewritten(data: bytes) -> Part:
+    """Return an STL as binary one, or as OBJ if it has too many triangles."""
     from ...meshes.triangles import read_stl
 
     mesh = read_stl(data)
@@ -113,7 +128,7 @@ def _kept(contents: MeshContents, path: str) -> Part | None:
     return Part(stl_of(mesh), ".stl")
 
 
-def _points_of(part: Part) -> Iterator[Point]:
+def points_of(part: Part) -> Iterator[Point]:
     """Yield the corners of a part, one after the other."""
     if part.ending == ".stl":
         for corners in iter_unpack("<12x9f2x", memoryview(part.data)[STL_HEADER_BYTES:]):
@@ -187,3 +202,41 @@ def _part(surfaces: list[Surface]) -> Part:
         red, green, blue, alpha = first.color
         part.color = (round(red, 6), round(green, 6), round(blue, 6), round(alpha, 6))
     return part
+
+
+# --- in the cache -------------------------------------------------------------------------------
+
+_COLOR = Struct("<4d")
+
+
+def _packed(parts: list[Part]) -> bytes:
+    """Return parts as bytes."""
+    return pack(
+        [
+            pack(
+                [
+                    part.data,
+                    part.ending.encode(),
+                    b"" if part.color is None else _COLOR.pack(*part.color),
+                    part.texture or b"",
+                    b"mixed" if part.is_mixed else b"",
+                ]
+            )
+            for part in parts
+        ]
+    )
+
+
+def _unpacked(data: bytes) -> list[Part]:
+    """Return the parts that `_packed` made bytes of."""
+    parts = []
+    for each in unpack(data):
+        content, ending, color, texture, mixed = unpack(each)
+        part = Part(content, ending.decode())
+        if color:
+            red, green, blue, alpha = _COLOR.unpack(color)
+            part.color = (red, green, blue, alpha)
+        part.texture = texture or None
+        part.is_mixed = bool(mixed)
+        parts.append(part)
+    return parts

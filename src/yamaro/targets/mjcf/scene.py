@@ -2,20 +2,20 @@
 
 from __future__ import annotations
 
-from math import hypot, inf
+from math import inf
 
-from ...model.shapes import Box, Capsule, Cylinder, Sphere
 from ...xml.values import escaped_attribute
 from ..output import MARK
 from .keyframes import home_poses
+from .solids import solids_at_home
 from .writing import number, row
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from ...model.pose import Pose, Vector
-    from ...model.shapes import Shape
+    from ...model.pose import Vector
     from .writing import Writing
 
+DOWN = (0.0, 0.0, -1.0)
 SMALLEST = 0.1
 """The least size of a robot, in metres, that the camera is set up for."""
 TEXT = """\
@@ -66,37 +66,13 @@ def scene(writing: Writing, file: str) -> bytes:
 
 
 def _extent(writing: Writing) -> tuple[float, Vector, float]:
-    """Return the lowest point that collides, and the middle and the size of the robot, in metres.
-
-    Of meshes only the origin counts.
-    """
-    poses = home_poses(writing)
-    lowest = inf
-    points: list[Vector] = []
-    for link in writing.plan.order:
-        pose = poses[link.name]
-        points.append(pose.position)
-        for collision in link.collisions:
-            placed = pose @ collision.pose
-            points.append(placed.position)
-            lowest = min(lowest, _lowest(placed, collision.shape))
+    """Return the lowest point that collides, and the robot's middle and size, in metres."""
+    solids = solids_at_home(writing)
+    lowest = min((solid.convex.farthest(DOWN)[2] for solid in solids), default=inf)
+    points = [pose.position for pose in home_poses(writing).values()]
+    points += [solid.convex.center for solid in solids]
     middle, size = _around(points)
     return lowest, middle, max(size, SMALLEST)
-
-
-def _lowest(placed: Pose, shape: Shape | None) -> float:
-    """Return the height of the lowest point of a shape where it is placed."""
-    x, y, z = placed.rotation[2]  # how far up the axes of the shape lead
-    height = placed.position[2]
-    if isinstance(shape, Box):
-        return height - (abs(x) * shape.x + abs(y) * shape.y + abs(z) * shape.z) / 2
-    if isinstance(shape, Sphere):
-        return height - shape.radius
-    if isinstance(shape, Capsule):
-        return height - shape.radius - abs(z) * shape.length / 2
-    if isinstance(shape, Cylinder):
-        return height - shape.radius * hypot(x, y) - abs(z) * shape.length / 2
-    return height
 
 
 def _around(points: list[Vector]) -> tuple[Vector, float]:

@@ -7,6 +7,7 @@ from math import atan, cos, degrees, sin, tan
 from ...model.pose import IDENTITY, Pose
 from ...model.sensors import CAMERAS, Camera, Lidar, Ranger
 from ..output import APPROXIMATED, LOST
+from ..shared_losses import lost_of_sensor
 from .names import CAMERA, SENSOR, SITE
 from .writing import Writing, made, number, pose_attributes, row
 
@@ -23,6 +24,7 @@ MOST_COPIES = 400
 """Rays that are copies of one: MuJoCo takes 0.5 s for these, 3 s for 1,000, minutes for 8,000."""
 TOUCH_RADIUS = 1000.0
 """The radius in metres of the sphere in which touches are felt: that of the whole body."""
+OPPOSITE = "the opposite: what the parent exerts on the child"
 IMU_PARTS = {
     "gyro": "angular_velocity",
     "accelerometer": "linear_acceleration",
@@ -39,7 +41,7 @@ def add_sensors(writing: Writing) -> None:
         else:
             _lose(writing, sensor, LOST, "sensors in frames that are not there")
             continue
-        _lose_what_is_left(writing, sensor)
+        writing.losses += lost_of_sensor(sensor)
 
 
 def _in_link(writing: Writing, sensor: Sensor) -> None:
@@ -66,7 +68,7 @@ def _in_link(writing: Writing, sensor: Sensor) -> None:
     elif kind == "contact":
         _contact(writing, sensor)
     else:
-        _lose(writing, sensor, LOST, f"sensors of the type {kind}")
+        _lose(writing, sensor, LOST, f"{kind} sensors")
 
 
 def _contact(writing: Writing, sensor: Sensor) -> None:
@@ -83,11 +85,16 @@ def _contact(writing: Writing, sensor: Sensor) -> None:
 
 
 def _force_torque(writing: Writing, sensor: Sensor) -> None:
-    """Append the force and the torque of the child of a joint on its parent, in its frame."""
+    """Append the force and the torque between the ends of a joint, in the frame of its child.
+
+    MuJoCo's are what the parent exerts on the child: of a load that a joint carries, a force
+    upwards. In Gazebo, a sensor measures by default what the child exerts on the parent.
+    """
     joint = writing.robot.joints.get(sensor.joint or "")
     if joint is None or joint.child not in writing.plan.carriers:
         _lose(writing, sensor, LOST, "sensors in joints that are not there")
         return
+    _lose(writing, sensor, APPROXIMATED, "force_torque sensors", OPPOSITE)
     site = _new_site(writing, sensor, sensor.name, joint.child, {})
     for part in ("force", "torque"):
         name = f"{sensor.name}_{part}"
@@ -184,8 +191,6 @@ def _ranger(writing: Writing, sensor: Sensor, ranger: Ranger) -> None:
     frame.children.append(site)
     _place(writing, sensor, frame)
     _rangefinder(writing, sensor, str(site.attributes["name"]), ranger.range)
-    if ranger.fov:
-        _lose(writing, sensor, LOST, "cones of range sensors", attribute="fov")
 
 
 def _ray(writing: Writing, sensor: Sensor, ending: str = "") -> Element:
@@ -258,15 +263,6 @@ def _add(
     whole = {"name": name, **attributes, "noise": noise}
     places = {"name": sensor.span_of("name"), "noise": sensor.span_of("noise")}
     writing.add("sensor", made(word, sensor, whole, sensor.trace, places))
-
-
-def _lose_what_is_left(writing: Writing, sensor: Sensor) -> None:
-    if sensor.rate is not None:
-        _lose(writing, sensor, LOST, "rates of sensors", attribute="rate")
-    if sensor.topic is not None:
-        _lose(writing, sensor, LOST, "topics of sensors", attribute="topic")
-    if sensor.noise and sensor.type in CAMERAS:
-        _lose(writing, sensor, LOST, "noise of cameras", attribute="noise")
 
 
 def _lose(

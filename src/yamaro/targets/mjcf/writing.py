@@ -13,15 +13,17 @@ from .plan import Plan
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Mapping
+    from collections.abc import Iterable, Mapping, Sequence
 
     from ...diagnostics import Frame as Step
-    from ...model.pose import Pose
+    from ...model.link import Collision, Link
+    from ...model.pose import Pose, Vector
     from ...model.robot import Robot
     from ...model.values import Written
     from ...source import Span
     from ...xml.tree import ValueSpans
     from ..output import Wanted
+    from .solids import Solid
 
 MAIN = "main"
 """The name of the class that every model has."""
@@ -67,11 +69,13 @@ class Writing:
         motions: of each joint in MJCF, by name, the joint that it is and which part of it; the name
             is empty for the free joint of a root.
         controls: the joint, the command and the gear of each actuator.
+        collisions: what collides: the link, the collision, and of a mesh the outer corners.
+        solids: the same at home, once it is worked out.
     """
 
     __slots__ = (
-        "_body_names", "bodies", "classes", "controls", "errors", "files", "inertias", "losses",
-        "model", "motions", "names", "plan", "robot", "sections", "wanted",
+        "_body_names", "bodies", "classes", "collisions", "controls", "errors", "files", "inertias",
+        "losses", "model", "motions", "names", "plan", "robot", "sections", "solids", "wanted",
     )  # fmt: skip
 
     def __init__(self, robot: Robot, wanted: Wanted) -> None:
@@ -80,6 +84,8 @@ class Writing:
         self.model = robot.name or wanted.name
         self.classes = Classes(self.model)
         self.controls: list[tuple[str, str, float]] = []
+        self.collisions: list[tuple[Link, Collision, Sequence[Vector]]] = []
+        self.solids: list[Solid] | None = None
         self.motions: dict[str, tuple[str, str]] = {}
         self.plan = Plan(robot, is_fixed=wanted.is_fixed)
         self.sections = {

@@ -100,7 +100,7 @@ class SensorCopier:
         new = unused(name, self._used.setdefault(body, set()))
         if new != name:
             made.attributes = {**made.attributes, "name": new}
-            what, owner = "sensors of one name in one link", f"'{name}'"
+            what, owner = "sensors of one name in one link", f"sensor '{name}'"
             self.losses.append(Loss(RENAMED, what, owner, sensor.span, trace=trace, how=new))
         return _placed(made, frame)
 

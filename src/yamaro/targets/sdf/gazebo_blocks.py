@@ -101,6 +101,14 @@ class GazeboBlocks:
             if tag.span is not None
         ]
 
+    def copied_sensors(self) -> set[str]:
+        """Return the names, in the model of the robot, of the sensors that are copied."""
+        copied = set()
+        for _, sensor in self.sensors:
+            copied.add(sensor.span.key())
+            copied.update(child.span.key() for child in sensor.elements())  # of a multicamera
+        return {each.name for each in self._robot.sensors.values() if each.span.key() in copied}
+
     def _read(self, block: Element, reference: str | None, trace: Step | None) -> None:
         for each in block.elements():
             if reference is None:

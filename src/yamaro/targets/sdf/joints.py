@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from ...model.joint import FIXED, FLOATING, SINGLE
-from ..output import APPROXIMATED, LOST, Loss
+from ..output import APPROXIMATED, Loss
+from ..shared_losses import leader_of, lost_of_joints
 from ..tags import Tag, given, row_of
 from .links import pose_tag
 
@@ -12,8 +13,11 @@ if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
 
     from ...model.joint import Joint
-    from ...model.values import Written
+    from ...model.robot import Robot
     from ...xml.tree import Element
+
+
+MIMIC_HINT = "--sdf-version 1.11 has them"
 
 
 class JointWriter:
@@ -23,27 +27,26 @@ class JointWriter:
         losses: what SDFormat cannot hold of them.
     """
 
-    __slots__ = ("_joints", "_names", "_version", "losses")
+    __slots__ = ("_has_mimic", "_names", "_robot", "losses")
 
     def __init__(
-        self,
-        joints: Mapping[str, Joint],
-        names: Mapping[str, str],
-        version: str,
-        losses: list[Loss],
+        self, robot: Robot, names: Mapping[str, str], version: str, losses: list[Loss]
     ) -> None:
         """Start.
 
         Args:
-            joints: of the robot.
+            robot: the robot.
             names: of the joints in SDFormat, by those in the robot.
             version: of SDFormat.
             losses: takes what SDFormat cannot hold.
         """
-        self._joints = joints
+        self._robot = robot
         self._names = names
-        self._version = version
+        self._has_mimic = version != "1.9"
         self.losses = losses
+        losses += lost_of_joints(
+            robot, has_velocity=True, has_mimic=self._has_mimic, mimic_hint=MIMIC_HINT
+        )
 
     def tag(
         self,
@@ -64,7 +67,6 @@ class JointWriter:
             more: what else is in the joint.
         """
         kind = joint.type
-        self.lose_limits(joint)
         if kind == FLOATING:
             self._approximate(joint, "floating joints", "free links")
             return None
@@ -96,15 +98,8 @@ class JointWriter:
         return Tag("axis", [*axis, *self._mimic(joint)])
 
     def _mimic(self, joint: Joint) -> list[Tag]:
-        mimic = joint.mimic
-        if mimic is None:
-            return []
-        leader = self._joints.get(mimic.joint)
-        if leader is None or leader.type not in SINGLE:
-            self._lose(joint, mimic, "mimic joints that follow one that does not turn or slide")
-            return []
-        if self._version == "1.9":
-            self._lose(joint, mimic, "mimic joints", hint="--sdf-version 1.11 has them")
+        mimic, leader = joint.mimic, leader_of(self._robot, joint)
+        if mimic is None or leader is None or not self._has_mimic:
             return []
         values = [Tag("multiplier", mimic.multiplier), Tag("offset", mimic.offset)]
         return [Tag("mimic", [*values, Tag("reference", 0)], joint=self._names[leader.name])]
@@ -124,29 +119,14 @@ class JointWriter:
             ("velocity", limit.velocity),
         )
 
-    def lose_limits(self, joint: Joint) -> None:
-        """Note what SDFormat has no elements for."""
-        if joint.safety_controller is not None:
-            self._lose(joint, joint.safety_controller, "soft limits")
-        if joint.calibration is not None:
-            self._lose(joint, joint.calibration, "calibrations")
-        limit = joint.limit
-        if limit is not None and any(
-            each is not None for each in (limit.acceleration, limit.deceleration, limit.jerk)
-        ):
-            self._lose(joint, limit, "limits of acceleration and jerk")
-        if limit is not None and joint.type not in SINGLE:
-            self._lose(joint, limit, f"limits of {joint.type} joints")
-        if joint.type not in SINGLE and joint.mimic is not None:
-            self._lose(joint, joint.mimic, f"{joint.type} mimic joints")
-        if joint.type not in SINGLE and joint.dynamics is not None:
-            self._lose(joint, joint.dynamics, f"dynamics of {joint.type} joints")
-
-    def _lose(self, joint: Joint, what: Written, name: str, *, hint: str = "") -> None:
-        owner, trace = f"joint '{joint.name}'", what.trace_in(joint)
-        self.losses.append(Loss(LOST, name, owner, what.span, trace=trace, hint=hint))
-
     def _approximate(self, joint: Joint, name: str, how: str) -> None:
         self.losses.append(
-            Loss(APPROXIMATED, name, f"'{joint.name}'", joint.span, trace=joint.trace, how=how)
+            Loss(
+                APPROXIMATED,
+                name,
+                f"joint '{joint.name}'",
+                joint.span,
+                trace=joint.trace,
+                how=how,
+            )
         )

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ..inertia import written_moments
+from ..inertia import ROUNDING, written_moments
 from ..output import APPROXIMATED, LOST, Loss
 from ..sdf_sensors import details_of, times_of, type_of
 from ..tags import Tag, given, row_of
@@ -54,7 +54,7 @@ def inertial_tag(
         losses: takes what is approximated.
     """
     inertia, pose = inertial.inertia, inertial.pose
-    if principal is not None and principal.is_changed:
+    if principal is not None and (principal.is_changed or _is_tight(inertia, principal)):
         first, second, third = written_moments(principal.moments)
         inertia, pose = (first, 0.0, 0.0, second, 0.0, third), principal.pose
     if not any(inertia):
@@ -78,6 +78,18 @@ def inertial_tag(
     )
 
 
+def _is_tight(inertia: tuple[float, ...], principal: Principal) -> bool:
+    """Return whether rounding decides if a body can have an inertia with products.
+
+    libsdformat refuses some that are just possible, such as those of flat bodies, because of how it
+    works out the principal moments. It has nothing to work out where these are written.
+    """
+    _, xy, xz, _, yz, _ = inertia
+    moments = principal.moments
+    room = sum(moments) - 2 * max(moments)
+    return any((xy, xz, yz)) and room < ROUNDING * max(moments)
+
+
 def _inertia_tag(inertia: tuple[float, ...]) -> Tag:
     names = ("ixx", "ixy", "ixz", "iyy", "iyz", "izz")
     return Tag("inertia", given(*zip(names, inertia, strict=True)))
@@ -89,7 +101,7 @@ def inertial_of_nothing(link: Link, losses: list[Loss]) -> Tag:
         Loss(
             APPROXIMATED,
             "links without mass",
-            f"'{link.name}'",
+            f"link '{link.name}'",
             link.span,
             trace=link.trace,
             how="links of 1 g",
@@ -132,7 +144,7 @@ def lost_collisions(sensor: Sensor, link: Link) -> Loss:
     return Loss(
         LOST,
         "contact sensors in links without collisions",
-        f"'{sensor.name}'",
+        f"sensor '{sensor.name}'",
         sensor.span,
         trace=sensor.trace,
         hint=f"give the link '{link.name}' a collision",

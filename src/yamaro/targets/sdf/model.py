@@ -5,13 +5,12 @@ from __future__ import annotations
 from ...diagnostics import YamaroError, failure
 from ...model.joint import FIXED, FLOATING
 from ...model.pose import IDENTITY
-from ...model.sensors import Ranger
 from ..bodies import WORLD, Bodies
 from ..foreign_xml import foreign_losses
 from ..inertia import Inertias
-from ..output import APPROXIMATED, LOST, Loss, Output
+from ..output import APPROXIMATED, Loss, Output
 from ..raw_xml import RawXmlOf
-from ..section_losses import lost_sections
+from ..shared_losses import cones, lost_sections, renamed_sensors
 from ..tags import Tag, row_of
 from .copied_sensors import SensorCopier
 from .gazebo_blocks import GazeboBlocks, physics_of
@@ -54,11 +53,11 @@ class _Model:
         self._losses += foreign_losses(robot, taken=("gazebo",))
         self._raw = RawXmlOf(robot, "sdf")
         self._copier = SensorCopier(self._version, self._losses)
-        self._copied = {str(each.attributes.get("name")) for _, each in self._blocks.sensors}
+        self._copied = self._blocks.copied_sensors()
+        self._losses += renamed_sensors(robot, but=self._copied)
+        self._losses += cones(robot, but=self._copied)
         self._shapes = Shapes(robot, wanted, self._names, self._blocks, self._losses)
-        self._joint_writer = JointWriter(
-            robot.joints, self._names.joints, self._version, self._losses
-        )
+        self._joint_writer = JointWriter(robot, self._names.joints, self._version, self._losses)
         self._members: dict[str, list[Link]] = {}
         for link in self._bodies.order:
             carrier = self._bodies.carriers[link.name]
@@ -95,9 +94,7 @@ class _Model:
         canonical = next((self._names.links[name] for name in self._members), None)
         model = Tag("model", parts, name=robot.name or self._wanted.name, canonical_link=canonical)
         root = Tag("sdf", [model], version=self._version).made(robot.span, None)
-        self._losses += lost_sections(
-            robot, states=True, groups=True, actuators=True, controls=True
-        )
+        self._losses += lost_sections(robot, states=True, actuators=True, controls=True)
         return Output(root, self._losses)
 
     # --- links and frames ---
@@ -112,7 +109,6 @@ class _Model:
         else:
             parts = [inertial_of_nothing(link, self._losses)]
         for member in members:
-            self._lose_inertia(member)
             parts += self._shapes.of(member, name)
         for member in members:
             parts += self._sensors(member, name)
@@ -126,15 +122,6 @@ class _Model:
             name=self._names.links[name],
         )
         return [body, *(self._frame(each, name) for each in members if each is not link)]
-
-    def _lose_inertia(self, link: Link) -> None:
-        """Note the inertia of a link without mass, which is a frame and has none."""
-        inertial = link.inertial
-        if inertial is not None and inertial.mass <= 0 and any(inertial.inertia):
-            owner = f"link '{link.name}'"
-            self._losses.append(
-                Loss(LOST, "inertias of links without mass", owner, inertial.span, trace=link.trace)
-            )
 
     def _pose(self, link: Link) -> list[Tag]:
         """Return the pose of a body: in its joint, or in the link attached to it."""
@@ -200,10 +187,6 @@ class _Model:
         return found
 
     def _sensor(self, sensor: Sensor, body: str, home: str | None, collisions: list[str]) -> Tag:
-        if isinstance(sensor.details, Ranger) and sensor.details.fov:
-            what, span = "cones of range sensors", sensor.span_of("fov")
-            owner, how = f"'{sensor.name}'", "one ray"
-            self._losses.append(Loss(APPROXIMATED, what, owner, span, trace=sensor.trace, how=how))
         frame = None if home in (None, body) else self._names.links.get(str(home))
         return sensor_tag(sensor, frame=frame, collisions=collisions, version=self._version)
 
@@ -211,7 +194,6 @@ class _Model:
 
     def _joint(self, joint: Joint) -> list[Tag]:
         if self._bodies.is_dissolved(joint):
-            self._joint_writer.lose_limits(joint)
             return []
         more: list[Tag | Element] = [
             self._copier.copied(sensor, joint.name, None, joint.trace)
@@ -262,7 +244,7 @@ class _Model:
             Loss(
                 APPROXIMATED,
                 "loops",
-                f"'{loop.name}'",
+                f"loop '{loop.name}'",
                 loop.span,
                 trace=loop.trace,
                 how="second joints of a link, which Gazebo's default physics engine leaves out",

@@ -39,15 +39,15 @@ class Names:
         for link in robot.links.values():
             if has_world and link.name == WORLD:
                 continue
-            self.links[link.name] = self._name("links", link, "_link", wanted)
+            self.links[link.name] = self._name("link", link, wanted)
         for joint in robot.joints.values():
-            self.joints[joint.name] = self._name("joints", joint, "_joint", set())
+            self.joints[joint.name] = self._name("joint", joint, set())
 
     def new(self, name: str) -> str:
         """Return a name for what the robot has no name for: this one, if nothing else has it."""
         return unused(name, self._taken)
 
-    def _name(self, what: str, thing: Link | Joint, ending: str, wanted: set[str]) -> str:
+    def _name(self, kind: str, thing: Link | Joint, wanted: set[str]) -> str:
         """Return the name of a link or joint, and note it if it is another one."""
         name = thing.name
         reason = _fault_of(name)
@@ -55,15 +55,15 @@ class Names:
             self._taken.add(name)
             return name
         plain = name.replace("::", "_").strip("_")
-        found = plain if plain != name and plain not in wanted else plain + ending
+        found = plain if plain != name and plain not in wanted else f"{plain}_{kind}"
         while found in wanted:
             found += "_"
         found = self.new(found)
         self.losses.append(
             Loss(
                 RENAMED,
-                f"{what} {reason or 'named like a link'}",
-                f"'{name}'",
+                f"{kind}s {reason or 'named like a link'}",
+                f"{kind} '{name}'",
                 thing.span_of("name"),
                 trace=thing.trace,
                 how=found,

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from ...model.shapes import Box, Capsule, Cylinder, Mesh, Sphere
 from ...xml.tree import Element
-from ..output import LOST, Loss
+from ..output import LOST, RENAMED, Loss
 from ..sdf_sensors import surface_of
 from ..tags import Tag, given, row_of, unused
 from .links import pose_tag
@@ -89,11 +89,11 @@ class Shapes:
         if solid is None or (isinstance(solid, Mesh) and not self._wanted.has_meshes):
             return None
         if not isinstance(solid, Mesh) and min(solid.size) <= 0:
-            what = f"{kind}s with a size that is not positive"
-            owner = f"link '{link.name}'"
+            what = "shapes with a size that is not positive"
+            owner = f"{solid.kind} of link '{link.name}'"
             self.losses.append(Loss(LOST, what, owner, shape.span, trace=link.trace))
             return None
-        name = shape.name or f"{link.name}_{kind}"
+        name = self._named(kind, link, body, shape)
         content: Content = [*pose_tag(shape.pose, frame)]
         content += [Tag("geometry", [self._geometry(solid, link)]), *extra]
         for blob in self._blocks.blobs.get(link.name, ()):
@@ -104,8 +104,19 @@ class Shapes:
             content,
             span=shape.span,
             trace=link.trace,
-            name=unused(name, self._used.setdefault(f"{body}/{kind}", set())),
+            name=name,
         )
+
+    def _named(self, kind: str, link: Link, body: str, shape: Collision | Visual) -> str:
+        """Return a name that no other shape of the body has; note it if one is given."""
+        wanted = shape.name or f"{link.name}_{kind}"
+        name = unused(wanted, self._used.setdefault(f"{body}/{kind}", set()))
+        if shape.name and name != wanted:
+            trace = shape.trace_in(link)
+            owner = f"'{wanted}' of link '{link.name}'"
+            loss = Loss(RENAMED, f"{kind}s", owner, shape.span, trace=trace, how=name)
+            self.losses.append(loss)
+        return name
 
     def _geometry(self, shape: Shape, link: Link) -> Tag:
         if isinstance(shape, Box):

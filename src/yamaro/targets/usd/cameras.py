@@ -1,4 +1,4 @@
-"""Cameras of USD, and the sensors that it has none for."""
+"""Cameras of USD, and the sensors that it has no prims for."""
 
 from __future__ import annotations
 
@@ -9,13 +9,14 @@ from pxr import Gf, UsdGeom
 
 from ...model.pose import Pose, rotation_from_rpy
 from ...model.sensors import Camera
-from ..output import LOST, Loss
+from ..shared_losses import lost_in_sensor, lost_of_sensor, renamed_sensors
 from .poses import place
 
 if TYPE_CHECKING:
     from pxr import Usd
 
     from ...model.robot import Robot
+    from ..output import Loss
     from .names import Names
 
 APERTURE = 20.955
@@ -28,21 +29,21 @@ def add_cameras(
     stage: Usd.Stage, robot: Robot, paths: dict[str, str], names: Names, losses: list[Loss]
 ) -> None:
     """Write the cameras of a robot; note the other sensors, of which the frames stay."""
+    losses += renamed_sensors(robot)
     for sensor in robot.sensors.values():
         home = paths.get(sensor.frame or "") or paths.get(sensor.link or "")
         details = sensor.details
         if home is None or not isinstance(details, Camera):
-            owner = f"'{sensor.name}'"
-            losses.append(
-                Loss(LOST, f"{sensor.type} sensors", owner, sensor.span, trace=sensor.trace)
-            )
+            losses.append(lost_in_sensor(sensor, f"{sensor.type} sensors"))
             continue
-        camera = UsdGeom.Camera.Define(stage, names.new(home, f"{sensor.name}_camera"))
+        span = sensor.span_of("name")
+        path = names.told(home, "sensor", sensor.name, span, sensor.trace)
+        camera = UsdGeom.Camera.Define(stage, path)
         place(camera, sensor.pose @ VIEW)
         width, height = details.size
         camera.CreateHorizontalApertureAttr(APERTURE)
         camera.CreateVerticalApertureAttr(APERTURE * height / width)
         camera.CreateFocalLengthAttr(APERTURE / (2 * tan(details.fov / 2)))
         camera.CreateClippingRangeAttr(Gf.Vec2f(*details.clip))
-        what = f"rates, sizes and noise of {sensor.type} sensors"
-        losses.append(Loss(LOST, what, f"'{sensor.name}'", sensor.span, trace=sensor.trace))
+        losses.append(lost_in_sensor(sensor, "sizes of cameras in pixels", "size"))
+        losses += lost_of_sensor(sensor)

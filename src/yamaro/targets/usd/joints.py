@@ -14,8 +14,9 @@ from ...model.joint import CONTINUOUS, FIXED, FLOATING, PLANAR, PRISMATIC, SINGL
 from ...model.pose import Pose, multiply, rotation_about, rotation_from_z
 from ..bodies import WORLD
 from ..output import APPROXIMATED, LOST, Loss
-from ..tags import Tag
+from ..shared_losses import lost_of_joints
 from .poses import quaternion_of
+from .prims import tag_of
 
 if TYPE_CHECKING:
     from ...model.extras import Loop
@@ -24,7 +25,9 @@ if TYPE_CHECKING:
     from ...model.pose import Rotation, Vector
     from ...model.robot import Robot
     from ...model.values import Written
+    from ...source import Span
     from ..bodies import Bodies
+    from ..tags import Tag
     from .names import Names
 
 KINDS = {PRISMATIC: UsdPhysics.PrismaticJoint, FIXED: UsdPhysics.FixedJoint}
@@ -69,7 +72,7 @@ class JointWriter:
         self._names = names
         self._folder = names.new(root, "joints")
         self.tags: list[Tag] = []
-        self.losses: list[Loss] = []
+        self.losses: list[Loss] = lost_of_joints(robot)
 
     def write(self, *, is_fixed: bool) -> None:
         """Write all joints, with those that fix the roots in the world, and those of loops."""
@@ -94,13 +97,13 @@ class JointWriter:
         prim = UsdPhysics.FixedJoint.Define(self._stage, path)
         carrier = self._bodies.carriers[root.name]
         self._connect(prim, None, carrier, Pose(), self._bodies.poses[root.name])
-        self.tags.append(Tag("PhysicsFixedJoint", name=path, span=root.span, trace=root.trace))
+        self.tags.append(tag_of(prim.GetPrim(), root.span, root.trace))
 
     def _add(self, joint: Joint) -> None:
         kind = UsdPhysics.RevoluteJoint if joint.type in SINGLE else UsdPhysics.Joint
         kind = KINDS.get(joint.type, kind)
         span = joint.span_of("name")
-        path = self._names.told(self._folder, joint.name, "joints", span, joint.trace)
+        path = self._names.told(self._folder, "joint", joint.name, span, joint.trace)
         prim = kind.Define(self._stage, path)
         turn = Pose() if joint.type == FIXED else Pose(_x_to(joint.axis))
         bodies = self._bodies
@@ -117,8 +120,7 @@ class JointWriter:
             self._drive(prim, joint)
         elif joint.type == PLANAR:
             _lock(prim, "transX", "rotY", "rotZ")
-        name = prim.GetPrim().GetTypeName()
-        self.tags.append(Tag(name, name=path, span=joint.span, trace=joint.trace))
+        self.tags.append(tag_of(prim.GetPrim(), joint.span, joint.trace, _places_in(joint)))
 
     def _connect(
         self,
@@ -166,10 +168,12 @@ class JointWriter:
             kp, kd = actuator.kp or 0.0, actuator.kd or 0.0
         elif actuator is not None and actuator.command == "velocity":
             kd = actuator.kp or actuator.kd or 0.0
-        if damping:
-            how = "the damping of their drives"
-            dynamics = joint.dynamics or joint
-            self._lose(joint, dynamics, "damping values of joints", kind=APPROXIMATED, how=how)
+        if actuator is not None and not (kp or kd):
+            what, how = "actuators without gains", "drives without gains"
+            self._lose(joint, actuator, what, kind=APPROXIMATED, how=how)
+        if joint.dynamics is not None and damping:
+            what, how = "damping values of joints", "the damping of their drives"
+            self._lose(joint, joint.dynamics, what, kind=APPROXIMATED, how=how)
         drive = UsdPhysics.DriveAPI.Apply(prim.GetPrim(), "linear" if is_linear else "angular")
         drive.CreateTypeAttr("force")
         if effort is not None:
@@ -178,35 +182,24 @@ class JointWriter:
         drive.CreateDampingAttr((kd + damping) / unit)
 
     def _lose_parts(self, joint: Joint) -> None:
-        """Note what USD has no place for."""
-        limit, dynamics = joint.limit, joint.dynamics
-        if limit is not None and limit.velocity:
-            self._lose(joint, limit, "velocity limits")
-        if limit is not None and any((limit.acceleration, limit.deceleration, limit.jerk)):
-            self._lose(joint, limit, "limits of acceleration and jerk")
-        if dynamics is not None and dynamics.friction:
+        """Note what only USD has no place for."""
+        dynamics, actuator = joint.dynamics, self._robot.actuators.get(joint.name)
+        if dynamics is not None and dynamics.friction and joint.type in SINGLE:
             self._lose(joint, dynamics, "friction values of joints")
-        if joint.mimic is not None:
-            self._lose(joint, joint.mimic, "mimic joints")
-        if joint.safety_controller is not None:
-            self._lose(joint, joint.safety_controller, "soft limits")
-        if joint.calibration is not None:
-            self._lose(joint, joint.calibration, "calibrations")
-        actuator = self._robot.actuators.get(joint.name)
         if actuator is not None and (actuator.armature or actuator.gear != 1.0):
             self._lose(joint, actuator, "armatures and gears of actuators")
 
     def _lose(
-        self, joint: Joint, what: Written, name: str, *, kind: str = LOST, how: str = ""
+        self, joint: Joint, part: Written, what: str, *, kind: str = LOST, how: str = ""
     ) -> None:
-        owner = f"joint '{joint.name}'"
-        self.losses.append(Loss(kind, name, owner, what.span, trace=joint.trace, how=how))
+        owner, trace = f"joint '{joint.name}'", part.trace_in(joint)
+        self.losses.append(Loss(kind, what, owner, part.span, trace=trace, how=how))
 
     # --- loops ---
 
     def _close(self, loop: Loop) -> None:
         """Write the joint of a loop, which is not part of the articulation."""
-        path = self._names.new(self._folder, loop.name)
+        path = self._names.told(self._folder, "loop", loop.name, loop.span_of("name"), loop.trace)
         prim = LOOPS[loop.type].Define(self._stage, path)
         first, second = loop.between
         bodies, turn = self._bodies, Pose()
@@ -221,9 +214,19 @@ class JointWriter:
             bodies.poses[second] @ turn,
         )
         prim.CreateExcludeFromArticulationAttr(True)
-        self.tags.append(
-            Tag(prim.GetPrim().GetTypeName(), name=path, span=loop.span, trace=loop.trace)
-        )
+        self.tags.append(tag_of(prim.GetPrim(), loop.span, loop.trace))
+
+
+def _places_in(joint: Joint) -> dict[str, Span]:
+    """Return where the values of a joint are written, by their names in USD."""
+    limit, dynamics = joint.limit, joint.dynamics
+    found = {}
+    if limit is not None:
+        found["lowerLimit"], found["upperLimit"] = limit.span_of("lower"), limit.span_of("upper")
+        found["maxForce"] = limit.span_of("effort")
+    if dynamics is not None:
+        found["damping"] = dynamics.span_of("damping")
+    return found
 
 
 def _x_to(axis: Vector) -> Rotation:

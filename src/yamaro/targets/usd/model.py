@@ -12,13 +12,14 @@ from ...model.pose import Pose
 from ..bodies import Bodies
 from ..foreign_xml import foreign_losses
 from ..inertia import Inertias
-from ..output import APPROXIMATED, LOST, Loss, Output
-from ..section_losses import lost_sections
+from ..output import APPROXIMATED, Loss, Output
+from ..shared_losses import lost_sections
 from ..tags import Tag
 from .cameras import add_cameras
 from .joints import JointWriter
 from .names import Names
 from .poses import place, quaternion_of
+from .prims import tag_of
 from .shapes import ShapeWriter
 
 if TYPE_CHECKING:
@@ -65,7 +66,7 @@ class _Model:
         self._paths: dict[str, str] = {}
         self.stage = _stage()
         name = robot.name or wanted.name
-        self.root = self._names.told("", name, "robots", robot.span_of("name"), None)
+        self.root = self._names.told("", "robot", name, robot.span_of("name"), None)
         prim = UsdGeom.Xform.Define(self.stage, self.root).GetPrim()
         self.stage.SetDefaultPrim(prim)
         UsdPhysics.ArticulationRootAPI.Apply(prim)
@@ -89,30 +90,28 @@ class _Model:
         add_cameras(self.stage, robot, self._paths, self._names, self.losses)
         self.losses += self._shapes.losses
         self.losses += joints.losses
-        self.losses += lost_sections(robot, states=True, groups=True, controls=True)
+        self.losses += lost_sections(robot, states=True, controls=True)
         self.losses += foreign_losses(robot)
 
     def _add_body(self, link: Link) -> None:
-        path = self._names.told(self.root, link.name, "links", link.span_of("name"), link.trace)
+        path = self._names.told(self.root, "link", link.name, link.span_of("name"), link.trace)
         self._paths[link.name] = path
         xform = UsdGeom.Xform.Define(self.stage, path)
         place(xform, self._poses[link.name])
         prim = xform.GetPrim()
         UsdPhysics.RigidBodyAPI.Apply(prim)
         self._set_mass(UsdPhysics.MassAPI.Apply(prim), link)
-        self.tags.append(Tag("Xform", name=path, span=link.span, trace=link.trace))
+        self.tags.append(tag_of(prim, link.span, link.trace))
         self._shapes.add(link, path, Pose())
 
     def _add_frame(self, link: Link, carrier: str) -> None:
         around = self._paths[carrier]
-        path = self._names.told(around, link.name, "frames", link.span_of("name"), link.trace)
+        path = self._names.told(around, "frame", link.name, link.span_of("name"), link.trace)
         self._paths[link.name] = path
-        place(UsdGeom.Xform.Define(self.stage, path), self._bodies.poses[link.name])
-        self.tags.append(Tag("Xform", name=path, span=link.span, trace=link.trace))
+        xform = UsdGeom.Xform.Define(self.stage, path)
+        place(xform, self._bodies.poses[link.name])
+        self.tags.append(tag_of(xform.GetPrim(), link.span, link.trace))
         self._shapes.add(link, path, Pose())
-        inertial = link.inertial
-        if inertial is not None and any(inertial.inertia):
-            self._lose(LOST, "inertias of links without mass", link)
 
     # --- mass ---
 
@@ -146,7 +145,7 @@ class _Model:
         return moments, principal.pose
 
     def _lose(self, kind: str, what: str, link: Link, how: str = "") -> None:
-        owner = f"'{link.name}'"
+        owner = f"link '{link.name}'"
         self.losses.append(Loss(kind, what, owner, link.span, trace=link.trace, how=how))
 
 

@@ -35,10 +35,19 @@ class Names:
             plain = f"_{plain}"
         return f"{around}/{unused(plain, self._used.setdefault(around, set()))}"
 
-    def told(self, around: str, name: str, what: str, span: Span, trace: Step | None) -> str:
-        """Return the path of a new prim, and note it if its name is another one."""
+    def told(self, around: str, kind: str, name: str, span: Span, trace: Step | None) -> str:
+        """Return the path of a new prim, and note it if its name is another one.
+
+        Args:
+            around: the path of the prim around it.
+            kind: what it is made of: `robot`, `link`, `frame`, `joint` or `sensor`.
+            name: what that is called.
+            span: where the name is written.
+            trace: the calls and includes that led there.
+        """
         path = self.new(around, name)
         found = path.rpartition("/")[2]
         if found != name:
-            self.losses.append(Loss(RENAMED, what, f"'{name}'", span, trace=trace, how=found))
+            owner = f"{kind} '{name}'"
+            self.losses.append(Loss(RENAMED, f"{kind}s", owner, span, trace=trace, how=found))
         return path

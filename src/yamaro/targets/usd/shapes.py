@@ -8,15 +8,16 @@ from pxr import Gf, Sdf, Usd, UsdGeom, UsdPhysics, UsdShade, Vt
 
 from ...diagnostics import failure
 from ...meshes.formats import MeshFileError, MissingLibraryError
-from ...meshes.surfaces import read_surfaces
+from ...model.link import Collision
 from ...model.shapes import Box, Capsule, Cylinder, Sphere
-from ..output import LOST, Loss
+from ..mesh_contents import MeshContents
+from ..output import APPROXIMATED, LOST, RENAMED, Loss
 from .poses import place
 
 if TYPE_CHECKING:
     from ...meshes.surfaces import Surface
     from ...model.extras import Surface as Friction
-    from ...model.link import Collision, Link, Visual
+    from ...model.link import Link, Visual
     from ...model.pose import Pose
     from ...model.robot import Robot
     from ...model.shapes import Mesh, SimpleShape
@@ -53,7 +54,7 @@ class ShapeWriter:
         self._folder = names.new(root, "materials")
         self._looks: dict[Color, UsdShade.Material] = {}
         self._frictions: dict[tuple[float | None, ...], UsdShade.Material] = {}
-        self._meshes: dict[str, list[Surface] | None] = {}
+        self._contents = MeshContents(wanted.paths)
         self._surfaces = {(each.link, each.index): each for each in robot.surfaces}
         self.losses: list[Loss] = []
 
@@ -75,7 +76,9 @@ class ShapeWriter:
             material = self._robot.material_of(visual)
             color = material.color if material is not None else None
             if material is not None and material.texture is not None:
-                self._lose("textures of materials", f"link '{link.name}'", visual.span, link)
+                inner = material.inner("texture")
+                span = inner.value_span("filename") if inner is not None else material.span
+                self._lose("textures", f"'{material.texture}' of link '{link.name}'", span, link)
             for prim, own in self._made(link, path, pose @ visual.pose, visual, name):
                 chosen = color or own
                 if chosen is not None:
@@ -90,13 +93,31 @@ class ShapeWriter:
             return []
         if isinstance(shape, (Box, Sphere, Cylinder, Capsule)):
             if min(shape.size) <= 0:
-                what = "shapes with a size that is not positive"
-                self._lose(what, f"link '{link.name}'", item.span, link)
+                owner = f"{shape.kind} of link '{link.name}'"
+                self._lose("shapes with a size that is not positive", owner, item.span, link)
                 return []
-            return [(self._simple(shape, self._names.new(path, name), pose), None)]
+            return [(self._simple(shape, self._path(link, path, item, name), pose), None)]
         if not self._wanted.has_meshes:
             return []
-        return self._mesh(link, shape, path, pose, name)
+        surfaces = self._surfaces_of(link, shape, item)
+        return [
+            (_mesh_prim(self._stage, at, surface, shape, pose), surface.color)
+            for index, surface in enumerate(surfaces)
+            for at in [self._path(link, path, item, name, is_first=not index)]
+        ]
+
+    def _path(
+        self, link: Link, path: str, item: Collision | Visual, name: str, *, is_first: bool = True
+    ) -> str:
+        """Return the path of a new shape; the name that a file gives it is that of its first."""
+        found = self._names.new(path, name)
+        new = found.rpartition("/")[2]
+        if is_first and item.name and new != name:
+            kind = "collisions" if isinstance(item, Collision) else "visuals"
+            owner = f"'{name}' of link '{link.name}'"
+            trace = item.trace_in(link)
+            self.losses.append(Loss(RENAMED, kind, owner, item.span, trace=trace, how=new))
+        return found
 
     def _simple(self, shape: SimpleShape, path: str, pose: Pose) -> Usd.Prim:
         if isinstance(shape, Box):
@@ -125,33 +146,31 @@ class ShapeWriter:
 
     # --- meshes ---
 
-    def _mesh(
-        self, link: Link, shape: Mesh, path: str, pose: Pose, name: str
-    ) -> list[tuple[Usd.Prim, Color | None]]:
+    def _surfaces_of(self, link: Link, shape: Mesh, item: Collision | Visual) -> list[Surface]:
+        """Return the surfaces of a mesh; note what USD does not take of it."""
         span = shape.span or link.span
         surfaces = self._read(shape.filename, span)
+        owner = f"'{shape.filename}' of link '{link.name}'"
         if surfaces is None:
-            self._lose("meshes that are not found", f"'{shape.filename}'", span, link)
+            self._lose("meshes that are not found", owner, span, link)
             return []
-        return [
-            (
-                _mesh_prim(self._stage, self._names.new(path, name), surface, shape, pose),
-                surface.color,
-            )
-            for surface in surfaces
-        ]
+        if isinstance(item, Collision):
+            what, how, trace = "meshes of collisions", "their convex hulls", item.trace_in(link)
+            label = f"link '{link.name}'"
+            loss = Loss(APPROXIMATED, what, label, item.span, trace=trace, how=how)
+            self.losses.append(loss)
+        elif any(each.texture is not None for each in surfaces):
+            self._lose("textures", owner, span, link)
+        return surfaces
 
     def _read(self, filename: str, span: Span) -> list[Surface] | None:
-        finder = self._wanted.paths.finder
-        path = finder.reachable(filename, span)
+        path = self._contents.path_of(filename, span)
         if path is None:
             return None
-        if path not in self._meshes:
-            try:
-                self._meshes[path] = read_surfaces(path, finder.allows)
-            except (MeshFileError, MissingLibraryError) as error:
-                raise failure("bad-mesh", f"'{filename}': {error}", span) from None
-        return self._meshes[path]
+        try:
+            return self._contents.surfaces_of(path, is_kept=True)
+        except (MeshFileError, MissingLibraryError) as error:
+            raise failure("bad-mesh", f"'{filename}': {error}", span) from None
 
     # --- materials ---
 
@@ -190,11 +209,13 @@ class ShapeWriter:
                     physics.CreateRestitutionAttr(surface.restitution)
             binding = UsdShade.MaterialBindingAPI.Apply(prim)
             binding.Bind(material, UsdShade.Tokens.weakerThanDescendants, "physics")
-        has_second = surface.friction2 not in (None, surface.friction)
-        if has_second or surface.stiffness is not None or surface.damping is not None:
-            what = "second friction, stiffness and damping of surfaces"
-            owner = f"link '{surface.link}'"
-            self.losses.append(Loss(LOST, what, owner, surface.span, trace=surface.trace))
+        lost = []
+        if surface.friction2 not in (None, surface.friction):
+            lost.append("second coefficients of friction")
+        if surface.stiffness is not None or surface.damping is not None:
+            lost.append("stiffness and damping of contacts")
+        owner = f"link '{surface.link}'"
+        self.losses += [Loss(LOST, what, owner, surface.span, trace=surface.trace) for what in lost]
 
     def _material_path(self, name: str) -> str:
         self._stage.DefinePrim(self._folder, "Scope")

@@ -18,6 +18,7 @@ FEATURES = {
     "textDocument/inlayHint": "hints",
     "textDocument/codeAction": "fixes",
     "textDocument/formatting": "formatting",
+    "yamaro/viewFileText": "file_text",
 }
 """The requests that a feature answers: the module with the function `answer`."""
 FEATURE_MODULES = tuple(FEATURES.values())

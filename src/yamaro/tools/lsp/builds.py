@@ -5,12 +5,13 @@ A build is given up as soon as a newer edit makes its result worthless.
 
 from __future__ import annotations
 
+import os
 import queue
 import threading
 
 from ...arguments import UsageError
 from ...diagnostics import YamaroError
-from ...files.loader import FileLoader, OverlayLoader
+from ...files.loader import FileLoader, MemoryLoader, OverlayLoader
 from ...files.packages import PackageFinder
 from .moves import Move
 
@@ -20,6 +21,7 @@ if TYPE_CHECKING:
 
     from ...diagnostics import Diagnostic
     from ...model.robot import Robot
+    from ...source import Reading
     from ...xml.tree import Element
     from .settings import Settings
     from .texts import Text
@@ -50,6 +52,7 @@ class Result:
         self._read_robot: Callable[[], Robot] | None = None
         self._robot: Robot | None = None
         self._values: Values | None = None
+        self._noted: Sequence[Reading] = ()
 
     @property
     def robot(self) -> Robot | None:
@@ -77,7 +80,7 @@ class Result:
         if self._values is None:
             from .values import Values
 
-            self._values = Values(self.root)
+            self._values = Values(self.root, self._noted)
         return self._values
 
 
@@ -133,6 +136,7 @@ class Job:
         result.diagnostics = build.warnings
         result.files = build.files
         result.root = build.root
+        result._noted = build.noted
         result._read_robot = lambda: build.robot
 
 
@@ -180,6 +184,7 @@ class Builder:
         self._jobs.put(task)
 
     def _run(self) -> None:
+        is_warm = False
         while True:
             job = self._jobs.get()
             try:
@@ -188,6 +193,57 @@ class Builder:
                 result = _fault_of(job, error)
             if result is not None:
                 self._done(result)
+            if not is_warm and isinstance(job, Job):
+                is_warm = True  # the first result does not wait for it
+                self._jobs.put(warm_up)
+
+
+def warm_up() -> None:
+    """Import what builds need: a jail is a copy of this process, and has it then from the start.
+
+    Otherwise each build would import it again, which takes ten times as long as a build.
+    """
+    from importlib import import_module
+
+    from ...program import Program
+
+    path = os.path.join(os.path.dirname(__file__), "usual.yaml")  # there is no such file
+    program = Program(path, text=_USUAL, loader=MemoryLoader({}))
+    program.build(advice=True, records=True, on_message=_drop)
+    for name in _OF_JAILS:
+        import_module(name, __package__)
+
+
+_USUAL = """
+robot: usual
+arguments:
+  length: {default: 1, help: of a link}
+variables:
+  half: $(length / 2)
+functions:
+  Arm(side):
+  - part:
+      name: $(side)_arm
+      joint: {type: revolute, parent: base, xyz: 0 0 $(half), limit: {lower: -1, upper: 1}}
+      link: {geometry: box, size: 1 1 1, mass: 1, material: red, color: 1 0 0 1}
+model:
+- part:
+    name: base
+    link: {geometry: cylinder, size: 1 1}
+- for side in ['left', 'right']:
+  - if side == 'left':
+    - Arm: $(side)
+"""
+"""A robot with what most robots have, which `warm_up` builds."""
+_OF_JAILS = (
+    "...confined",
+    "...safe.runtime",
+    "...sandbox.transfer",
+    "...sandbox.jail.parent",
+    "...runtime.python_errors",
+    "...runtime.includes",
+    "...runtime.origins",
+)
 
 
 def _fault_of(job: object, error: Exception) -> Result:

@@ -288,13 +288,17 @@ class Items:
                 self.add(name, _FOLDER, text=f"{name}/", rank="4")
             else:
                 self.add(name, _FILE, rank="3")
-        if not slash:
-            from .builds import finder_of
+        if not slash or typed.rpartition("/")[0] == "package:/":
+            self._packages(is_begun=slash != "")
 
-            finder = finder_of(self._workspace.settings)
-            for root in finder.around(self._text.folder)[:MOST_FILES]:
-                name = os.path.basename(root)
-                self.add(f"package://{name}/", _FOLDER, detail="ROS package", rank="5")
+    def _packages(self, *, is_begun: bool) -> None:
+        """Add the packages that can be found; `package://` is there if it is begun."""
+        from .builds import finder_of
+
+        finder = finder_of(self._workspace.settings)
+        for name in finder.names(self._text.folder)[:MOST_FILES]:
+            label, new = (name, f"{name}/") if is_begun else (f"package://{name}/", None)
+            self.add(label, _FOLDER, text=new, detail="package", rank="5")
 
 
 def _listed(folder: str) -> list[str]:

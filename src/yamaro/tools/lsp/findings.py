@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 
+from ...codes import help_uri
 from ...diagnostics import ERROR, Diagnostic
 from ...fixes import Edit, Fix
 from ...policy import NO_JAIL, UNSAFE
@@ -152,6 +153,7 @@ def diagnostic_json(workspace: Workspace, diagnostic: Diagnostic, path: str) -> 
         "range": workspace.range(span),
         "severity": severity,
         "code": diagnostic.code,
+        "codeDescription": {"href": help_uri(diagnostic.code)},
         "source": "yamaro",
         "message": _message(diagnostic),
     }

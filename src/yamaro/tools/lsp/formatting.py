@@ -18,6 +18,8 @@ def answer(workspace: Workspace, parameters: Json) -> Json:
     text = workspace.text_at(parameters)
     if not text.is_yaml:
         raise RequestFailed("only YAML files are formatted")
+    if not text.text.strip():  # each editor formats when it saves, also a file that just begins
+        return []
     try:
         new = formatted(text.source)
     except YamaroError as error:

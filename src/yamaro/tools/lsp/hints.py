@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from ...syntax.nodes import Constant, VariableEntry
+from .hover import values_set
 from .positions import offset_at
 from .robots import links_of
 
@@ -45,8 +46,7 @@ def _values(workspace: Workspace, text: Text) -> list[tuple[int, str]]:
             continue
         values: dict[str, None] = {}
         for result in workspace.results_of(text.path):
-            at = result.offset_then(text, node.span.start)
-            values.update(result.values.set.get((text.path, at), {}))
+            values.update(values_set(result, text, declared))
         if values:
             label = ", ".join(values)
             label = label if len(label) <= LONGEST else f"{label[: LONGEST - 1]}…"

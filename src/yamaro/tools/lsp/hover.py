@@ -14,9 +14,10 @@ from .robots import part_lines
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterable
+    from collections.abc import Iterable, Mapping
 
     from .builds import Result
+    from .names import Declaration
     from .texts import Text
     from .wire import Json
     from .workspace import Workspace
@@ -129,12 +130,19 @@ def _values(workspace: Workspace, place: Place, found: list[Place]) -> Iterable[
         if result.root is None:
             continue
         for each in found:
-            for offset in (each.span.start, each.span.start - 1):  # a quote may be before it
-                at = result.offset_then(each.text, offset)
-                values.update(result.values.set.get((each.text.path, at), {}))
+            values.update(values_set(result, each.text, each.declaration))
         if not values and place.use is not None:
             values.update(_read_around(result, place))
     return values
+
+
+def values_set(result: Result, text: Text, declared: Declaration | None) -> Mapping[str, None]:
+    """Return the values that a name had in a build where it is declared."""
+    span = getattr(declared and declared.node, "span", None)
+    if declared is None or not isinstance(span, Span):
+        return {}
+    at = result.offset_then(text, span.start)
+    return result.values.set.get((text.path, at, declared.name), {})
 
 
 def _read_around(result: Result, place: Place) -> dict[str, None]:

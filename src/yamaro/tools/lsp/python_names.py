@@ -13,7 +13,7 @@ from ...syntax.python import expression_without_dollars, ros_words
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Sequence
+    from collections.abc import Iterable, Iterator, Sequence
 
     from ...syntax.python import PythonCode
 
@@ -65,10 +65,7 @@ def names_in_text(text: str, *, is_block: bool) -> list[NameInPython]:
     except (SyntaxError, ValueError, RecursionError, MemoryError):
         return []
     places = _Places(opening + text, len(opening))
-    try:
-        return sorted(_Walk(places).run(tree), key=lambda each: each.start)
-    except RecursionError:
-        return []
+    return sorted(_Walk(places).run(tree), key=lambda each: each.start)
 
 
 class _Places:
@@ -90,14 +87,17 @@ class _Places:
 
 
 class _Walk:
-    """One walk through a syntax tree."""
+    """One walk through a syntax tree, however deep it is."""
 
     def __init__(self, places: _Places) -> None:
         self._places = places
         self._found: list[NameInPython] = []
+        self._pending: list[tuple[ast.AST, frozenset[str]]] = []  # with the names hidden there
 
     def run(self, tree: ast.AST) -> list[NameInPython]:
-        self._visit(tree, frozenset())
+        self._pending.append((tree, frozenset()))
+        while self._pending:
+            self._visit(*self._pending.pop())
         return self._found
 
     def _visit(self, node: ast.AST, hidden: frozenset[str]) -> None:
@@ -105,19 +105,17 @@ class _Walk:
             self._add_name(node, hidden)
         elif isinstance(node, (ast.Lambda, ast.FunctionDef, ast.AsyncFunctionDef)):
             self._visit_function(node, hidden)
+            return
         elif isinstance(node, ast.ClassDef):
-            self._visit_inner(node, hidden | _stored_in(node.body))
+            hidden |= _stored_in(node.body)
         elif isinstance(node, (ast.ListComp, ast.SetComp, ast.GeneratorExp, ast.DictComp)):
-            own = frozenset(name for each in node.generators for name in _targets(each.target))
-            self._visit_inner(node, hidden | own)
-        else:
-            if isinstance(node, ast.Attribute) and isinstance(node.value, ast.Name):
-                self._add_attribute(node, node.value, hidden)
-            self._visit_inner(node, hidden)
+            hidden |= frozenset(name for each in node.generators for name in _targets(each.target))
+        elif isinstance(node, ast.Attribute) and isinstance(node.value, ast.Name):
+            self._add_attribute(node, node.value, hidden)
+        self._visit_later(ast.iter_child_nodes(node), hidden)
 
-    def _visit_inner(self, node: ast.AST, hidden: frozenset[str]) -> None:
-        for child in ast.iter_child_nodes(node):
-            self._visit(child, hidden)
+    def _visit_later(self, nodes: Iterable[ast.AST], hidden: frozenset[str]) -> None:
+        self._pending += [(node, hidden) for node in nodes]
 
     def _visit_function(
         self, node: ast.Lambda | ast.FunctionDef | ast.AsyncFunctionDef, hidden: frozenset[str]
@@ -127,20 +125,17 @@ class _Walk:
         own += [each.arg for each in arguments.kwonlyargs]
         own += [each.arg for each in (arguments.vararg, arguments.kwarg) if each is not None]
         inner = hidden | frozenset(own)
-        for default in (*arguments.defaults, *arguments.kw_defaults):
-            if default is not None:
-                self._visit(default, hidden)
+        defaults = (*arguments.defaults, *arguments.kw_defaults)
+        self._visit_later((each for each in defaults if each is not None), hidden)
         if isinstance(node, ast.Lambda):
-            self._visit(node.body, inner)
+            self._visit_later([node.body], inner)
             return
         start = self._places.index(node.lineno, node.col_offset)
         keyword = "async def " if isinstance(node, ast.AsyncFunctionDef) else "def "
         if node.name not in hidden:
             at = start + len(keyword)
             self._found.append(NameInPython(node.name, at, is_assigned=True, owner=None))
-        inner |= _stored_in(node.body)
-        for statement in node.body:
-            self._visit(statement, inner)
+        self._visit_later(node.body, inner | _stored_in(node.body))
 
     def _add_name(self, node: ast.Name, hidden: frozenset[str]) -> None:
         if node.id in hidden:

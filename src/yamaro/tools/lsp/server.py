@@ -376,9 +376,10 @@ class Server:
             if text is not None and workspace.note_includes(path, workspace.includes_of(text)):
                 for opened in list(workspace.open):
                     self._touch(opened, pause=workspace.settings.pause)
-            for main, result in self._workspace.results.items():
-                if path in result.files and path not in self._workspace.open:
-                    self._due[main] = time.monotonic() + self._workspace.settings.pause
+            mains = workspace.mains_of(path)  # a file that was missing is in none of the results
+            for main, result in workspace.results.items():
+                if (path in result.files or main in mains) and path not in workspace.open:
+                    self._due[main] = time.monotonic() + workspace.settings.pause
 
 
 def _is_fault(error: Exception) -> bool:

@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
-from ...source import RecordedSpan, Span
+from ...source import Reading, RecordedSpan, Span
 from ...xml.tree import Element, Text
 from ...xml.values import format_value
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Sequence
 
 Key = tuple[str, int]
 """A file and the offset at which something is written."""
@@ -16,15 +20,19 @@ class Values:
 
     Attributes:
         written: what each value, as a whole, came out as, in order.
-        set: the values of the variables that were read, by where they were set.
-        read: likewise, by the place of the value that read them, and the name.
+        set: the values of names, by where they are declared, and the name.
+        read: likewise, by the place of the value that read them.
     """
 
-    def __init__(self, root: Element | None) -> None:
-        """Look through a tree, or nothing."""
+    def __init__(self, root: Element | None, noted: Sequence[Reading]) -> None:
+        """Look through a tree, or nothing, and the values that were noted while it was built."""
         self.written: dict[Key, dict[str, None]] = {}
-        self.set: dict[Key, dict[str, None]] = {}
+        self.set: dict[tuple[str, int, str], dict[str, None]] = {}
         self.read: dict[tuple[str, int, str], dict[str, None]] = {}
+        for reading in noted:
+            if reading.span is not None:
+                at = (reading.span.source.path, reading.span.start, reading.name)
+                self.set.setdefault(at, {}).setdefault(reading.value)
         pending = [root] if root is not None else []
         count = 0
         while pending and count < MOST_ELEMENTS:
@@ -50,6 +58,3 @@ class Values:
             for reading in other.readings:
                 where = (other.source.path, other.start, reading.name)
                 self.read.setdefault(where, {}).setdefault(reading.value)
-                if reading.span is not None:
-                    at = (reading.span.source.path, reading.span.start)
-                    self.set.setdefault(at, {}).setdefault(reading.value)

@@ -129,7 +129,7 @@ class Job:
                 self._packed,
                 _unpacked,
                 policy=self.policy,
-                readable=self._reach.roots,
+                reach=self._reach,
                 name=self.source.name,
             )
         except JailUnavailable as error:

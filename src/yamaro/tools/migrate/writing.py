@@ -30,10 +30,20 @@ def _write_comment(comment: str, margin: str, out: list[str]) -> None:
         out += [f"{margin}# {row}".rstrip() for row in rows]
 
 
-def _write_entries(body: Body, margin: str, out: list[str], *, are_functions: bool = False) -> None:
-    """Write entries as a mapping, or as a list of mappings if a key comes again."""
+def _write_entries(body: Body, margin: str, out: list[str], *, key: str | None = None) -> None:
+    """Write entries as a mapping, or as a list of mappings if a key comes again.
+
+    Args:
+        body: the entries.
+        margin: where they are, or the key above them, if there is one: the dashes of a list are
+            right below it, other entries further in.
+        out: takes the lines.
+        key: the key above them.
+    """
+    below = margin if key is None else f"{margin}  "
+    is_function = key == "functions"
     entries = [
-        with_short_head(entry, len(margin) + 2, is_function=are_functions, following=following)
+        with_short_head(entry, len(below) + 2, is_function=is_function, following=following)
         for entry, following in zip(body, [*body.entries[1:], None], strict=False)
     ]
     keys = [entry.key for entry in entries]
@@ -44,6 +54,7 @@ def _write_entries(body: Body, margin: str, out: list[str], *, are_functions: bo
         or any(map(_has_item, repeated))
         or not _OF_MODELS.isdisjoint(keys)
     )
+    margin = margin if repeated else below
     inner = f"{margin}  " if repeated else margin
     seen: set[str] = set()
     for index, entry in enumerate(entries):
@@ -52,7 +63,7 @@ def _write_entries(body: Body, margin: str, out: list[str], *, are_functions: bo
         seen = branches if is_item else seen | branches
         _write_comment(entry.comment, margin if is_item else inner, out)
         _write_entry(entry, f"{margin}- " if is_item else inner, inner, out)
-    _write_comment(body.remark, margin, out)
+    _write_comment(body.remark, inner, out)
 
 
 _OF_MODELS = frozenset(("part", "include", "functions", "variables"))
@@ -118,8 +129,7 @@ def _write_pair(entry: Entry, head: str, margin: str, out: list[str], remarks: l
             return True
         remarks.clear()
         out.append(f"{head}{key}:")
-        are_functions = entry.key == "functions"
-        _write_entries(value, f"{margin}  ", out, are_functions=are_functions)
+        _write_entries(value, margin, out, key=entry.key)
     return True
 
 

@@ -103,9 +103,18 @@ class Drawing:
                 self._figure.set_positions(moment.positions)
                 self._figure.lay_floor(low, extent)
             before = moment
-            yield _sheet([self._shot(camera) for camera in row])
+            yield _sheet([self.shot(camera) for camera in row])
 
-    def _shot(self, camera: Camera) -> Image:
+    def outline(self) -> Floats:
+        """Return the points of the first picture, N×3, with the floor below them."""
+        self._figure.set_positions(self._moments[0].positions)
+        points = self._figure.outline()
+        extent = float(np.ptp(points, axis=0).max()) or 1.0
+        self._figure.lay_floor(float(points[:, 2].min()), extent)
+        return points
+
+    def shot(self, camera: Camera) -> Image:
+        """Return the picture that a camera takes of the robot as it is now, height×width×4."""
         return self._stage.picture(
             camera,
             is_transparent=self._request.is_transparent,

@@ -9,6 +9,7 @@ import hashlib
 import json
 import re
 
+from ...codes import HOME, help_uri
 from .data import steps_of
 from .findings import each_once, file_uri, message_of, region_of, relative, uri_of
 
@@ -23,7 +24,6 @@ if TYPE_CHECKING:
     from .findings import Checked
 
 SCHEMA = "https://json.schemastore.org/sarif-2.1.0.json"
-HOME = "https://pypi.org/project/yamaro/"
 ROOT = "%SRCROOT%"
 """Means the working directory, in which relative paths start."""
 
@@ -63,7 +63,7 @@ def _rule(code: str) -> dict[str, Any]:
         "shortDescription": {"text": f"{words[:1].upper()}{words[1:]}."},
         "fullDescription": {"text": f"The diagnostic '{code}' of Yamaro."},
         "help": {"text": f"docs/diagnostics.md of Yamaro describes '{code}', and how to fix it."},
-        "helpUri": HOME,
+        "helpUri": help_uri(code),
     }
 
 

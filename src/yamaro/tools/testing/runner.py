@@ -171,7 +171,7 @@ class Runner:
         outcome = run_confined(
             evaluate,
             policy=self._policy,
-            readable=[],
+            reach=None,
             name=file.source.name,
             has_root=False,
             has_document=False,

@@ -19,7 +19,9 @@ import time
 from http import HTTPStatus
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from socketserver import TCPServer
+from urllib.parse import quote
 
+from .downloads import FORMATS
 from .variable_fields import WrongValue
 
 TYPE_CHECKING = False
@@ -272,6 +274,8 @@ class Handler(BaseHTTPRequestHandler):
             self._send_events()
         elif kind == "file":
             self._send_file(rest)
+        elif kind == "download":
+            self._send_download(rest)
         else:
             raise Refused(HTTPStatus.NOT_FOUND)
 
@@ -303,18 +307,26 @@ class Handler(BaseHTTPRequestHandler):
             if missing:  # it was cut short meanwhile; the client must not wait for the rest
                 self.close_connection = True
 
+    def _send_download(self, key: str) -> None:
+        found = self.server.session.downloads.fetch(key)
+        if found is None:
+            raise Refused(HTTPStatus.NOT_FOUND)
+        name, content = found
+        self._send(content, "application/octet-stream", name=name)
+
     # --- POST -----------------------------------------------------------------------------------
 
     def _post(self, path: str) -> None:
-        actions: dict[str, Callable[[Mapping[str, object]], None]] = {
+        actions: dict[str, Callable[[Mapping[str, object]], bytes | None]] = {
             "variables": self._set_variables,
             "open": self._open,
+            "download": self._download,
             "rebuild": lambda _: self.server.session.rebuild(),
         }
         if path not in actions:
             raise Refused(HTTPStatus.NOT_FOUND)
-        actions[path](self._read_object())
-        self._send(b"{}", "application/json")
+        answer = actions[path](self._read_object())
+        self._send(answer or b"{}", "application/json")
 
     def _read_object(self) -> Mapping[str, object]:
         """Return the JSON object that was sent."""
@@ -338,6 +350,13 @@ class Handler(BaseHTTPRequestHandler):
             self.server.session.set_variables(values)
         except WrongValue as error:
             raise Refused(HTTPStatus.BAD_REQUEST, str(error)) from None
+
+    def _download(self, request: Mapping[str, object]) -> bytes:
+        """Write the robot in a format; the answer says what was lost, and how to get the file."""
+        format = request.get("format")
+        if not isinstance(format, str) or format not in FORMATS:
+            raise Refused(HTTPStatus.BAD_REQUEST, "there is no such output format")
+        return self.server.session.download(format)
 
     def _open(self, request: Mapping[str, object]) -> None:
         """Open a place in the editor; the page knows places by number, and variables by name."""
@@ -367,9 +386,16 @@ class Handler(BaseHTTPRequestHandler):
 
     # --- answers --------------------------------------------------------------------------------
 
-    def _send(self, data: bytes, content: str, status: HTTPStatus = HTTPStatus.OK) -> None:
+    def _send(
+        self, data: bytes, content: str, status: HTTPStatus = HTTPStatus.OK, *, name: str = ""
+    ) -> None:
+        """Send an answer, which the browser saves under the name if there is one."""
+        headers = {"Content-Type": content, "Content-Length": str(len(data))}
+        if name:
+            escaped = quote(name, "", errors="replace")
+            headers["Content-Disposition"] = f"attachment; filename*=UTF-8''{escaped}"
         self.send_response(status)
-        self._send_headers({"Content-Type": content, "Content-Length": str(len(data))})
+        self._send_headers(headers)
         self.wfile.write(data)
 
     def _send_headers(self, own: Mapping[str, str]) -> None:

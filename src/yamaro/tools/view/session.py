@@ -14,6 +14,7 @@ from ...files.regular import open_regular
 from ...main_file import reach_of
 from ...source import holds_xml
 from .description import Description, fault_data
+from .downloads import Downloads
 from .mesh_files import Library, MeshFiles
 from .origins import Places
 from .variable_fields import VariableField, WrongValue, read_variable_fields
@@ -23,6 +24,7 @@ if TYPE_CHECKING:
     from collections.abc import Mapping
     from io import BufferedReader
 
+    from ...result import Build
     from ..rebuilding import Rebuilder, Turn
     from .variable_fields import Value
 
@@ -34,6 +36,7 @@ class Session:
 
     Attributes:
         wake: is set when a request wants another build.
+        downloads: the robot in output formats.
     """
 
     def __init__(self, rebuilder: Rebuilder, *, editor: str | None) -> None:
@@ -47,6 +50,7 @@ class Session:
         reader = Reader(rebuilder.policy, readable=roots, name=rebuilder.path)
         self._library = Library(reader, self._reach)
         self._editor = editor
+        self.downloads = Downloads(rebuilder)
         self._changed = threading.Condition()
         self._is_closed = False
         self._version = 0
@@ -90,6 +94,8 @@ class Session:
             turn.fault = f"the page shows robots, and this is a <{turn.build.root_name}>"
             turn.build = None
             return None
+        if self._reach is not None:  # a build may read what the packages that it names bring
+            self._reach.also_allow(turn.build.finder.roots)
         self._library.look_up(filter(os.path.isabs, turn.build.meshes))
         files = MeshFiles(self._reach, self._library)
         robot = Description(turn.build, files)
@@ -240,6 +246,23 @@ class Session:
                 else:
                     self._values[name] = new
         self.wake.set()
+
+    def document(self, format: str | None) -> Build:
+        """Return the robot in an output format, or as the document that the file describes.
+
+        Raises:
+            YamaroError: the robot has errors, or the format cannot hold it.
+            UsageError: the main file cannot be read.
+        """
+        with self._changed:
+            values = dict(self._values)
+        return self._rebuilder.build_as(format, values)
+
+    def download(self, format: str) -> bytes:
+        """Have the robot written in an output format; return what the page shows of it, as JSON."""
+        with self._changed:
+            values = dict(self._values)
+        return json.dumps(self.downloads.prepare(format, values)).encode()
 
     def rebuild(self) -> None:
         """Have the robot built, with all files read again."""

@@ -7,8 +7,8 @@ from contextlib import redirect_stderr, redirect_stdout
 from io import StringIO
 
 from ....diagnostics import WARNING, Diagnostic, YamaroError, did_you_mean, failure
-from ....files.loader import FileLoader, LoadError
-from ....files.packages import PackageFinder
+from ....files.loader import FileLoader, LoadError, OverlayLoader
+from ....files.packages import MOST_PLACES, PackageFinder
 from ....model.compare import Difference, compare, count_defaults
 from ....program import Program
 from ....sandbox.deep_stack import run_on_deep_stack
@@ -78,16 +78,15 @@ class DiskHost:
     def find_package(self, name: str, span: Span) -> str:
         """Return the folder of a package; raise YamaroError if there is none."""
         start = os.path.dirname(span.source.path)
-        folder = self._packages.find(name, start)
+        folder = self._packages.find(name, start, span)
         if folder is None:
+            places = self._packages.looked_at(name, start)
             raise failure(
                 "unknown-package",
                 f"the package '{name}' is not found",
                 span,
-                hint=f"say where it is: --package {name}:=…/{name}",
-                notes=[
-                    f"searched in {place}" for place in self._packages.looked_at(name, start)[:6]
-                ],
+                hint=self._packages.hint_for(name, start),
+                notes=[f"searched in {place}" for place in places[:MOST_PLACES]],
             )
         self.found[name] = folder
         return folder
@@ -102,19 +101,6 @@ class DiskHost:
 
     def say(self, text: str, span: Span) -> None:
         """Take what the robot says, which the sources will say."""
-
-
-class OverlayLoader(FileLoader):
-    """Reads files that are not written yet, and all others from the disk."""
-
-    def __init__(self, files: Mapping[str, str], limits: Limits) -> None:
-        super().__init__(limits)
-        self._files = files
-
-    def read(self, path: str) -> bytes:
-        """Return a file's content; raise LoadError if there is none."""
-        text = self._files.get(path)
-        return super().read(path) if text is None else text.encode()
 
 
 def migrate_robot(
@@ -259,7 +245,7 @@ class Judge:
             texts = {os.path.join(self._folder, name): text for name, text in files}
             self._programs[key] = Program(
                 os.path.join(self._folder, migration.main),
-                loader=OverlayLoader(texts, self._host.limits),
+                loader=OverlayLoader(texts, FileLoader(self._host.limits)),
                 packages=self._host.found,
                 allow=codes,
             )

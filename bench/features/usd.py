@@ -1,0 +1,100 @@
+"""The features of a robot in USD.
+
+Source: https://openusd.org/release/api/usd_physics_page_front.html.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from math import degrees, isfinite, radians
+
+from pxr import Sdf, Usd, UsdGeom, UsdPhysics, UsdShade
+
+from .feature import Key
+
+ROUND = {"Sphere": ("radius",), "Cylinder": ("radius", "height"), "Capsule": ("radius", "height")}
+"""The sizes of shapes, in the order in which URDF has them; a box is a scaled cube."""
+
+
+def read(text: str, own: Mapping[str, str]) -> Iterator[Key]:
+    """Yield the features of a USD, with the names in the robot.
+
+    Args:
+        text: the document.
+        own: the names in the robot of what is called differently in it.
+    """
+    layer = Sdf.Layer.CreateAnonymous(".usda")
+    layer.ImportFromString(text)
+    stage = Usd.Stage.Open(layer)
+    yield ("link", "world")  # is always there
+    for prim in stage.Traverse():
+        name = own.get(prim.GetName(), prim.GetName())
+        if prim.IsA(UsdPhysics.Joint):
+            yield from _joint(prim, name, own)
+        elif prim.IsA(UsdGeom.Camera):
+            yield ("sensor", name)
+            for each in ("horizontal_fov", "near", "far", "pose", "always_on"):
+                yield ("in sensor", name, each)
+        elif prim.IsA(UsdGeom.Gprim):
+            yield from _shape(prim)
+            yield ("shape name", name)
+        elif prim.IsA(UsdGeom.Xform) and prim != stage.GetDefaultPrim():
+            yield ("link", name)
+            if prim.HasAPI(UsdPhysics.MassAPI):
+                yield ("mass", name, UsdPhysics.MassAPI(prim).GetMassAttr().Get())
+
+
+def _joint(prim: Usd.Prim, name: str, own: Mapping[str, str]) -> Iterator[Key]:
+    joint = UsdPhysics.Joint(prim)
+    (child,) = joint.GetBody1Rel().GetTargets()
+    if prim.IsA(UsdPhysics.FixedJoint):
+        yield ("fixed", own.get(child.name, child.name))
+        return
+    is_linear = prim.IsA(UsdPhysics.PrismaticJoint)
+    if not is_linear and not prim.IsA(UsdPhysics.RevoluteJoint):
+        held = [each for each in prim.GetAppliedSchemas() if each.startswith("PhysicsLimitAPI")]
+        yield ("joint", name, "planar" if len(held) == 3 else "floating")
+        return
+    lower, upper = (prim.GetAttribute(f"physics:{end}Limit").Get() for end in ("lower", "upper"))
+    has_limits = isfinite(lower) or isfinite(upper)
+    yield ("joint", name, "prismatic" if is_linear else "revolute")
+    if not has_limits and not is_linear:
+        yield ("joint", name, "continuous")
+    if has_limits:
+        ends = (lower, upper) if is_linear else (radians(lower), radians(upper))
+        yield ("range", name, *ends)
+    drive = UsdPhysics.DriveAPI(prim, "linear" if is_linear else "angular")
+    if not prim.HasAPI(UsdPhysics.DriveAPI, "linear" if is_linear else "angular"):
+        return
+    if drive.GetStiffnessAttr().Get():
+        yield ("actuated", name)
+    effort = drive.GetMaxForceAttr().Get()
+    if isfinite(effort):
+        yield ("effort", name, effort)
+    damping = drive.GetDampingAttr().Get() * (1.0 if is_linear else degrees(1))
+    if damping:
+        yield ("damping", name, damping)
+
+
+def _shape(prim: Usd.Prim) -> Iterator[Key]:
+    kind = "collision" if prim.HasAPI(UsdPhysics.CollisionAPI) else "visual"
+    name = prim.GetTypeName()
+    if name == "Cube":
+        side = UsdGeom.Cube(prim).GetSizeAttr().Get()
+        scale = prim.GetAttribute("xformOp:scale").Get()
+        yield (kind, "box", *(side * each for each in scale))
+    elif name in ROUND:
+        yield (kind, name.lower(), *(prim.GetAttribute(each).Get() for each in ROUND[name]))
+    else:
+        yield (kind, name.lower())
+    bound = UsdShade.MaterialBindingAPI(prim)
+    look = bound.GetDirectBinding().GetMaterial() if kind == "visual" else None
+    if look:
+        shader = UsdShade.Shader(look.ComputeSurfaceSource()[0])
+        color, alpha = (shader.GetInput(each).Get() for each in ("diffuseColor", "opacity"))
+        yield ("color", "mesh" if name == "Mesh" else "shape", *color, alpha)
+    friction = bound.GetDirectBinding("physics").GetMaterial()
+    if friction:
+        value = UsdPhysics.MaterialAPI(friction.GetPrim()).GetStaticFrictionAttr().Get()
+        yield ("gazebo", "mu", value)
+        yield ("gazebo", "mu2", value)

@@ -1,0 +1,272 @@
+"""`yamaro sweep`: builds many variants of a robot, and writes a table of them."""
+
+from __future__ import annotations
+
+import os
+
+from ..streams import BINARY
+from .delivery import deliver, goes_to_standard_output
+from .formats import formats_in
+from .reports import show
+from .settings import make_policy, read_packages
+from .usage import DONE, INPUT_ERROR, WrongUsage, near, quote
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from ..streams import Streams
+    from ..tools.sweep.plan import Plan
+    from ..tools.sweep.running import Status
+    from ..tools.sweep.study import Study
+    from .arguments import Arguments
+
+SHOW, PLOT = "show", "plot"
+
+
+def run(arguments: Arguments, streams: Streams) -> int:
+    """Run a sweep, show one of its variants, or plot it; return the exit status."""
+    from ..arguments import UsageError
+    from ..diagnostics import YamaroError
+
+    arguments.resolve_output()
+    policy = make_policy(arguments)
+    if not policy.is_trusted:
+        streams.silence_libraries()
+    try:
+        if arguments.words[0] == SHOW:
+            return _show(arguments, streams)
+        if arguments.words[0] == PLOT:
+            return _plot(arguments, streams)
+        return _sweep(arguments, streams)
+    except YamaroError as error:
+        show(error.diagnostics, arguments, streams)
+        return INPUT_ERROR
+    except UsageError as error:
+        raise WrongUsage(str(error)) from None
+    except OSError as error:
+        name = quote(os.fspath(error.filename or arguments.options.get("output", "")))
+        streams.say(f"yamaro: error: {name}: {error.strerror or error}")
+        return INPUT_ERROR
+
+
+# --- running ---
+
+
+def _sweep(arguments: Arguments, streams: Streams) -> int:
+    from ..tools.sweep.api import run_sweep
+    from ..tools.sweep.engines import engine_of
+    from ..tools.sweep.summary import Summary
+
+    if goes_to_standard_output(arguments):
+        raise WrongUsage("'yamaro sweep' needs a folder for its table: -o runs/")
+    open_engine = engine_of(arguments.options.get("engine"))
+    plan = _plan(arguments)
+    folder = arguments.options["output"]
+    began = _Shown(streams)
+    try:
+        status = run_sweep(
+            plan,
+            folder,
+            open_engine,
+            resumes=arguments.has("resume"),
+            on_progress=began.show,
+        )
+    except KeyboardInterrupt:
+        began.clear()
+        if began.status is not None and not streams.quiet:
+            streams.say(
+                f"stopped after {began.status.done:,} of {plan.samples:,} variants; "
+                "the same command with --resume goes on"
+            )
+        raise
+    finally:
+        began.clear()
+    summary = Summary(arguments.output_path)
+    if not streams.quiet:
+        streams.say("\n".join([*_head(status, folder), *summary.lines()]))
+    return DONE if summary.counts["ok"] else INPUT_ERROR
+
+
+def _head(status: Status, folder: str) -> list[str]:
+    """Return what is said of the run itself."""
+    if not status.built:
+        return [f"{quote(folder)}: all variants were built before"]
+    took = f"{status.built:,} in {_duration(status.seconds)}, {status.rate:,.1f}/s"
+    return [f"{quote(folder)}: {took}"]
+
+
+class _Shown:
+    """Shows how far a sweep is.
+
+    Attributes:
+        status: what was shown last.
+    """
+
+    def __init__(self, streams: Streams) -> None:
+        from .progress import bar_on
+
+        self._bar = bar_on(streams)
+        self.status: Status | None = None
+
+    def show(self, status: Status) -> None:
+        """Show how far it is."""
+        self.status = status
+        if self._bar is None:
+            return
+        failed = f", {status.failed:,} failed" if status.failed else ""
+        rate = status.rate
+        left = (status.samples - status.done) / rate if rate else 0.0
+        text = f"{status.done:,} of {status.samples:,}, {rate:,.1f}/s{failed}"
+        self._bar.show_text(status.done / status.samples, f"{text}, {_duration(left)} left")
+
+    def clear(self) -> None:
+        """Take the bar off the terminal."""
+        if self._bar is not None:
+            self._bar.show(1.0)
+
+
+def _duration(seconds: float) -> str:
+    """Return a time in words: `42 s`, `3 min 20 s`, `2 h 5 min`."""
+    whole = round(seconds)
+    if whole < 60:
+        return f"{seconds:.1f} s" if whole < 10 else f"{whole} s"
+    if whole < 3600:
+        return f"{whole // 60} min {whole % 60} s"
+    return f"{whole // 3600} h {whole % 3600 // 60} min"
+
+
+# --- the command line ---
+
+
+def _plan(arguments: Arguments) -> Plan:
+    """Return what is asked for; raise YamaroError or UsageError if that makes no sense."""
+    from ..tools.sweep.api import override
+    from ..tools.sweep.axis_reading import words_in
+    from ..tools.sweep.planning import planned
+    from ..tools.sweep.study import read_study
+
+    policy = make_policy(arguments)
+    study = read_study(arguments.words[0], policy.limits)
+    lists, options = arguments.lists, arguments.options
+    override(
+        study,
+        samples=_number(arguments, "samples", 1),
+        method=options.get("method"),
+        seed=_number(arguments, "seed", 0),
+        keep=lists.get("keep", ()),
+        to=formats_in(arguments),
+        metrics=[word for text in lists.get("metrics", ()) for word in words_in(text)],
+        evaluate=options.get("evaluate"),
+        models=arguments.has("models") or None,
+    )
+    plan = planned(
+        study, policy, packages=read_packages(arguments), axes=_axes(arguments, study),
+        assignments=arguments.assignments,
+    )  # fmt: skip
+    for name in ("base", "repair-inertia", "sdf-version"):
+        if arguments.has(name) and not plan.targets():
+            raise WrongUsage(f"'--{name}' needs an output format, such as --to sdf")
+    plan.allow = tuple(lists.get("allow", ()))
+    plan.deny = tuple(lists.get("deny", ()))
+    plan.strict = arguments.has("strict")
+    plan.base = options.get("base")
+    plan.repairs_inertia = arguments.has("repair-inertia")
+    plan.sdf_version = options.get("sdf-version")
+    return plan
+
+
+def _axes(arguments: Arguments, study: Study) -> dict[str, str]:
+    """Return the axes of the command line by the names of their arguments."""
+    found: dict[str, str] = {}
+    for word in arguments.words[1:]:
+        name, has_value, text = word.partition("=")
+        if not has_value:
+            hint = near(word, list(study.vary))
+            raise WrongUsage(f"{quote(word)} is not an axis: write it as {word}=0.2..0.4{hint}")
+        if name in found:
+            raise WrongUsage(f"the axis {quote(name)} is given twice")
+        found[name] = text
+    return found
+
+
+def _number(arguments: Arguments, option: str, least: int) -> int | None:
+    text = arguments.options.get(option)
+    if text is None:
+        return None
+    try:
+        number = int(text)
+    except ValueError:
+        number = least - 1
+    if number < least:
+        wanted = f"a whole number of at least {least}"
+        raise WrongUsage(f"'--{option}' takes {wanted}, not {quote(text)}")
+    return number
+
+
+# --- a plot ---
+
+
+def _plot(arguments: Arguments, streams: Streams) -> int:
+    """Write the plot of a sweep; return the exit status."""
+    from ..tools.sweep.axis_reading import words_in
+    from ..tools.sweep.plot.command import plot
+
+    words = arguments.words[1:]
+    if len(words) != 1 or arguments.assignments:
+        raise WrongUsage("'yamaro sweep plot' needs the folder of a sweep, and nothing else")
+    if "output" not in arguments.options:
+        raise WrongUsage("'yamaro sweep plot' needs an output file: -o plot.png")
+    lists = arguments.lists
+    if arguments.has("minimize") and "metric" not in arguments.options:
+        raise WrongUsage("'--minimize' says which variant is the best by a '--metric'")
+    plotted = plot(
+        words[0],
+        arguments.options["output"],
+        across=[word for text in lists.get("x", ()) for word in words_in(text)],
+        up=[word for text in lists.get("y", ()) for word in words_in(text)],
+        metric=arguments.options.get("metric"),
+        minimize=arguments.has("minimize"),
+        policy=make_policy(arguments),
+    )
+    if not streams.quiet:
+        for remark in plotted.remarks:
+            streams.say(remark)
+    return deliver([plotted.data], arguments, streams, BINARY)
+
+
+# --- one variant ---
+
+
+def _show(arguments: Arguments, streams: Streams) -> int:
+    """Write the document of a variant; return the exit status."""
+    from ..tools.sweep.showing import show as build_again
+
+    words = arguments.words[1:]
+    if len(words) != 2 or not words[1].isdigit():
+        raise WrongUsage("'yamaro sweep show' needs the folder and a number: runs/ 4711")
+    if arguments.assignments:
+        raise WrongUsage("a variant has its own arguments, and takes no 'name:=value'")
+    folder, index = words[0], int(words[1])
+    shown = build_again(folder, index, make_policy(arguments))
+    outputs = shown.build.outputs or {shown.build.format: shown.build}
+    formats = formats_in(arguments) or list(outputs)[:1]
+    if len(formats) > 1 or formats[0] not in outputs:
+        raise WrongUsage(f"'--to' takes a format of the sweep here: {', '.join(outputs)}")
+    if not streams.quiet:
+        passed = " ".join(f"{name}:={_written(value)}" for name, value in shown.arguments.items())
+        streams.say(f"variant {index}: {passed}")
+        for path in shown.changed:
+            streams.say(f"warning: {quote(path)} has changed since the sweep")
+    return deliver(outputs[formats[0]].encoded(), arguments, streams)
+
+
+def _written(value: object) -> str:
+    """Return a value as it is written on the command line."""
+    from ..xml.values import format_value
+
+    if isinstance(value, float):
+        return repr(value)
+    if isinstance(value, (list, dict)):
+        import json
+
+        return json.dumps(value, ensure_ascii=False)
+    return format_value(value)

@@ -1,0 +1,209 @@
+"""What of a robot has no place in several formats, in the same words for each of them."""
+
+from __future__ import annotations
+
+from ..model.joint import SINGLE
+from ..model.sensors import CAMERAS, Ranger
+from .output import APPROXIMATED, LOST, RENAMED, Loss
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Collection, Container
+
+    from ..model.extras import Noted
+    from ..model.joint import Joint
+    from ..model.robot import Robot
+    from ..model.sensors import Sensor
+    from ..model.values import Written
+
+SRDF_HINT = "--to srdf writes them"
+UNLIMITED = 1e15
+"""Limits beyond it mean none, such as those of 1e16 that simulators write."""
+RATES = ("acceleration", "deceleration", "jerk")
+
+
+# --- sections -----------------------------------------------------------------------------------
+
+
+def lost_sections(
+    robot: Robot, *, states: bool = False, actuators: bool = False, controls: bool = False
+) -> list[Loss]:
+    """Return the losses of a format without groups, and without what is named.
+
+    Args:
+        robot: the robot.
+        states: whether named positions are lost.
+        actuators: whether actuators are lost.
+        controls: whether the hardware that drives joints is lost.
+    """
+    found: list[Loss] = []
+    if actuators:
+        found += [
+            _noted("actuators", f"joint '{each.joint}'", each) for each in robot.actuators.values()
+        ]
+    if controls:
+        found += [
+            _noted("blocks of ros2_control", f"'{each.name or robot.name}'", each)
+            for each in robot.controls
+        ]
+    if states:
+        found += [
+            _noted("states", f"state '{each.name}'", each, SRDF_HINT)
+            for each in robot.states.values()
+        ]
+    found += [
+        _noted("groups", f"group '{each.name}'", each, SRDF_HINT) for each in robot.groups.values()
+    ]
+    settings = robot.collision_settings
+    if settings is not None:
+        found.append(_noted("`collisions` sections", "the robot", settings, SRDF_HINT))
+    return found
+
+
+def _noted(what: str, owner: str, noted: Noted | Sensor, hint: str = "") -> Loss:
+    return Loss(LOST, what, owner, noted.span, trace=noted.trace, hint=hint)
+
+
+# --- joints -------------------------------------------------------------------------------------
+
+
+def leader_of(robot: Robot, joint: Joint) -> Joint | None:
+    """Return the joint that a joint follows; None if it follows none, or one of them cannot."""
+    if joint.mimic is None or joint.type not in SINGLE:
+        return None
+    leader = robot.joints.get(joint.mimic.joint)
+    return leader if leader is not None and leader.type in SINGLE else None
+
+
+def lost_of_joints(
+    robot: Robot,
+    *,
+    has_velocity: bool = False,
+    has_mimic: bool = False,
+    has_dynamics: Container[str] = (),
+    mimic_hint: str = "",
+) -> list[Loss]:
+    """Return what a format has no place for in the joints of the tree.
+
+    Args:
+        robot: the robot.
+        has_velocity: whether it has limits of velocity.
+        has_mimic: whether it has joints that follow others.
+        has_dynamics: which types of joints of no or several numbers have damping and friction.
+        mimic_hint: what to do about joints that follow others.
+    """
+    rates = RATES if has_velocity else ("velocity", *RATES)
+    found: list[Loss] = []
+    for joint in robot.joints.values():
+        if robot.parent_joint(joint.child) is not joint:
+            continue  # all of it is lost
+        if joint.type in SINGLE:
+            found += _lost_rates(joint, rates)
+        else:
+            found += _lost_numbers(joint, has_dynamics=joint.type in has_dynamics)
+        if joint.mimic is not None and leader_of(robot, joint) is None:
+            what = "mimic joints that cannot follow another joint"
+            found.append(_lost_in(joint, joint.mimic, what))
+        elif joint.mimic is not None and not has_mimic:
+            found.append(_lost_in(joint, joint.mimic, "mimic joints", hint=mimic_hint))
+        if joint.safety_controller is not None:
+            found.append(_lost_in(joint, joint.safety_controller, "soft limits"))
+        if joint.calibration is not None:
+            found.append(_lost_in(joint, joint.calibration, "calibrations"))
+    return found
+
+
+def _lost_rates(joint: Joint, rates: Collection[str]) -> list[Loss]:
+    """Return the losses of limits on how fast a joint moves."""
+    limit = joint.limit
+    if limit is None:
+        return []
+    given = {name: limit.number(name) for name in rates}
+    return [
+        _lost_in(joint, limit, f"{name} limits", attribute=name)
+        for name, value in given.items()
+        if value is not None and abs(value) < UNLIMITED
+    ]
+
+
+def _lost_numbers(joint: Joint, *, has_dynamics: bool) -> list[Loss]:
+    """Return the losses of numbers that a joint has no use for; zeros mean nothing there."""
+    found = []
+    limit, dynamics = joint.limit, joint.dynamics
+    names = ("lower", "upper", "effort", "velocity", *RATES)
+    if limit is not None and any(map(limit.number, names)):
+        found.append(_lost_in(joint, limit, f"limits of {joint.type} joints"))
+    if dynamics is not None and not has_dynamics and (dynamics.damping or dynamics.friction):
+        found.append(_lost_in(joint, dynamics, f"damping and friction of {joint.type} joints"))
+    return found
+
+
+def _lost_in(
+    joint: Joint, part: Written, what: str, *, attribute: str = "", hint: str = ""
+) -> Loss:
+    span = part.span_of(attribute) if attribute else part.span
+    owner = f"joint '{joint.name}'"
+    return Loss(LOST, what, owner, span, trace=part.trace_in(joint), hint=hint)
+
+
+# --- sensors ------------------------------------------------------------------------------------
+
+
+def renamed_sensors(robot: Robot, *, but: Container[str] = ()) -> list[Loss]:
+    """Return the sensors that the model calls otherwise, since their names are not unique.
+
+    Args:
+        robot: the robot.
+        but: the names of sensors that the format calls as they are written.
+    """
+    return [
+        Loss(
+            RENAMED,
+            "sensors",
+            f"sensor '{sensor.written_name}'",
+            sensor.span,
+            trace=sensor.trace,
+            how=sensor.name,
+        )
+        for sensor in robot.sensors.values()
+        if sensor.written_name != sensor.name and sensor.name not in but
+    ]
+
+
+def lost_of_sensor(sensor: Sensor) -> list[Loss]:
+    """Return what a format has no place for that only knows what a sensor measures, and where."""
+    given = (
+        ("rates of sensors", "rate", sensor.rate is not None),
+        ("topics of sensors", "topic", sensor.topic is not None),
+        ("noise of cameras", "noise", bool(sensor.noise) and sensor.type in CAMERAS),
+    )
+    return [
+        lost_in_sensor(sensor, what, attribute) for what, attribute, is_given in given if is_given
+    ]
+
+
+def cones(robot: Robot, *, but: Container[str] = ()) -> list[Loss]:
+    """Return what formats make of the cones of range sensors that measure along one ray.
+
+    Args:
+        robot: the robot.
+        but: the names of sensors that are written as they are.
+    """
+    return [
+        Loss(
+            APPROXIMATED,
+            "cones of range sensors",
+            f"sensor '{sensor.name}'",
+            sensor.span_of("fov"),
+            trace=sensor.trace,
+            how="one ray",
+        )
+        for sensor in robot.sensors.values()
+        if isinstance(sensor.details, Ranger) and sensor.details.fov and sensor.name not in but
+    ]
+
+
+def lost_in_sensor(sensor: Sensor, what: str, attribute: str = "") -> Loss:
+    """Return the loss of a sensor, or of a value of it."""
+    span = sensor.span_of(attribute) if attribute else sensor.span
+    return Loss(LOST, what, f"sensor '{sensor.name}'", span, trace=sensor.trace)

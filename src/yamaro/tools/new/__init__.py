@@ -1,0 +1,1 @@
+"""New packages of robots: a folder that pip and colcon can both install."""

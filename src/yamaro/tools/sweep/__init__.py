@@ -1,0 +1,1 @@
+"""Sweeps: builds many variants of a robot, and keeps a table of what they are."""

@@ -1,0 +1,240 @@
+"""The function that the package offers: `yamaro.sweep`."""
+
+from __future__ import annotations
+
+import os
+
+from ...arguments import UsageError
+from ...policy import Policy
+from .engines import engine_of
+from .folder import SweepFolder
+from .kept import kept_models
+from .planning import planned
+from .running import chunk_size, run_plan
+from .showing import show
+from .study import Study, Written, read_study
+from .summary import Summary
+from .table import CSV, PARQUET, has_parquet, read_columns
+from .topology import write_index
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterator, Mapping, Sequence
+    from typing import Any
+
+    from .engines import Engine
+    from .kept import KeptModel
+    from .plan import Plan
+    from .running import Status
+    from .showing import Shown
+
+
+class Sweep:
+    """A sweep that was run, or the one in a folder.
+
+    Attributes:
+        folder: the absolute path of its folder.
+    """
+
+    __slots__ = ("folder",)
+
+    def __init__(self, folder: str | os.PathLike[str]) -> None:
+        """Look at the sweep in a folder."""
+        self.folder = os.path.abspath(folder)
+
+    def columns(self, *names: str) -> dict[str, list[Any]]:
+        """Return the columns of the table, all or those named, in the order of the variants."""
+        return read_columns(self.folder, ("id", *names) if names else ())
+
+    def summary(self) -> Summary:
+        """Return how many variants are there, and why others failed."""
+        return Summary(self.folder)
+
+    def models(self, format: str | None = None, *, has_scene: bool = False) -> Iterator[KeptModel]:
+        """Yield the models that were kept, in the order of the variants.
+
+        Args:
+            format: the output format; by default the first one of the sweep.
+            has_scene: of MJCF, whether the robot is on a floor.
+
+        Raises:
+            UsageError: the sweep has not kept such models.
+        """
+        return kept_models(self.folder, format, has_scene=has_scene)
+
+    def variant(self, index: int, *, policy: Policy | None = None) -> Shown:
+        """Build a variant again.
+
+        Raises:
+            YamaroError: it has errors.
+            UsageError: there is no such variant.
+        """
+        return show(self.folder, index, policy or Policy())
+
+
+def sweep(
+    path: str | os.PathLike[str],
+    output: str | os.PathLike[str],
+    *,
+    vary: Mapping[str, object] | None = None,
+    fixed: Mapping[str, object] | None = None,
+    samples: int | None = None,
+    method: str | None = None,
+    seed: int | None = None,
+    keep: str | Sequence[str] = (),
+    to: str | Sequence[str] = (),
+    metrics: str | Sequence[str] = (),
+    evaluate: str | None = None,
+    models: bool = False,
+    engine: str = "local",
+    resume: bool = False,
+    chunk: int | None = None,
+    timeout: float | None = None,
+    policy: Policy | None = None,
+    packages: Mapping[str, str] | None = None,
+    allow: Sequence[str] = (),
+    deny: Sequence[str] = (),
+    strict: bool = False,
+    on_progress: Callable[[float], None] | None = None,
+) -> Sweep:
+    """Build many variants of a robot, and write a table of them.
+
+    Args:
+        path: a robot's file, or a study; what is given here goes before what the study says.
+        output: the folder of the sweep.
+        vary: the axes by the names of arguments: `[0.2, 0.4]`, `"log:10..500"`,
+            `{"choices": [4, 6]}`, or None for an argument's own range. By default all arguments
+            that declare a range or choices.
+        fixed: what is passed to all variants.
+        samples: how many variants; a grid knows.
+        method: "grid", "random", "latin" or "sobol".
+        seed: decides about what is random; 0 by default.
+        keep: conditions that variants have to meet, as Python expressions.
+        to: the output formats.
+        metrics: the names of metrics.
+        evaluate: a function that evaluates variants, as "file.py:function".
+        models: whether the documents are kept.
+        engine: "local", "local:8", "dask://HOST:PORT", "dask", "ray://HOST:PORT" or "ray".
+        resume: whether the sweep in the folder goes on.
+        chunk: how many variants are stored together; by default as many as take two seconds.
+        timeout: seconds that a variant may take, 60 by default.
+        policy: how far the robot's files are trusted; in full by default.
+        packages: folders of ROS packages by name.
+        allow: codes of diagnostics that are warnings.
+        deny: codes of diagnostics that are errors.
+        strict: whether warnings are errors.
+        on_progress: is called with how far the work is, from 0 to 1.
+
+    Raises:
+        YamaroError: the study or the robot has errors, or no variant can be built.
+        UsageError: an argument makes no sense, or the folder holds something else.
+    """
+    policy = policy or Policy()
+    study = _study(path, policy, vary, fixed)
+    override(
+        study, samples=samples, method=method, seed=seed, keep=_listed(keep), to=_listed(to),
+        metrics=_listed(metrics), evaluate=evaluate, models=models or None,
+    )  # fmt: skip
+    plan = planned(study, policy, packages=packages or {}, axes={})
+    plan.allow, plan.deny, plan.strict = tuple(allow), tuple(deny), strict
+    plan.chunk = chunk or 0
+    if timeout is not None:
+        plan.limit_time(timeout)
+    tell = _told(on_progress)
+    run_sweep(plan, output, engine_of(engine), resumes=resume, on_progress=tell)
+    return Sweep(output)
+
+
+def _study(
+    path: str | os.PathLike[str],
+    policy: Policy,
+    vary: Mapping[str, object] | None,
+    fixed: Mapping[str, object] | None,
+) -> Study:
+    """Return the study in a file, with other axes and fixed values if some are given."""
+    study = read_study(os.fspath(path), policy.limits)
+    if vary is not None:
+        study.vary = {name: Written(value) for name, value in vary.items()}
+        study.places.pop("vary", None)
+    if fixed is not None:
+        study.fixed = {name: Written(value) for name, value in fixed.items()}
+    return study
+
+
+def override(
+    study: Study,
+    *,
+    samples: int | None = None,
+    method: str | None = None,
+    seed: int | None = None,
+    keep: Sequence[str] = (),
+    to: Sequence[str] = (),
+    metrics: Sequence[str] = (),
+    evaluate: str | None = None,
+    models: bool | None = None,
+) -> None:
+    """Change a study where something else is asked for; conditions are added."""
+    from .conditions import Condition
+
+    for name, value in (("samples", samples), ("method", method), ("seed", seed)):
+        if value is not None:
+            setattr(study, name, value)
+            study.places.pop(name, None)
+    study.keep = [*study.keep, *map(Condition, keep)]
+    if to:
+        study.formats = list(to)
+        study.places.pop("to", None)
+    if metrics:
+        study.metrics = [Written(word) for word in metrics]
+    if evaluate is not None:
+        study.evaluate, study.folder = evaluate, os.getcwd()
+    if models is not None:
+        study.models = models
+
+
+def run_sweep(
+    plan: Plan,
+    output: str | os.PathLike[str],
+    open_engine: Callable[[], Engine],
+    *,
+    resumes: bool,
+    on_progress: Callable[[Status], None],
+) -> Status:
+    """Run a plan, or what is left of it, in a folder; return how it went.
+
+    Raises:
+        YamaroError: no variant can be built, the plan is not that of the folder, or the engine
+            fails.
+        UsageError: the folder holds something else.
+        OSError: something cannot be written.
+    """
+    folder = SweepFolder(os.fspath(output), PARQUET if has_parquet() else CSV)
+    given = plan.chunk
+    if given < 0:
+        raise UsageError("a chunk has at least 1 variant")
+    goes_on = folder.begin(plan, resumes=resumes)
+    try:
+        engine = open_engine()
+        try:
+            if not goes_on:
+                plan.chunk = given or chunk_size(plan, engine.workers)
+                folder.save(plan)
+            status = run_plan(plan, folder, engine, on_progress)
+        finally:
+            engine.close(plan.run)
+        if plan.has_topologies:
+            write_index(plan, folder.path)
+        return status
+    finally:
+        folder.release()
+
+
+def _told(on_progress: Callable[[float], None] | None) -> Callable[[Status], None]:
+    """Return what takes how far a sweep is, and passes it on as a number from 0 to 1."""
+    if on_progress is None:
+        return lambda status: None
+    return lambda status: on_progress(status.done / status.samples)
+
+
+def _listed(value: str | Sequence[str]) -> list[str]:
+    return [value] if isinstance(value, str) else list(value)

@@ -1,0 +1,1 @@
+"""The metrics that `yamaro sweep` knows."""

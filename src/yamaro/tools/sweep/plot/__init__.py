@@ -1,0 +1,1 @@
+"""`yamaro sweep plot`: a picture of what a sweep has found."""

@@ -1,0 +1,258 @@
+"""The playground in Chromium, which can reach nothing but the folder that is served."""
+
+from __future__ import annotations
+
+import contextlib
+import functools
+import gzip
+import http.server
+import io
+import json
+import math
+import re
+import shutil
+import subprocess
+import sys
+import threading
+from collections.abc import Iterator
+from itertools import zip_longest
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from tests.consumers.oracles import missing
+from tests.tools.view import chromium
+from tests.tools.view.chromium import Chromium
+from tests.waiting import PATIENCE
+from yamaro import YamaroError, build
+
+ROOT = Path(__file__).parents[2]
+sys.path.insert(0, str(ROOT / "web" / "playground"))
+import pack  # noqa: E402
+
+LARGEST = 8_000_000
+"""Bytes over the wire, compressed."""
+ALONE = "--host-resolver-rules=MAP * ~NOTFOUND, EXCLUDE 127.0.0.1"
+
+pytestmark = pytest.mark.slow
+
+
+class Handler(http.server.SimpleHTTPRequestHandler):
+    def log_message(self, format: str, *arguments: Any) -> None:
+        """Say nothing."""
+
+
+class Playground(Chromium):
+    """The page of the playground."""
+
+    address = ""
+
+    def start(self, rest: str = "") -> None:
+        """Open the page, and wait until the robot is built."""
+        self.open("about:blank")
+        self.open(self.address + rest)
+        self.wait_for("Boolean(window.playground?.built) && playground.isReady")
+
+    def choose(self, example: str) -> None:
+        """Open an example, and wait until the robot is built."""
+        number = [name for name, _, _ in pack.EXAMPLES].index(example)
+        before = self.run("playground.built")
+        choice = "document.getElementById('examples')"
+        self.run(f"{choice}.value = {number}; {choice}.dispatchEvent(new Event('change'))")
+        self.wait_for(f"playground.built > {before} && playground.isReady")
+
+    def write(self, text: str, name: str | None = None) -> None:
+        """Write a text in place of a file's, and wait for what comes of it."""
+        before = self.run("playground.built")
+        if name is not None:
+            self.run(f"playground.editor.show({name!r})")
+        view = "playground.editor.view"
+        changes = f"{{from: 0, to: {view}.state.doc.length, insert: {json.dumps(text)}}}"
+        self.run(f"{view}.dispatch({{changes: {changes}}})")
+        self.wait_for(f"playground.built > {before} && playground.isReady")
+
+    def text(self, selector: str) -> str:
+        """Return what is written in an element that is seen."""
+        found: str = self.run(
+            f"[...document.querySelectorAll({selector!r})]"
+            ".filter(e => e.checkVisibility()).map(e => e.innerText).join('\\n')"
+        )
+        return found
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    if shutil.which("npm") is None:
+        missing("npm")
+    target = tmp_path_factory.mktemp("playground") / "built"
+    made = subprocess.run(
+        ["scripts/playground", str(target)],
+        cwd=ROOT,
+        capture_output=True,
+        text=True,
+        timeout=2 * PATIENCE,
+        check=False,
+    )
+    if "cannot be had" in made.stderr:
+        pytest.skip(made.stderr.strip())
+    assert made.returncode == 0, made.stderr
+    return target
+
+
+@pytest.fixture(scope="module")
+def browser(folder: Path) -> Iterator[Playground]:
+    program = chromium.find()
+    if program is None:
+        missing("Chromium")
+        raise AssertionError
+    handler = functools.partial(Handler, directory=str(folder))
+    server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), handler)
+    threading.Thread(target=server.serve_forever, daemon=True).start()
+    page = Playground(program, ALONE, width=1280, height=800)
+    page.address = f"http://127.0.0.1:{server.server_port}/"
+    page.start()
+    yield page
+    page.close()
+    server.shutdown()
+    server.server_close()
+
+
+@pytest.fixture
+def page(browser: Playground) -> Iterator[Playground]:
+    browser.complaints.clear()
+    yield browser
+    assert browser.complaints == []
+
+
+def expected(main: Path, target: str | None) -> str | None:
+    with contextlib.redirect_stdout(io.StringIO()), contextlib.redirect_stderr(io.StringIO()):
+        try:
+            return build(main, target=target).xml()
+        except YamaroError:
+            return None
+
+
+def test_all_that_is_loaded_is_small(folder: Path) -> None:
+    files = [path for path in folder.rglob("*") if path.is_file()]
+    assert sum(len(gzip.compress(path.read_bytes())) for path in files) < LARGEST
+
+
+def differing(one: str | None, other: str | None) -> list[tuple[str, str]]:
+    """Return the words that differ, except for the last digit of numbers.
+
+    Sine and cosine of the browser and of this machine may differ in their last bit, which shows
+    in the directions of the rays of a lidar.
+    """
+    words, others = (re.split(r"[\s\"]+", text or "") for text in (one, other))
+    pairs = [pair for pair in zip_longest(words, others, fillvalue="") if pair[0] != pair[1]]
+    return [pair for pair in pairs if not is_nearly_the_same(*pair)]
+
+
+def is_nearly_the_same(one: str, other: str) -> bool:
+    try:
+        return math.isclose(float(one), float(other), rel_tol=2e-14)
+    except ValueError:
+        return False
+
+
+def test_every_example_gives_the_same_as_on_cpython(page: Playground) -> None:
+    formats: dict[str, str | None] = {"xml": None, "mjcf": "mjcf", "sdf": "sdf"}
+    for name, _, main in pack.EXAMPLES:
+        example = pack.read_example(name, "", main)
+        opened = {"files": example["files"], "main": example["main"], "isTrusted": True}
+        page.run(f"playground.ask('open', {json.dumps(opened)})")
+        for word, target in formats.items():
+            told = page.run(f"playground.ask('write', {{format: {word!r}}})")
+            wanted = expected(ROOT / "examples" / name / main, target)
+            assert (told["text"] is None) == (wanted is None), (name, word)
+            assert differing(told["text"], wanted) == [], (name, word)
+
+
+def test_an_error_is_underlined_and_told_and_a_click_goes_there(page: Playground) -> None:
+    page.choose("pan_tilt")
+    page.write("robot: r\nvariables: {width: 1}\nmodel:\n- link/name=é😀$(widht):\n")
+    assert page.text(".cm-lintRange-error") == "widht"
+    assert "error[undefined-name]: name 'widht' is not defined" in page.text("#problems")
+    assert "pan_tilt.yaml:4:17" in page.text("#problems")
+    page.run("playground.editor.goTo(1, 1)")
+    page.press("#problems .diagnostic")
+    head = "playground.editor.view.state.selection.main.head"
+    assert page.run(f"playground.editor.view.state.doc.sliceString({head}, {head} + 5)") == "widht"
+
+
+def test_what_does_not_end_is_stopped_and_the_next_text_is_built(page: Playground) -> None:
+    page.choose("pan_tilt")
+    page.write("robot: r\nprocess: |\n  while True: pass\nmodel:\n- link/name=a:\n")
+    assert "error[limit-time]" in page.text("#problems")
+    # A function in C hears of nothing, so the worker is ended.
+    page.write("robot: r\nprocess: sum(range(10 ** 12))\nmodel:\n- link/name=a:\n")
+    assert "stopped after 5 s" in page.text("#problems")
+    page.write("robot: r\nprocess: print('again')\nmodel:\n- link/name=a:\n")
+    assert page.text("#problems") == ""
+    assert page.run("document.getElementById('printed').textContent") == "again"
+
+
+def test_recursion_without_end_does_not_end_python(page: Playground) -> None:
+    page.choose("pan_tilt")
+    for text in (
+        "robot: r\nprocess: |\n  def f(n): return f(n + 1)\n  f(0)\nmodel:\n- link/name=a:\n",
+        "robot: r\nfunctions:\n- Nest(n): {Nest: $(n + 1)}\nmodel:\n- Nest: 0\n",
+    ):
+        page.write(text)
+        assert "error[too-deep]" in page.text("#problems")
+    page.write("robot: r\nmodel:\n- link/name=a:\n")
+    assert page.text("#problem-count") == "no problems"
+
+
+def test_a_link_holds_the_files_and_is_not_trusted(page: Playground) -> None:
+    page.choose("pan_tilt")
+    page.write("robot: r\nimport: [subprocess]\nmodel:\n- link/name=é😀:\n")
+    assert page.text("#trust") == ""
+    page.press("#share")
+    page.wait_for("location.hash.startsWith('#robot=')")
+    page.start(page.run("location.hash"))
+    assert page.run("document.getElementById('examples').value") == "link"
+    assert "import: [subprocess]" in page.run("playground.editor.texts()['pan_tilt.yaml']")
+    assert "error[unsafe-code]" in page.text("#problems")
+    page.press("#trust-run")
+    page.wait_for("playground.isReady && !playground.diagnostics.length")
+    assert page.text("#trust") == ""
+
+
+def test_the_robot_is_seen_before_python_has_started(page: Playground) -> None:
+    page.open("about:blank")
+    page.open(page.address)
+    page.wait_for("Boolean(window.playground?.hasState)")
+    assert not page.run("playground.built")
+    page.wait_for("playground.built && playground.isReady")
+
+
+def test_the_viewer_and_the_editor_follow_each_other(page: Playground) -> None:
+    page.choose("pan_tilt")
+    view = "document.getElementById('viewer').contentWindow"
+    page.wait_for(f"Boolean({view}.yamaro?.robot)")
+    page.run(f"{view}.document.getElementById('tree').querySelector('.row').click()")
+    page.wait_for(f"!{view}.document.getElementById('origin').hidden")
+    page.run(f"{view}.document.getElementById('origin-open').click()")
+    page.wait_for("playground.editor.view.state.selection.main.head > 0")
+
+
+def test_it_can_be_used_on_a_phone(page: Playground) -> None:
+    page.resize(390, 800)
+    try:
+        page.choose("quadruped")
+        assert page.run("document.documentElement.scrollWidth") <= 390
+        page.press("#sides [data-side=robot]")
+        assert page.run("document.getElementById('viewer').getBoundingClientRect().width") == 390
+    finally:
+        page.resize(1280, 800)
+
+
+def test_all_that_can_be_pressed_has_a_name(page: Playground) -> None:
+    page.choose("pan_tilt")
+    nameless = (
+        "[...document.querySelectorAll('button, select, a, iframe')].filter(e => "
+        "!(e.innerText || e.ariaLabel || e.title || e.labels?.length)).map(e => e.outerHTML)"
+    )
+    assert page.run(nameless) == []

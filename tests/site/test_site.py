@@ -1,0 +1,89 @@
+"""The site: every page is in it, every link leads somewhere, and it can be read on a phone."""
+
+from __future__ import annotations
+
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from tests.waiting import PATIENCE
+
+ROOT = Path(__file__).parents[2]
+sys.path.insert(0, str(ROOT / "web" / "site"))
+import links  # noqa: E402
+import stage  # noqa: E402
+
+
+@pytest.fixture(scope="module")
+def pages(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    folder = tmp_path_factory.mktemp("site") / "pages"
+    stage.main(folder)
+    return folder
+
+
+def test_every_page_is_in_the_menu_once(pages: Path) -> None:
+    menu = (ROOT / "mkdocs.yml").read_text(encoding="utf-8").partition("\nnav:")[2]
+    named = re.findall(r"^ *- (\S+\.md)$", menu, re.MULTILINE)
+    assert sorted(named) == sorted(path.name for path in pages.glob("*.md"))
+
+
+def test_links_lead_to_pages_of_the_site_or_to_files_that_are_brought_along(pages: Path) -> None:
+    for page in pages.glob("*.md"):
+        text = page.read_text(encoding="utf-8")
+        assert "](../" not in text, page.name
+        for name in re.findall(r"\]\((files/[^)#]+)", text):
+            assert (pages / name).read_bytes() == (ROOT / name.removeprefix("files/")).read_bytes()
+
+
+def test_fences_name_their_language_and_their_file(tmp_path: Path) -> None:
+    page = tmp_path / "page.md"
+    page.write_text(
+        "```yaml error file=r.yaml\na: [x](../y)\n```\n```console\n$ yamaro\n```\n", "utf-8"
+    )
+    assert stage.Stage(tmp_path).converted(page) == (
+        '```yaml title="r.yaml"\na: [x](../y)\n```\n```console\n$ yamaro\n```\n'
+    )
+
+
+def test_the_gallery_holds_all_files_of_the_examples(pages: Path) -> None:
+    text = (pages / "gallery.md").read_text(encoding="utf-8")
+    folders = [path for path in (ROOT / "examples").iterdir() if path.is_dir()]
+    for folder in folders:
+        for path in [*folder.rglob("*.yaml"), *folder.rglob("*.py")]:
+            assert f'??? example "{path.relative_to(folder).as_posix()}"' in text
+
+
+def test_a_link_that_leads_nowhere_is_found(tmp_path: Path) -> None:
+    (tmp_path / "a.html").write_text(
+        '<a href="b.html#there">1</a><a href="b.html#gone">2</a><a href="c.html">3</a>'
+        '<img src="b.html"><img src="b.html" alt="a page"><a href="https://example.org">4</a>',
+        "utf-8",
+    )
+    (tmp_path / "b.html").write_text('<p id="there">', "utf-8")
+    wrong, outside = links.faults(tmp_path)
+    assert wrong == [
+        "a.html: the picture b.html has no description",
+        "a.html: b.html#gone names no place of that page",
+        "a.html: c.html is not there",
+    ]
+    assert outside == 1
+
+
+@pytest.mark.slow
+def test_the_site_is_built_strictly() -> None:
+    made = subprocess.run(
+        ["scripts/site"],
+        cwd=ROOT,
+        capture_output=True,
+        text=True,
+        timeout=3 * PATIENCE,
+        check=False,
+    )
+    if "cannot be had" in made.stderr:
+        pytest.skip(made.stderr.strip())
+    assert made.returncode == 0, made.stdout[-3000:] + made.stderr[-3000:]
+    assert "all links lead somewhere" in made.stdout
+    assert (ROOT / "build" / "site" / "playground" / "pyodide" / "pyodide.asm.wasm").exists()

@@ -1,0 +1,322 @@
+// The playground: an editor, the robot, and what is written of it.
+
+import { byId, h, show } from "../../src/dom.js";
+import { diagnosticText } from "../../src/messages.js";
+import { Editor, Output } from "./editor.js";
+import { Runner } from "./runner.js";
+import { fromHash, toHash } from "./share.js";
+
+const PAUSE = 250; // milliseconds without a key after which the robot is built
+const FORMATS = { xml: "URDF", mjcf: "MJCF", sdf: "SDF" };
+
+let project = null; // {title, main, files, isTrusted}
+let examples = [];
+let diagnostics = [];
+let pane = "robot";
+let hasState = false;
+let built = 0; // how many answers to builds were shown, for tests
+const viewer = byId("viewer");
+const output = new Output(byId("output"));
+
+// --- the robot --------------------------------------------------------------------------------
+
+const runner = new Runner({
+  onStart: () => setStatus("ready"),
+  onRestart: () => {
+    setStatus("starting");
+    mustOpen = true; // once the text has changed: this one would hang again
+  },
+});
+let mustOpen = false;
+
+const opened = () => ({ files: editor.texts(), main: project.main, isTrusted: project.isTrusted });
+
+function setStatus(status) {
+  document.body.dataset.status = status;
+  byId("status").textContent = { starting: "starting Python …", busy: "building …", ready: "" }[status] ?? status;
+}
+
+let isBusy = false;
+let next = null; // what is to be asked once the worker is free
+
+/** Have the robot built; of several that wait, only the last one counts. */
+async function build(method, content) {
+  const isOpening = mustOpen || next?.method === "open" || method === "open";
+  next = isOpening ? { method: "open", content: null } : { method, content };
+  mustOpen = false;
+  if (isBusy) return;
+  isBusy = true;
+  while (next) {
+    const { method: asked, content: given } = next;
+    next = null;
+    setStatus(runner.isStarted ? "busy" : "starting");
+    take(await runner.ask(asked, asked === "open" ? opened() : given));
+  }
+  isBusy = false;
+  if (runner.isStarted) setStatus("ready");
+}
+
+function take(answer) {
+  diagnostics = answer.diagnostics ?? [];
+  if (answer.state) tellViewer(answer.state);
+  editor.mark(diagnostics);
+  markFiles();
+  byId("printed").textContent = answer.printed ?? "";
+  show(byId("printed-part"), Boolean(answer.printed));
+  const isRefused = Boolean(answer.isUnsafe) && !project.isTrusted;
+  show(byId("trust"), isRefused);
+  showProblems(answer.fault && !diagnostics.length ? answer.fault : "");
+  if (answer.isStopped) tellViewer(null);
+  built += 1;
+  void showOutput();
+}
+
+function showProblems(fault) {
+  const texts = diagnostics.map((one) => {
+    const text = diagnosticText(one.text, one.severity);
+    text.tabIndex = 0;
+    text.onclick = () => goTo(one);
+    text.onkeydown = ({ key }) => key === "Enter" && goTo(one);
+    return text;
+  });
+  if (fault) texts.unshift(h("pre.diagnostic", {}, fault));
+  byId("problems").replaceChildren(...texts);
+  const count = texts.length;
+  const hasErrors = Boolean(fault) || diagnostics.some(({ severity }) => severity === "error");
+  document.body.classList.toggle("has-errors", hasErrors);
+  byId("problem-count").textContent = count ? `${count} ${count === 1 ? "problem" : "problems"}` : "no problems";
+  show(byId("problems"), count > 0);
+}
+
+function goTo({ file, from }) {
+  if (!editor.states.has(file)) return;
+  showFile(file);
+  const place = editor.view.state.doc.lineAt(Math.min(from, editor.view.state.doc.length));
+  editor.goTo(place.number, from - place.from + 1);
+  showSide("edit");
+}
+
+// --- the editor -------------------------------------------------------------------------------
+
+let pause = 0;
+const changed = new Set();
+const editor = new Editor(byId("editor"), {
+  onChange(name) {
+    changed.add(name);
+    clearTimeout(pause);
+    pause = setTimeout(send, PAUSE);
+  },
+  onCursor: (file, line) => viewer.contentWindow?.postMessage({ type: "yamaro.line", file, line }, location.origin),
+  onFix(edits) {
+    editor.apply(edits);
+    markFiles();
+  },
+});
+
+function send() {
+  const texts = editor.texts();
+  const names = [...changed];
+  changed.clear();
+  if (names.length === 1) void build("change", { name: names[0], text: texts[names[0]] });
+  else void build("open", null);
+}
+
+function showFile(name) {
+  if (editor.active !== name) editor.show(name);
+  editor.mark(diagnostics);
+  markFiles();
+}
+
+function markFiles() {
+  const wrong = new Set(diagnostics.filter(({ severity }) => severity === "error").map(({ file }) => file));
+  byId("files").replaceChildren(
+    ...[...editor.states.keys()].map((name) =>
+      h(
+        "button.file-tab",
+        {
+          type: "button",
+          role: "tab",
+          aria: { selected: name === editor.active },
+          className: wrong.has(name) ? "file-tab wrong" : "file-tab",
+          title: name === project.main ? "the robot" : name,
+          onclick: () => showFile(name),
+        },
+        name,
+      ),
+    ),
+    h("button.file-tab.add", { type: "button", title: "Add a file", aria: { label: "Add a file" }, onclick: addFile }, "+"),
+  );
+}
+
+function addFile() {
+  const name = window.prompt("The name of the new file, such as leg.yaml:", "part.yaml")?.trim();
+  if (!name || editor.states.has(name) || name.startsWith("/") || name.split("/").includes("..")) return;
+  editor.add(name, "");
+  showFile(name);
+}
+
+function openProject(given) {
+  project = given;
+  diagnostics = [];
+  hasState = Boolean(given.state);
+  editor.open(given.files, given.main);
+  markFiles();
+  if (given.state) tellViewer(given.state);
+  void build("open", null);
+}
+
+// --- the viewer -------------------------------------------------------------------------------
+
+let isViewerReady = false;
+let lastState = null;
+
+function tellViewer(state) {
+  lastState = state ?? lastState;
+  if (!isViewerReady || !lastState) return;
+  hasState = true;
+  viewer.contentWindow.postMessage({ type: "yamaro.state", state: lastState }, location.origin);
+}
+
+async function answer(action, content) {
+  if (action === "rebuild") {
+    void build("build", {});
+    return {};
+  }
+  if (mustOpen) return { fault: "this robot was not built" };
+  const found = await runner.ask("act", { action, content });
+  if (action === "variables" && !found.fault) void build("build", {});
+  if (action === "open" && !found.fault && editor.states.has(found.file)) {
+    showFile(found.file);
+    editor.goTo(found.line, found.column);
+    showSide("edit");
+  }
+  if (!found.data) return found;
+  const { data, ...others } = found;
+  return { ...others, href: URL.createObjectURL(new Blob([data])) };
+}
+
+window.addEventListener("message", async ({ source, data, origin }) => {
+  if (source !== viewer.contentWindow || origin !== location.origin) return;
+  if (data?.type === "yamaro.ready") {
+    isViewerReady = true;
+    tellViewer(lastState);
+  }
+  if (data?.type === "yamaro.ask") {
+    const told = await answer(data.action, data.content);
+    viewer.contentWindow.postMessage({ type: "yamaro.answer", id: data.id, answer: told }, location.origin);
+  }
+});
+
+// --- what is written --------------------------------------------------------------------------
+
+function showPane(name) {
+  pane = name;
+  for (const tab of document.querySelectorAll("#panes button")) {
+    tab.setAttribute("aria-selected", String(tab.dataset.pane === name));
+  }
+  show(viewer, name === "robot");
+  show(byId("written"), name !== "robot");
+  showSide("robot");
+  void showOutput();
+}
+
+let written = 0;
+async function showOutput() {
+  if (pane === "robot") return;
+  const turn = ++written;
+  const told = mustOpen ? { fault: "this robot was not built" } : await runner.ask("write", { format: pane });
+  if (turn !== written) return;
+  const texts = (told.diagnostics ?? []).map((one) => diagnosticText(one.text, one.severity));
+  if (told.fault) texts.unshift(h("pre.diagnostic", {}, told.fault));
+  const title = `${FORMATS[pane]} of the robot`;
+  byId("loss-texts").replaceChildren(...texts);
+  byId("loss-count").textContent = told.text ? `What ${FORMATS[pane]} cannot hold` : `There is no ${title}`;
+  byId("losses").open = !told.text;
+  show(byId("losses"), texts.length > 0);
+  output.show(told.text ?? "", title);
+  show(byId("output"), Boolean(told.text));
+}
+
+/** On a small screen one side is shown at a time. */
+function showSide(name) {
+  document.body.dataset.side = name;
+  for (const button of document.querySelectorAll("#sides button")) {
+    button.setAttribute("aria-pressed", String(button.dataset.side === name));
+  }
+}
+
+// --- examples and links -----------------------------------------------------------------------
+
+function fillExamples() {
+  byId("examples").replaceChildren(
+    ...examples.map(({ title }, index) => h("option", { value: String(index) }, title)),
+    h("option", { value: "link", hidden: true }, "from a link"),
+  );
+}
+
+byId("examples").onchange = ({ target }) => {
+  history.replaceState(null, "", location.pathname);
+  openProject({ ...examples[Number(target.value)], isTrusted: true });
+};
+byId("trust-run").onclick = () => {
+  project.isTrusted = true;
+  show(byId("trust"), false);
+  void build("open", null);
+};
+byId("share").onclick = async () => {
+  const hash = await toHash({ files: editor.texts(), main: project.main });
+  history.replaceState(null, "", hash);
+  const isCopied = await navigator.clipboard?.writeText(location.href).then(() => true, () => false);
+  byId("share").textContent = isCopied ? "Link copied" : "Link is in the address";
+  setTimeout(() => (byId("share").textContent = "Share"), 2500);
+};
+for (const tab of document.querySelectorAll("#panes button")) tab.onclick = () => showPane(tab.dataset.pane);
+for (const button of document.querySelectorAll("#sides button")) {
+  button.onclick = () => showSide(button.dataset.side);
+}
+byId("problem-fold").onclick = () => {
+  const isFolded = document.body.classList.toggle("folded");
+  byId("problem-fold").setAttribute("aria-expanded", String(!isFolded));
+};
+
+async function openFirst() {
+  examples = await fetch("examples.json").then((response) => response.json());
+  fillExamples();
+  const shared = await fromHash(location.hash);
+  if (shared) {
+    byId("examples").value = "link";
+    openProject({ ...shared, title: "from a link", isTrusted: false });
+    return;
+  }
+  const wanted = new URLSearchParams(location.search).get("example");
+  const index = Math.max(examples.findIndex(({ name }) => name === wanted), 0);
+  byId("examples").value = String(index);
+  openProject({ ...examples[index], isTrusted: true });
+}
+
+window.addEventListener("hashchange", () => void openFirst());
+setStatus("starting");
+showSide("edit");
+showPane("robot");
+showSide("edit");
+void openFirst();
+
+// For tests and for the curious.
+window.playground = {
+  get built() {
+    return built;
+  },
+  get diagnostics() {
+    return diagnostics;
+  },
+  get isReady() {
+    return runner.isStarted && !isBusy && !next && !changed.size;
+  },
+  get hasState() {
+    return hasState;
+  },
+  editor,
+  output,
+  ask: (method, content) => runner.ask(method, content),
+  showPane,
+};

@@ -1,0 +1,135 @@
+"""Puts the pages of the site into a folder: those of docs/, and the gallery of the examples.
+
+    python web/site/stage.py FOLDER
+
+Pages stay as they are, but for what the site spells in another way: links that lead out of docs/,
+and the words behind the language of a fenced example, which are for the tests.
+"""
+
+from __future__ import annotations
+
+import re
+import shutil
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+DOCS = ROOT / "docs"
+PAGES = {
+    "docs/README.md": "contents.md",
+    "examples/README.md": "gallery.md",
+    "README.md": "index.md",
+    "CHANGELOG.md": "changelog.md",
+    "CONTRIBUTING.md": "contributing.md",
+    "SECURITY.md": "security.md",
+    "ARCHITECTURE.md": "architecture.md",
+}
+"""Pages that have another name on the site than in the repository."""
+LINK = re.compile(r"""(?:(?<=\]\()|(?<=src="))([^)"\s#]+)?(#[^)"\s]*)?(?=[)"])""")
+FENCE = re.compile(r"^(?P<indent> *)(?P<fence>`{3,})(?P<info>[^`\n]*)$")
+FILE = re.compile(r"\bfile=(\S+)")
+
+
+def main(target: Path) -> None:
+    """Write all pages and what they show."""
+    shutil.rmtree(target, ignore_errors=True)
+    target.mkdir(parents=True)
+    shutil.copytree(DOCS / "pictures", target / "pictures")
+    for page in DOCS.iterdir():
+        if page.suffix in (".png", ".svg"):
+            shutil.copy(page, target / page.name)
+    stage = Stage(target)
+    for page in sorted(DOCS.glob("*.md")):
+        name = PAGES.get(f"docs/{page.name}", page.name)
+        stage.write(name, stage.converted(page))
+    for name in ("CHANGELOG.md", "CONTRIBUTING.md", "SECURITY.md", "ARCHITECTURE.md"):
+        stage.write(PAGES[name], stage.converted(ROOT / name))
+    stage.write(
+        "gallery.md", stage.converted(ROOT / "examples" / "README.md") + files_of_examples()
+    )
+    shutil.copytree(ROOT / "web" / "site" / "assets", target / "assets")
+
+
+class Stage:
+    """The folder of the site's pages."""
+
+    def __init__(self, target: Path) -> None:
+        self._target = target
+
+    def write(self, name: str, text: str) -> None:
+        """Write a page."""
+        (self._target / name).write_text(text, encoding="utf-8")
+
+    def converted(self, page: Path) -> str:
+        """Return a page as the site spells it."""
+        lines: list[str] = []
+        closing = ""
+        for line in page.read_text(encoding="utf-8").splitlines():
+            fence = FENCE.match(line)
+            if closing:
+                closing = "" if line.strip() == closing else closing
+                lines.append(line)
+            elif fence:
+                closing = fence["fence"]
+                lines.append(f"{fence['indent']}{closing}{_info(fence['info'])}")
+            else:
+                lines.append(LINK.sub(lambda found: self._link(page, found), line))
+        return "\n".join(lines) + "\n"
+
+    def _link(self, page: Path, found: re.Match[str]) -> str:
+        path, anchor = found[1] or "", found[2] or ""
+        if not path or "://" in path or path.startswith("mailto:"):
+            return f"{path}{anchor}"
+        meant = (page.parent / path).resolve()
+        if not meant.exists():  # made when the site is built
+            return f"{path}{anchor}"
+        name = meant.relative_to(ROOT).as_posix()
+        if name in PAGES:
+            return f"{PAGES[name]}{anchor if name != 'README.md' else ''}"
+        if meant.is_relative_to(DOCS):
+            return f"{meant.relative_to(DOCS).as_posix()}{anchor}"
+        if name.startswith("examples/") and meant.is_dir():
+            return f"gallery.md#{Path(name).parts[1]}"
+        if meant.is_dir():
+            return "contents.md"
+        return f"{self._copied(name)}{anchor}"
+
+    def _copied(self, name: str) -> str:
+        """Have a file of the repository beside the pages, and return its name there."""
+        path = self._target / "files" / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        # A page of the site is what ends in .md; other files are given as they are.
+        shutil.copy(ROOT / name, path)
+        return f"files/{name}"
+
+
+def _info(info: str) -> str:
+    words = info.split()
+    if not words:
+        return ""
+    file = FILE.search(info)
+    language = {"console": "console", "sh": "bash"}.get(words[0], words[0])
+    return f'{language} title="{file[1]}"' if file else language
+
+
+def files_of_examples() -> str:
+    """Return the files of all examples, each folded, below a picture."""
+    parts = []
+    for folder in sorted(path for path in (ROOT / "examples").iterdir() if path.is_dir()):
+        parts.append(f"\n## {folder.name}\n")
+        if (DOCS / "pictures" / f"{folder.name}.png").exists():
+            parts.append(f"![{folder.name}](pictures/{folder.name}.png)\n")
+        for path in sorted(folder.rglob("*"), key=lambda one: (one.parent, one.name)):
+            if path.suffix in (".yaml", ".py"):
+                name = path.relative_to(folder).as_posix()
+                text = path.read_text(encoding="utf-8")
+                body = "".join(f"    {line}\n" if line else "\n" for line in text.splitlines())
+                language = path.suffix[1:]
+                parts.append(f'??? example "{name}"\n\n    ```{language}\n{body}    ```\n')
+    return "\n".join(parts)
+
+
+if __name__ == "__main__":
+    if len(sys.argv) != 2:
+        sys.exit("usage: python web/site/stage.py FOLDER")
+    main(Path(sys.argv[1]))
