@@ -737,3 +737,75 @@ def test_world_includes_models_as_sdf_does() -> None:
     assert uris["robot"] == "my_robot.urdf"
     without = read(compile_example("world"))
     assert [include.findtext("name") for include in without.iter("include")] == ["finish"]
+
+
+# --- ur5e -------------------------------------------------------------------------------------
+
+CORPUS = Path(__file__).parents[2] / "shared" / "corpus"
+UR_URDF = (
+    CORPUS / "expected" / "UniversalRobots+Universal_Robots_ROS2_Description" / "urdf"
+    / "ur.urdf.xacro#ur_type=ur5e.urdf"
+)  # fmt: skip
+UR5E_DH = [  # a, d in m, alpha in half turns, as published by Universal Robots
+    (0, 0.1625, 0.5), (-0.425, 0, 0), (-0.3922, 0, 0),
+    (0, 0.1333, 0.5), (0, 0.0997, -0.5), (0, 0.0996, 0),
+]  # fmt: skip
+UR5E_JOINTS = ["shoulder_pan", "shoulder_lift", "elbow", "wrist_1", "wrist_2", "wrist_3"]
+UR5E_LINKS = ["base_link_inertia", "shoulder_link", "upper_arm_link", "forearm_link",
+              "wrist_1_link", "wrist_2_link", "wrist_3_link", "tool0"]  # fmt: skip
+
+
+def ur5e_positions(seed: int) -> dict[str, float]:
+    angles = np.random.default_rng(seed).uniform(-math.pi, math.pi, 6)
+    return {f"{name}_joint": angle for name, angle in zip(UR5E_JOINTS, angles, strict=True)}
+
+
+def turned(angle: float, axis: int) -> Any:
+    """Return the 4×4 rotation about x (0) or z (2)."""
+    c, s = math.cos(angle), math.sin(angle)
+    T = np.eye(4)
+    i, j = [k for k in range(3) if k != axis]
+    T[[i, i, j, j], [i, j, i, j]] = c, -s, s, c
+    return T
+
+
+def moved(x: float, z: float) -> Any:
+    T = np.eye(4)
+    T[[0, 2], 3] = x, z
+    return T
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_ur5e_has_the_kinematics_of_its_published_table(seed: int) -> None:
+    positions = ur5e_positions(seed)
+    T = turned(math.pi, 2)  # the controller's base, in base_link
+    for (a, d, half_turns), angle in zip(UR5E_DH, positions.values(), strict=True):
+        T = T @ turned(angle, 2) @ moved(a, d) @ turned(half_turns * math.pi, 0)
+    placed = Placed(compile_example("ur5e"), **positions)
+    np.testing.assert_allclose(placed.T("tool0"), T, atol=1e-12)
+
+
+@pytest.mark.skipif(not UR_URDF.exists(), reason="there is no corpus")
+@pytest.mark.parametrize("seed", range(5))
+def test_ur5e_moves_and_weighs_as_the_model_of_its_manufacturer(seed: int) -> None:
+    positions = ur5e_positions(seed)
+    theirs = Placed(UR_URDF.read_text(encoding="utf-8"), **positions)
+    ours = Placed(compile_example("ur5e"), **positions)
+    for link in UR5E_LINKS:  # their angles are rounded to 2e-10
+        np.testing.assert_allclose(ours.T(link), theirs.T(link), atol=1e-8, err_msg=link)
+    for name in positions:
+        expected = theirs.model.inertias[theirs.model.getJointId(name)]
+        actual = ours.model.inertias[ours.model.getJointId(name)]
+        assert actual.mass == expected.mass
+        np.testing.assert_allclose(actual.lever, expected.lever, atol=1e-12)
+    for limit_of in ("lowerPositionLimit", "upperPositionLimit", "effortLimit", "velocityLimit"):
+        expected = getattr(theirs.model, limit_of)
+        np.testing.assert_allclose(getattr(ours.model, limit_of), expected, atol=1e-12)
+
+
+def test_ur5e_weighs_what_its_data_sheet_says_and_can_be_limited_to_half_turns() -> None:
+    root = read(compile_example("ur5e"))
+    assert total_mass(root) == pytest.approx(20.6, abs=1e-12)
+    half = read(compile_example("ur5e", "turns:=half"))
+    for name in UR5E_JOINTS:
+        assert limit(half, f"{name}_joint")["upper"] == pytest.approx(math.pi, abs=1e-12)

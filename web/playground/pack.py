@@ -27,6 +27,7 @@ EXAMPLES = (
     ("pan_tilt", "A camera on two servos", "pan_tilt.yaml"),
     ("quadruped", "A robot dog, 12 joints", "quadruped.yaml"),
     ("arm", "A six-axis arm with a gripper", "arm.yaml"),
+    ("ur5e", "A real arm, from its published numbers", "ur5e.yaml"),
     ("diff_drive", "Two wheels, lidar and camera", "diff_drive.yaml"),
     ("drone", "A quadcopter with its sensors", "drone.yaml"),
     ("dual_arm_cell", "Two arms on a table", "dual_arm_cell.yaml"),

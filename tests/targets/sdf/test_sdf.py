@@ -27,6 +27,7 @@ EXAMPLES = [
         "mobile_manipulator/mobile_manipulator.yaml",
         "pan_tilt/pan_tilt.yaml",
         "quadruped/quadruped.yaml",
+        "ur5e/ur5e.yaml",
     )
 ]
 ARM = """
