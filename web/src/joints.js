@@ -22,7 +22,7 @@ export class Joints {
     byId("joint-reset").onclick = () => this.reset();
   }
 
-  /** Show the joints of a robot, in the positions in which those of the same names were. */
+  /** Show the joints of a robot at rest; `restore` moves those that the user has moved. */
   setRobot(robot, size) {
     this.robot = robot;
     this.rows.clear();
@@ -35,13 +35,24 @@ export class Joints {
     show(this.search, this.rows.size > FEW);
     show(byId("joint-reset"), this.rows.size > 0);
     this.filter();
+    this.rest();
+  }
+
+  /** Put all joints to rest; what the user has set is not forgotten. */
+  rest() {
     for (const { joint, parts } of this.rows.values()) {
-      if (joint.mimicJoint) continue;
-      const wanted = this.positions.get(joint.name) ?? [];
-      robot.setJoint(
-        joint.name,
-        parts.map((part, index) => clamp(wanted[index] ?? restOf(part), part)),
-      );
+      if (!joint.mimicJoint) this.robot.setJoint(joint.name, parts.map(restOf));
+    }
+    this.showValues();
+  }
+
+  /** Put the joints where the user has set them, within their limits. */
+  restore() {
+    for (const { joint, parts } of this.rows.values()) {
+      const wanted = this.positions.get(joint.name);
+      if (!wanted || joint.mimicJoint) continue;
+      const values = parts.map((part, index) => clamp(wanted[index] ?? restOf(part), part));
+      this.robot.setJoint(joint.name, values);
     }
     this.showValues();
   }
@@ -117,15 +128,7 @@ export class Joints {
   /** Put all joints to rest. */
   reset() {
     this.positions.clear();
-    for (const { joint, parts } of this.rows.values()) {
-      if (!joint.mimicJoint) {
-        this.robot.setJoint(
-          joint.name,
-          parts.map(restOf),
-        );
-      }
-    }
-    this.showValues();
+    this.rest();
     this.told.onMove();
   }
 

@@ -1,6 +1,7 @@
 // The page of `yamaro view`: puts the parts together.
 
 import { follow, latestPoster, post } from "./connection.js";
+import { copy } from "./copying.js";
 import { followCursor, linkAt } from "./cursor.js";
 import { byId, show } from "./dom.js";
 import { Downloads } from "./downloads.js";
@@ -10,9 +11,11 @@ import { Fault, Warnings } from "./messages.js";
 import { Origin } from "./origin.js";
 import { Robot } from "./robot.js";
 import { Stage } from "./stage.js";
+import { Theme } from "./theme.js";
 import { Tree } from "./tree.js";
 import { Variables } from "./variables.js";
 
+const THEME_SIGNS = { auto: "◐", light: "☀", dark: "☾" };
 const KINDS = ["visual", "collision", "inertia", "frames", "axes"];
 const shown = { visual: true, collision: false, inertia: false, frames: false, axes: false };
 
@@ -101,13 +104,14 @@ async function build(description, version) {
   const isFirst = robot === null;
   robot?.dispose();
   robot = next;
+  tree.setRobot(robot);
+  joints.setRobot(robot, sizeOf(robot));
   const bounds = robot.bounds();
-  robot.addMarks(bounds.getSize(stage.camera.position.clone()).length() / 2);
+  robot.addMarks(sizeOf(robot));
   stage.setRobot(robot, bounds);
   for (const kind of KINDS) robot.setShown(kind, shown[kind]);
-  if (isFirst) stage.look("iso", bounds);
-  tree.setRobot(robot);
-  joints.setRobot(robot, stage.radius);
+  if (isFirst) stage.look("iso", robot.outermostPoints());
+  joints.restore();
   warnings.set(description.diagnostics, description.places);
   for (const [mesh, reason] of faults) warnings.addMeshFault(mesh, reason);
   byId("name").textContent = robot.name || "robot";
@@ -115,6 +119,9 @@ async function build(description, version) {
   select(robot.links.has(selection.link) ? selection.link : null, selection.shape);
   stage.drawNow();
 }
+
+/** Return half of the diagonal of the box around a robot, in m. */
+const sizeOf = (shown) => shown.bounds().getSize(stage.camera.position.clone()).length() / 2;
 
 const cellText = (meters) =>
   meters >= 1 ? `${meters} m` : meters >= 0.01 ? `${Math.round(100 * meters)} cm` : `${Number((1000 * meters).toPrecision(2))} mm`;
@@ -155,8 +162,7 @@ function selectOwner({ link, joint }) {
 async function openPlace({ place, variable, text, isFault = false }) {
   if (!state.editor) {
     const plain = variable ? `${state.file} ${variable}` : text;
-    await navigator.clipboard?.writeText(plain).catch(() => {});
-    notify(`copied ${plain}`);
+    if (await copy(plain)) notify(`copied ${plain}`);
     return;
   }
   const version = isFault ? state.version : state.robotVersion;
@@ -195,7 +201,7 @@ function showPane(name) {
 function onKey(event) {
   if (event.target.closest("input, textarea") || event.ctrlKey || event.metaKey || event.altKey) return;
   const leave = () => (downloads.card.hidden ? select(null) : downloads.toggle(false));
-  const actions = { f: () => look("iso"), r: () => joints.reset(), Escape: leave };
+  const actions = { f: () => look("iso"), r: () => joints.reset(), t: () => theme.next(), Escape: leave };
   KINDS.forEach((kind, index) => (actions[String(index + 1)] = () => toggle(kind)));
   if (event.key === "/") {
     event.preventDefault();
@@ -204,7 +210,7 @@ function onKey(event) {
   actions[event.key]?.();
 }
 
-const look = (view) => robot && stage.look(view, robot.bounds());
+const look = (view) => robot && stage.look(view, robot.outermostPoints());
 
 byId("time").onclick = () => post("rebuild", {});
 for (const kind of KINDS) byId(`show-${kind}`).onclick = () => toggle(kind);
@@ -217,13 +223,14 @@ for (const tab of document.querySelectorAll("#tabs button")) {
 document.addEventListener("keydown", onKey);
 showPane("joints");
 
-const dark = window.matchMedia("(prefers-color-scheme: dark)");
-const followTheme = () => {
-  stage.setTheme(dark.matches ? "dark" : "light");
+const theme = new Theme((colors, chosen) => {
+  stage.setTheme(colors);
   stage.draw();
-};
-dark.addEventListener("change", followTheme);
-followTheme();
+  byId("theme").textContent = THEME_SIGNS[chosen];
+  byId("theme").title = `Colours: ${chosen} (t)`;
+  byId("theme").setAttribute("aria-label", `Colours: ${chosen}`);
+});
+byId("theme").onclick = () => theme.next();
 follow(onState, onConnection);
 followCursor((file, line) => {
   const link = robot && linkAt(robot, file, line);

@@ -6,9 +6,9 @@ import { LineSegments2 } from "three/addons/lines/LineSegments2.js";
 import { LineSegmentsGeometry } from "three/addons/lines/LineSegmentsGeometry.js";
 import { mergeGeometries } from "three/addons/utils/BufferGeometryUtils.js";
 
-const AXIS_COLORS = [0xe5484d, 0x30a46c, 0x3e63dd];
-const JOINT_COLOR = 0x8e4ec6;
-const INERTIA_COLOR = 0x12a594;
+const AXIS_COLORS = [0xdb2930, 0x2e9e3d, 0x295cdb];
+const JOINT_COLOR = 0x12a594;
+const INERTIA_COLOR = 0x8057cc;
 const ABOVE_BODIES = 10;
 const OUTLINE = new LineMaterial({ color: 0x2563eb, linewidth: 2.2 }); // pixels
 const MOST_OUTLINED = 60_000; // corners of a body

@@ -13,6 +13,7 @@ const CREASE = Math.PI / 6;
 const MOST_CREASED = 300_000; // corners; larger meshes are shown as they are
 
 const MOST_METALNESS = 0.3;
+const DARKEST = 0.05; // how bright black is drawn, so that its form is seen: as in `yamaro picture`
 
 const addressOf = (key) => `file/${key}`;
 const loaded = new Map();
@@ -124,6 +125,13 @@ async function ofObj(text, file, manager) {
   return group;
 }
 
+/** Make the colour of a material a little lighter if it is dark. */
+export function lighten({ color }) {
+  const parts = color.getRGB({}, THREE.SRGBColorSpace);
+  const [r, g, b] = [parts.r, parts.g, parts.b].map((part) => DARKEST + (1 - DARKEST) * part);
+  color.setRGB(r, g, b, THREE.SRGBColorSpace);
+}
+
 /** Return a copy with materials of its own, since what is selected is shown in another colour. */
 function cloned(original) {
   const copy = original.clone(true);
@@ -138,6 +146,7 @@ function cloned(original) {
 /** Return a copy of a material; metal is made duller, since there is nothing here to mirror. */
 function ownMaterial(material) {
   const own = material.clone();
+  if (own.color && !own.map) lighten(own);
   if ("metalness" in own) own.metalness = Math.min(own.metalness, MOST_METALNESS);
   return own;
 }

@@ -2,6 +2,7 @@
 
 import * as THREE from "three";
 import URDFLoader from "urdf-loader";
+import { outermost } from "./cameras.js";
 import { equivalentBox } from "./inertia.js";
 import { beginRobot, endRobot } from "./meshes.js";
 import { axesMark, centreMark, equivalentBoxMark, jointMark, outlineMark } from "./marks.js";
@@ -41,6 +42,7 @@ export class Robot {
     this.masses = new Map();
     this.highlighted = { hovered: null, selected: null };
     this.outlines = [];
+    this.corners = new Map(); // geometry → its outermost corners
     this.ready = this.addShapes(told);
   }
 
@@ -93,6 +95,30 @@ export class Robot {
     }
     const frames = this.frameBounds();
     return frames.isEmpty() ? box.set(new THREE.Vector3(), new THREE.Vector3()) : frames;
+  }
+
+  /** Return points of the robot as it stands, which have to be in a picture of it, in the world. */
+  outermostPoints() {
+    this.object.updateMatrixWorld(true);
+    const found = [];
+    let isWhole = true;
+    for (const kind of ["visual", "collision"]) {
+      for (const { group } of this.shapes.filter((shape) => shape.kind === kind)) {
+        group.traverse((node) => {
+          if (node.name === "missing") isWhole = false;
+          if (!node.isMesh || node.isLineSegments2) return;
+          const corners = this.corners.get(node.geometry) ?? outermost(node.geometry);
+          this.corners.set(node.geometry, corners);
+          for (const corner of corners) found.push(corner.clone().applyMatrix4(node.matrixWorld));
+        });
+      }
+      if (found.length) break;
+    }
+    if (found.length && isWhole) return found;
+    for (const link of this.links.values()) {
+      found.push(new THREE.Vector3().setFromMatrixPosition(link.matrixWorld));
+    }
+    return found.length ? found : [new THREE.Vector3()];
   }
 
   /** Add frames, joint axes and inertias in a size that suits the robot. */

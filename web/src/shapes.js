@@ -1,14 +1,15 @@
 // Makes the bodies of links: geometry, material, and a mark of where each was written.
 
 import * as THREE from "three";
-import { loadMesh, loadTexture } from "./meshes.js";
+import { lighten, loadMesh, loadTexture } from "./meshes.js";
 import { childOf, childrenOf, numbersIn } from "./urdf.js";
 
-const DEFAULT_COLOR = [0.72, 0.73, 0.75, 1];
-const COLLISION_COLOR = 0xf08c00;
+// The colours of `yamaro picture`, in which a robot looks the same.
+const DEFAULT_COLOR = [0.74, 0.76, 0.79, 1];
+const COLLISION_COLOR = 0xed9938;
 const COLLISION_EDGE = 0xd9480f;
 const MOST_OUTLINED = 60_000; // corners of a mesh whose edges are drawn
-const MISSING_COLOR = 0xd6336c;
+const MISSING_COLOR = 0xe64d40;
 
 /** The materials of a robot by name: those under the root, and those that links define. */
 export class Materials {
@@ -37,7 +38,7 @@ export class Materials {
       definition && childOf(definition, "texture") ? [1, 1, 1, 1] : DEFAULT_COLOR,
     );
     const material = new THREE.MeshStandardMaterial({ roughness: 0.62, metalness: 0.05 });
-    material.color.setRGB(r, g, b, THREE.SRGBColorSpace);
+    setColor(material, [r, g, b]);
     setOpacity(material, a);
     const texture = isDefined ? shape?.texture : this.textures.get(name);
     if (texture) material.map = loadTexture(texture, onLoad);
@@ -155,6 +156,11 @@ function collisionMaterial() {
   material.polygonOffsetFactor = -1;
   material.polygonOffsetUnits = -1;
   return material;
+}
+
+function setColor(material, color) {
+  material.color.setRGB(...color, THREE.SRGBColorSpace);
+  lighten(material);
 }
 
 function setOpacity(material, opacity) {

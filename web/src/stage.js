@@ -2,26 +2,16 @@
 
 import * as THREE from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
+import { FIELD_OF_VIEW, fitted } from "./cameras.js";
 import { oncePerFrame } from "./dom.js";
 
-const VIEWS = {
-  iso: [0.76, 0.53, 0.375], // as in `yamaro picture`: 35° to the left, 22° up
-  front: [1, 0, 0],
-  back: [-1, 0, 0],
-  left: [0, 1, 0],
-  right: [0, -1, 0],
-  top: [0, 0, 1],
-};
-const FIELD_OF_VIEW = 32; // degrees
-const CLICK_DISTANCE = 5; // pixels that a click may wander
+export const CLICK_DISTANCE = 5; // pixels that a click may wander
 const GRID_CELLS = 40;
 const CELLS_ACROSS = 8; // the robot
 const COLORS = {
   light: { grid: 0x9aa4b2, gridOpacity: 0.55, shadow: 0.2, sky: 0xffffff, ground: 0xb9c2cf },
   dark: { grid: 0x8b98a9, gridOpacity: 0.42, shadow: 0.42, sky: 0xe8efff, ground: 0x39414d },
 };
-
-THREE.Object3D.DEFAULT_UP.set(0, 0, 1);
 
 export class Stage {
   /**
@@ -43,6 +33,7 @@ export class Stage {
     this.renderer.shadowMap.enabled = true;
     this.renderer.shadowMap.type = THREE.PCFShadowMap;
     this.camera = new THREE.PerspectiveCamera(FIELD_OF_VIEW, 1, 0.01, 100);
+    this.camera.up.set(0, 0, 1);
     this.controls = new OrbitControls(this.camera, canvas);
     this.controls.enableDamping = false;
     this.controls.zoomToCursor = true;
@@ -59,7 +50,7 @@ export class Stage {
     this.followPointer();
     new ResizeObserver(() => this.resize()).observe(canvas.parentElement);
     this.resize();
-    this.look("iso", new THREE.Box3(new THREE.Vector3(-0.5, -0.5, 0), new THREE.Vector3(0.5, 0.5, 1)));
+    this.look("iso", [new THREE.Vector3(-0.5, -0.5, 0), new THREE.Vector3(0.5, 0.5, 1)]);
   }
 
   addLights() {
@@ -145,16 +136,12 @@ export class Stage {
     }
   }
 
-  /** Look at a box from one of the `VIEWS`, from as far as shows all of it. */
-  look(view, bounds) {
-    const sphere = bounds.getBoundingSphere(new THREE.Sphere());
-    const direction = new THREE.Vector3(...VIEWS[view]).normalize();
-    const angle = THREE.MathUtils.degToRad(FIELD_OF_VIEW / 2);
-    const narrow = Math.atan(Math.tan(angle) * Math.min(1, this.camera.aspect));
-    const distance = (1.04 * Math.max(sphere.radius, 1e-3)) / Math.sin(narrow);
-    this.controls.target.copy(sphere.center);
-    this.camera.position.copy(sphere.center).addScaledVector(direction, distance);
-    if (view === "top") this.camera.position.x -= 1e-4 * distance; // x points up
+  /** Look at points in the world from one of the `VIEWS`, from as far as shows all of them. */
+  look(view, points) {
+    const { position, target } = fitted(view, points, this.camera.aspect);
+    this.controls.target.copy(target);
+    this.camera.position.copy(position);
+    if (view === "top") this.camera.position.x -= 1e-4 * position.distanceTo(target); // x points up
     this.controls.update();
     this.draw();
   }
@@ -206,15 +193,25 @@ export class Stage {
 
   /** Return the body that is seen at a pointer's place, or null. */
   hit(event) {
+    return this.hitAt(event)?.object ?? null;
+  }
+
+  /** Return the body and the point on it that are seen at a pointer's place, or null. */
+  hitAt(event) {
+    const hits = this.casterAt(event).intersectObject(this.holder, true);
+    return hits.find(({ object }) => isSeen(object) && object.isMesh) ?? null;
+  }
+
+  /** Return what casts a ray from the camera through a pointer's place. */
+  casterAt({ clientX, clientY }) {
     const frame = this.canvas.getBoundingClientRect();
     const point = new THREE.Vector2(
-      (2 * (event.clientX - frame.left)) / frame.width - 1,
-      1 - (2 * (event.clientY - frame.top)) / frame.height,
+      (2 * (clientX - frame.left)) / frame.width - 1,
+      1 - (2 * (clientY - frame.top)) / frame.height,
     );
     const caster = new THREE.Raycaster();
     caster.setFromCamera(point, this.camera);
-    const hits = caster.intersectObject(this.holder, true);
-    return hits.find(({ object }) => isSeen(object) && object.isMesh)?.object ?? null;
+    return caster;
   }
 }
 

@@ -1,6 +1,7 @@
 // The arguments or variables of the main file as fields. Changing one has the robot built with it; the
 // file stays as it is.
 
+import { copy } from "./copying.js";
 import { byId, h, show } from "./dom.js";
 
 const STEPS = 200;
@@ -100,8 +101,7 @@ export class Variables {
   }
 
   async copyAssignments() {
-    await navigator.clipboard?.writeText(this.assignments());
-    this.told.onCopied();
+    if (await copy(this.assignments())) this.told.onCopied();
   }
 }
 
