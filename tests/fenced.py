@@ -19,7 +19,7 @@ from tests.waiting import PATIENCE
 REPOSITORY = Path(__file__).parents[1]
 
 DEFAULT_FILE = "robot.yaml"
-YAML_WORDS = {"continued", "error", "fragment", "included", "not-run", "quiet"}
+YAML_WORDS = {"continued", "error", "fragment", "included", "not-run", "quiet", "whole"}
 RUN_LANGUAGES = {"yaml", "xml", "text", "python", "console", "sh", "bash"}
 # Commands that examples may run; the others, such as pip or ros2, are only shown.
 COMMANDS = {"cat", "check_urdf", "cp", "diff", "echo", "grep", "head", "ls", "mkdir", "python"}
@@ -190,6 +190,9 @@ class Document:
         if unknown:
             raise WrongExampleError(f"unknown words after yaml: {unknown}")
         name = block.settings.get("file", DEFAULT_FILE)
+        if "whole" in block.words:
+            self.compare(block.text, self.last_text.get(name, ""), f"what is in {name} by now")
+            return
         text = block.text
         if "continued" in block.words:
             text = self.last_text.get(name, "") + text

@@ -64,6 +64,8 @@ RIGHT = {
     "a print": "```yaml\nlaunch:\n  print: hello\n```\n```text\nhello\n```\n",
     "an included file": "```yaml file=part.yaml included\nmodel:\n  a: $(n)\n```\n"
     "```yaml fragment\ninclude: {path: part.yaml, n: 4}\n```\n```xml\n<a>4</a>\n```\n",
+    "a whole file so far": "```yaml\na:\n- b: 1\n```\n```yaml continued\n- c: 2\n```\n"
+    "```yaml whole\na:\n- b: 1\n- c: 2\n```\n",
     "python": "```python\nprint(1 + 1)\n```\n```text\n2\n```\n",
     "a session": "```yaml\nlaunch:\n  a: 1\n```\n```console\n$ yamaro robot.yaml\n…\n  <a>1</a>\n"
     "…\n$ echo a\na\n$ ros2 run\n```\n",
@@ -79,6 +81,7 @@ WRONG = {
     "an error not shown": "```yaml error\nlaunch:\n  a: $(oops)\n```\n",
     "a print not shown": "```yaml\nlaunch:\n  print: hello\n```\n",
     "other output": RIGHT["python"].replace("\n2\n", "\n3\n"),
+    "a whole file that is another": "```yaml\na: {b: 1}\n```\n```yaml whole\na: {b: 2}\n```\n",
     "a failing program": "```python\nraise SystemExit(3)\n```\n",
     "another session": RIGHT["a session"].replace("\na\n", "\nb\n"),
     "a failing script": "```sh\nyamaro missing.yaml\n```\n",

@@ -5,6 +5,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from tests import tutorial
 from tests.tools.picture.drawing import needs_drawing, pixels
 from yamaro.commands.main import main
 
@@ -45,7 +46,8 @@ def test_a_picture_of_the_docs_is_what_is_drawn_now(
     height, width = kept.shape[:2]
     monkeypatch.chdir(REPOSITORY)
     output = tmp_path / name
-    own = PICTURES[name]
+    tutorial.main(tmp_path)
+    own = [word.replace("build/tutorial", str(tmp_path)) for word in PICTURES[name]]
     size = [] if "--size" in own else ["--size", f"{width}x{height}"]
     assert main(["picture", "-q", *own, *size, "-o", str(output)]) == 0
     drawn = pixels(output)
