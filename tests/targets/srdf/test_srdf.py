@@ -230,3 +230,48 @@ def test_pairs_to_keep_are_checked(tmp_path: Path) -> None:
     }
     path.write_text(ARM + "collisions: {samples: 50, keep: [[upper_link, base_link]]}\n")
     assert pairs_of(srdf_of(path), "Adjacent") == {("hand_link", "upper_link")}
+
+
+def _wanted() -> Any:
+    """Return what is asked for, of a robot without meshes."""
+    from yamaro.targets.mesh_paths import MeshPaths
+    from yamaro.targets.output import Wanted
+
+    finder: Any = None
+    return Wanted("srdf", name="", is_fixed=True, paths=MeshPaths("keep", "", finder))
+
+
+def test_the_search_knows_how_distances_grow(tmp_path: Path) -> None:
+    """The slope of a distance is that of differences, for joints that turn, slide and follow."""
+    from yamaro.targets.srdf.scene import Scene
+
+    ball = '<collision><geometry><sphere radius="0.05"/></geometry></collision>'
+    rows = (
+        ("j1", "revolute", "base", "a", "0 0 1", "0.3 0 0.1", ""),
+        ("j2", "prismatic", "a", "b", "0.6 0 0.8", "0.2 0.1 0", ""),
+        ("j3", "revolute", "b", "c", "0 1 0", "0.1 0.2 0.3", '<mimic joint="j1" multiplier="-2"/>'),
+        ("k1", "revolute", "base", "d", "1 0 0", "-0.4 0.2 0", ""),
+    )
+    joints = "".join(
+        f'<joint name="{name}" type="{kind}"><parent link="{parent}"/><child link="{child}"/>'
+        f'<origin xyz="{xyz}" rpy="0.3 -0.2 0.5"/><axis xyz="{axis}"/>{more}'
+        '<limit lower="-1" upper="1" effort="1" velocity="1"/></joint>'
+        for name, kind, parent, child, axis, xyz, more in rows
+    )
+    links = "".join(f'<link name="{name}">{ball}{INERTIA}</link>' for name in ("base", *"abcd"))
+    path = tmp_path / "robot.urdf"
+    path.write_text(f'<robot name="slopes">{links}{joints}</robot>')
+    robot = yamaro.build(path).robot
+    scene = Scene(robot, [("base", "c"), ("c", "d")], _wanted())
+    scene.measure()
+    assert [joint.name for joint in scene.joints] == ["j1", "j2", "k1"]
+    row, h = np.array([0.4, -0.3, 0.6]), 1e-6
+    for number in (0, 1):
+        _, slope = scene.distance(number, row)
+        differences = [
+            (scene.distance(number, row + step)[0] - scene.distance(number, row - step)[0])
+            / (2 * h)
+            for step in h * np.eye(3)
+        ]
+        assert slope == pytest.approx(differences, abs=1e-5)
+    assert scene.moves(("base", "c"))

@@ -6,7 +6,7 @@ Joints that mimic one follow it; planar and floating ones stay at 0.
 
 from __future__ import annotations
 
-from math import pi
+from math import hypot, pi
 from typing import TYPE_CHECKING, Any
 
 import coal
@@ -61,7 +61,8 @@ class Scene:
         self._homes: dict[str, tuple[int, Any]] = {}
         self._columns: dict[str, int] = {}
         self._add_joints()
-        self._leaders = [self._followed(joint) for joint in self._moving()]
+        self._factors, self._offsets = self._following()
+        self._senses: dict[LinkPair, Floats] = {}
         self._data = self._model.createData()
         self._exact = _Shapes()
         self._hulls = _Shapes()
@@ -70,9 +71,6 @@ class Scene:
         self.keep(pairs)
 
     # --- the tree ---
-
-    def _moving(self) -> list[Joint]:
-        return [self._robot.joints[name] for name in self._columns]
 
     def _add_joints(self) -> None:
         """Add the joints that turn or slide; what is fixed between them is in their placement."""
@@ -95,27 +93,33 @@ class Scene:
                 else:
                     waiting.append((joint.child, number, at))
 
-    def _followed(self, joint: Joint) -> tuple[int, float, float]:
-        """Return the column of the joint that decides the position, a factor and an offset."""
+    def _following(self) -> tuple[Floats, Floats]:
+        """Return F and o, with which F @ row + o are the positions of all joints of the tree."""
+        factors = np.zeros((self._model.nq, len(self.joints)))
+        offsets = np.zeros(self._model.nq)
+        columns = {joint.name: column for column, joint in enumerate(self.joints)}
+        for name, number in self._columns.items():
+            leader, factor, offsets[number] = self._followed(self._robot.joints[name])
+            if leader is not None:
+                factors[number, columns[leader]] = factor
+        return factors, offsets
+
+    def _followed(self, joint: Joint) -> tuple[str | None, float, float]:
+        """Return the joint that decides the position of another, a factor and an offset."""
         factor, offset, seen = 1.0, 0.0, {joint.name}
         while joint.mimic is not None:
             offset += factor * joint.mimic.offset
             factor *= joint.mimic.multiplier
             leader = self._robot.joints.get(joint.mimic.joint)
             if leader is None or leader.name in seen or leader.type not in SINGLE:
-                return (-1, 0.0, offset)
+                return (None, 0.0, offset)
             seen.add(leader.name)
             joint = leader
-        names = [each.name for each in self.joints]
-        return (names.index(joint.name), factor, offset)
+        return (joint.name, factor, offset)
 
     def _full(self, row: Floats) -> Floats:
         """Return the positions of all joints of the tree, followers too."""
-        full = np.zeros(self._model.nq)
-        for joint, (column, factor, offset) in zip(self._moving(), self._leaders, strict=True):
-            value = row[column] if column >= 0 else 0.0
-            full[self._columns[joint.name]] = factor * value + offset
-        return full
+        return np.asarray(self._factors @ row + self._offsets)
 
     def row_of(self, positions: Mapping[str, float]) -> Floats:
         """Return a row for named positions; joints that are left out rest."""
@@ -123,11 +127,18 @@ class Scene:
 
     def moves(self, pair: LinkPair) -> bool:
         """Return whether a joint moves one link of a pair against the other."""
-        first, second = (self._way_to(link) for link in pair)
-        return any(
-            (joint.name in first) != (joint.name in second) and column >= 0 and factor
-            for joint, (column, factor, _) in zip(self._moving(), self._leaders, strict=True)
-        )
+        return bool((self._factors[self._sense(pair) != 0] != 0).any())
+
+    def _sense(self, pair: LinkPair) -> Floats:
+        """Return for each joint of the tree 1 if it moves the second link only, -1 the first."""
+        sense = self._senses.get(pair)
+        if sense is None:
+            first, second = (self._way_to(link) for link in pair)
+            signs = ((name in second) - (name in first) for name in self._columns)
+            sense = np.zeros(self._model.nq)
+            sense[list(self._columns.values())] = list(signs)
+            self._senses[pair] = sense
+        return sense
 
     def _way_to(self, link: str) -> set[str]:
         found: set[str] = set()
@@ -202,9 +213,9 @@ class Scene:
         found, shapes = np.zeros(len(self.pairs), dtype=bool), self._exact
         if len(shapes.owners):
             self._place(shapes, row)
-            pinocchio.computeCollisions(shapes.model, shapes.data, False)
-            flags = [each.isCollision() for each in shapes.data.collisionResults]
-            found[shapes.owners[np.array(flags)]] = True
+            if pinocchio.computeCollisions(shapes.model, shapes.data, False):
+                flags = [each.isCollision() for each in shapes.data.collisionResults]
+                found[shapes.owners[np.array(flags)]] = True
         return found
 
     def measure(self) -> None:
@@ -225,37 +236,25 @@ class Scene:
     def distance(self, number: int, row: Floats) -> tuple[float, Floats]:
         """Return the distance of one pair, see `distances`, and how it grows with each column.
 
-        With p1 and p2 the nearest points, n from p1 to p2, and v1, v2 how they move with a joint:
-        the derivative is n·(v2 - v1), where v = a×(p - o) for a joint that turns about a through o,
-        and v = a for one that slides.
+        With p1 and p2 the nearest points, n the unit vector from p1 to p2, and v1, v2 how they move
+        with a joint, the derivative is n·(v2 - v1). A joint gives a point p the speed v + w×p,
+        with v and w its column of the Jacobian; so n·(v + w×p) = n·v + (p×n)·w, and p×n is the
+        same for both points, since they lie on a line along n.
         """
         hulls = self._hulls
         self._place(hulls, row)
-        found = [
-            pinocchio.computeDistance(hulls.model, hulls.data, int(index))
-            for index in np.flatnonzero(hulls.owners == number)
-        ]
-        nearest = min(found, key=lambda each: each.min_distance, default=None)
         slope = np.zeros(len(row))
+        found = [
+            pinocchio.computeDistance(hulls.model, hulls.data, index)
+            for index in hulls.numbers[number]
+        ]
+        nearest = min(found, key=_min_distance, default=None)
         if nearest is None or nearest.min_distance <= 0:
             return (np.inf if nearest is None else 0.0), slope
-        one, other = nearest.getNearestPoint1(), nearest.getNearestPoint2()
-        normal = (other - one) / max(np.linalg.norm(other - one), 1e-12)
-        first, second = (self._way_to(link) for link in self.pairs[number])
-        for joint, (column, factor, _) in zip(self._moving(), self._leaders, strict=True):
-            if column >= 0 and (joint.name in first) != (joint.name in second):
-                is_second = joint.name in second
-                speed = self._speed(joint, other if is_second else one)
-                slope[column] += factor * float(normal @ speed) * (1 if is_second else -1)
-        return float(nearest.min_distance), slope
-
-    def _speed(self, joint: Joint, point: Floats) -> Floats:
-        """Return how a point on what a joint moves moves with it."""
-        place = self._data.oMi[self._model.getJointId(joint.name)]
-        axis = place.rotation @ np.array(joint.axis)
-        if joint.type == PRISMATIC:
-            return np.asarray(axis)
-        return np.cross(axis, point - place.translation)
+        line = _line_through(nearest.getNearestPoint1(), nearest.getNearestPoint2())
+        pinocchio.computeJointJacobians(self._model, self._data)
+        grows = self._sense(self.pairs[number]) * (line @ self._data.J)
+        return float(nearest.min_distance), grows @ self._factors
 
     def _place(self, shapes: _Shapes, row: Floats) -> None:
         pinocchio.updateGeometryPlacements(
@@ -270,12 +269,14 @@ class _Shapes:
         model: pinocchio's model of them.
         data: what is computed for a position.
         owners: for each pair of shapes, the number of the pair of links that it is of.
+        numbers: for each pair of links, the numbers of its pairs of shapes.
     """
 
     def __init__(self) -> None:
         self.model = pinocchio.GeometryModel()
         self.data: Any = None
         self.owners: NDArray[np.int_] = np.array([], dtype=int)
+        self.numbers: list[list[int]] = []
         self._of: dict[str, list[int]] = {}
 
     def add(self, link: str, shape: Any) -> None:
@@ -285,14 +286,31 @@ class _Shapes:
     def pair(self, pairs: Sequence[LinkPair]) -> None:
         """Look at these pairs of links."""
         self.model.removeAllCollisionPairs()
-        owners = []
+        owners: list[int] = []
+        self.numbers = []
         for number, (first, second) in enumerate(pairs):
+            self.numbers.append([])
             for one in self._of.get(first, ()):
                 for other in self._of.get(second, ()):
                     self.model.addCollisionPair(pinocchio.CollisionPair(one, other))
+                    self.numbers[-1].append(len(owners))
                     owners.append(number)
         self.owners = np.array(owners, dtype=int)
         self.data = self.model.createData()
+
+
+def _line_through(one: Floats, other: Floats) -> Floats:
+    """Return the unit vector n from a point p to another, and p×n, as a row of six numbers."""
+    px, py, pz = one.tolist()
+    nx, ny, nz = (other - one).tolist()
+    # Far quicker than numpy for so few numbers, which counts in the search.
+    length = max(hypot(nx, ny, nz), 1e-12)
+    nx, ny, nz = nx / length, ny / length, nz / length
+    return np.array([nx, ny, nz, py * nz - pz * ny, pz * nx - px * nz, px * ny - py * nx])
+
+
+def _min_distance(result: Any) -> float:
+    return float(result.min_distance)
 
 
 def _limits(joints: Sequence[Joint]) -> tuple[Floats, Floats]:
