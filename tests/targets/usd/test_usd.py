@@ -82,6 +82,47 @@ def test_limits_and_gains_are_in_degrees(tmp_path: Path) -> None:
     assert joint.GetAttribute(f"{drive}:maxForce").Get() == 10
 
 
+@pytest.mark.parametrize(
+    ("written", "command"),
+    [("command: position", "position"), ("kp: 50", "position"), ("command: velocity", "velocity")],
+)
+def test_gains_that_are_not_given_are_those_of_mjcf(
+    written: str, command: str, tmp_path: Path
+) -> None:
+    """MuJoCo works out the damping itself, from its own inertia."""
+    oracles.require_module("mujoco")
+    import mujoco
+
+    text = ARM.replace("kp: 50, kd: 2", written).replace("damping: 0.5, ", "")
+    assert written in text
+    stage, build = stage_of(text, tmp_path, base="fixed")
+    drive = stage.GetPrimAtPath("/my_arm/joints/rod_joint")
+    stiffness, damping = (
+        drive.GetAttribute(f"drive:angular:physics:{name}").Get() * degrees(1)
+        for name in ("stiffness", "damping")
+    )
+    mjcf = yamaro.build(tmp_path / "robot.yaml", target="mjcf", base="fixed").xml()
+    model = mujoco.MjModel.from_xml_string(mjcf)
+    _, minus_kp, minus_kd = model.actuator_biasprm[0][:3]
+    assert stiffness == pytest.approx(-minus_kp)
+    assert damping == pytest.approx(-minus_kd, rel=0.05)  # ours has two digits
+    assert damping > 0
+    assert (stiffness > 0) == (command == "position")
+    assert "actuator" not in "".join(loss.what for loss in build.losses)
+
+
+def test_a_joint_with_commanded_efforts_has_no_gains(tmp_path: Path) -> None:
+    text = ARM.replace("kp: 50, kd: 2", "command: effort").replace("damping: 0.5, ", "")
+    stage, build = stage_of(text, tmp_path)
+    drive = stage.GetPrimAtPath("/my_arm/joints/rod_joint")
+    found = [
+        drive.GetAttribute(f"drive:angular:physics:{name}").Get()
+        for name in ("stiffness", "damping", "maxForce")
+    ]
+    assert found == [0, 0, 10]
+    assert "actuator" not in "".join(loss.what for loss in build.losses)
+
+
 def test_what_usd_cannot_hold_is_reported(tmp_path: Path) -> None:
     _, build = stage_of(ARM, tmp_path)
     found = {(loss.kind, loss.what, loss.owner) for loss in build.losses}

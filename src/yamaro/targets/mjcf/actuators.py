@@ -5,8 +5,8 @@ from __future__ import annotations
 from math import inf
 
 from ...model.joint import SINGLE
+from ..gains import EFFORT, POSITION, VELOCITY, Gains
 from ..output import LOST
-from .gains import Gains
 from .joints import effort_of, range_of
 from .names import ACTUATOR
 from .writing import Writing, made, number, row
@@ -17,14 +17,13 @@ if TYPE_CHECKING:
     from ...model.joint import Joint
     from ...source import Span
 
-POSITION, VELOCITY, EFFORT = "position", "velocity", "effort"
 WORDS = {POSITION: "position", VELOCITY: "velocity", EFFORT: "motor"}
 
 
 def add_actuators(writing: Writing) -> None:
     """Append the actuators, in the order of the joints."""
-    gains = Gains(writing)
     robot = writing.robot
+    gains = Gains(robot, is_fixed=writing.wanted.is_fixed, has_armature=True)
     for name, actuator in robot.actuators.items():
         joint = robot.joints.get(name)
         is_driven = joint is not None and joint.type in SINGLE and joint.mimic is None
@@ -89,8 +88,7 @@ def _gains(actuator: Actuator, joint: Joint, gains: Gains, ratio: float) -> dict
     if actuator.command == EFFORT:
         return {}
     if actuator.command == VELOCITY:
-        gain = actuator.kp if actuator.kp is not None else gains.of_velocity(joint)
-        return {"kv": number(gain / ratio)}
+        return {"kv": number(gains.of_velocity(joint, actuator) / ratio)}
     stiffness = actuator.kp if actuator.kp is not None else gains.of_position(joint)
     found: dict[str, str | None] = {"kp": number(stiffness / ratio)}
     if actuator.kd is not None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from math import log, pi, sqrt
 
+from ..gains import TIME_STEP
 from ..output import APPROXIMATED, LOST
 from .writing import Writing, number, row
 
@@ -16,10 +17,8 @@ TORSIONAL, ROLLING = 0.005, 0.0001
 """MuJoCo's default coefficients of the friction that stops turning and rolling, in metres."""
 TIME_CONSTANT = 0.02
 """MuJoCo's default time constant of contacts, in seconds."""
-TIME_STEP = 0.002
-"""MuJoCo's default time step, in seconds."""
 STIFFEST = (0.5 / TIME_STEP) ** 2
-"""The greatest stiffness by mass, in 1/s², that this time step can follow."""
+"""The greatest stiffness by mass, in 1/s², that MuJoCo's default time step can follow."""
 
 
 def surface_attributes(writing: Writing, link: Link, surface: Surface) -> dict[str, str | None]:

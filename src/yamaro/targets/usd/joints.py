@@ -13,13 +13,14 @@ from pxr import Gf, Sdf, Usd, UsdPhysics
 from ...model.joint import CONTINUOUS, FIXED, FLOATING, PLANAR, PRISMATIC, SINGLE
 from ...model.pose import Pose, multiply, rotation_about, rotation_from_z
 from ..bodies import WORLD
+from ..gains import POSITION, VELOCITY, Gains
 from ..output import APPROXIMATED, LOST, Loss
 from ..shared_losses import lost_of_joints
 from .poses import quaternion_of
 from .prims import tag_of
 
 if TYPE_CHECKING:
-    from ...model.extras import Loop
+    from ...model.extras import Actuator, Loop
     from ...model.joint import Joint
     from ...model.link import Link
     from ...model.pose import Rotation, Vector
@@ -54,6 +55,8 @@ class JointWriter:
         paths: dict[str, str],
         names: Names,
         root: str,
+        *,
+        is_fixed: bool,
     ) -> None:
         """Start.
 
@@ -64,22 +67,25 @@ class JointWriter:
             paths: the prims of links and frames.
             names: names prims.
             root: the path of the robot.
+            is_fixed: whether its root is fixed in the world.
         """
         self._stage = stage
         self._robot = robot
         self._bodies = bodies
         self._paths = paths
         self._names = names
+        self._is_fixed = is_fixed
+        self._chosen = Gains(robot, is_fixed=is_fixed, has_armature=False)
         self._folder = names.new(root, "joints")
         self.tags: list[Tag] = []
         self.losses: list[Loss] = lost_of_joints(robot)
 
-    def write(self, *, is_fixed: bool) -> None:
+    def write(self) -> None:
         """Write all joints, with those that fix the roots in the world, and those of loops."""
         robot, bodies = self._robot, self._bodies
         self._stage.DefinePrim(self._folder, "Scope")
         for root in robot.roots:
-            if is_fixed and bodies.carriers[root.name] is not None:
+            if self._is_fixed and bodies.carriers[root.name] is not None:
                 self._fix(root)
         for joint in robot.joints.values():
             if robot.parent_joint(joint.child) is joint and joint.child in bodies.carriers:
@@ -155,7 +161,7 @@ class JointWriter:
         prim.CreateUpperLimitAttr(convert(upper))
 
     def _drive(self, prim: UsdPhysics.RevoluteJoint, joint: Joint) -> None:
-        """Write what drives and what damps a joint: gains are per degree in USD."""
+        """Write what drives and what damps a joint: gains of angular drives are per degree."""
         actuator = self._robot.actuators.get(joint.name)
         damping = joint.dynamics.damping if joint.dynamics is not None else 0.0
         effort = joint.limit.effort if joint.limit is not None else None
@@ -163,14 +169,7 @@ class JointWriter:
             return
         is_linear = joint.type == PRISMATIC
         unit = 1.0 if is_linear else degrees(1)
-        kp, kd = 0.0, 0.0
-        if actuator is not None and actuator.command == "position":
-            kp, kd = actuator.kp or 0.0, actuator.kd or 0.0
-        elif actuator is not None and actuator.command == "velocity":
-            kd = actuator.kp or actuator.kd or 0.0
-        if actuator is not None and not (kp or kd):
-            what, how = "actuators without gains", "drives without gains"
-            self._lose(joint, actuator, what, kind=APPROXIMATED, how=how)
+        kp, kd = self._gains(joint, actuator) if actuator is not None else (0.0, 0.0)
         if joint.dynamics is not None and damping:
             what, how = "damping values of joints", "the damping of their drives"
             self._lose(joint, joint.dynamics, what, kind=APPROXIMATED, how=how)
@@ -180,6 +179,16 @@ class JointWriter:
             drive.CreateMaxForceAttr(effort)
         drive.CreateStiffnessAttr(kp / unit)
         drive.CreateDampingAttr((kd + damping) / unit)
+
+    def _gains(self, joint: Joint, actuator: Actuator) -> tuple[float, float]:
+        """Return stiffness and damping, in SI; those that are not given are as in MJCF."""
+        if actuator.command == POSITION:
+            kp = actuator.kp if actuator.kp is not None else self._chosen.of_position(joint)
+            kd = actuator.kd if actuator.kd is not None else self._chosen.damping(joint, kp)
+            return kp, kd
+        if actuator.command == VELOCITY:
+            return 0.0, self._chosen.of_velocity(joint, actuator)
+        return 0.0, 0.0
 
     def _lose_parts(self, joint: Joint) -> None:
         """Note what only USD has no place for."""

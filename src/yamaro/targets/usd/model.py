@@ -84,8 +84,9 @@ class _Model:
             carrier = bodies.carriers[link.name]
             if carrier is not None and carrier != link.name:
                 self._add_frame(link, carrier)
-        joints = JointWriter(self.stage, robot, bodies, self._paths, self._names, self.root)
-        joints.write(is_fixed=self._wanted.is_fixed)
+        is_fixed, paths, names = self._wanted.is_fixed, self._paths, self._names
+        joints = JointWriter(self.stage, robot, bodies, paths, names, self.root, is_fixed=is_fixed)
+        joints.write()
         self.tags += joints.tags
         add_cameras(self.stage, robot, self._paths, self._names, self.losses)
         self.losses += self._shapes.losses

@@ -2,23 +2,28 @@
 
 from __future__ import annotations
 
-from math import hypot
+from math import hypot, sqrt
 
-from ...model.joint import FLOATING, PLANAR, PRISMATIC, SINGLE
-from ...model.kinematics import link_poses
-from ...model.pose import multiply, rotate, transposed
-from .surfaces import TIME_STEP
+from ..model.joint import FLOATING, PLANAR, PRISMATIC, SINGLE
+from ..model.kinematics import link_poses
+from ..model.pose import multiply, rotate, transposed
+from .bodies import from_the_roots
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
-    from ...model.joint import Joint
-    from ...model.pose import Pose, Rotation, Vector
-    from .writing import Writing
+    from ..model.extras import Actuator
+    from ..model.joint import Joint
+    from ..model.pose import Pose, Rotation, Vector
+    from ..model.robot import Robot
 
+POSITION, VELOCITY, EFFORT = "position", "velocity", "effort"
+"""What an actuator is commanded."""
+TIME_STEP = 0.002
+"""MuJoCo's default time step, in s, with which the gains are stable."""
 GRAVITY = 9.81
-"""MuJoCo's default, in m/s²."""
+"""In m/s²."""
 SAG = 0.01
 """How far the weight may move a joint, as part of its range; of 1 rad or 1 m without limits."""
 SLOWEST, FASTEST = 10.0, 1.5 / TIME_STEP
@@ -88,12 +93,21 @@ class Load:
 class Gains:
     """Works out gains, at the positions where joints rest."""
 
-    __slots__ = ("_followers", "_loads", "_poses", "_writing")
+    __slots__ = ("_followers", "_has_armature", "_is_fixed", "_loads", "_poses", "_robot")
 
-    def __init__(self, writing: Writing) -> None:
-        self._writing = writing
+    def __init__(self, robot: Robot, *, is_fixed: bool, has_armature: bool) -> None:
+        """Prepare for a robot.
+
+        Args:
+            robot: the robot.
+            is_fixed: whether its root is fixed in the world.
+            has_armature: whether the simulator knows the armature of the actuators.
+        """
+        self._robot = robot
+        self._is_fixed = is_fixed
+        self._has_armature = has_armature
         self._followers: dict[str, list[tuple[float, Joint]]] = {}
-        for joint in writing.robot.joints.values():
+        for joint in robot.joints.values():
             if joint.mimic is not None and joint.type in SINGLE:
                 followers = self._followers.setdefault(joint.mimic.joint, [])
                 followers.append((joint.mimic.multiplier, joint))
@@ -117,8 +131,15 @@ class Gains:
             most = min(most, self._own(joint)[0] * COUPLED * COUPLED)
         return _rounded(min(wanted, most))
 
-    def of_velocity(self, joint: Joint) -> float:
-        """Return the gain of a velocity actuator, in N·m·s/rad or N·s/m."""
+    def damping(self, joint: Joint, stiffness: float) -> float:
+        """Return the damping with which the load just does not swing, in N·m·s/rad or N·s/m."""
+        return _rounded(2 * sqrt(max(stiffness, 0.0) * self._inertia_and_weight(joint)[0]))
+
+    def of_velocity(self, joint: Joint, actuator: Actuator) -> float:
+        """Return the gain of a velocity actuator, given or not, in N·m·s/rad or N·s/m."""
+        given = actuator.kp if actuator.kp is not None else actuator.kd
+        if given is not None:
+            return given
         limit = joint.limit
         if limit is not None and limit.effort and limit.velocity:
             return _rounded(abs(limit.effort / (SLIP * limit.velocity)))
@@ -134,7 +155,7 @@ class Gains:
             self._read()
         inertia, weight = self._own(joint)
         for multiplier, follower in self._followers.get(joint.name, ()):
-            if self._writing.robot.parent_joint(follower.child) is follower:
+            if self._robot.parent_joint(follower.child) is follower:
                 more, heavier = self._own(follower)
                 inertia += multiplier * multiplier * more
                 weight += abs(multiplier) * heavier
@@ -154,7 +175,7 @@ class Gains:
 
     def _carried(self, joint: Joint) -> Load:
         """Return what a joint carries: what it moves, or all of a robot that stands on it."""
-        robot = self._writing.robot
+        robot = self._robot
         own = self._loads[joint.child]
         name = joint.parent
         above = robot.parent_joint(name)
@@ -163,18 +184,18 @@ class Gains:
                 return self._loads[name]
             name = above.parent
             above = robot.parent_joint(name)
-        return own if self._writing.wanted.is_fixed else self._loads[name]
+        return own if self._is_fixed else self._loads[name]
 
     def _armature(self, joint: Joint) -> float:
-        actuator = self._writing.robot.actuators.get(joint.name)
+        actuator = self._robot.actuators.get(joint.name) if self._has_armature else None
         return actuator.armature or 0.0 if actuator is not None else 0.0
 
     def _read(self) -> None:
         """Work out what is above each link, from the leaves to the roots."""
-        robot = self._writing.robot
+        robot = self._robot
         rest = {joint.name: joint.rest for joint in robot.free_joints()}
         self._poses = link_poses(robot, rest)
-        for link in reversed(self._writing.plan.order):
+        for link in reversed(from_the_roots(robot)):
             load = self._loads.setdefault(link.name, Load())
             inertial, pose = link.inertial, self._poses[link.name]
             if inertial is not None and inertial.mass:
