@@ -18,20 +18,22 @@ const options = { absWorkingDir: here, bundle: true, minify: true, legalComments
 // A bundle tells what it was made from: a test without Node.js sees when it is out of date.
 const sources = [
   ...readdirSync(join(here, "src")).map((name) => `src/${name}`),
-  ...["build.mjs", "colours.css", "icon.svg", "index.html", "package-lock.json", "view.css"],
+  ...["build.mjs", "colours.css", "icon.svg", "index.html", "notebook.css", "notebook.html", "package-lock.json", "view.css"],
 ];
 const hash = createHash("sha256");
 for (const name of sources.sort()) hash.update(`${name}\0`).update(readFileSync(join(here, name)));
 const banner = `/* Made by scripts/web; THIRD-PARTY.txt tells what is in it. Sources: ${hash.digest("hex")} */`;
 await build({
   ...options,
-  entryPoints: [join(here, "src/main.js")],
+  entryPoints: [join(here, "src/entry.js")],
   format: "esm",
   banner: { js: banner },
   outfile: join(target, "view.js"),
 });
-await build({ ...options, entryPoints: [join(here, "view.css")], outfile: join(target, "view.css") });
-for (const name of ["index.html", "icon.svg"]) cpSync(join(here, name), join(target, name));
+for (const name of ["view.css", "notebook.css"]) {
+  await build({ ...options, entryPoints: [join(here, name)], outfile: join(target, name) });
+}
+for (const name of ["index.html", "notebook.html", "icon.svg"]) cpSync(join(here, name), join(target, name));
 
 const notices = {
   three: () => readFileSync(join(here, "node_modules/three/LICENSE"), "utf8"),

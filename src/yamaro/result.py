@@ -175,7 +175,14 @@ class Build:
 
             with RareCollection():
                 self._robot = read_robot(self._tree(), notes=self.notes, whole=True)
+            self._robot.finder = self.finder
         return self._robot
+
+    def _repr_html_(self) -> str:
+        """Return what a notebook shows: the robot in 3D, or the text of another document."""
+        from .display import html_of
+
+        return html_of(self)
 
     def _tree(self) -> Element:
         assert self._finished is not None, "only those who need the tree ask for it"

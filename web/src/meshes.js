@@ -8,6 +8,7 @@ import { OBJLoader } from "three/addons/loaders/OBJLoader.js";
 import { STLLoader } from "three/addons/loaders/STLLoader.js";
 import { TGALoader } from "three/addons/loaders/TGALoader.js";
 import { toCreasedNormals } from "three/addons/utils/BufferGeometryUtils.js";
+import { addressOf, bytesOf } from "./files.js";
 
 const CREASE = Math.PI / 6;
 const MOST_CREASED = 300_000; // corners; larger meshes are shown as they are
@@ -15,7 +16,6 @@ const MOST_CREASED = 300_000; // corners; larger meshes are shown as they are
 const MOST_METALNESS = 0.3;
 const DARKEST = 0.05; // how bright black is drawn, so that its form is seen: as in `yamaro picture`
 
-const addressOf = (key) => `file/${key}`;
 const loaded = new Map();
 const textures = new Map();
 let wanted = new Set();
@@ -71,9 +71,7 @@ function managerOf(file) {
 }
 
 async function parse(file) {
-  const response = await fetch(addressOf(file.key));
-  if (!response.ok) throw new Error("it cannot be fetched");
-  const data = await response.arrayBuffer();
+  const data = await bytesOf(file.key);
   const text = () => new TextDecoder().decode(data);
   const manager = managerOf(file);
   switch (file.ending) {
@@ -115,8 +113,8 @@ async function ofObj(text, file, manager) {
   const loader = new OBJLoader(manager);
   const names = Object.keys(file.companions).filter((name) => /\.mtl$/i.test(name));
   if (names.length) {
-    const response = await fetch(addressOf(file.companions[names[0]]));
-    const materials = new MTLLoader(manager).parse(await response.text(), "");
+    const text = new TextDecoder().decode(await bytesOf(file.companions[names[0]]));
+    const materials = new MTLLoader(manager).parse(text, "");
     materials.preload();
     loader.setMaterials(materials);
   }

@@ -47,31 +47,45 @@ export function readUrdf(text) {
   return { robot, roots: [...links].filter((link) => !parentOf.has(link)), dropped };
 }
 
-// The one name that an object cannot have a value under, and what stands in for it: no XML holds it.
-const NO_KEY = "__proto__";
+// Names that urdf-loader cannot take: the one that an object cannot have a value under, and those that
+// end a selector. What stands in for them is in no XML.
+const CANNOT_BE_TAKEN = /^__proto__$|["\\\n\r\f]/;
 const STAND_IN = "\u0001";
+const standIns = new Map(); // name → what stands in for it
+const namesOf = new Map(); // the other way
+
+function standInOf(name) {
+  if (!standIns.has(name)) {
+    standIns.set(name, `${STAND_IN}${standIns.size}`);
+    namesOf.set(standIns.get(name), name);
+  }
+  return standIns.get(name);
+}
+
+const nameOf = (name) => namesOf.get(name) ?? name;
 
 /** Return what urdf-loader makes of a robot; it keeps links and joints in objects by their names. */
 export function parseWith(loader, robot) {
   const changed = [];
   for (const element of robot.querySelectorAll("*")) {
     for (const { name, value } of [...element.attributes]) {
-      if (value !== NO_KEY) continue;
-      element.setAttribute(name, STAND_IN);
-      changed.push([element, name]);
+      if (!CANNOT_BE_TAKEN.test(value)) continue;
+      element.setAttribute(name, standInOf(value));
+      changed.push([element, name, value]);
     }
   }
   const object = loader.parse(robot);
-  for (const [element, name] of changed) element.setAttribute(name, NO_KEY);
+  for (const [element, name, value] of changed) element.setAttribute(name, value);
   object.traverse((one) => {
-    if (one.name === STAND_IN) one.name = one.urdfName = NO_KEY;
+    if (!namesOf.has(one.name)) return;
+    one.name = one.urdfName = nameOf(one.name);
   });
   return object;
 }
 
 /** Return the links or joints of urdf-loader by their names, whatever these are. */
 export const byName = (found) =>
-  new Map(Object.entries(found).map(([name, one]) => [name === STAND_IN ? NO_KEY : name, one]));
+  new Map(Object.entries(found).map(([name, one]) => [nameOf(name), one]));
 
 /** Tell whether a link is another one or lies below it. */
 function leadsTo(link, ancestor, parentOf) {

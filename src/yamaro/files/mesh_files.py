@@ -107,6 +107,11 @@ class MeshFinder:
         return self._reach is None or self._reach.allows(path)
 
     @property
+    def reach(self) -> Reach | None:
+        """Return the files that may be read; None where all may be."""
+        return self._reach
+
+    @property
     def roots(self) -> list[str]:
         """Return the files and folders that may be read; none where everything may be."""
         return [] if self._reach is None else self._reach.roots

@@ -33,6 +33,7 @@ if TYPE_CHECKING:
     from typing import TypeVar
 
     from ..diagnostics import Diagnostic
+    from ..files.mesh_files import MeshFinder
     from ..source import Span
     from ..xml.tree import Element
     from .changes.change import Changes
@@ -94,12 +95,13 @@ class Robot(Written):
         joints: by name, in the order written; the first of each name.
         all_links, all_joints: all that are written, those of a repeated or missing name too.
         own_materials: those written directly under the robot; see `materials`.
+        finder: finds the files of meshes and textures; None if the robot was not built.
     """
 
     __slots__ = (
         "_extras", "_find", "_findings", "_joints_below", "_materials", "_notes", "_parent_joints",
         "_recognizes",
-        "all_joints", "all_links", "joints", "links", "name", "own_materials", "version",
+        "all_joints", "all_links", "finder", "joints", "links", "name", "own_materials", "version",
     )  # fmt: skip
 
     def __init__(
@@ -125,6 +127,7 @@ class Robot(Written):
             recognizes: whether elements such as `<gazebo>` say it as well.
         """
         self.element = element
+        self.finder: MeshFinder | None = None
         self.name = attribute_text(element, "name") or ""
         self.version = attribute_text(element, "version")
         self.all_links = tuple(links)
@@ -315,6 +318,12 @@ class Robot(Written):
     def raw(self, format: str) -> list[RawXml]:
         """Return the XML that is written for one output format, such as `mjcf`."""
         return [each for each in self._more().raw if each.format == format]
+
+    def _repr_html_(self) -> str:
+        """Return what a notebook shows: the robot in 3D."""
+        from ..display import html_of
+
+        return html_of(self)
 
     # --- kinematics and mass ---
 
