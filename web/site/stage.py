@@ -85,7 +85,7 @@ class Stage:
             return f"{path}{anchor}"
         name = meant.relative_to(ROOT).as_posix()
         if name in PAGES:
-            return f"{PAGES[name]}{anchor if name != 'README.md' else ''}"
+            return f"{PAGES[name]}{anchor}"
         if meant.is_relative_to(DOCS):
             return f"{meant.relative_to(DOCS).as_posix()}{anchor}"
         if name.startswith("examples/") and meant.is_dir():
