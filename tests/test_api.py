@@ -417,6 +417,18 @@ def test_a_loader_of_ones_own_says_why_it_fails(tmp_path: Path) -> None:
 
 # --- policies ---------------------------------------------------------------------------------
 
+
+@needs_jail
+def test_a_build_without_its_tree_says_how_to_have_it(tmp_path: Path) -> None:
+    path = tmp_path / "robot.yaml"
+    path.write_text("robot: r\nmodel:\n- link/name=base:\n")
+    built = yamaro.build(path, policy=yamaro.Policy("jail"), has_root=False)
+    assert '<link name="base"/>' in built.xml()
+    for name in ("root", "robot", "root_name"):
+        with pytest.raises(ValueError, match="has_root=True"):
+            getattr(built, name)
+
+
 MODES = ["trusted", "safe", pytest.param("jail", marks=needs_jail)]
 
 

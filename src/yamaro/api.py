@@ -56,7 +56,8 @@ def build(
         loader: gives the text of files; the disk by default.
         policy: how far the file is trusted; in full by default.
         packages: folders of ROS packages by name, before those that are found.
-        has_root: without, there may be no tree in the end, which spares taking it out of a jail.
+        has_root: without, a build that is made in a jail has no tree, `Build.root`, and no
+            `Build.robot`: it takes time to bring them out.
         output: where the XML is to be written; relative paths of meshes start at its folder. By
             default at that of the main file. A name that ends in a slash is that of a folder, in
             which the file is called as `Build.file_name` says.

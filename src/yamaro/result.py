@@ -148,7 +148,11 @@ class Build:
 
     @property
     def root(self) -> Element:
-        """Return the root element; every element knows where in the YAML it was made."""
+        """Return the root element; every element knows where in the YAML it was made.
+
+        Raises:
+            ValueError: it stayed in a jail; see `has_root` of `yamaro.build`.
+        """
         if self._root is None:
             self._root = unshared(self._document or self._tree())
         return self._root
@@ -168,6 +172,7 @@ class Build:
 
         Raises:
             YamaroError: the document is not a `<robot>`.
+            ValueError: its tree stayed in a jail; see `has_root` of `yamaro.build`.
         """
         if self._robot is None:
             from .model.reading import read_robot
@@ -185,7 +190,10 @@ class Build:
         return html_of(self)
 
     def _tree(self) -> Element:
-        assert self._finished is not None, "only those who need the tree ask for it"
+        if self._finished is None:
+            raise ValueError(
+                "the tree of this build stayed in its jail: build with has_root=True to have it"
+            )
         return self._finished
 
     def xml(self) -> str:

@@ -68,6 +68,19 @@ def test_what_came_with_a_link_runs_in_safe_mode_until_it_is_trusted(
     assert not build(playground, text)["isUnsafe"]
 
 
+@pytest.mark.parametrize("name", ["arm", "hexapod", "quadruped"])
+def test_an_example_that_is_not_trusted_is_shown(name: str, playground: bridge.Playground) -> None:
+    """On this Python it is built in a jail, where there is one."""
+    files = {
+        path.name: path.read_text(encoding="utf-8")
+        for path in (ROOT / "examples" / name).glob("*.yaml")
+    }
+    playground.open(files, f"{name}.yaml", is_trusted=False)
+    told = json.loads(playground.build())
+    assert (told["fault"], told["isUnsafe"]) == ("", False)
+    assert "<joint" in told["state"]["robot"]["urdf"]
+
+
 def test_what_is_printed_is_shown(playground: bridge.Playground) -> None:
     assert build(playground, f"{ROBOT}process: print('hello')\n")["printed"] == "hello"
 

@@ -73,7 +73,6 @@ def _rebuilder(arguments: Arguments, streams: Streams, policy: Policy, *, looks:
         allow=arguments.lists.get("allow", ()),
         deny=arguments.lists.get("deny", ()),
         advice=looks,
-        has_root=looks,
         output=output_of(arguments),
         targets=targets_of(arguments),
     )

@@ -66,6 +66,7 @@ class Rebuilder:
         policy: how far it is trusted.
         packages: folders of ROS packages by name.
         command_line: variables as `name:=value`.
+        has_root: whether builds have their tree, also those that leave a jail.
     """
 
     def __init__(
@@ -80,7 +81,6 @@ class Rebuilder:
         allow: Sequence[str] = (),
         deny: Sequence[str] = (),
         advice: bool = False,
-        has_root: bool = False,
         output: str | None = None,
         targets: Targets | None = None,
     ) -> None:
@@ -94,7 +94,7 @@ class Rebuilder:
         self._allow = allow
         self._deny = deny
         self._advice = advice
-        self._has_root = has_root
+        self.has_root = False
         self._output = output
         self._targets: Targets = targets or {}
         self._program: Program | None = None
@@ -166,7 +166,7 @@ class Rebuilder:
                 strict=self._strict,
                 advice=self._advice,
                 on_message=self._on_message,
-                has_root=self._has_root,
+                has_root=self.has_root,
                 output=self._output,
                 **self._targets,
             )

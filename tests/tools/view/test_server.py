@@ -63,7 +63,6 @@ class Served:
             command_line=[],
             on_message=print,
             advice=True,
-            has_root=True,
         )
         self.editor = Recorder()
         self.session = Session(self.rebuilder, editor="recorder")

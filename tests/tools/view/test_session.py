@@ -329,7 +329,6 @@ def session_of(path: Path, *command_line: str) -> Session:
         packages={},
         command_line=command_line,
         on_message=print,
-        has_root=True,
     )
     session = Session(rebuilder, editor=None)
     session.build()

@@ -43,6 +43,7 @@ class Session:
         """Begin without a robot; `editor` is what the editor is called, if there is one."""
         self.wake = threading.Event()
         self._rebuilder = rebuilder
+        rebuilder.has_root = True  # the page shows the tree, also of a robot built in a jail
         self._path = rebuilder.path
         self._reach = reach_of(rebuilder.path, rebuilder.policy, rebuilder.packages)
         self._loader = FileLoader(rebuilder.policy.limits, self._reach)
