@@ -23,17 +23,28 @@ from yamaro.tools.why import Answer, addresses, answer
 from yamaro.xml.tree import Element, Text
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
-OTHERS = ("drone", "dual_arm_cell", "hand", "humanoid", "mobile_manipulator")
-"""Robots with frames of sensors, whose values no text gives."""
+SUFFIXES = ("", "_link", "_joint", "_optical", "_optical_joint")
+"""What is put after the name of a part or sensor."""
+PREFIXES = ("", "arm_", "left_", "right_")
+"""What `attach` puts before names in the examples."""
 ROBOTS = sorted(
     path
     for path in EXAMPLES.glob("*/*.yaml")
     if path.stem in (path.parent.name, "robot")  # the others are included by these
-    and path.stem not in OTHERS
 )
+FIXED_BY = ("attach", "frame", "sensor")
+"""The keys that make fixed joints."""
 Row = NDArray[np.float64]
 AXES = {"x": "1 0 0", "y": "0 1 0", "z": "0 0 1"}
-UNITS = {"deg": math.pi / 180, "mm": 0.001, "cm": 0.01, "g": 0.001, "N*m": 1, "rpm": math.pi / 30}
+UNITS = {
+    "deg/s": math.pi / 180,
+    "deg": math.pi / 180,
+    "mm": 0.001,
+    "cm": 0.01,
+    "g": 0.001,
+    "N*m": 1,
+    "rpm": math.pi / 30,
+}
 WORDS = {"true": True, "false": False, "null": None}
 
 ROBOT = """\
@@ -118,12 +129,14 @@ def is_given(word: str, words: list[str]) -> bool:
     if value is not None:
         known = [0.0, *(abs(each) for each in map(number, words) if each is not None)]
         return any(math.isclose(abs(value), each, abs_tol=1e-12) for each in known)
-    return any(word in (each, f"{each}_link", f"{each}_joint") for each in words)
+    names = product(PREFIXES, words, SUFFIXES)
+    return any(word == "".join(name) for name in names)
 
 
 def text_at(span: Span) -> str:
     readings = getattr(span, "readings", ())
-    return evaluated(span.written(), {each.name: as_value(each.value) for each in readings})
+    text = span.written().strip("\"'")
+    return evaluated(text, {each.name: as_value(each.value) for each in readings})
 
 
 def words_at(span: Span) -> list[str]:
@@ -178,11 +191,11 @@ def test_every_value_of_an_example_has_a_place_whose_text_gives_it(path: Path) -
         found = answer(root, address)
         assert found.span.written(), address
         if found.is_derived:  # from the key at that place, which is in this file
+            key = found.element.span.written()
             assert found.span.written() in found.span.source.text
-            assert (found.element.name, found.attribute) not in (
-                ("mass", "value"),
-                ("joint", "type"),
-            )
+            what = found.element.name, found.attribute
+            assert what != ("mass", "value") or key == "density"
+            assert what != ("joint", "type") or key.startswith(FIXED_BY)
         elif found.value is not None:
             count += 1
             assert gives(found), (address, found.value, found.span)
@@ -197,7 +210,13 @@ def test_only_computed_values_have_no_text_of_their_own() -> None:
         derived |= {(one.element.name, one.attribute) for one in answers if one.is_derived}
     moments = {("inertia", name) for name in ("ixx", "ixy", "ixz", "iyy", "iyz", "izz")}
     assumed = {("limit", name) for name in ("lower", "upper", "effort", "velocity")}
-    assert derived <= moments | assumed | {("origin", "xyz"), ("origin", "rpy"), ("robot", "name")}
+    poses = {("origin", "xyz"), ("origin", "rpy")}
+    frames = {("joint", "type"), ("joint", "name"), ("parent", "link"), ("child", "link")}
+    interfaces = {"command_interface", "state_interface", "sensor", "ros2_control", "param"}
+    controls = {(each, "name") for each in interfaces} | {("ros2_control", "type")}
+    others = {("robot", "name"), ("mass", "value")}
+    assert derived <= moments | assumed | poses | frames | controls | others
+    assert ("mass", "value") in derived  # of the hand, by density
 
 
 def test_recording_changes_nothing_in_the_document() -> None:

@@ -14,6 +14,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from ..source import Span
     from .notes import RobotNote
 
 SENSOR_INTERFACES = {
@@ -64,14 +65,17 @@ class ControlWriter:
         made = _Maker(control)
         initial = self._initial(control)
         hardware = made.element("hardware", {})
-        hardware.children.append(made.text("plugin", str(given["plugin"])))
+        plugin = made.text("plugin", str(given["plugin"]), control.value_span("plugin"))
+        hardware.children.append(plugin)
         kind = given.get("type", "system")
         block = made.element("ros2_control", {"name": name, "type": kind})
+        block.value_spans = control.value_spans
         block.children.append(hardware)
         for child in control.elements():
             if child.name == "params":
                 hardware.children += [
-                    made.param(key.name, key.text().strip()) for key in child.elements()
+                    made.param(key.name, key.text().strip(), _text_span(key))
+                    for key in child.elements()
                 ]
         for child in control.elements():
             if child.name == "joint":
@@ -107,7 +111,7 @@ class ControlWriter:
             trace=control.trace,
         )
 
-    def _initial(self, control: RobotNote) -> dict[str, str]:
+    def _initial(self, control: RobotNote) -> dict[str, _Placed]:
         name = control.attributes.get("state")
         if name is None:
             return {}
@@ -124,28 +128,30 @@ class ControlWriter:
             )
         return self._states[str(name)]
 
-    def _joint(self, made: _Maker, name: str, initial: str | None, *, commands: bool) -> Element:
+    def _joint(
+        self, made: _Maker, name: str, initial: _Placed | None, *, commands: bool
+    ) -> Element:
         actuator = self._actuators.get(name)
         given = {"command": "position"} if actuator is None else actuator.attributes
         names = str(given.get("commands", given["command"])).split()
         joint = made.element("joint", {"name": name})
         for command in names if commands else ():
             interface = made.element("command_interface", {"name": command})
-            for which, value in zip(("min", "max"), self._range(name, command), strict=True):
-                if value is not None:
-                    interface.children.append(made.param(which, value))
+            for which, end in zip(("min", "max"), self._range(name, command), strict=True):
+                if end is not None:
+                    interface.children.append(made.param(which, *end))
             joint.children.append(interface)
         position = made.element("state_interface", {"name": "position"})
         if initial is not None:
-            position.children.append(made.param("initial_value", initial))
+            position.children.append(made.param("initial_value", *initial))
         velocity = made.element("state_interface", {"name": "velocity"})
         joint.children += [position, velocity]
         if "effort" in names:
             joint.children.append(made.element("state_interface", {"name": "effort"}))
         return joint
 
-    def _range(self, name: str, command: str) -> tuple[str | None, str | None]:
-        """Return the least and the greatest command, which the joint's limit gives."""
+    def _range(self, name: str, command: str) -> tuple[_Placed | None, _Placed | None]:
+        """Return the least and the greatest command, which the joint's limit gives, with places."""
         joint = self._joints[name]
         limit = next((child for child in joint.elements() if child.name == "limit"), None)
         if limit is None:
@@ -155,7 +161,7 @@ class ControlWriter:
                 return None, None
             return _number(limit, "lower", "0"), _number(limit, "upper", "0")
         most = _number(limit, command, None)
-        return (None, None) if most is None else (negated(most), most)
+        return (None, None) if most is None else ((negated(most[0]), most[1]), most)
 
     def _sensor(self, made: _Maker, name: str) -> Element:
         note = self._sensors[name]
@@ -164,7 +170,9 @@ class ControlWriter:
             sensor.children.append(made.element("state_interface", {"name": interface}))
         frame = note.attributes.get("frame")
         if frame is not None:
-            sensor.children.append(made.param("frame_id", str(frame)))
+            has_place = note.value_spans is not None and note.value_spans.get("frame") is not None
+            place = note.value_span("frame" if has_place else "name")  # by default the sensor's
+            sensor.children.append(made.param("frame_id", str(frame), place))
         return sensor
 
     def _transmission(self, made: _Maker, name: str) -> Element:
@@ -181,7 +189,9 @@ class ControlWriter:
         return transmission
 
 
-States = dict[str, dict[str, str]]
+_Placed = tuple[str, "Span"]
+"""A value, and where it is written."""
+States = dict[str, dict[str, _Placed]]
 """The value of each joint in each state."""
 
 
@@ -196,13 +206,14 @@ class _Maker:
     def element(self, name: str, attributes: dict[str, object]) -> Element:
         return Element(name, self._owner.span, attributes, trace=self._owner.trace)
 
-    def text(self, name: str, text: str) -> Element:
+    def text(self, name: str, text: str, span: Span | None = None) -> Element:
+        """Return an element with a text that is written at `span`, or follows from the control."""
         made = self.element(name, {})
-        made.children.append(Text(text, self._owner.span))
+        made.children.append(Text(text, span or self._owner.span))
         return made
 
-    def param(self, name: str, text: str) -> Element:
-        made = self.text("param", text)
+    def param(self, name: str, text: str, span: Span | None = None) -> Element:
+        made = self.text("param", text, span)
         made.attributes["name"] = name
         return made
 
@@ -214,6 +225,11 @@ def _gpio(made: _Maker, pin: Element) -> Element:
     return gpio
 
 
-def _number(limit: Element, name: str, default: str | None) -> str | None:
+def _text_span(key: Element) -> Span:
+    return next((each.span for each in key.children if isinstance(each, Text)), key.span)
+
+
+def _number(limit: Element, name: str, default: str | None) -> _Placed | None:
     value = limit.attributes.get(name)
-    return default if value is None else format_value(value).strip()
+    text = default if value is None else format_value(value).strip()
+    return None if text is None else (text, limit.value_span(name))

@@ -57,7 +57,8 @@ def merged_states(notes: Iterable[RobotNote]) -> States:
         if note.name == "state":
             values = states.setdefault(str(note.attributes["name"]), {})
             for joint in note.elements():
-                values[str(joint.attributes["joint"])] = str(joint.attributes["value"])
+                value = str(joint.attributes["value"]), joint.value_span("value")
+                values[str(joint.attributes["joint"])] = value
     return states
 
 

@@ -39,7 +39,7 @@ class Answer:
         value: the attribute's value, or the text of the element; None for an element without text.
         span: where the value is written, or the key that made the element.
         name_span: where the name is written that the value contains, for names of parts.
-        is_derived: whether no text gives the value: it follows from the key at `span`.
+        is_derived: whether no text gives the value: it follows from what is written at `span`.
         trace: the calls and includes that led there.
         formats: what each output format makes of it, by the name of the format.
         path: the elements around the element, from a child of the root to the element itself.
@@ -77,6 +77,7 @@ class Answer:
         texts = [child for child in element.children if isinstance(child, Text)]
         if texts and format_value(texts[0].value).strip():
             self.value, self.span = element.text(), texts[0].span
+            self.is_derived = self._follows_from_key()
 
     def _answer_for(self, attribute: str) -> None:
         element = self.element
@@ -84,9 +85,16 @@ class Answer:
         self.span = element.value_span(attribute)
         if isinstance(self.span, RecordedSpan) and attribute in ("name", "link"):
             self.name_span = self.span.name_span
+        if self.name_span is None:
+            is_mass_by_volume = element.name == "mass" and element.span.written() == "density"
+            self.is_derived = self._follows_from_key() or is_mass_by_volume
+
+    def _follows_from_key(self) -> bool:
+        """Return whether the value has no place of its own, and is not what its key says."""
         text = self.span.written()
-        if self.span.key() == element.span.key() and text != self.value and "$" not in text:
-            self.is_derived = self.name_span is None
+        before, expression, _ = text.partition("$")
+        is_value = bool(expression) and "=" not in before  # and no key such as frame/name=$(side)
+        return self.span.key() == self.element.span.key() and text != self.value and not is_value
 
     @property
     def readings(self) -> Sequence[Reading]:
