@@ -105,14 +105,16 @@ class Reading:
         name: the variable.
         value: its value then, as text.
         span: where it was set; None if that is not known.
+        given: if this notes the value at a declaration, where it was set instead, as by an include.
     """
 
-    __slots__ = ("name", "span", "value")
+    __slots__ = ("given", "name", "span", "value")
 
-    def __init__(self, name: str, value: str, span: Span | None) -> None:
+    def __init__(self, name: str, value: str, span: Span | None, given: Span | None = None) -> None:
         self.name = name
         self.value = value
         self.span = span
+        self.given = given
 
 
 class RecordedSpan(Span):

@@ -139,6 +139,8 @@ class Playground:
             return "{}"
         if action == "download":
             return self._session.download(given["format"]).decode()
+        if action == "included":
+            return self._session.included().decode()
         if action == "open":
             return json.dumps(self._place(given))
         return "{}"

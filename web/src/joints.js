@@ -12,7 +12,7 @@ const PART_NAMES = new Map([
 const DEGREES = 180 / Math.PI;
 
 export class Joints {
-  /** @param {object} told `onMove()`, `onHover(link)`, `onSelect(link)` */
+  /** @param {object} told `onMove()`, before it `onChoose()` if one is moved by hand, `onHover(link)`, `onSelect(link)` */
   constructor(told) {
     this.told = told;
     this.positions = new Map(); // name → values that the user has set
@@ -122,6 +122,7 @@ export class Joints {
     this.positions.set(joint.name, values);
     this.robot.setJoint(joint.name, values);
     this.showValues();
+    this.told.onChoose();
     this.told.onMove();
   }
 
@@ -129,7 +130,34 @@ export class Joints {
   reset() {
     this.positions.clear();
     this.rest();
+    this.told.onChoose();
     this.told.onMove();
+  }
+
+  /** Return the joints with one position that follow no other: their names, positions, rest. */
+  simple() {
+    return [...this.rows.values()]
+      .filter(({ joint, parts }) => !joint.mimicJoint && parts.length === 1)
+      .map(({ joint, parts }) => ({ name: joint.name, value: joint.jointValue[0], rest: restOf(parts[0]) }));
+  }
+
+  /** Move several joints; `isKept` also for robots that are built later. */
+  place(positions, { isKept }) {
+    for (const [name, position] of positions) {
+      const values = [clamp(position, this.rows.get(name).parts[0])];
+      if (isKept) this.positions.set(name, values);
+      this.robot.setJoint(name, values);
+    }
+    this.showValues();
+    this.told.onMove();
+  }
+
+  /** Return the position of a joint as it is shown, and whether it is at a limit. */
+  shownValue(joint) {
+    const [part] = this.rows.get(joint.name).parts;
+    const value = joint.jointValue[0];
+    const isAtLimit = !part.isFree && (value <= part.lower || value >= part.upper);
+    return `${shown(value, part.isAngle)}${isAtLimit ? " (limit)" : ""}`;
   }
 
   showValues() {

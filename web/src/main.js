@@ -1,15 +1,22 @@
 // The page of `yamaro view`: puts the parts together.
 
 import { follow, latestPoster, post } from "./connection.js";
+import { Between } from "./between.js";
 import { copy } from "./copying.js";
 import { followCursor, linkAt } from "./cursor.js";
 import { byId, show } from "./dom.js";
 import { Downloads } from "./downloads.js";
+import { JointDrag } from "./drag.js";
+import { Included } from "./included.js";
 import { equivalentBox } from "./inertia.js";
 import { Joints } from "./joints.js";
 import { Fault, Warnings } from "./messages.js";
 import { Origin } from "./origin.js";
+import { Panels } from "./panels.js";
+import { PictureCard } from "./picture.js";
+import { Poses } from "./poses.js";
 import { Robot } from "./robot.js";
+import { keep, recall } from "./settings.js";
 import { Stage } from "./stage.js";
 import { Theme } from "./theme.js";
 import { Tree } from "./tree.js";
@@ -29,12 +36,14 @@ const stage = makeStage({
   onHover(object) {
     const shape = object && robot?.shapeOf(object);
     byId("canvas").classList.toggle("pointing", Boolean(shape));
+    byId("canvas").classList.toggle("movable", Boolean(shape && drag.isOn && drag.jointOf(shape.link)));
     hover(shape?.link ?? null);
     showHint(shape);
   },
-  onClick(object) {
+  onClick(object, event) {
     const shape = object && robot?.shapeOf(object);
-    select(shape?.link ?? null, shape ?? null);
+    if (event.shiftKey && shape && selection.link) between.toLink(shape.link);
+    else select(shape?.link ?? null, shape ?? null);
   },
 });
 
@@ -50,7 +59,8 @@ function makeStage(told) {
 
 const tree = new Tree({ onSelect: (link) => select(link), onHover: hover });
 const joints = new Joints({
-  onMove: stage.draw,
+  onMove: onPose,
+  onChoose: () => poses.interrupt(),
   onHover: hover,
   onSelect: (link) => select(link),
 });
@@ -58,12 +68,18 @@ const origin = new Origin({ onOpen: openPlace, onClose: () => select(null) });
 const fault = new Fault({ onOpen: openPlace });
 const warnings = new Warnings({ onSelect: selectOwner, onOpen: openPlace });
 const downloads = new Downloads();
+const poses = new Poses({ joints, onCopied: onPoseCopied });
+const between = new Between({ stage, onCopied: () => notify("copied"), onSwap: swapBetween });
+const picture = new PictureCard({ stage, robot: () => robot, onSaved: notify });
+const drag = new JointDrag(stage, { robot: () => robot, joints, onDrag });
+new Panels();
 const sendVariables = latestPoster("variables", (refusal) => notify(refusal));
 const variables = new Variables({
   onChange: sendVariables,
   onOpen: (name) => openPlace({ variable: name, text: name }),
   onCopied: () => notify("copied"),
 });
+const included = new Included({ variables, onOpen: openPlace });
 
 // --- what the server tells ------------------------------------------------------------------------
 
@@ -75,7 +91,8 @@ async function onState(next) {
   byId("file").textContent = next.file;
   byId("file").title = next.file;
   byId("time").textContent = next.fault ? "not built" : `built in ${Math.round(next.milliseconds)} ms`;
-  variables.set(next.variables, title);
+  variables.set(next.variables, title, next.hasMore);
+  included.setBuild(next.hasMore);
   fault.set(next.fault, Boolean(next.robot));
   show(byId("empty"), !next.robot && !next.fault);
   if (next.robot && next.robotVersion !== builtVersion) {
@@ -112,6 +129,8 @@ async function build(description, version) {
   for (const kind of KINDS) robot.setShown(kind, shown[kind]);
   if (isFirst) stage.look("iso", robot.outermostPoints());
   joints.restore();
+  poses.setRobot(robot);
+  between.setRobot(robot);
   warnings.set(description.diagnostics, description.places);
   for (const [mesh, reason] of faults) warnings.addMeshFault(mesh, reason);
   byId("name").textContent = robot.name || "robot";
@@ -150,7 +169,44 @@ function select(link, shape = null) {
   tree.mark("selected", link);
   joints.mark(link);
   origin.set(robot, link, body);
+  byId("between-from").textContent = link ?? "";
+  between.fromLink(link);
   stage.draw();
+}
+
+function swapBetween(from, to) {
+  select(from);
+  between.toLink(to);
+}
+
+/** The joints have moved. */
+function onPose() {
+  poses.showChosen();
+  between.update();
+  stage.draw();
+}
+
+function onPoseCopied(format, left) {
+  const missing = left ? `, without ${left} whose names have commas` : "";
+  notify(`copied as ${{ state: "YAML", picture: "--joints", json: "JSON" }[format]}${missing}`);
+}
+
+/** Show the position of the joint that is dragged beside the pointer. */
+function onDrag(joint, event) {
+  const value = byId("drag-value");
+  show(value, Boolean(joint));
+  byId("canvas").classList.toggle("dragging", Boolean(joint));
+  if (!joint) return;
+  value.textContent = `${joint.name} ${joints.shownValue(joint)}`;
+  const frame = byId("canvas").getBoundingClientRect();
+  value.style.left = `${Math.min(event.clientX - frame.left + 14, frame.width - value.offsetWidth - 8)}px`;
+  value.style.top = `${Math.max(event.clientY - frame.top - 34, 8)}px`;
+}
+
+function setDrag(isOn) {
+  drag.isOn = isOn;
+  byId("drag").setAttribute("aria-pressed", String(isOn));
+  keep("drag", isOn ? "on" : "off");
 }
 
 /** Select the link that a warning is about; of a joint, the link that it moves. */
@@ -159,13 +215,13 @@ function selectOwner({ link, joint }) {
   select(link ?? below?.[0] ?? null);
 }
 
-async function openPlace({ place, variable, text, isFault = false }) {
+async function openPlace({ place, variable, text, version: given, isFault = false }) {
   if (!state.editor) {
     const plain = variable ? `${state.file} ${variable}` : text;
     if (await copy(plain)) notify(`copied ${plain}`);
     return;
   }
-  const version = isFault ? state.version : state.robotVersion;
+  const version = given ?? (isFault ? state.version : state.robotVersion);
   const refusal = await post("open", variable ? { variable } : { place, version, isFault });
   if (refusal) notify(refusal);
 }
@@ -199,9 +255,14 @@ function showPane(name) {
 }
 
 function onKey(event) {
-  if (event.target.closest("input, textarea") || event.ctrlKey || event.metaKey || event.altKey) return;
-  const leave = () => (downloads.card.hidden ? select(null) : downloads.toggle(false));
+  if (event.target.closest("input, textarea, select, dialog") || event.ctrlKey || event.metaKey || event.altKey) return;
+  const leave = () => {
+    if (!picture.card.hidden) picture.close();
+    else if (!downloads.card.hidden) downloads.toggle(false);
+    else select(null);
+  };
   const actions = { f: () => look("iso"), r: () => joints.reset(), t: () => theme.next(), Escape: leave };
+  Object.assign(actions, { d: () => setDrag(!drag.isOn), p: () => picture.take() });
   KINDS.forEach((kind, index) => (actions[String(index + 1)] = () => toggle(kind)));
   if (event.key === "/") {
     event.preventDefault();
@@ -212,6 +273,8 @@ function onKey(event) {
 
 const look = (view) => robot && stage.look(view, robot.outermostPoints());
 
+byId("drag").onclick = () => setDrag(!drag.isOn);
+setDrag(recall("drag") !== "off");
 byId("time").onclick = () => post("rebuild", {});
 for (const kind of KINDS) byId(`show-${kind}`).onclick = () => toggle(kind);
 for (const button of document.querySelectorAll("[data-view]")) {

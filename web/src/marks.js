@@ -11,6 +11,7 @@ const JOINT_COLOR = 0x12a594;
 const INERTIA_COLOR = 0x8057cc;
 const ABOVE_BODIES = 10;
 const OUTLINE = new LineMaterial({ color: 0x2563eb, linewidth: 2.2 }); // pixels
+const MEASURE = new LineMaterial({ color: 0xd9480f, linewidth: 2.2, depthTest: false, transparent: true });
 const MOST_OUTLINED = 60_000; // corners of a body
 const SHARP = 25; // degrees between two faces that make an edge
 
@@ -90,6 +91,14 @@ export function outlineMark(geometry) {
   const edges = new THREE.EdgesGeometry(geometry, SHARP);
   const mark = new LineSegments2(new LineSegmentsGeometry().fromEdgesGeometry(edges), OUTLINE);
   mark.raycast = () => {};
+  return mark;
+}
+
+/** Return a line through points that is seen through bodies. */
+export function lineMark(points) {
+  const geometry = new LineSegmentsGeometry().setPositions(points.flatMap((point) => point.toArray()));
+  const mark = new LineSegments2(geometry, MEASURE);
+  drawAbove(mark);
   return mark;
 }
 

@@ -16,7 +16,7 @@ const COLORS = {
 export class Stage {
   /**
    * @param {HTMLCanvasElement} canvas
-   * @param {object} told `onHover(object)`, `onClick(object)`; null where nothing is
+   * @param {object} told `onHover(object)`, `onClick(object, event)`; null where nothing is
    */
   constructor(canvas, told) {
     this.canvas = canvas;
@@ -187,7 +187,7 @@ export class Stage {
       pressed = null;
       if (!start || event.target !== this.canvas || event.button !== 0) return;
       const way = Math.hypot(event.clientX - start.clientX, event.clientY - start.clientY);
-      if (way < CLICK_DISTANCE) this.told.onClick(this.hit(event));
+      if (way < CLICK_DISTANCE) this.told.onClick(this.hit(event), event);
     });
   }
 

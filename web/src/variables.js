@@ -18,27 +18,56 @@ export class Variables {
   }
 
   /** Show the variables; a field that is being edited is left alone. */
-  set(variables, file) {
+  set(variables, file, hasMore) {
     this.file = file;
     const shape = JSON.stringify(variables.map(({ value, line, ...rest }) => rest));
     if (shape !== this.shape) {
       this.shape = shape;
       this.rows.clear();
       for (const variable of variables) this.rows.set(variable.name, this.rowOf(variable));
-      byId("variables").replaceChildren(...[...this.rows.values()].map(({ element }) => element));
+      byId("variables").replaceChildren(...this.groups(variables));
     }
     for (const variable of variables) {
       const row = this.rows.get(variable.name);
       row.variable = variable;
       row.showValue(variable.value);
       row.element.classList.toggle("changed", variable.value !== variable.default);
-      const place = `${this.file}:${variable.line}`;
+      const place = `${variable.file ? nameOf(variable.file) : this.file}:${variable.line}`;
       row.element.querySelector(".name").title = variable.help ? `${variable.help}\n${place}` : place;
     }
     byId("variable-count").textContent = String(variables.length);
-    show(byId("variables-pane"), variables.length > 0);
-    document.body.classList.toggle("has-variables", variables.length > 0);
+    const isShown = variables.length > 0 || Boolean(hasMore);
+    show(byId("variables-pane"), isShown);
+    document.body.classList.toggle("has-variables", isShown);
     this.showAssignments();
+  }
+
+  /** Return the rows: first those of the main file, then the files that it includes, folded. */
+  groups(variables) {
+    const files = new Map();
+    for (const { name, file } of variables) {
+      if (!files.has(file)) files.set(file, []);
+      files.get(file).push(this.rows.get(name).element);
+    }
+    const own = files.get(undefined) ?? [];
+    files.delete(undefined);
+    return [...own, ...[...files].map(([file, rows]) => fileGroup(file, rows))];
+  }
+
+  /**
+   * Return fields for a variable that are not among the others: they follow it, and set it.
+   * @returns {object|null} `inputs`, and `showValue`
+   */
+  fieldsOf(name) {
+    const main = this.rows.get(name);
+    if (!main) return null;
+    const row = { variable: main.variable };
+    const { inputs, showValue } = MAKERS[main.variable.kind](row, (value) => {
+      main.showValue(value);
+      main.send(value);
+    });
+    showValue(main.variable.value);
+    return { inputs, showValue: () => showValue((row.variable = main.variable).value) };
   }
 
   rowOf(variable) {
@@ -50,8 +79,8 @@ export class Variables {
       this.showAssignments();
       this.told.onChange({ [name]: value });
     };
-    const make = { number: numberInputs, boolean: switchInput, text: textInput, choice: choiceInput }[kind];
-    const { inputs, showValue, scrub } = make(row, send);
+    row.send = send;
+    const { inputs, showValue, scrub } = MAKERS[kind](row, send);
     row.showValue = showValue;
     const label = h(
       "button.name",
@@ -103,6 +132,15 @@ export class Variables {
   async copyAssignments() {
     if (await copy(this.assignments())) this.told.onCopied();
   }
+}
+
+const MAKERS = { number: numberInputs, boolean: switchInput, text: textInput, choice: choiceInput };
+
+export const nameOf = (path) => path.split(/[\\/]/).pop();
+
+/** Return the variables of a file, folded. */
+export function fileGroup(file, rows) {
+  return h("details.file-group", {}, h("summary", { title: file }, `${nameOf(file)} `, h("span.count", {}, String(rows.length))), ...rows);
 }
 
 function numberInputs(row, send) {

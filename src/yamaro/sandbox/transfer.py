@@ -236,8 +236,10 @@ class _Packer:
         )
 
     def reading(self, reading: Reading) -> bytes:
-        place = b"" if reading.span is None else self.span(reading.span)
-        return pack([_text(reading.name), _text(reading.value), place])
+        places = [
+            b"" if span is None else self.span(span) for span in (reading.span, reading.given)
+        ]
+        return pack([_text(reading.name), _text(reading.value), *places])
 
     def frame(self, frame: Frame | None) -> int:
         """Return the number of a frame, from 1; those it refers to come before it."""
@@ -381,9 +383,9 @@ class _Unpacker:
         )
 
     def reading(self, data: bytes) -> Reading:
-        name, value, place = unpack(data)
-        span = self.span(place) if place else None
-        return Reading(_read_text(name), _read_text(value), span)
+        name, value, *places = unpack(data)
+        span, given = (self.span(place) if place else None for place in places)
+        return Reading(_read_text(name), _read_text(value), span, given)
 
     def frame(self, number: int) -> Frame | None:
         """Return a frame by its number, from 1; one that came before."""

@@ -105,6 +105,15 @@ def listing_of(
     return Listing(VARIABLES, _variables(source), [])
 
 
+def declared_names(source: Source) -> list[Declared]:
+    """Return all that a YAML file declares in its root: arguments, then variables.
+
+    Raises:
+        YamaroError: the file, or its section `arguments`, cannot be read.
+    """
+    return [*map(declared_of, arguments_of(source) or ()), *_variables(source)]
+
+
 def declared_of(entry: ArgumentEntry) -> Declared:
     """Return an argument with its default as the command line would have it."""
     declared = Declared(entry.name, entry.span)

@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from ..policy import Policy
     from ..program import Targets
     from ..result import Build
+    from ..source import Reading
 
 
 class Turn:
@@ -144,6 +145,25 @@ class Rebuilder:
             has_root=False,
             output=folder,
             **targets,
+        )
+
+    def noted(self, variables: Mapping[str, object]) -> Sequence[Reading]:
+        """Return the values that names have where they are declared, in a build that notes them.
+
+        Raises:
+            YamaroError: the robot has errors.
+            UsageError: the main file cannot be read.
+        """
+        return (
+            self._current()
+            .build(
+                command_line=self.command_line,
+                variables=variables,
+                on_message=lambda line: None,
+                has_root=False,
+                records=True,
+            )
+            .noted
         )
 
     def _current(self) -> Program:

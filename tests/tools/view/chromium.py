@@ -167,8 +167,36 @@ class Chromium:
         self._mouse("mouseMoved", x + right, y, "left")
         self._mouse("mouseReleased", x + right, y, "left")
 
-    def _mouse(self, kind: str, x: float, y: float, button: str) -> None:
-        self.call("Input.dispatchMouseEvent", type=kind, x=x, y=y, button=button, clickCount=1)
+    def drag_through(self, *points: tuple[float, float], keys: int = 0, drop: bool = True) -> None:
+        """Drag with the mouse from the first point through the others.
+
+        Args:
+            points: x and y on the page.
+            keys: the modifiers that are held: 1 is Alt, 2 Ctrl, 8 Shift.
+            drop: whether the button is let go at the end.
+        """
+        self._mouse("mouseMoved", *points[0], "none", keys)
+        self._mouse("mousePressed", *points[0], "left", keys)
+        for x, y in points[1:]:
+            self._mouse("mouseMoved", x, y, "left", keys)
+        if drop:
+            self.drop(*points[-1])
+
+    def drop(self, x: float, y: float) -> None:
+        """Let the mouse button go."""
+        self._mouse("mouseReleased", x, y, "left")
+
+    def key(self, key: str, *, keys: int = 0) -> None:
+        """Press a key, such as `ArrowLeft`, and let it go."""
+        text = {"text": key} if len(key) == 1 else {}
+        self.call("Input.dispatchKeyEvent", type="keyDown", key=key, modifiers=keys, **text)
+        self.call("Input.dispatchKeyEvent", type="keyUp", key=key, modifiers=keys)
+
+    def _mouse(self, kind: str, x: float, y: float, button: str, keys: int = 0) -> None:
+        self.call(
+            "Input.dispatchMouseEvent",
+            type=kind, x=x, y=y, button=button, clickCount=1, modifiers=keys,
+        )  # fmt: skip
 
     def middle_of(self, selector: str) -> tuple[float, float]:
         """Return where an element is, having scrolled to it."""

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from math import isfinite
+
 from ...diagnostics import ERROR, WARNING, Diagnostic, YamaroError
 from ...model.link import Visual
 from ...model.shapes import Mesh
@@ -11,7 +13,7 @@ from .origins import Owners, Places
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Sequence
+    from collections.abc import Iterable, Mapping, Sequence
 
     from ...diagnostics import Frame
     from ...model.link import Collision, Link
@@ -49,6 +51,7 @@ class Description:
                 for name, joint in robot.joints.items()
             },
             "textures": self._textures(robot),
+            "states": {state.name: _finite(state.positions) for state in robot.states.values()},
         }
         warnings = (*build.warnings, *self._refused.values())
         self.data["diagnostics"] = [self._diagnostic(each, owners) for each in warnings]
@@ -123,6 +126,11 @@ class Description:
         if owner is not None:
             told[owner[0]] = owner[1]
         return told
+
+
+def _finite(positions: Mapping[str, float]) -> Json:
+    """Return the positions that are numbers to JSON."""
+    return {name: position for name, position in positions.items() if isfinite(position)}
 
 
 def diagnostic_data(diagnostic: Diagnostic) -> Json:

@@ -321,6 +321,7 @@ class Handler(BaseHTTPRequestHandler):
             "variables": self._set_variables,
             "open": self._open,
             "download": self._download,
+            "included": lambda _: self.server.session.included(),
             "rebuild": lambda _: self.server.session.rebuild(),
         }
         if path not in actions:

@@ -11,10 +11,11 @@ from ...confined import Reader
 from ...diagnostics import YamaroError
 from ...files.loader import FileLoader, LoadError, decode
 from ...files.regular import open_regular
-from ...main_file import reach_of
-from ...source import holds_xml
+from ...main_file import finder_for, reach_of
+from ...source import Source, holds_xml
 from .description import Description, fault_data
 from .downloads import Downloads
+from .included_variables import IncludedVariables, has_others
 from .mesh_files import Library, MeshFiles
 from .origins import Places
 from .variable_fields import VariableField, WrongValue, read_variable_fields
@@ -62,6 +63,8 @@ class Session:
         self._seconds = 0.0
         self._fields: dict[str, VariableField] = {}
         self._is_xml = False
+        self._has_others = False  # whether the main file declares more than these
+        self._has_more = False  # whether it or a file that it includes does
         self._values: dict[str, Value] = {}
         self._files = [MeshFiles(None), MeshFiles(None)]  # of this robot, and of the one before it
         self._encoded: tuple[int, bytes] = (-1, b"")
@@ -80,6 +83,7 @@ class Session:
             self._seconds = turn.seconds
             if robot is not None:
                 self._robot, self._fault = robot, None
+                self._has_more = self._has_others or self._includes(turn)
                 self._robot_version += 1
             else:
                 self._fault_places = Places()
@@ -104,6 +108,12 @@ class Session:
         self._files = [files, self._files[0]]
         return robot
 
+    def _includes(self, turn: Turn) -> bool:
+        """Return whether a YAML file took part that is not the main file."""
+        files = turn.build.files if turn.build is not None else []
+        main = os.path.abspath(self._path)
+        return any(each.endswith((".yaml", ".yml")) and each != main for each in files)
+
     def _read_fields(self) -> None:
         """Read which variables the main file has; of those changed in it, its values count.
 
@@ -112,8 +122,17 @@ class Session:
         try:
             data = self._loader.read(os.path.abspath(self._path))
             text = decode(data, name=self._path, path=self._path).text
-            fields = read_variable_fields(text, self._path)
+            fields = read_variable_fields(
+                text,
+                self._path,
+                path=os.path.abspath(self._path),
+                loader=self._loader,
+                packages=finder_for(self._path, self._reach, self._rebuilder.packages),
+            )
             self._is_xml = holds_xml(self._path, text)
+            self._has_others = not self._is_xml and has_others(
+                Source(text, name=self._path), fields
+            )
         except (LoadError, YamaroError):
             return
         with self._changed:
@@ -142,6 +161,7 @@ class Session:
             "robot": self._robot.data if self._robot is not None else None,
             "fault": self._fault,
             "variables": self._variables(),
+            "hasMore": self._has_more,
         }
 
     def _variables(self) -> list[Json]:
@@ -154,11 +174,17 @@ class Session:
                 "isWhole": field.is_whole,
                 "value": self._values.get(name, given.get(name, field.default)),
                 "line": field.span.location()[0],
+                **self._file_of(field),
                 **field.about(),
             }
             for name, field in self._fields.items()
             if name in given or field.default is not None
         ]
+
+    def _file_of(self, field: VariableField) -> Json:
+        """Return the file that a variable is in, if that is not the main file."""
+        path = field.span.source.path
+        return {} if path == os.path.abspath(self._path) else {"file": path}
 
     def _given(self) -> dict[str, Value]:
         """Return what the command line sets, where it fits the field."""
@@ -224,8 +250,7 @@ class Session:
             found = next((each for each in self._fields.values() if each.name == name), None)
             if found is None:
                 return None
-            line, column = found.span.location()
-            return os.path.abspath(self._path), line, column
+            return (found.span.source.path, *found.span.location())
 
     def set_variables(self, values: Mapping[str, object]) -> None:
         """Set variables of the main file, and have the robot built; None takes the file's value.
@@ -264,6 +289,24 @@ class Session:
         with self._changed:
             values = dict(self._values)
         return json.dumps(self.downloads.prepare(format, values)).encode()
+
+    def included(self) -> bytes:
+        """Return the variables that a build does not take, with their values, as JSON.
+
+        The robot is built for that, with notes of the values, which takes longer than without.
+        """
+        with self._changed:
+            values, fields, robot = dict(self._values), dict(self._fields), self._robot
+            version = self._robot_version
+        try:
+            noted = [] if robot is None else self._rebuilder.noted(values)
+        except (YamaroError, UsageError):
+            noted = []
+        found = IncludedVariables(noted, os.path.abspath(self._path), fields)
+        with self._changed:
+            places = Places() if robot is None else robot.places
+            files = found.data(self._loader, places)
+        return json.dumps({"version": version, "files": files}).encode()
 
     def rebuild(self) -> None:
         """Have the robot built, with all files read again."""

@@ -5,6 +5,8 @@ from __future__ import annotations
 import math
 
 from ...diagnostics import InputFault, Reporter
+from ...files.loader import MemoryLoader
+from ...files.packages import PackageFinder
 from ...policy import Limits
 from ...source import Source, Span, holds_xml
 from ...syntax.argument_section import arguments_of
@@ -19,15 +21,16 @@ from ...syntax.argument_types import (
     checked,
 )
 from ...syntax.names import python_name
-from ...xml.reader import read_xml
-from ...xml.values import format_value
 from ...yaml.nodes import ScalarNode
 from ...yaml.reader import read
 from ...yaml.scalars import type_plain
 from ..declared_arguments import declared_of, pairs_in, plain_value
+from ..xacro_arguments import xacro_arguments
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from ...files.loader import Loader
+
     Value = bool | int | float | str
     Json = dict[str, object]
 
@@ -173,14 +176,26 @@ class ArgumentField(VariableField):
         return told
 
 
-def read_variable_fields(text: str, name: str) -> dict[str, VariableField]:
+def read_variable_fields(
+    text: str,
+    name: str,
+    *,
+    path: str = "",
+    loader: Loader | None = None,
+    packages: PackageFinder | None = None,
+) -> dict[str, VariableField]:
     """Return the variables that a main file has with a plain number, truth value or text.
 
-    Those that are computed, and lists, are left out. Of a xacro file these are its arguments.
+    Those that are computed, and lists, are left out. Of a xacro file these are its arguments, and
+    those of the files that it includes.
 
     Args:
         text: the file.
         name: its name, by which YAML and XML are distinguished.
+        path: its absolute path, if it has one.
+        loader: gives the files that a xacro file includes, whose arguments a build takes too; none
+            without it.
+        packages: finds the packages that they are in.
 
     Returns:
         The fields by the names under which a build knows them, in the order of the file.
@@ -188,9 +203,9 @@ def read_variable_fields(text: str, name: str) -> dict[str, VariableField]:
     Raises:
         YamaroError: the file cannot be read as YAML or XML.
     """
-    source = Source(text, name=name)
+    source = Source(text, name=name, path=path)
     if holds_xml(name, text):
-        return _xacro_fields(source)
+        return _xacro_fields(source, loader or MemoryLoader({}), packages or PackageFinder())
     entries = arguments_of(source)
     return _yaml_fields(source) if entries is None else _argument_fields(entries)
 
@@ -220,14 +235,15 @@ def _yaml_fields(source: Source) -> dict[str, VariableField]:
     return fields
 
 
-def _xacro_fields(source: Source) -> dict[str, VariableField]:
-    fields: dict[str, VariableField] = {}
-    for element in read_xml(source, Limits()).root.elements():
-        argument = format_value(element.attributes.get("name"))
-        default = format_value(element.attributes.get("default"))
-        if element.name == "xacro:arg" and "$" not in default and "default" in element.attributes:
-            fields[argument] = VariableField(argument, value_of_text(default), element.span)
-    return fields
+def _xacro_fields(
+    source: Source, loader: Loader, packages: PackageFinder
+) -> dict[str, VariableField]:
+    declared, _ = xacro_arguments(source, loader, packages, Limits())
+    return {
+        each.name: VariableField(each.name, value_of_text(each.default_text), each.span)
+        for each in declared
+        if each.default_text is not None and each.has_value
+    }
 
 
 def value_of_text(text: str) -> Value:
