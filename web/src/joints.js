@@ -12,7 +12,7 @@ const PART_NAMES = new Map([
 const DEGREES = 180 / Math.PI;
 
 export class Joints {
-  /** @param {object} told `onMove()`, before it `onChoose()` if one is moved by hand, `onHover(link)`, `onSelect(link)` */
+  /** @param {object} told `onMove()`, before it perhaps `onChoose()` if one is moved by hand, `onHover(link)`, `onSelect(link)` */
   constructor(told) {
     this.told = told;
     this.positions = new Map(); // name → values that the user has set
@@ -122,7 +122,7 @@ export class Joints {
     this.positions.set(joint.name, values);
     this.robot.setJoint(joint.name, values);
     this.showValues();
-    this.told.onChoose();
+    this.told.onChoose?.();
     this.told.onMove();
   }
 
@@ -130,7 +130,7 @@ export class Joints {
   reset() {
     this.positions.clear();
     this.rest();
-    this.told.onChoose();
+    this.told.onChoose?.();
     this.told.onMove();
   }
 

@@ -94,6 +94,7 @@ export class Variables {
       {
         type: "button",
         title: `back to ${variable.default}`,
+        ariaLabel: `${name}: back to ${variable.default}`,
         onclick: () => {
           showValue(variable.default);
           row.variable = { ...row.variable, value: row.variable.default };

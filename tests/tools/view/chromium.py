@@ -180,11 +180,11 @@ class Chromium:
         for x, y in points[1:]:
             self._mouse("mouseMoved", x, y, "left", keys)
         if drop:
-            self.drop(*points[-1])
+            self.drop(*points[-1], keys=keys)
 
-    def drop(self, x: float, y: float) -> None:
+    def drop(self, x: float, y: float, *, keys: int = 0) -> None:
         """Let the mouse button go."""
-        self._mouse("mouseReleased", x, y, "left")
+        self._mouse("mouseReleased", x, y, "left", keys)
 
     def key(self, key: str, *, keys: int = 0) -> None:
         """Press a key, such as `ArrowLeft`, and let it go."""
