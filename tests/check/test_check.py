@@ -19,7 +19,7 @@ from tests.effort import examples
 from yamaro.check.link import principal_moments
 from yamaro.check.robot import check
 from yamaro.diagnostics import WARNING, Diagnostic, Reporter
-from yamaro.meshes.triangles import stl_extent
+from yamaro.meshes.triangles import mesh_extent
 from yamaro.model.urdf_schema import ELEMENTS
 from yamaro.model.values import read_numbers
 from yamaro.rendering import render
@@ -505,9 +505,13 @@ def test_files_are_not_looked_at_unless_asked() -> None:
     assert found(mesh_robot("nowhere.stl")) == []
 
 
-def test_a_mesh_in_millimetres_gets_advice(tmp_path: Path) -> None:
-    path = tmp_path / "box.stl"
-    trimesh.creation.box(extents=(100, 400, 300)).export(path)
+@pytest.mark.parametrize(
+    ("name", "form"), [("box.stl", "stl"), ("box.stl", "stl_ascii"), ("box.obj", "obj")]
+)
+def test_a_mesh_in_millimetres_gets_advice(name: str, form: str, tmp_path: Path) -> None:
+    path = tmp_path / name
+    trimesh.creation.box(extents=(100, 400, 300)).export(path, file_type=form)
+    assert mesh_extent(str(path), (1.0, 1.0, 2.0)) == pytest.approx(600, rel=1e-6)
     for attributes, codes in (("", ["large-mesh"]), (' scale="0.001 0.001 0.001"', [])):
         faults, advice = Reporter(), Reporter()
         check(
@@ -520,12 +524,27 @@ def test_a_mesh_in_millimetres_gets_advice(tmp_path: Path) -> None:
         assert [d.code for d in advice.diagnostics] == codes
 
 
-@pytest.mark.parametrize("content", [b"", b"solid ascii", b"x" * 200])
-def test_a_mesh_that_cannot_be_measured_gets_no_advice(content: bytes, tmp_path: Path) -> None:
-    path = tmp_path / "odd.stl"
+@pytest.mark.parametrize("name", ["odd.stl", "odd.obj"])
+@pytest.mark.parametrize(
+    "content",
+    [
+        b"",
+        b"solid ascii",
+        b"x" * 200,
+        b"v 0 0 0\nv 1 a 3\n",
+        b"v 0 0 0\nv 1 inf 3\n",
+        b"v 0 0 0\nv nan 1 3\n",
+        b"vn 0 0 0\nvn 900 0 0\n",
+        b"# v 0 0 0\n",
+    ],
+)
+def test_a_mesh_that_cannot_be_measured_gets_no_advice(
+    name: str, content: bytes, tmp_path: Path
+) -> None:
+    path = tmp_path / name
     path.write_bytes(content)
-    assert stl_extent(str(path), (1.0, 1.0, 1.0)) is None
-    assert stl_extent(str(tmp_path / "none.stl"), (1.0, 1.0, 1.0)) is None
+    assert mesh_extent(str(path), (1.0, 1.0, 1.0)) is None
+    assert mesh_extent(str(tmp_path / "none.stl"), (1.0, 1.0, 1.0)) is None
 
 
 # --- size -------------------------------------------------------------------------------------

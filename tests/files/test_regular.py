@@ -11,7 +11,7 @@ import pytest
 from yamaro.files.packages import PackageFinder, manifest_name
 from yamaro.files.regular import _Unblocked, open_regular, read_start
 from yamaro.meshes.formats import MeshFileError
-from yamaro.meshes.triangles import read_mesh, stl_extent
+from yamaro.meshes.triangles import mesh_extent, read_mesh
 
 posix = pytest.mark.skipif(sys.platform == "win32", reason="needs FIFOs")
 
@@ -48,7 +48,7 @@ def test_a_fifo_in_place_of_a_mesh_hung_its_reader(target: str, tmp_path: Path) 
         (tmp_path / f"a.{ending}").symlink_to(target)
         with pytest.raises(MeshFileError, match="regular"):
             read_mesh(str(tmp_path / f"a.{ending}"))
-    assert stl_extent(str(tmp_path / "a.stl"), (1, 1, 1)) is None
+    assert mesh_extent(str(tmp_path / "a.stl"), (1, 1, 1)) is None
 
 
 def test_comments_without_an_end_took_quadratic_time_in_a_manifest(tmp_path: Path) -> None:

@@ -260,10 +260,10 @@ def _advise_on_mesh(
     element = mesh.element
     if element is None or not mesh.filename or mesh in sizes:
         return
-    from ..meshes.triangles import stl_extent
+    from ..meshes.triangles import mesh_extent
 
     path = resolve_mesh(mesh.filename, element.value_span("filename"))
-    sizes[mesh] = size = None if path is None else stl_extent(path, mesh.scale)
+    sizes[mesh] = size = None if path is None else mesh_extent(path, mesh.scale)
     if size is not None and size > LARGEST_MESH:
         context.warn(
             "large-mesh",

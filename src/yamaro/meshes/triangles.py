@@ -29,6 +29,8 @@ if TYPE_CHECKING:
 
 LARGEST_MESH_MEASURED = 100 << 20
 """Bytes of a mesh that is read only to measure its size."""
+LARGEST_TEXT_MEASURED = 20 << 20
+"""The same for a mesh in text, which takes longer."""
 
 MERGE_FRACTION = 1e-7
 """Vertices nearer than this part of the mesh's size are the same one: the step of a float32."""
@@ -176,17 +178,18 @@ def _binary_stl_numbers(data: bytes) -> list[float]:
     return list(chain.from_iterable(facets))
 
 
-def stl_extent(path: str, scale: tuple[float, ...]) -> float | None:
-    """Return the longest side of a binary STL's bounding box in metres, scaled.
+def mesh_extent(path: str, scale: tuple[float, ...]) -> float | None:
+    """Return the longest side of the bounding box of an STL or OBJ in metres, scaled.
 
-    None for other files, for an STL without triangles, and for one of more than
-    `LARGEST_MESH_MEASURED` bytes.
+    None for other files, for one without corners, and for one of more than `LARGEST_MESH_MEASURED`
+    bytes, or `LARGEST_TEXT_MEASURED` if it is text.
     """
     import os
+    from math import isfinite
 
     from ..files.regular import open_regular
 
-    if not path.lower().endswith(".stl"):
+    if not path.lower().endswith((".stl", ".obj")):
         return None
     try:
         with open_regular(path) as file:
@@ -195,11 +198,24 @@ def stl_extent(path: str, scale: tuple[float, ...]) -> float | None:
             data = file.read()
     except OSError:
         return None
-    numbers = _binary_stl_numbers(data) if is_binary_stl(data) else []
-    if not numbers:
+    numbers = _binary_stl_numbers(data) if is_binary_stl(data) else _corners_in_text(data)
+    if not numbers or not all(map(isfinite, numbers)):
         return None
     axes = [numbers[axis::3] for axis in range(3)]
     return max((max(axis) - min(axis)) * abs(scale[i]) for i, axis in enumerate(axes))
+
+
+def _corners_in_text(data: bytes) -> list[float]:
+    """Return x, y and z of all corners of an OBJ or ASCII STL; none if one cannot be read."""
+    import re
+
+    if len(data) > LARGEST_TEXT_MEASURED:
+        return []
+    corner = rb"(?im)^[ \t]*v(?:ertex)?[ \t]+(\S+)[ \t]+(\S+)[ \t]+(\S+)"
+    try:
+        return [float(word) for found in re.findall(corner, data) for word in found]
+    except ValueError:
+        return []
 
 
 def _parse_ascii_stl(data: bytes) -> TriangleMesh:

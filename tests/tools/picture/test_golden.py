@@ -67,7 +67,10 @@ def test_the_comparison_sees_a_joint_that_moved(
 
 
 def test_the_pictures_of_the_docs_are_those_in_the_list() -> None:
-    others = {path.name for path in FOLDER.glob("editor-*.png")} | {"quadruped-legs.png"}
+    others = {path.name for path in FOLDER.glob("editor-*.png")} | {
+        "quadruped-legs.png",
+        "notebook.png",
+    }
     assert {path.name for path in FOLDER.glob("*.png")} - others == set(PICTURES)
 
 
