@@ -434,6 +434,15 @@ model:
       link: {geometry: sphere, radius: 1, mass: $(i + 1)}
 """
 
+POSED = """\
+model:
+- part: {name: base, link: {geometry: sphere, radius: 1, mass: 1}}
+- part:
+    name: rod
+    joint: {type: continuous, parent: base, xyz: 0 0 1, rpy: 0.5 0 0, axis: y}
+    link: {geometry: sphere, radius: 1, xyz: 2 0 0, mass: 1, visual}
+"""
+
 
 @pytest.mark.parametrize(
     ("address", "format", "said"),
@@ -453,6 +462,24 @@ def test_each_format_says_what_it_makes_of_an_address(
     Path("robot.yaml").write_text(IN_FORMATS, encoding="utf-8")
     out = outcome(capsys, "why", "robot.yaml", address)[1]
     assert f"= {format}: {said}\n" in out
+
+
+@pytest.mark.parametrize("address", ["rod_joint/origin@xyz", "rod_joint/origin@rpy"])
+def test_an_origin_is_a_pose_in_other_formats(
+    capsys: pytest.CaptureFixture[str], address: str
+) -> None:
+    Path("robot.yaml").write_text(POSED, encoding="utf-8")
+    out = outcome(capsys, "why", "robot.yaml", address)[1]
+    assert '= sdf: <joint name="rod_joint"> <pose> 0 0 1 0.5 0 0\n' in out
+    attribute = 'pos="0 0 1"' if address.endswith("xyz") else 'quat="'
+    assert f'= mjcf: <body name="base_link"> <body {attribute}' in out
+
+
+def test_the_origin_of_a_shape_is_its_own_pose(capsys: pytest.CaptureFixture[str]) -> None:
+    Path("robot.yaml").write_text(POSED, encoding="utf-8")
+    out = outcome(capsys, "why", "robot.yaml", "rod_link/visual/origin@xyz")[1]
+    assert '= sdf: <visual name="rod_link_visual"> <pose> 2 0 0 0 0 0\n' in out
+    assert '= mjcf: <body name="rod_link"> <geom pos="2 0 0">\n' in out
 
 
 def test_an_address_can_be_one_in_another_format(capsys: pytest.CaptureFixture[str]) -> None:

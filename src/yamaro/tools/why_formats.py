@@ -26,6 +26,8 @@ OTHERWISE = {
     "effort": ("maxForce",),
 }
 """Attributes that formats call otherwise, or write in one, with the names that they may have."""
+POSES = {"xyz": ("pos",), "rpy": ("quat", "euler")}
+"""The attributes of an origin, with the names of the attributes that hold them in MJCF."""
 MOST = 3
 """How many places in an output are named."""
 SHAPES = ("visual", "collision", "geom")
@@ -131,6 +133,9 @@ def _found(answer: Answer, root: Element) -> Found:
     owner = _owner(answer.path)
     paths = list(_paths(root))
     homes = _homes(answer, paths, owner)
+    poses = _pose_of(answer, homes)
+    if poses:
+        return poses
     exact: Found = []
     if answer.value is not None:
         exact = _own([found for path in paths for found in _at(path, answer.span.key())], owner)
@@ -142,15 +147,38 @@ def _found(answer: Answer, root: Element) -> Found:
     if exact and answer.attribute is not None:
         return exact
     inner: Found = [(path, None) for path in paths if _is_in(path, homes) and _is_of(path, owner)]
+    named = _named_like(answer, inner)
+    return named or exact or _own(_made_of(paths, answer.element), owner) or homes[:1]
+
+
+def _named_like(answer: Answer, inner: Found) -> Found:
+    """Return what has the name of the attribute or element asked for, or the one it has there."""
+    if answer.attribute is None:
+        return []
     named: Found = [
         (path, name)
         for path, _ in inner
-        for name in OTHERWISE.get(answer.attribute or "", ())
+        for name in OTHERWISE.get(answer.attribute, ())
         if name in path[-1].attributes
     ]
-    for word in (answer.attribute, answer.element.name) if answer.attribute is not None else ():
+    for word in (answer.attribute, answer.element.name):
         named = named or [found for found in inner if found[0][-1].name == word]
-    return named or exact or _own(_made_of(paths, answer.element), owner) or homes[:1]
+    return named
+
+
+def _pose_of(answer: Answer, homes: Found) -> Found:
+    """Return the poses of what an origin is in: an element `pose`, or attributes of a body."""
+    if answer.element.name != "origin":
+        return []
+    found: Found = []
+    for path, _ in homes:
+        found += [([*path, child], None) for child in path[-1].elements() if child.name == "pose"]
+        # The origin of a joint is the pose of the body that the joint moves.
+        around = path[:-1] if path[-1].name == "joint" and path[-2].name == "body" else path
+        for name in POSES.get(answer.attribute or "", ()):
+            if name in around[-1].attributes:
+                found.append((around, name))
+    return found
 
 
 def _homes(answer: Answer, paths: list[Path], owner: str) -> Found:
