@@ -128,6 +128,39 @@ def test_wrong_usage(words: list[str], said: str, capsys: pytest.CaptureFixture[
     assert said in err
 
 
+def test_a_folder_means_the_files_that_are_named_as_those_of_yamaro(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    ours = [
+        "robots/a.urdf.yaml", "robots/b.yamaro.yml", "robots/deep/c.urdf.yml",
+        "robots/deep/d.yamaro.yaml",
+    ]  # fmt: skip
+    others = [
+        "robots/config.yaml", "robots/urdf.yaml", "robots/a.urdf.yaml.orig", "robots/a.test.yaml",
+        "robots/.git/e.urdf.yaml", "robots/build/f.urdf.yaml", "outside.urdf.yaml",
+    ]  # fmt: skip
+    for name in (*ours, *others):
+        Path(name).parent.mkdir(parents=True, exist_ok=True)
+        write(MESSY, name)
+    Path("robots/link.urdf.yaml").symlink_to(Path("outside.urdf.yaml").resolve())
+    said = "".join(f"{Path(name)}: not formatted\n" for name in ours)
+    assert outcome(capsys, "--check", "robots") == (1, "", said)
+    assert outcome(capsys, "robots", ours[0]) == (0, "", said.replace("not formatted", "formatted"))
+    assert {Path(name).read_text() for name in ours} == {NEAT}
+    assert {Path(name).read_text() for name in others} == {MESSY}
+    assert outcome(capsys, "--check", "robots") == (0, "", "")
+
+
+def test_a_folder_without_such_files_is_refused(capsys: pytest.CaptureFixture[str]) -> None:
+    Path("robots").mkdir()
+    path = write(MESSY, "robots/robot.yaml")
+    status, out, err = outcome(capsys, "robots/")
+    assert (status, out) == (2, "")
+    assert "no file in the folder 'robots/' is named '*.urdf.yaml' or '*.yamaro.yaml'" in err
+    assert f"yamaro fmt {Path('robots/*.yaml')}" in err
+    assert path.read_text() == MESSY
+
+
 def test_the_others_are_formatted_when_one_is_missing(capsys: pytest.CaptureFixture[str]) -> None:
     path = write(MESSY)
     assert outcome(capsys, "missing.yaml", "robot.yaml")[0] == 2

@@ -260,14 +260,21 @@ COMMANDS = {
         ),
         Command(
             "fmt",
-            ("FILE...",),
+            ("FILE|FOLDER...",),
             "format YAML files in one style",
             "Bring YAML files into one style: indentation, spaces and blank lines. Comments, "
             "order, quotes and numbers stay as they are written. The files are not run.",
-            words=(("FILE", "a YAML file; - formats standard input to standard output"),),
+            words=(
+                ("FILE", "a YAML file; - formats standard input to standard output"),
+                ("FOLDER", "formats the files *.urdf.yaml and *.yamaro.yaml in it and below"),
+            ),
             looks=True,
             endings=("yaml", "yml"),
-            examples=("yamaro fmt robot.yaml leg.yaml", "yamaro fmt --check *.yaml"),
+            examples=(
+                "yamaro fmt robot.yaml leg.yaml",
+                "yamaro fmt --check *.yaml",
+                "yamaro fmt .",
+            ),
             takes_several=True,
         ),
         Command(

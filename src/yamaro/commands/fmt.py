@@ -1,4 +1,4 @@
-"""`yamaro fmt FILE...`: brings YAML files into one style, without running them."""
+"""`yamaro fmt FILE|FOLDER...`: brings YAML files into one style, without running them."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ class _Text:
 
 
 def run(arguments: Arguments, streams: Streams) -> int:
-    """Format all files that are named; return the exit status, the worst of them."""
+    """Format files, and those of folders; return the exit status, the worst of them."""
     from ..diagnostics import YamaroError
     from ..files.loader import LoadError
     from ..tools.format.formatting import LayoutFault
@@ -52,7 +52,7 @@ def run(arguments: Arguments, streams: Streams) -> int:
         raise WrongUsage("the style of a file does not depend on 'name:=value'")
     limits = make_policy(arguments).limits
     status = DONE
-    for path in arguments.words:
+    for path in _files(arguments.words):
         try:
             text = _formatted(path, limits)
             status = max(status, _deliver(text, arguments, streams))
@@ -69,6 +69,33 @@ def run(arguments: Arguments, streams: Streams) -> int:
             )
             status = max(status, INPUT_ERROR)
     return status
+
+
+def _files(words: list[str]) -> list[str]:
+    """Return the files that words name: for a folder, those below it that are Yamaro's by name.
+
+    Raises:
+        WrongUsage: there is none in a folder.
+    """
+    import os
+
+    from ..files.folders import ROBOT_ENDINGS, files_below
+
+    found: list[str] = []
+    for word in words:
+        if not os.path.isdir(word):
+            found.append(word)
+            continue
+        below = [path for path in files_below(word, ROBOT_ENDINGS) if not os.path.islink(path)]
+        if not below:
+            example = os.path.join(os.path.normpath(word), "*.yaml")
+            raise WrongUsage(
+                f"no file in the folder {quote(word)} is named '*.urdf.yaml' or '*.yamaro.yaml', "
+                "and other YAML files may not be for Yamaro; to format others, name them: "
+                f"yamaro fmt {example}"
+            )
+        found += below
+    return list(dict.fromkeys(found))
 
 
 def _formatted(path: str, limits: Limits) -> _Text:

@@ -9,6 +9,7 @@ from __future__ import annotations
 import os
 
 from ...diagnostics import Diagnostic, Reporter, YamaroError, did_you_mean, failure
+from ...files.folders import files_below
 from ...files.loader import FileLoader, LoadError, decode
 from ...policy import UNSAFE
 from ...runtime.predefined import plain_data
@@ -30,7 +31,6 @@ if TYPE_CHECKING:
     from ...yaml.nodes import YamlNode
 
 ENDINGS = (".test.yaml", ".test.yml")
-SKIPPED_FOLDERS = frozenset(("build", "install", "log", "node_modules", "__pycache__"))
 ROBOT, SET, CASES = "robot", "set", "cases"
 CASE_KEYS = ("name", SET, "expect", "error", "warnings", "urdf", "xml")
 ERROR_KEYS = ("code", "at", "message")
@@ -125,7 +125,7 @@ def test_files(words: list[str]) -> Iterator[str]:
     seen: set[str] = set()
     for word in words:
         if os.path.isdir(word):
-            found = list(_below(word))
+            found = list(files_below(word, ENDINGS))
         else:
             os.stat(word)
             found = [word]
@@ -134,17 +134,6 @@ def test_files(words: list[str]) -> Iterator[str]:
             if real not in seen:
                 seen.add(real)
                 yield path
-
-
-def _below(folder: str) -> Iterator[str]:
-    """Yield the test files in a folder and below, in the order of their names."""
-    for inner, folders, names in os.walk(folder):
-        folders[:] = sorted(
-            name for name in folders if name[0] != "." and name not in SKIPPED_FOLDERS
-        )
-        for name in sorted(names):
-            if name.endswith(ENDINGS):
-                yield os.path.normpath(os.path.join(inner, name))
 
 
 # --- what they say ---
