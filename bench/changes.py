@@ -13,7 +13,6 @@ Of each robot of the corpus (its URDF, and what xacro makes of its xacro files):
 
 from __future__ import annotations
 
-import argparse
 import os
 import random
 import re
@@ -24,7 +23,7 @@ from pathlib import Path
 
 import numpy as np
 from lxml import etree
-from robots import Corpus
+from robots import Corpus, corpus_asked_for
 
 ROOT = Path(__file__).parents[1]
 sys.path.insert(0, str(ROOT))
@@ -386,14 +385,7 @@ def try_planted(path: Path, name: str, tally: Tally) -> None:
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
-    parser.add_argument("corpus", nargs="?", type=Path, default=ROOT.parent / "shared" / "corpus")
-    parser.add_argument("--only", default="", help="robots whose path has this regular expression")
-    options = parser.parse_args()
-    if not options.corpus.exists():
-        sys.exit(f"there is no corpus at {options.corpus}")
-    os.environ.update(ROS_VERSION="2", ROS_DISTRO="humble")
-    corpus = Corpus(options.corpus.resolve(), options.only)
+    corpus = corpus_asked_for(__doc__)
     tally = Tally()
     paths = list(robots(corpus))
     for number, path in enumerate(paths):

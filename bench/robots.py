@@ -120,6 +120,22 @@ class Corpus:
         return dict(re.findall(r"(\S+?):=(.*?)(?=\s\S+?:=|$)", self.real(row["args"])))
 
 
+def corpus_asked_for(doc: str | None) -> Corpus:
+    """Return the corpus that the command line names, and set what its xacro files read.
+
+    Args:
+        doc: what the command does, in its first line.
+    """
+    parser = argparse.ArgumentParser(description=(doc or "").splitlines()[0])
+    parser.add_argument("corpus", nargs="?", type=Path, default=ROOT.parent / "shared" / "corpus")
+    parser.add_argument("--only", default="", help="robots whose path has this regular expression")
+    options = parser.parse_args()
+    if not options.corpus.exists():
+        sys.exit(f"there is no corpus at {options.corpus}")
+    os.environ.update(ROS_VERSION="2", ROS_DISTRO="humble")
+    return Corpus(options.corpus.resolve(), options.only)
+
+
 def migrates(path: Path, lines: list[float], texts: dict[str, str], tally: Tally) -> bool:
     """Tell whether a URDF that is migrated and built again is the same; note the share of lines."""
     migration = migrate_file(str(path), Limits())
@@ -242,14 +258,7 @@ def quoted(text: str) -> str:
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
-    parser.add_argument("corpus", nargs="?", type=Path, default=ROOT.parent / "shared" / "corpus")
-    parser.add_argument("--only", default="", help="robots whose path has this regular expression")
-    options = parser.parse_args()
-    if not options.corpus.exists():
-        sys.exit(f"there is no corpus at {options.corpus}")
-    os.environ.update(ROS_VERSION="2", ROS_DISTRO="humble")
-    corpus = Corpus(options.corpus.resolve(), options.only)
+    corpus = corpus_asked_for(__doc__)
     lines: list[float] = []
     both: dict[str, tuple[int, int]] = {}
     texts: dict[str, str] = {}

@@ -10,6 +10,7 @@ from pathlib import Path
 import pytest
 
 from tests.consumers.oracles import require_program
+from tests.meshes.triangle import STL
 from yamaro.commands.dependencies import rule
 from yamaro.commands.main import main
 
@@ -23,17 +24,6 @@ model:
 LEG = """\
 model:
 - part: {name: leg, joint: {type: fixed, parent: base}, link: {geometry: foot.stl, visual: }}
-"""
-STL = """\
-solid s
-facet normal 0 0 1
-outer loop
-vertex 0 0 0
-vertex 1 0 0
-vertex 0 1 0
-endloop
-endfacet
-endsolid s
 """
 NAMES = ["plain", "a b", "a#b", "a$b", "a:b", "a%b", "a[1]", "a b\tc", "übung", "a~b", "a\\\\b"]
 """Names of files; those that Ninja has no spelling for are not among them."""

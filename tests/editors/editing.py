@@ -49,6 +49,33 @@ XACRO = """<robot xmlns:xacro="http://www.ros.org/wiki/xacro" name="gripper">
 """
 
 
+FOUND = {
+    "arm.urdf.yaml": ("", True),
+    "robot.yaml": ("# A robot.\n\nrobot: r\n", True),
+    "model.yml": ("model:\n- link/name=a:\n", True),
+    "leg.yaml": ("variables: {a: 1}\nfunctions:\n  # One.\n  Leg(side)/parent:\n  - part:\n", True),
+    "list.yaml": ("functions:\n- Leg:\n  - print: a\n", True),
+    "deploy.yaml": ("service: s\nfunctions:\n  hello:\n    handler: h.Hello\n", False),
+    "arm.test.yaml": ("robot: arm.yaml\ncases: []\n", False),
+    "other.yaml": ("a: 1\n", False),
+}
+"""Files with their texts, and whether an editor takes them for Yamaro's."""
+YAMAROS = {name for name, (_, is_yamaros) in FOUND.items() if is_yamaros}
+
+
+def write_found(folder: Path) -> None:
+    """Write the files of `FOUND` into a folder."""
+    for name, (text, _) in FOUND.items():
+        (folder / name).write_text(text)
+
+
+def found_by(done: subprocess.CompletedProcess[str], word: str) -> set[str]:
+    """Return the files of which an editor printed the name and a word, its mode for Yamaro."""
+    pairs = [line.split() for line in done.stdout.splitlines() if line.strip()]
+    assert {pair[0] for pair in pairs} >= FOUND.keys(), done.stderr  # it has opened all of them
+    return {pair[0] for pair in pairs if pair[1:] == [word]}
+
+
 def write_robot(folder: Path) -> Path:
     """Write the files into a folder; return the main file."""
     (folder / "leg.yaml").write_text("model:\n")

@@ -12,8 +12,16 @@ from pathlib import Path
 
 import pytest
 
-from tests.editors.editing import HERE, ROBOT, drive, write_robot
-from tests.editors.test_nvim import FOUND, write_found
+from tests.editors.editing import (
+    FOUND,
+    HERE,
+    ROBOT,
+    YAMAROS,
+    drive,
+    found_by,
+    write_found,
+    write_robot,
+)
 from tests.waiting import PATIENCE
 
 SETUP = HERE.parents[1] / "editors" / "emacs" / "yamaro.el"
@@ -72,7 +80,4 @@ def test_emacs_finds_the_files_that_are_yamaros(tmp_path):
         timeout=PATIENCE,
         check=False,
     )
-    modes = dict(line.split() for line in done.stdout.splitlines())
-    assert {name: modes.get(name) == "yamaro-mode" for name in FOUND} == {
-        name: is_found for name, (_, is_found) in FOUND.items()
-    }, done.stderr
+    assert found_by(done, "yamaro-mode") == YAMAROS, done.stderr

@@ -13,7 +13,16 @@ from pathlib import Path
 
 import pytest
 
-from tests.editors.editing import HERE, ROBOT, drive, write_robot
+from tests.editors.editing import (
+    FOUND,
+    HERE,
+    ROBOT,
+    YAMAROS,
+    drive,
+    found_by,
+    write_found,
+    write_robot,
+)
 from tests.waiting import PATIENCE
 
 
@@ -111,24 +120,6 @@ def test_the_set_up_of_the_docs_starts_the_server(tmp_path):
     assert done.stdout.strip() == "yamaro unknown-parent", done.stderr
 
 
-FOUND = {
-    "arm.urdf.yaml": ("", True),
-    "robot.yaml": ("# A robot.\n\nrobot: r\n", True),
-    "model.yml": ("model:\n- link/name=a:\n", True),
-    "leg.yaml": ("variables: {a: 1}\nfunctions:\n  # One.\n  Leg(side)/parent:\n  - part:\n", True),
-    "list.yaml": ("functions:\n- Leg:\n  - print: a\n", True),
-    "deploy.yaml": ("service: s\nfunctions:\n  hello:\n    handler: h.Hello\n", False),
-    "arm.test.yaml": ("robot: arm.yaml\ncases: []\n", False),
-    "other.yaml": ("a: 1\n", False),
-}
-"""Files with their texts, and whether an editor takes them for Yamaro's."""
-
-
-def write_found(folder: Path) -> None:
-    for name, (text, _) in FOUND.items():
-        (folder / name).write_text(text)
-
-
 @pytest.mark.skipif("0.11" not in VERSIONS, reason="needs Neovim 0.11")
 def test_neovim_finds_the_files_that_are_yamaros(tmp_path):
     write_found(tmp_path)
@@ -148,7 +139,4 @@ def test_neovim_finds_the_files_that_are_yamaros(tmp_path):
         timeout=PATIENCE,
         check=False,
     )
-    types = dict(line.split() for line in done.stdout.splitlines())
-    assert {name: types.get(name) == "yamaro" for name in FOUND} == {
-        name: is_found for name, (_, is_found) in FOUND.items()
-    }, done.stderr
+    assert found_by(done, "yamaro") == YAMAROS, done.stderr

@@ -14,6 +14,7 @@ import pytest
 
 import yamaro
 from tests.consumers.oracles import require_module
+from tests.meshes import triangle
 from yamaro.meshes import cache
 from yamaro.meshes.cache import MeshCache, cache_folder
 from yamaro.policy import JAIL, SAFE, Policy
@@ -21,16 +22,6 @@ from yamaro.targets import mesh_contents
 
 MATERIAL = b"newmtl red\nKd 1 0 0\nmap_Kd skin.jpg\n"
 OBJ = b"mtllib body.mtl\nusemtl red\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nvt 0 0\nf 1/1 2/1 3/1\n"
-TEXT_STL = b"""solid s
-facet normal 0 0 1
-outer loop
-vertex 0 0 0
-vertex 1 0 0
-vertex 0 1 0
-endloop
-endfacet
-endsolid
-"""
 ROBOT = """robot: r
 base: fixed
 model:
@@ -67,7 +58,7 @@ def robot(tmp_path: Path) -> Path:
     (tmp_path / "body.obj").write_bytes(OBJ)
     (tmp_path / "body.mtl").write_bytes(MATERIAL)
     (tmp_path / "skin.jpg").write_bytes(jpeg((200, 0, 0)))
-    (tmp_path / "plain.stl").write_bytes(TEXT_STL)
+    (tmp_path / "plain.stl").write_text(triangle.STL)
     return path
 
 

@@ -8,6 +8,7 @@ from .flexidict import FlexiDict
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from array import array
+    from collections.abc import Iterator
 
 PLAIN, SINGLE, DOUBLE, LITERAL, FOLDED = "", "'", '"', "|", ">"
 
@@ -140,6 +141,23 @@ class MappingNode(FlexiDict):
 
 
 YamlNode = ScalarNode | SequenceNode | MappingNode
+
+
+def pairs_below(root: YamlNode | None) -> Iterator[tuple[ScalarNode, YamlNode]]:
+    """Yield the keys in a node, however deep, with their values; what aliases repeat comes once."""
+    pending: list[YamlNode | None] = [root]
+    seen: set[int] = set()
+    while pending:
+        node = pending.pop()
+        if node is None or isinstance(node, ScalarNode) or id(node) in seen:
+            continue
+        seen.add(id(node))
+        if isinstance(node, SequenceNode):
+            pending.extend(node.items)
+            continue
+        for key, value in node.pairs:
+            yield key, value
+            pending.append(value)
 
 
 # --- from a scalar's text back to its spelling ------------------------------------------------

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from ...yaml.nodes import ScalarNode, SequenceNode
+from ...yaml.nodes import pairs_below
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from ...yaml.nodes import YamlNode
     from .texts import Text
     from .wire import Json
     from .workspace import Workspace
@@ -45,22 +44,11 @@ def _line(text: Text, offset: int) -> int:
 
 def _keys(text: Text) -> list[tuple[int, int]]:
     found = []
-    pending: list[YamlNode | None] = [text.root]
-    seen: set[int] = set()
-    while pending:
-        node = pending.pop()
-        if node is None or isinstance(node, ScalarNode) or id(node) in seen:
-            continue
-        seen.add(id(node))
-        if isinstance(node, SequenceNode):
-            pending.extend(node.items)
-            continue
-        for key, value in node.pairs:
-            end = value.end
-            while end > key.end and text.text[end - 1 : end].isspace():
-                end -= 1
-            found.append((_line(text, key.start), _line(text, max(key.start, end - 1))))
-            pending.append(value)
+    for key, value in pairs_below(text.root):
+        end = value.end
+        while end > key.end and text.text[end - 1 : end].isspace():
+            end -= 1
+        found.append((_line(text, key.start), _line(text, max(key.start, end - 1))))
     return found
 
 

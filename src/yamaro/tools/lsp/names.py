@@ -33,7 +33,7 @@ from ...syntax.nodes import (
 )
 from ...syntax.python import PythonCode
 from ...syntax.template import Template
-from ...yaml.nodes import MappingNode, ScalarNode, SequenceNode
+from ...yaml.nodes import MappingNode, ScalarNode, SequenceNode, pairs_below
 from .python_names import names_in_code
 
 TYPE_CHECKING = False
@@ -435,21 +435,7 @@ def _name_in(span: Span, name: str) -> Span:
 
 def _values_by_key(root: YamlNode | None) -> dict[int, YamlNode]:
     """Return the value of each key by the offset at which the key begins."""
-    found: dict[int, YamlNode] = {}
-    pending: list[YamlNode | None] = [root]
-    seen: set[int] = set()
-    while pending:
-        node = pending.pop()
-        if isinstance(node, ScalarNode) or node is None or id(node) in seen:
-            continue
-        seen.add(id(node))
-        if isinstance(node, SequenceNode):
-            pending.extend(node.items)
-            continue
-        for key, value in node.pairs:
-            found[key.start] = value
-            pending.append(value)
-    return found
+    return {key.start: value for key, value in pairs_below(root)}
 
 
 def pairs_of_mappings(node: YamlNode | None) -> Sequence[tuple[ScalarNode, YamlNode]]:
