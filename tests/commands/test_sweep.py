@@ -100,7 +100,7 @@ def test_show_writes_the_document_of_a_variant(capsys: pytest.CaptureFixture[str
         ("sweep leg.yaml legs=2,3 legs=4,5 -o runs", "is given twice"),
         ("sweep leg.yaml legs=2,3 legs:=4 -o runs", "given a value, and an axis as well"),
         ("sweep leg.yaml thigh=0.2..0.3 -o runs", "0.2..0.4/5 has 5; or add --samples N"),
-        ("sweep leg.yaml --method latin -o runs", "as in --samples 1000"),
+        ("sweep leg.yaml --method latin -o runs", "add --samples 1000"),
         ("sweep leg.yaml --samples 0 -o runs", "a whole number of at least 1"),
         ("sweep leg.yaml legs= --engine spark -o runs", "there is no engine 'spark'"),
         ("sweep leg.yaml legs= --to mjfc -o runs", "did you mean 'mjcf'?"),

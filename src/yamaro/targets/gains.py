@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import hypot, sqrt
+from math import hypot, isfinite, sqrt
 
 from ..model.joint import FLOATING, PLANAR, PRISMATIC, SINGLE
 from ..model.kinematics import link_poses
@@ -142,7 +142,9 @@ class Gains:
             return given
         limit = joint.limit
         if limit is not None and limit.effort and limit.velocity:
-            return _rounded(abs(limit.effort / (SLIP * limit.velocity)))
+            gain = abs(limit.effort / (SLIP * limit.velocity))
+            if isfinite(gain):
+                return _rounded(gain)
         return _rounded(self._inertia_and_weight(joint)[0] / SETTLING)
 
     def _inertia_and_weight(self, joint: Joint) -> tuple[float, float]:

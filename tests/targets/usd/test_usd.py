@@ -111,6 +111,15 @@ def test_gains_that_are_not_given_are_those_of_mjcf(
     assert "actuator" not in "".join(loss.what for loss in build.losses)
 
 
+def test_gains_lead_to_where_they_are_written(tmp_path: Path) -> None:
+    from yamaro.tools.why import answer
+
+    _, build = stage_of(ARM, tmp_path)
+    for name, written in (("stiffness", "50"), ("damping", "2"), ("maxForce", "10")):
+        found = answer(build.root, f"rod_joint@{name}", format="usd")
+        assert found.span.written() == written
+
+
 def test_a_joint_with_commanded_efforts_has_no_gains(tmp_path: Path) -> None:
     text = ARM.replace("kp: 50, kd: 2", "command: effort").replace("damping: 0.5, ", "")
     stage, build = stage_of(text, tmp_path)

@@ -100,6 +100,8 @@ WRONG = [
     ("{robot: ../leg.yaml, models: 3}", "bad-sweep", "true or false"),
     ("{robot: ../leg.yaml, vary: [thigh]}", "bad-sweep", "names with values"),
     ("{robot: ../leg.yaml, vary: {}}", "bad-sweep", "nothing varies"),
+    (f"{{robot: ../leg.yaml, seed: {2**63}}}", "bad-sweep", "from 0 to"),
+    (f"{{robot: ../leg.yaml, samples: {2**32}}}", "bad-sweep", "from 1 to 2,147,483,648 variants"),
     ("{samples: 3}", "bad-sweep", "needs the key `robot`"),
     ("[robot]", "bad-sweep", "has keys such as"),
 ]

@@ -126,7 +126,7 @@ class JointWriter:
             self._drive(prim, joint)
         elif joint.type == PLANAR:
             _lock(prim, "transX", "rotY", "rotZ")
-        self.tags.append(tag_of(prim.GetPrim(), joint.span, joint.trace, _places_in(joint)))
+        self.tags.append(tag_of(prim.GetPrim(), joint.span, joint.trace, self._places_in(joint)))
 
     def _connect(
         self,
@@ -204,6 +204,25 @@ class JointWriter:
         owner, trace = f"joint '{joint.name}'", part.trace_in(joint)
         self.losses.append(Loss(kind, what, owner, part.span, trace=trace, how=how))
 
+    def _places_in(self, joint: Joint) -> dict[str, Span]:
+        """Return where the values of a joint are written, by their names in USD."""
+        limit, dynamics = joint.limit, joint.dynamics
+        actuator = self._robot.actuators.get(joint.name)
+        found = {}
+        if limit is not None:
+            found["lowerLimit"] = limit.span_of("lower")
+            found["upperLimit"] = limit.span_of("upper")
+            found["maxForce"] = limit.span_of("effort")
+        if dynamics is not None:
+            found["damping"] = dynamics.span_of("damping")
+        if actuator is not None:
+            found["stiffness"] = actuator.span_of("kp")
+            if actuator.command == POSITION:
+                found["damping"] = actuator.span_of("kd")
+            elif actuator.command == VELOCITY:
+                found["damping"] = actuator.span_of("kd" if actuator.kp is None else "kp")
+        return found
+
     # --- loops ---
 
     def _close(self, loop: Loop) -> None:
@@ -224,18 +243,6 @@ class JointWriter:
         )
         prim.CreateExcludeFromArticulationAttr(True)
         self.tags.append(tag_of(prim.GetPrim(), loop.span, loop.trace))
-
-
-def _places_in(joint: Joint) -> dict[str, Span]:
-    """Return where the values of a joint are written, by their names in USD."""
-    limit, dynamics = joint.limit, joint.dynamics
-    found = {}
-    if limit is not None:
-        found["lowerLimit"], found["upperLimit"] = limit.span_of("lower"), limit.span_of("upper")
-        found["maxForce"] = limit.span_of("effort")
-    if dynamics is not None:
-        found["damping"] = dynamics.span_of("damping")
-    return found
 
 
 def _x_to(axis: Vector) -> Rotation:

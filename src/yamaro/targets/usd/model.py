@@ -103,7 +103,7 @@ class _Model:
         UsdPhysics.RigidBodyAPI.Apply(prim)
         self._set_mass(UsdPhysics.MassAPI.Apply(prim), link)
         self.tags.append(tag_of(prim, link.span, link.trace))
-        self._shapes.add(link, path, Pose())
+        self._shapes.add(link, path)
 
     def _add_frame(self, link: Link, carrier: str) -> None:
         around = self._paths[carrier]
@@ -112,7 +112,7 @@ class _Model:
         xform = UsdGeom.Xform.Define(self.stage, path)
         place(xform, self._bodies.poses[link.name])
         self.tags.append(tag_of(xform.GetPrim(), link.span, link.trace))
-        self._shapes.add(link, path, Pose())
+        self._shapes.add(link, path)
 
     # --- mass ---
 

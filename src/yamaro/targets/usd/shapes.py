@@ -58,12 +58,12 @@ class ShapeWriter:
         self._surfaces = {(each.link, each.index): each for each in robot.surfaces}
         self.losses: list[Loss] = []
 
-    def add(self, link: Link, path: str, pose: Pose) -> None:
+    def add(self, link: Link, path: str) -> None:
         """Write the shapes of a link under its prim."""
         for index, collision in enumerate(link.collisions):
             surface = self._surfaces.get((link.name, index))
             name = collision.name or f"{link.name}_collision"
-            for prim, _ in self._made(link, path, pose @ collision.pose, collision, name):
+            for prim, _ in self._made(link, path, collision, name):
                 UsdGeom.Imageable(prim).CreatePurposeAttr(UsdGeom.Tokens.guide)
                 UsdPhysics.CollisionAPI.Apply(prim)
                 if prim.IsA(UsdGeom.Mesh):
@@ -79,16 +79,16 @@ class ShapeWriter:
                 inner = material.inner("texture")
                 span = inner.value_span("filename") if inner is not None else material.span
                 self._lose("textures", f"'{material.texture}' of link '{link.name}'", span, link)
-            for prim, own in self._made(link, path, pose @ visual.pose, visual, name):
+            for prim, own in self._made(link, path, visual, name):
                 chosen = color or own
                 if chosen is not None:
                     self._bind_look(prim, chosen)
 
     def _made(
-        self, link: Link, path: str, pose: Pose, item: Collision | Visual, name: str
+        self, link: Link, path: str, item: Collision | Visual, name: str
     ) -> list[tuple[Usd.Prim, Color | None]]:
         """Return the prims of a shape, each with the colour that its mesh gives it."""
-        shape = item.shape
+        shape, pose = item.shape, item.pose
         if shape is None:
             return []
         if isinstance(shape, (Box, Sphere, Cylinder, Capsule)):
@@ -123,9 +123,8 @@ class ShapeWriter:
         if isinstance(shape, Box):
             cube = UsdGeom.Cube.Define(self._stage, path)
             cube.CreateSizeAttr(1.0)
-            x, y, z = (size / 2 for size in shape.size)
             cube.CreateExtentAttr([Gf.Vec3f(-0.5), Gf.Vec3f(0.5)])
-            place(cube, pose, (2 * x, 2 * y, 2 * z))
+            place(cube, pose, shape.size)
             return cube.GetPrim()
         if isinstance(shape, Sphere):
             sphere = UsdGeom.Sphere.Define(self._stage, path)

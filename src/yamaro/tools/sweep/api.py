@@ -211,7 +211,7 @@ def run_sweep(
     folder = SweepFolder(os.fspath(output), PARQUET if has_parquet() else CSV)
     given = plan.chunk
     if given < 0:
-        raise UsageError("a chunk has at least 1 variant")
+        raise UsageError(f"a chunk has at least 1 variant, not {given}")
     goes_on = folder.begin(plan, resumes=resumes)
     try:
         engine = open_engine()

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 NUMBER, INTEGER, BOOLEAN, TEXT, ANY = "number", "integer", "boolean", "text", "any"
 """The types of the values of an axis, and of columns."""
 MOST_VALUES = 1 << 40
-"""Values of one axis that are counted."""
+"""The most values that one axis may have."""
 
 
 class Axis:

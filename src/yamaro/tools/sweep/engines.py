@@ -70,12 +70,13 @@ def engine_of(word: str | None) -> Callable[[], Engine]:
     kind, colon, rest = (word or LOCAL).partition(":")
     if kind not in ENGINES:
         raise UsageError(
-            f"there is no engine '{kind}': local:8, dask://HOST:PORT, dask:8, ray://HOST:PORT"
+            f"there is no engine '{kind}'; write local:8, dask:8, dask://HOST:PORT, ray:8 or "
+            "ray://HOST:PORT"
         )
     address = rest.removeprefix("//") if rest.startswith("//") else ""
     workers = _workers(rest, kind) if colon and not address else None
     if kind == LOCAL and address:
-        raise UsageError("the engine 'local' has no address: local:8")
+        raise UsageError("the engine 'local' takes no address; write local:8")
     opener = {LOCAL: _open_local, DASK: _open_dask, RAY: _open_ray}[kind]
     return lambda: opener(address, workers)
 
@@ -89,7 +90,7 @@ def cores() -> int:
 
 def _workers(text: str, kind: str) -> int:
     if not text.isdigit() or not 1 <= int(text) <= 10_000:
-        raise UsageError(f"'{kind}:{text}' needs a number of workers: {kind}:8")
+        raise UsageError(f"'{kind}:{text}' needs a number of workers up to 10,000, as in {kind}:8")
     return int(text)
 
 
@@ -116,7 +117,7 @@ def _open_dask(address: str, workers: int | None) -> Engine:
             )  # fmt: skip
             client = distributed.Client(cluster)
     except (OSError, TimeoutError) as error:
-        raise _unreachable(f"dask://{address}", error) from None
+        raise _unreachable(DASK, address, error) from None
     threads = sum(client.nthreads().values())
     executor = client.get_executor(pure=False, retries=RETRIES)
     engine = Engine(executor, max(threads, 1), f"dask, {threads} threads")
@@ -159,13 +160,17 @@ def _open_ray(address: str, workers: int | None) -> Engine:
                 log_to_driver=False,
             )  # fmt: skip
     except (OSError, ConnectionError, TimeoutError) as error:
-        raise _unreachable(f"ray://{address}", error) from None
+        raise _unreachable(RAY, address, error) from None
     count = int(ray.cluster_resources().get("CPU", 1))
     engine = Engine(_RayExecutor(ray), max(count, 1), f"ray, {count} processors")
     engine._closing.append(ray.shutdown)
     return engine
 
 
-def _unreachable(name: str, error: Exception) -> YamaroError:
-    message = f"the cluster '{name}' cannot be reached: {str(error) or type(error).__name__}"
-    return failure_of_all("sweep-engine", message, "sweep", "is its scheduler running?")
+def _unreachable(kind: str, address: str, error: Exception) -> YamaroError:
+    """Return the error for a cluster that does not answer; without an address it is our own."""
+    why = str(error) or type(error).__name__
+    if not address:
+        return failure_of_all("sweep-engine", f"{kind} cannot be started: {why}", "sweep", None)
+    message = f"the cluster '{kind}://{address}' cannot be reached: {why}"
+    return failure_of_all("sweep-engine", message, "sweep", "check that its scheduler is running")

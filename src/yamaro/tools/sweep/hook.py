@@ -54,8 +54,8 @@ class Hook:
             span: where that is written.
 
         Raises:
-            YamaroError: there is no such file or function, it cannot be loaded, or asks for what
-                there is not.
+            YamaroError: there is no such file or function, it cannot be loaded, or has a parameter
+                that is unknown and has no default.
         """
         span = span or Span(Source(word, name="<evaluate>"), 0, len(word))
         path, colon, self._name = word.rpartition(":")
@@ -134,9 +134,10 @@ class Hook:
         return function, module
 
     def _parameters(self, function: Callable[..., Any]) -> list[str]:
-        """Return the names of the parameters; raise YamaroError if one asks for what there is not.
+        """Return the names of the parameters; unknown ones keep their default.
 
-        Those with a default, and which are not known, keep it.
+        Raises:
+            YamaroError: an unknown one has no default.
         """
         wanted = []
         for parameter in signature(function).parameters.values():

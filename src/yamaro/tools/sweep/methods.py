@@ -17,7 +17,7 @@ GRID, RANDOM, LATIN, SOBOL = "grid", "random", "latin", "sobol"
 METHODS = (GRID, RANDOM, LATIN, SOBOL)
 LARGEST_SEED = (1 << 63) - 1
 MOST_SAMPLES = {GRID: 1 << 40, RANDOM: 1 << 40, LATIN: 1 << 31, SOBOL: 1 << 30}
-"""Of LATIN a permutation of them is in memory for each axis; SOBOL has as many points."""
+"""LATIN keeps a permutation of all samples in memory, for each axis; SOBOL has 2^30 points."""
 _ORDERS = 1 << 63
 """Added to the number of an axis where it is a key, so that no index is one of these keys."""
 _HALF = 2.0**-53

@@ -123,7 +123,8 @@ class _Reader:
             if name in fixed:
                 raise UsageError(f"'{name}' is given a value, and an axis as well")
         if not found:
-            raise self._failure("nothing varies", self._study.places.get("vary"))
+            hint = "name an argument under `vary`, such as thigh: [0.2, 0.4]"
+            raise self._failure("nothing varies", self._study.places.get("vary"), hint)
         return found
 
     def fixed(self, assignments: Sequence[str]) -> dict[str, object]:
@@ -236,26 +237,31 @@ def _settle_method(plan: Plan, study: Study) -> None:
     """Set method, seed and number of samples."""
     plan.seed = study.seed
     if not 0 <= plan.seed <= LARGEST_SEED:
-        raise UsageError(f"a seed is an integer from 0 to {LARGEST_SEED}")
+        raise _wrong(study, "seed", f"a seed is an integer from 0 to {LARGEST_SEED}")
     plan.method = study.method or (GRID if study.samples is None else LATIN)
     if plan.method not in METHODS:
-        raise UsageError(f"there is no method '{plan.method}': {', '.join(METHODS)}")
+        hint = did_you_mean(plan.method, METHODS) or f"the methods are {', '.join(METHODS)}"
+        raise _wrong(study, "method", f"no method '{plan.method}'", hint)
     if plan.method == GRID:
         plan.samples = _grid_size(plan, study)
     elif study.samples is None:
-        raise _missing_samples(plan, study)
+        message = f"the method '{plan.method}' needs to know how many variants to build"
+        in_study = "method" in study.places
+        hint = "add samples: 1000" if in_study else "add --samples 1000"
+        raise _wrong(study, "method", message, hint)
     else:
         plan.samples = study.samples
     most = MOST_SAMPLES[plan.method]
     if not 1 <= plan.samples <= most:
-        raise UsageError(f"{plan.samples:,} samples: with the method {plan.method}, 1 to {most:,}")
+        allowed = f"the method '{plan.method}' builds from 1 to {most:,} variants"
+        raise _wrong(study, "samples", f"{allowed}, and not {plan.samples:,}")
 
 
 def _grid_size(plan: Plan, study: Study) -> int:
     size = 1
     for axis in plan.axes:
         if axis.count is None:
-            message = f"a grid needs the values of '{axis.name}' to be counted"
+            message = f"a grid needs to know how many values '{axis.name}' takes"
             hint = "give it `step` or `points`, or choose --samples and another method"
             span = study.vary[axis.name].span if axis.name in study.vary else None
             if span is not None:
@@ -264,11 +270,17 @@ def _grid_size(plan: Plan, study: Study) -> int:
         size *= axis.count
     if study.samples is not None and study.samples != size:
         message = f"the grid has {size:,} points, and `samples` says {study.samples:,}"
-        span = study.places.get("samples")
-        if span is not None:
-            raise failure("bad-sweep", message, span, hint="leave `samples` out")
-        raise UsageError(f"{message}; leave --samples out")
+        name = "`samples`" if "samples" in study.places else "--samples"
+        raise _wrong(study, "samples", message, f"leave {name} out")
     return size
+
+
+def _wrong(study: Study, key: str, message: str, hint: str | None = None) -> Exception:
+    """Return the error about an entry: at its place, or about the command line if it has none."""
+    span = study.places.get(key)
+    if span is not None:
+        return failure("bad-sweep", message, span, hint=hint)
+    return UsageError(message if hint is None else f"{message}; {hint}")
 
 
 def _check_conditions(plan: Plan) -> None:
@@ -281,23 +293,11 @@ def _check_conditions(plan: Plan) -> None:
             raise
 
 
-def _missing_samples(plan: Plan, study: Study) -> Exception:
-    message = f"the method {plan.method} needs to know how many variants: samples"
-    span = study.places.get("method")
-    if span is not None:
-        return failure("bad-sweep", message, span, hint="samples: 1000")
-    return UsageError(f"{message}, as in --samples 1000")
-
-
 def _check_formats(study: Study) -> None:
     for format in study.formats:
         if format not in ENDINGS:
-            hint = did_you_mean(format, list(ENDINGS)) or f"one of {', '.join(ENDINGS)}"
-            message = f"'{format}' is not a known output format"
-            span = study.places.get("to")
-            if span is not None:
-                raise failure("bad-sweep", message, span, hint=hint)
-            raise UsageError(f"{message}; {hint}")
+            hint = did_you_mean(format, list(ENDINGS)) or f"the formats are {', '.join(ENDINGS)}"
+            raise _wrong(study, "to", f"'{format}' is not a known output format", hint)
 
 
 def _settle_evaluation(plan: Plan, study: Study) -> None:

@@ -34,6 +34,7 @@ ATTEMPTS = 10
 TRIED, TRIED_SECONDS = 20, 3.0
 """Variants that are built, or seconds, to find how long one takes."""
 LOOKING_INTERVAL = 0.2
+"""Seconds of each wait for a chunk: on Windows, Ctrl-C is only noticed between two waits."""
 
 
 class Status:
