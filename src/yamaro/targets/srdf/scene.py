@@ -29,6 +29,7 @@ if TYPE_CHECKING:
     from ...model.pose import Pose
     from ...model.robot import Robot
     from ...model.shapes import Mesh
+    from ...source import Span
     from ..output import Wanted
 
     Floats = NDArray[np.float64]
@@ -64,6 +65,7 @@ class Scene:
         self._factors, self._offsets = self._following()
         self._senses: dict[LinkPair, Floats] = {}
         self._data = self._model.createData()
+        self._meshes: dict[tuple[str, tuple[float, ...]], Any] = {}
         self._exact = _Shapes()
         self._hulls = _Shapes()
         self._fill(self._exact, {link for pair in pairs for link in pair}, is_hull=False)
@@ -187,8 +189,19 @@ class Scene:
                 span,
                 hint="--meshes none leaves out meshes",
             )
+        made = self._meshes.get((path, shape.scale))
+        if made is None:  # links often share one, and each is asked for twice: for its hull as well
+            made = self._meshes[path, shape.scale] = self._triangles(path, shape, span)
+        if not is_hull:
+            return made
+        if made.convex is None:
+            made.buildConvexHull(True, "Qt")
+        return made.convex
+
+    def _triangles(self, path: str, shape: Mesh, span: Span) -> Any:
+        """Return the triangles in a file, scaled."""
         try:
-            mesh = read_mesh(path, finder.allows)
+            mesh = read_mesh(path, self._wanted.paths.finder.allows)
         except (MeshFileError, MissingLibraryError) as error:
             raise failure("bad-mesh", f"'{shape.filename}': {error}", span) from None
         made = coal.BVHModelOBBRSS()
@@ -196,9 +209,6 @@ class Scene:
         made.addVertices(np.array(mesh.vertices, dtype=float) * np.array(shape.scale))
         made.addTriangles(np.array(mesh.triangles))
         made.endModel()
-        if is_hull:
-            made.buildConvexHull(True, "Qt")
-            return made.convex
         return made
 
     # --- questions ---
