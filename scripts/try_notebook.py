@@ -55,7 +55,8 @@ def count_of_reds(pixels: Any) -> int:
 
 def save(browser: Chromium, path: Path) -> None:
     path.parent.mkdir(parents=True, exist_ok=True)
-    Image.fromarray(browser.picture().astype("uint8")).save(path, optimize=True)
+    image = Image.fromarray(browser.picture().astype("uint8")).convert("RGB")
+    image.quantize(224, dither=Image.Dither.NONE).save(path, optimize=True)
     print(path)
 
 
