@@ -68,7 +68,9 @@ class Trial:
         self.samples = samples
         self.seed = seed
         self.engine = engine
-        self._pause, self._share = (1.2, 0.6) if engine.startswith("local") else (8.0, 0.8)
+        pauses = {"local": 1.2, "dask": 8.0, "ray": 20.0}
+        self._pause = pauses[engine.partition(":")[0]]
+        self._share = 0.6 if engine.startswith("local") else 0.8
         self.kills = Counter[str]()
         self._chance = chance
 

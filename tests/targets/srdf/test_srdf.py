@@ -161,6 +161,18 @@ states: {home: {upper: 0.5, hand: -0.5}}
 """
 
 
+def test_the_greatest_number_as_a_limit_is_none(tmp_path: Path) -> None:
+    names = [f"l{i}" for i in range(4)]
+    found = {}
+    for reach in (np.pi, np.finfo(float).max):
+        urdf = tmp_path / "rods.urdf"
+        urdf.write_text(chain_of(len(names), reach))
+        root = srdf_of(urdf)
+        found[reach] = [pairs_of(root, why) for why in ("Adjacent", "Never", "Always")]
+    assert found[np.pi] == found[np.finfo(float).max]
+    assert any(found[np.pi])
+
+
 def test_groups_states_and_end_effectors(tmp_path: Path) -> None:
     path = tmp_path / "arm.yaml"
     path.write_text(ARM)

@@ -37,6 +37,8 @@ if TYPE_CHECKING:
 
 REACH = 1.0
 """Metres that a prismatic joint without limits is tried along, either way."""
+UNLIMITED = 1e4
+"""Metres or radians beyond which a limit is none: some write the greatest number that there is."""
 
 
 class Scene:
@@ -327,7 +329,7 @@ def _limits(joints: Sequence[Joint]) -> tuple[Floats, Floats]:
     lower, upper = [], []
     for joint in joints:
         low, high = joint.lower, joint.upper
-        if low is None or high is None:
+        if low is None or high is None or max(abs(low), abs(high)) > UNLIMITED:
             reach = REACH if joint.type == PRISMATIC else pi
             low, high = -reach, reach
         lower.append(min(low, high))
