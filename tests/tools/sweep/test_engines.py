@@ -82,6 +82,7 @@ def test_an_engine_that_loses_all_is_given_up() -> None:
     ) as e:
         run_with(Losing(1000))
     assert e.value.diagnostics[0].code == "sweep-engine"
+    assert "--resume" in str(e.value)
 
 
 def test_workers_with_other_versions_are_refused() -> None:

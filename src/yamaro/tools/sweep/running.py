@@ -133,7 +133,8 @@ def _results(
 
 def _lost(engine: Engine, error: BaseException) -> YamaroError:
     message = f"the engine ({engine.name}) loses its workers: {type(error).__name__}: {error}"
-    return failure_of_all("sweep-engine", message, "sweep", None)
+    hint = "the chunks that are done are kept: the same command with --resume goes on from them"
+    return failure_of_all("sweep-engine", message, "sweep", hint)
 
 
 def _note_files(plan: Plan, chunk: Chunk) -> bool:
