@@ -38,7 +38,7 @@ if TYPE_CHECKING:
 REACH = 1.0
 """Metres that a prismatic joint without limits is tried along, either way."""
 UNLIMITED = 1e4
-"""Metres or radians beyond which a limit is none: some write the greatest number that there is."""
+"""Metres or radians beyond which a limit is ignored: some write the greatest number there is."""
 
 
 class Scene:
