@@ -186,4 +186,11 @@ def _add_material(surface: Surface, body: Body) -> None:
         )
         return
     color = np.clip(np.asarray(material.main_color, float) / 255, 0, 1)
+    if getattr(material, "baseColorFactor", None) is not None:  # of glTF, whose numbers are linear
+        color[:3] = _as_srgb(color[:3])
     surface.color = tuple(float(part) for part in color[:4])
+
+
+def _as_srgb(linear: Floats) -> Floats:
+    """Return the sRGB values of linear ones, both from 0 to 1 (IEC 61966-2-1)."""
+    return np.where(linear <= 0.0031308, 12.92 * linear, 1.055 * linear ** (1 / 2.4) - 0.055)
