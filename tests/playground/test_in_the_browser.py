@@ -256,3 +256,19 @@ def test_all_that_can_be_pressed_has_a_name(page: Playground) -> None:
         "!(e.innerText || e.ariaLabel || e.title || e.labels?.length)).map(e => e.outerHTML)"
     )
     assert page.run(nameless) == []
+
+
+def test_the_tools_of_the_viewer_work_without_a_server(page: Playground) -> None:
+    page.choose("hexapod")
+    viewer = "document.getElementById('viewer').contentWindow"
+    element = f"{viewer}.document.getElementById"
+    page.wait_for(f"{viewer}.yamaro.robot?.name === 'hexapod'")
+    page.run(f"{element}('included').open = true")
+    page.wait_for(f"{element}('included-files').innerText.includes('coxa_length')")
+    page.run(f"{element}('theme').click()")
+    assert page.run(f"{viewer}.document.documentElement.dataset.theme") == "light"
+    page.wait_for("document.documentElement.dataset.theme === 'light'")  # of the page around it
+    page.run(f"{element}('picture').click()")
+    page.wait_for(f"{element}('picture-image').naturalWidth > 600")
+    page.run(f"{element}('picture-close').click()")
+    assert page.run(f"{element}('drag').ariaPressed") == "true"

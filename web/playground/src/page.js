@@ -2,6 +2,7 @@
 
 import { byId, h, show } from "../../src/dom.js";
 import { diagnosticText } from "../../src/messages.js";
+import { Theme } from "../../src/theme.js";
 import { Editor, Output } from "./editor.js";
 import { Runner } from "./runner.js";
 import { fromHash, toHash } from "./share.js";
@@ -164,6 +165,8 @@ function openProject(given) {
   if (given.state) tellViewer(given.state);
   void build("open", null);
 }
+
+new Theme(() => {}); // which the viewer's button changes
 
 // --- the viewer -------------------------------------------------------------------------------
 
