@@ -6,7 +6,7 @@ import { CLICK_DISTANCE } from "./stage.js";
 
 const DRAGGED = ["revolute", "continuous", "prismatic"];
 const LEAST_SINE = 0.25; // of the angle between the ray and the plane in which a link turns
-const LEAST_SEEN = 0.2; // of the way of a point, as it is seen
+const LEAST_SEEN = 0.5; // of the way of a point: if less is seen, it cannot follow the pointer
 const STEPS = 3; // in which a joint approaches the pointer
 const STEP = 1e-4; // rad, or part of the robot's size: for the direction in which a point moves
 
@@ -102,7 +102,7 @@ export class JointDrag {
       this.stage.canvas.setPointerCapture(held.id);
     }
     if (this.turn) this.followTurn(event);
-    else for (let step = 0; step < STEPS; step++) this.approach(event);
+    else this.approach(event);
     this.told.onDrag(held.leader, event);
   }
 
@@ -119,23 +119,50 @@ export class JointDrag {
     this.move(held.before + turn.total);
   }
 
-  /** Move the joint so that the point that is held comes nearer to the pointer's ray. */
+  /** Move the joint so that the point that is held comes to the pointer's ray, as far as that is seen. */
   approach(event) {
-    const { leader } = this.held;
-    const value = leader.jointValue[0];
-    const isSlide = leader.jointType === "prismatic";
-    const step = isSlide ? STEP * this.stage.radius : STEP;
-    const here = this.gripPoint();
-    const robot = this.told.robot();
-    robot.setJoint(leader.name, [value + step]);
-    const way = this.gripPoint().sub(here).divideScalar(step); // for each rad or m
-    robot.setJoint(leader.name, [value]);
     const { ray } = this.stage.casterAt(event);
-    const gap = ray.closestPointToPoint(here, new THREE.Vector3()).sub(here);
-    const seen = way.clone().projectOnPlane(ray.direction);
+    for (let step = 0; step < STEPS; step++) {
+      const here = this.gripPoint();
+      const gap = ray.closestPointToPoint(here, new THREE.Vector3()).sub(here);
+      const way = this.wayOfGrip(here);
+      const seen = way.clone().projectOnPlane(ray.direction);
+      if (way.lengthSq() === 0) return;
+      if (seen.length() < LEAST_SEEN * way.length()) {
+        this.nudge(gap, way, seen, ray);
+        return;
+      }
+      this.move(this.held.leader.jointValue[0] + gap.dot(seen) / seen.lengthSq());
+    }
+  }
+
+  /** Return how the point that is held moves, for each rad or m of the joint. */
+  wayOfGrip(here) {
+    const { leader } = this.held;
+    const robot = this.told.robot();
+    const value = leader.jointValue[0];
+    const step = leader.jointType === "prismatic" ? STEP * this.stage.radius : STEP;
+    robot.setJoint(leader.name, [value + step]);
+    const way = this.gripPoint().sub(here).divideScalar(step);
+    robot.setJoint(leader.name, [value]);
+    return way;
+  }
+
+  /**
+   * Move the joint by a move of the pointer, where the point that is held comes towards the camera or
+   * goes away from it: the side of the link that is near follows the pointer.
+   */
+  nudge(gap, way, seen, ray) {
+    const { leader, frame } = this.held;
+    let along = seen;
+    if (leader.jointType !== "prismatic") {
+      const axis = leader.axis.clone().transformDirection(leader.matrixWorld);
+      along = axis.cross(ray.direction).negate().setLength(way.length());
+    }
     const least = LEAST_SEEN * way.length();
-    const scale = Math.max(seen.lengthSq(), least * least);
-    if (scale > 0) this.move(value + gap.dot(seen) / scale);
+    this.move(leader.jointValue[0] + gap.dot(along) / Math.max(along.lengthSq(), least * least));
+    const beside = ray.closestPointToPoint(this.gripPoint(), new THREE.Vector3());
+    this.held.grip = frame.worldToLocal(beside); // from where the next move counts
   }
 
   gripPoint() {

@@ -66,7 +66,6 @@ def session_of(path: Path, mode: str = "trusted", *command_line: str) -> Session
         packages={},
         command_line=list(command_line),
         on_message=lambda line: None,
-        has_root=True,
     )
     session = Session(rebuilder, editor=None)
     session.build()
