@@ -154,7 +154,7 @@ function page(policy, head, body) {
 const escaped = (text) => text.replace(/[&<>"]/g, (sign) => `&#${sign.charCodeAt(0)};`);
 const note = (text) => page("", "", `<p>${escaped(text)}</p>`);
 
-/** Return a page that holds the view, and hands the lines of the cursor on to it. */
+/** Return a page that holds the view, and hands the lines of the cursor and the colours on to it. */
 function frame(url) {
   const { origin } = new URL(url);
   const nonce = randomBytes(16).toString("hex");
@@ -163,6 +163,13 @@ const frame = document.querySelector("iframe");
 addEventListener("message", (event) => {
   if (event.data?.type === "yamaro.line") frame.contentWindow.postMessage(event.data, ${JSON.stringify(origin)});
 });
+const tellTheme = () => {
+  const { classList } = document.body; // VS Code keeps its kind of theme there
+  const isDark = classList.contains("vscode-dark") || classList.contains("vscode-high-contrast") && !classList.contains("vscode-high-contrast-light");
+  frame.contentWindow.postMessage({ type: "yamaro.theme", theme: isDark ? "dark" : "light" }, ${JSON.stringify(origin)});
+};
+frame.addEventListener("load", tellTheme);
+new MutationObserver(tellTheme).observe(document.body, { attributeFilter: ["class"] });
 </script>`;
   return page(
     `frame-src ${origin}; script-src 'nonce-${nonce}'`,

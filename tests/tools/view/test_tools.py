@@ -302,6 +302,15 @@ def test_the_colours_are_those_of_the_system_or_chosen_and_kept(lamp: Page, syst
     assert lamp.run("localStorage.getItem('yamaro.theme')") == "auto"
 
 
+def test_an_editor_around_the_page_gives_its_colours(lamp: Page, system: Any) -> None:
+    system("light")
+    lamp.run("window.postMessage({type: 'yamaro.theme', theme: 'dark'})")
+    lamp.wait_for("document.documentElement.dataset.theme === 'dark'")
+    assert lamp.stage()[5, 5].mean() < 80
+    lamp.press("#theme")  # what is chosen goes first
+    assert lamp.stage()[5, 5].mean() > 200
+
+
 # --- panels -------------------------------------------------------------------------------------
 
 
