@@ -43,7 +43,7 @@ def _html_of(result: Build | Robot) -> str:
     if isinstance(result, Build):
         try:
             robot = result.robot
-        except (YamaroError, AssertionError):  # another document, or its tree stayed in a jail
+        except (YamaroError, ValueError):  # another document, or its tree stayed in a jail
             return _text(result.xml())
     else:
         robot = result
