@@ -45,6 +45,7 @@ LEFT_OUT = (
     "tools/format/",
     "tools/lsp/",
     "tools/migrate/",
+    "tools/notebook/",
     "tools/picture/",
     "tools/sweep/",
     "tools/testing/",

@@ -66,12 +66,13 @@ export class Tree {
     const row = h(
       "div.row",
       {
-        tabIndex: 0,
+        tabIndex: -1, // one row at a time can be tabbed to: see `letFocus`
         role: "treeitem",
         data: { link, joint: joint?.name ?? "" },
         title: joint ? `${link}, ${joint.jointType} ${joint.name}` : link,
         onclick: () => this.told.onSelect(link),
-        onkeydown: (event) => event.key === "Enter" && this.told.onSelect(link),
+        onkeydown: (event) => this.onKey(event, link),
+        onfocus: () => this.letFocus(link),
         onmouseenter: () => this.told.onHover(link),
         onmouseleave: () => this.told.onHover(null),
       },
@@ -83,6 +84,24 @@ export class Tree {
     row.style.setProperty("--depth", depth);
     this.rows.set(link, { row, fold, parent, text: `${link} ${joint?.name ?? ""}`.toLowerCase() });
     return row;
+  }
+
+  /** Let Tab come to a row, and leave the tree from there. */
+  letFocus(link) {
+    for (const [name, { row }] of this.rows) row.tabIndex = name === link ? 0 : -1;
+  }
+
+  onKey(event, link) {
+    const seen = [...this.rows.values()].map(({ row }) => row).filter((row) => !row.hidden);
+    const place = seen.indexOf(this.rows.get(link).row);
+    const places = { ArrowDown: place + 1, ArrowUp: place - 1, Home: 0, End: seen.length - 1 };
+    if (event.key === "Enter") this.told.onSelect(link);
+    else if (event.key === "ArrowLeft" && !this.folded.has(link)) this.toggle(link);
+    else if (event.key === "ArrowRight" && this.folded.has(link)) this.toggle(link);
+    else if (event.key in places) {
+      event.preventDefault();
+      seen[places[event.key]]?.focus();
+    }
   }
 
   toggle(link) {
@@ -101,6 +120,8 @@ export class Tree {
       row.hidden = wanted ? !text.includes(wanted) : Boolean(isFolded);
       fold.textContent = this.folded.has(row.dataset.link) ? "▸" : "▾";
     }
+    const seen = [...this.rows.values()].filter(({ row }) => !row.hidden);
+    if (seen.length && !seen.some(({ row }) => row.tabIndex === 0)) seen[0].row.tabIndex = 0;
   }
 
   /** Mark a link as "hovered" or "selected"; null marks none. */

@@ -65,7 +65,7 @@ export class Editor {
         this.told.onCursor(name, update.state.doc.lineAt(update.state.selection.main.head).number);
       }
     });
-    const label = EditorView.contentAttributes.of({ "aria-label": `The text of ${name}` });
+    const label = EditorView.contentAttributes.of({ "aria-label": `The text of ${name}`, tabindex: "0" });
     return EditorState.create({
       doc: text,
       extensions: [
@@ -140,6 +140,7 @@ export class Editor {
 export class Output {
   constructor(parent) {
     this.view = new EditorView({ parent });
+    this.show("", "The robot in the chosen format");
   }
 
   show(text, label) {

@@ -145,7 +145,6 @@ function markFiles() {
         name,
       ),
     ),
-    h("button.file-tab.add", { type: "button", title: "Add a file", aria: { label: "Add a file" }, onclick: addFile }, "+"),
   );
 }
 
@@ -257,6 +256,7 @@ function fillExamples() {
   );
 }
 
+byId("add").onclick = addFile;
 byId("examples").onchange = ({ target }) => {
   history.replaceState(null, "", location.pathname);
   openProject({ ...examples[Number(target.value)], isTrusted: true });

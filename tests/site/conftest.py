@@ -1,0 +1,83 @@
+"""The site as it is built, once for all tests, and a browser that opens it."""
+
+from __future__ import annotations
+
+import functools
+import http.server
+import subprocess
+import threading
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from tests.consumers.oracles import missing
+from tests.tools.view import chromium
+from tests.tools.view.chromium import Chromium
+from tests.waiting import PATIENCE
+
+ROOT = Path(__file__).parents[2]
+SITE = ROOT / "build" / "site"
+ALONE = "--host-resolver-rules=MAP * ~NOTFOUND, EXCLUDE 127.0.0.1"
+
+
+@pytest.fixture(scope="session")
+def built() -> str:
+    """Build the site; return what the script printed."""
+    made = subprocess.run(
+        ["scripts/site"],
+        cwd=ROOT,
+        capture_output=True,
+        text=True,
+        timeout=3 * PATIENCE,
+        check=False,
+    )
+    if "cannot be had" in made.stderr:
+        pytest.skip(made.stderr.strip())
+    assert made.returncode == 0, made.stdout[-3000:] + made.stderr[-3000:]
+    return made.stdout
+
+
+class Handler(http.server.SimpleHTTPRequestHandler):
+    def log_message(self, format: str, *arguments: Any) -> None:
+        """Say nothing."""
+
+
+class Site(Chromium):
+    """The site in a browser."""
+
+    address = ""
+
+    def show(self, page: str, width: int, scheme: str) -> None:
+        """Open a page at a width, in light or dark."""
+        feature = {"name": "prefers-color-scheme", "value": scheme}
+        self.call("Emulation.setEmulatedMedia", features=[feature])
+        self.resize(width, 900)
+        self.open("about:blank")
+        self.open(page if "://" in page else f"{self.address}/{page}")
+        self.wait_for("location.href != 'about:blank' && document.readyState == 'complete'")
+
+    def press_key(self, name: str, code: int) -> None:
+        """Press a key."""
+        for kind in ("rawKeyDown", "keyUp"):
+            self.call(
+                "Input.dispatchKeyEvent", type=kind, key=name, code=name, windowsVirtualKeyCode=code
+            )
+
+
+@pytest.fixture(scope="session")
+def site(built: str) -> Iterator[Site]:
+    program = chromium.find()
+    if program is None:
+        missing("Chromium")
+        raise AssertionError
+    handler = functools.partial(Handler, directory=str(SITE))
+    server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), handler)
+    threading.Thread(target=server.serve_forever, daemon=True).start()
+    browser = Site(program, ALONE, width=1280, height=900)
+    browser.address = f"http://127.0.0.1:{server.server_port}"
+    yield browser
+    browser.close()
+    server.shutdown()
+    server.server_close()
