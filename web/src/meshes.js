@@ -119,7 +119,11 @@ async function ofObj(text, file, manager) {
     loader.setMaterials(materials);
   }
   const group = loader.parse(text);
-  if (!names.length) group.traverse((node) => node.isMesh && (node.material = null));
+  if (!names.length) {
+    group.traverse((node) => {
+      if (node.isMesh && !node.geometry.hasAttribute("color")) node.material = null;
+    });
+  }
   return group;
 }
 

@@ -143,3 +143,22 @@ def test_meshes_have_the_colours_that_they_have_in_pictures(
     path.write_text(f'<robot name="meshes"><link name="base"/>{body}</robot>')
     page.show(view(path))
     check_colors(page, drawing_of(path))
+
+
+def test_colours_of_corners_go_before_the_material(page: Page, view: Start, tmp_path: Path) -> None:
+    lines = [f"v {x} {y} 0 0.1 0.8 0.2" for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
+    (tmp_path / "corners.obj").write_text("\n".join([*lines, "f 1 2 3", "f 1 3 4", ""]))
+    path = tmp_path / "corners.urdf"
+    path.write_text(
+        '<robot name="r"><link name="a"><visual><geometry><mesh filename="corners.obj"/></geometry>'
+        '<material name="m"><color rgba="1 0 0 1"/></material></visual></link></robot>'
+    )
+    page.show(view(path))
+    page.press("[data-view=top]")
+    pixels = page.stage()
+    rows, columns = pixels.shape[0] // 2, pixels.shape[1] // 2
+    here = pixels[rows - 40 : rows + 40, columns - 40 : columns + 40].mean(axis=(0, 1))
+    (body,) = drawing_of(path)._figure._bodies
+    corners = body.actor.GetMapper().GetInput().GetPointData().GetScalars()
+    assert np.array(corners.GetTuple(0))[:3] == pytest.approx([25, 204, 51], abs=1)
+    assert here[1] > 1.5 * max(here[0], here[2])  # green, and not red
