@@ -21,13 +21,23 @@ const output = new Output(byId("output"));
 
 // --- the robot --------------------------------------------------------------------------------
 
+/** Wait until the viewer shows a robot that was built before; at most 3 s. */
+async function firstRobot() {
+  const start = performance.now();
+  while (performance.now() - start < 3000) {
+    if (project && !project.state) return;
+    if (byId("viewer").contentWindow?.yamaro?.robot) return;
+    await new Promise((settle) => setTimeout(settle, 30));
+  }
+}
+
 const runner = new Runner({
   onStart: () => setStatus("ready"),
   onRestart: () => {
     setStatus("starting");
     mustOpen = true; // once the text has changed: this one would hang again
   },
-});
+}, firstRobot());
 let mustOpen = false;
 
 const opened = () => ({ files: editor.texts(), main: project.main, isTrusted: project.isTrusted });

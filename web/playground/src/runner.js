@@ -4,12 +4,21 @@ const LONGEST = 6500; // milliseconds; Yamaro itself ends what takes longer than
 const LONGEST_START = 90_000;
 
 export class Runner {
-  /** @param {object} told `onStart()`, `onRestart()`: the files have to be opened again */
-  constructor(told) {
+  /**
+   * @param {object} told `onStart()`, `onRestart()`: the files have to be opened again
+   * @param {Promise} quiet when the page has shown a robot, which Python would slow down
+   */
+  constructor(told, quiet) {
     this.told = told;
     this.waiting = new Map();
     this.lastId = 0;
-    this.begin();
+    const early = [];
+    this.isStarted = false;
+    this.worker = { postMessage: (message) => early.push(message), terminate() {} };
+    quiet.then(() => {
+      this.begin();
+      for (const message of early) this.worker.postMessage(message);
+    });
   }
 
   begin() {
