@@ -52,6 +52,7 @@ export class JointDrag {
     const found = link && this.jointOf(link);
     if (!found) return;
     this.stage.controls.enabled = false; // the camera stays
+    this.stage.canvas.setPointerCapture(event.pointerId);
     const { joint, leader } = found;
     const frame = this.told.robot().links.get(link);
     this.held = {
@@ -99,7 +100,6 @@ export class JointDrag {
       const way = Math.hypot(event.clientX - held.start.clientX, event.clientY - held.start.clientY);
       if (way < CLICK_DISTANCE) return;
       held.isMoving = true;
-      this.stage.canvas.setPointerCapture(held.id);
     }
     if (this.turn) this.followTurn(event);
     else this.approach(event);
