@@ -220,6 +220,35 @@ def test_a_link_holds_the_files_and_is_not_trusted(page: Playground) -> None:
     assert page.text("#trust") == ""
 
 
+def test_what_was_written_can_be_chosen_again_after_another_example(page: Playground) -> None:
+    page.start()
+    page.choose("pan_tilt")
+    page.write("robot: mine\nmodel:\n  link/name=base:\n")
+    page.choose("arm")
+    assert page.run("playground.editor.view.state.doc.line(1).text") != "robot: mine"
+    choice = "document.getElementById('examples')"
+    before = page.run("playground.built")
+    assert page.run(f"{choice}.lastElementChild.textContent") == "Your pan_tilt.yaml"
+    page.run(
+        f"{choice}.value = {choice}.lastElementChild.value;"
+        f"{choice}.dispatchEvent(new Event('change'))"
+    )
+    page.wait_for(f"playground.built > {before} && playground.isReady")
+    assert page.run("playground.editor.view.state.doc.line(1).text") == "robot: mine"
+
+
+def test_another_example_fills_the_view(page: Playground) -> None:
+    distance = "viewer.contentWindow.yamaro.stage.camera.position.length()"
+    page.start("?example=arm")
+    page.run("window.viewer = document.getElementById('viewer')")
+    page.wait_for("viewer.contentWindow.yamaro?.robot?.name === 'arm'")
+    far = page.run(distance)
+    page.choose("pan_tilt")
+    page.wait_for("viewer.contentWindow.yamaro.robot.name === 'pan_tilt'")
+    # The arm reaches about a metre, and the camera on two servos is 9 cm high.
+    page.wait_for(f"{distance} < {far} / 3")
+
+
 def test_the_robot_is_seen_before_python_has_started(page: Playground) -> None:
     page.open("about:blank")
     page.open(page.address)

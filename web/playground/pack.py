@@ -24,7 +24,7 @@ ROOT = Path(__file__).resolve().parents[2]
 HERE = Path(__file__).resolve().parent
 EXAMPLES = (
     ("hexapod", "A walking robot, 18 joints", "hexapod.yaml"),
-    ("pan_tilt", "A camera on two servos", "pan_tilt.yaml"),
+    ("pan_tilt", "Start here: a camera on two servos", "pan_tilt.yaml"),
     ("quadruped", "A robot dog, 12 joints", "quadruped.yaml"),
     ("arm", "A six-axis arm with a gripper", "arm.yaml"),
     ("ur5e", "A real arm, from its published numbers", "ur5e.yaml"),

@@ -28,8 +28,9 @@ const shown = { visual: true, collision: false, inertia: false, frames: false, a
 
 let state = null; // what the server told last
 let robot = null; // what stands on the stage
-let builtVersion = 0;
+let builtVersion = "";
 let shownVersion = 0;
+let shownFile = null; // the robot's file, which is another one when the playground opens an example
 let selection = { link: null, shape: null };
 
 const stage = makeStage({
@@ -95,10 +96,12 @@ async function onState(next) {
   included.setBuild(next.hasMore);
   fault.set(next.fault, Boolean(next.robot));
   show(byId("empty"), !next.robot && !next.fault);
-  if (next.robot && next.robotVersion !== builtVersion) {
-    builtVersion = next.robotVersion;
+  // The playground opens other files in one page, and counts their robots from 1 each time.
+  const version = `${next.opening ?? 0}.${next.robotVersion}`;
+  if (next.robot && version !== builtVersion) {
+    builtVersion = version;
     try {
-      await build(next.robot, next.robotVersion);
+      await build(next.robot, version);
     } catch (error) {
       fault.set({ fault: `this robot cannot be shown: ${error.message}`, diagnostics: [] }, true);
     }
@@ -118,7 +121,8 @@ async function build(description, version) {
     next.dispose();
     return;
   }
-  const isFirst = robot === null;
+  const isOther = robot === null || state.file !== shownFile;
+  shownFile = state.file;
   robot?.dispose();
   robot = next;
   tree.setRobot(robot);
@@ -127,7 +131,7 @@ async function build(description, version) {
   robot.addMarks(sizeOf(robot));
   stage.setRobot(robot, bounds);
   for (const kind of KINDS) robot.setShown(kind, shown[kind]);
-  if (isFirst) stage.look("iso", robot.outermostPoints());
+  if (isOther) stage.look("iso", robot.outermostPoints());
   joints.restore();
   poses.setRobot(robot);
   between.setRobot(robot);
@@ -135,7 +139,7 @@ async function build(description, version) {
   for (const [mesh, reason] of faults) warnings.addMeshFault(mesh, reason);
   byId("name").textContent = robot.name || "robot";
   byId("cell").textContent = `grid ${cellText(stage.cell)}`;
-  select(robot.links.has(selection.link) ? selection.link : null, selection.shape);
+  select(!isOther && robot.links.has(selection.link) ? selection.link : null, selection.shape);
   stage.drawNow();
 }
 

@@ -12,9 +12,12 @@ const FORMATS = { xml: "URDF", mjcf: "MJCF", sdf: "SDF" };
 
 let project = null; // {title, main, files, isTrusted}
 let examples = [];
+const kept = new Map(); // projects that were changed, or came with a link, and gave way to others
+let isChanged = false; // whether the text differs from what was opened
 let diagnostics = [];
 let pane = "robot";
 let hasState = false;
+let openings = 0; // how often files were opened: Python counts the robots of each from 1
 let built = 0; // how many answers to builds were shown, for tests
 const viewer = byId("viewer");
 const output = new Output(byId("output"));
@@ -61,6 +64,7 @@ async function build(method, content) {
     const { method: asked, content: given } = next;
     next = null;
     setStatus(runner.isStarted ? "busy" : "starting");
+    if (asked === "open") openings += 1;
     take(await runner.ask(asked, asked === "open" ? opened() : given));
   }
   isBusy = false;
@@ -69,7 +73,7 @@ async function build(method, content) {
 
 function take(answer) {
   diagnostics = answer.diagnostics ?? [];
-  if (answer.state) tellViewer(answer.state);
+  if (answer.state) tellViewer({ ...answer.state, opening: openings });
   editor.mark(diagnostics);
   markFiles();
   byId("printed").textContent = answer.printed ?? "";
@@ -114,6 +118,7 @@ const changed = new Set();
 const editor = new Editor(byId("editor"), {
   onChange(name) {
     changed.add(name);
+    isChanged = true;
     clearTimeout(pause);
     pause = setTimeout(send, PAUSE);
   },
@@ -167,6 +172,7 @@ function addFile() {
 
 function openProject(given) {
   project = given;
+  isChanged = false;
   diagnostics = [];
   hasState = Boolean(given.state);
   editor.open(given.files, given.main);
@@ -269,8 +275,18 @@ function fillExamples() {
 byId("add").onclick = addFile;
 byId("examples").onchange = ({ target }) => {
   history.replaceState(null, "", location.pathname);
-  openProject({ ...examples[Number(target.value)], isTrusted: true });
+  const chosen = kept.get(target.value) ?? { ...examples[Number(target.value)], isTrusted: true };
+  keepProject();
+  openProject(chosen);
 };
+
+/** Let what the user wrote, or got with a link, be chosen again below the examples. */
+function keepProject() {
+  if (!project || !(isChanged || project.key || project.title === "from a link")) return;
+  const key = project.key ?? `kept-${kept.size}`;
+  if (!kept.has(key)) byId("examples").append(h("option", { value: key }, `Your ${project.main}`));
+  kept.set(key, { ...opened(), key });
+}
 byId("trust-run").onclick = () => {
   project.isTrusted = true;
   show(byId("trust"), false);
@@ -293,8 +309,11 @@ byId("problem-fold").onclick = () => {
 };
 
 async function openFirst() {
-  examples = await fetch("examples.json").then((response) => response.json());
-  fillExamples();
+  if (!examples.length) {
+    examples = await fetch("examples.json").then((response) => response.json());
+    fillExamples();
+  }
+  keepProject();
   const shared = await fromHash(location.hash);
   if (shared) {
     byId("examples").value = "link";
