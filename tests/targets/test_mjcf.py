@@ -188,6 +188,29 @@ def test_examples_hold_their_home(name: str, base: str, seconds: float, tmp_path
     assert found.worst < 0.05, found.joint
 
 
+def test_fingers_that_weigh_almost_nothing_hold_their_home() -> None:
+    mujoco = require_module("mujoco")
+    inertial = (  # as of fingers in models of small humanoids
+        '<inertial><mass value="2e-6"/><inertia ixx="1.1e-9" iyy="1.1e-9" izz="1.1e-9" ixy="0"'
+        ' ixz="0" iyz="0"/></inertial>'
+    )
+    parts = ['<link name="wrist"/>']
+    for number in range(9):
+        mimic = '<mimic joint="j0" multiplier="0.999899"/>' if number else ""
+        parent = "wrist" if number % 3 == 0 else f"l{number - 1}"
+        limit = '<limit lower="0" upper="1" effort="0.292" velocity="8"/>'
+        parts.append(
+            f'<link name="l{number}">{inertial}</link><joint name="j{number}" type="revolute">'
+            f'<parent link="{parent}"/><child link="l{number}"/><origin xyz="0.0144 0.01 0"/>'
+            f'<axis xyz="0 1 0"/>{limit}{mimic}</joint>'
+        )
+    urdf = with_position_actuators(f'<robot name="hand">{"".join(parts)}</robot>')
+    build = yamaro.build("hand.urdf", text=urdf, target="mjcf", on_message=print)
+    found = Standing(mujoco.MjModel.from_xml_string(build.xml(), dict(build.assets)), 1.0)
+    assert not found.warnings
+    assert found.worst < 0.05, found.joint
+
+
 CASES = sorted((ROOT / "tests" / "cases" / "targets").glob("mjcf*.xml"))
 
 

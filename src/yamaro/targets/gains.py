@@ -33,7 +33,7 @@ damping, which MuJoCo integrates implicitly, it would have to be below 4.8 / TIM
 COUPLED = 0.5 / TIME_STEP
 """The greatest frequency of a joint that others follow: as fast as the equalities are, whose
 stiffness is by the lighter one of two joints."""
-LEAST_INERTIA = 1e-6
+LEAST_INERTIA = 1e-12
 """In kg·m² or kg, for what has none."""
 SLIP = 0.05
 """The part of its greatest speed by which a velocity actuator slips at its greatest effort."""
