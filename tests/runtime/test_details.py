@@ -182,6 +182,14 @@ def test_a_message_says(text: str, message: str) -> None:
     assert fault(text, {"a": "out:"}).message == message
 
 
+@pytest.mark.parametrize("mode", ["trusted", "safe"])
+@pytest.mark.parametrize("name", ["set", "len", "sqrt"])
+def test_functions_and_types_have_the_same_name_in_safe_mode(mode: str, name: str) -> None:
+    text = f"out:\n  for: {{iterator: i, range: {name}, body: {{a: }}}}"
+    with pytest.raises(YamaroError, match="`range` needs integers, not a function"):
+        build("main.yaml", text=text, policy=Policy(mode), has_root=False)
+
+
 # --- what is parsed only while it runs ----------------------------------------------------------
 
 LATE = """

@@ -24,6 +24,8 @@ def a_kind_of(value: Any) -> str:
         return f"the number {format_value(value)}"
     if isinstance(value, str):
         return f"the text '{value[:40]}'"
+    if callable(value):  # in safe mode, functions and types have types of their own
+        return "a function"
     name = type(value).__name__
     if name in ("ndarray", "Array"):  # numpy's, and its substitute in safe mode
         return "an array"
