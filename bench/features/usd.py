@@ -66,8 +66,8 @@ def _joint(prim: Usd.Prim, name: str, own: Mapping[str, str]) -> Iterator[Key]:
     drive = UsdPhysics.DriveAPI(prim, "linear" if is_linear else "angular")
     if not prim.HasAPI(UsdPhysics.DriveAPI, "linear" if is_linear else "angular"):
         return
-    if drive.GetStiffnessAttr().Get():
-        yield ("actuated", name)
+    if drive.GetStiffnessAttr().Get() or drive.GetDampingAttr().Get():
+        yield ("actuated", name)  # by its position or by its speed
     effort = drive.GetMaxForceAttr().Get()
     if isfinite(effort):
         yield ("effort", name, effort)
