@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from ...model.joint import FIXED
+from ..view.description import finite_positions
 from .files import mesh_of, texture_of
 
 TYPE_CHECKING = False
@@ -29,7 +30,7 @@ def describe(robot: Robot, files: PageFiles) -> Json:
     return {
         "links": links,
         "textures": _textures(robot, files),
-        "states": {name: state.positions for name, state in robot.states.items()},
+        "states": {name: finite_positions(state.positions) for name, state in robot.states.items()},
         "summary": summary(robot),
     }
 

@@ -51,7 +51,9 @@ class Description:
                 for name, joint in robot.joints.items()
             },
             "textures": self._textures(robot),
-            "states": {state.name: _finite(state.positions) for state in robot.states.values()},
+            "states": {
+                state.name: finite_positions(state.positions) for state in robot.states.values()
+            },
         }
         warnings = (*build.warnings, *self._refused.values())
         self.data["diagnostics"] = [self._diagnostic(each, owners) for each in warnings]
@@ -128,7 +130,7 @@ class Description:
         return told
 
 
-def _finite(positions: Mapping[str, float]) -> Json:
+def finite_positions(positions: Mapping[str, float]) -> Json:
     """Return the positions that are numbers to JSON."""
     return {name: position for name, position in positions.items() if isfinite(position)}
 
