@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from pathlib import Path
 
 import pytest
@@ -48,6 +49,7 @@ def test_a_name_that_is_declared_elsewhere_gets_no_suggestion_but_its_place() ->
     assert error.notes[0].startswith("'lenght' at /t.yaml:2:39 is local to its function or block")
 
 
+@pytest.mark.skipif(sys.version_info < (3, 11), reason="Python knows columns from 3.11 on")
 def test_a_name_that_inner_python_misses_is_shown_where_that_is_run() -> None:
     """The name stands in front of it as well, where nobody reads it."""
     error = fault("out: $(nope if False else eval('nope'))")

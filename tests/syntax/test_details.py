@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import sys
+
 import pytest
 
 from yamaro import Build, Policy, YamaroError, build
@@ -12,6 +14,9 @@ from yamaro.syntax.context import ParseContext
 from yamaro.syntax.keys import parse_attributes
 from yamaro.yaml.nodes import DOUBLE, PLAIN, SINGLE, ScalarNode, _align_flow, quoted
 from yamaro.yaml.scalars import is_null, type_plain
+
+PYTHON_KNOWS_COLUMNS = sys.version_info >= (3, 11)
+"""Whether it is known where in a line of Python a fault is."""
 
 
 def build_text(text: str, *arguments: str) -> Build:
@@ -413,7 +418,8 @@ def test_an_integer_has_no_more_digits_than_python_reads() -> None:
 )
 def test_a_number_of_billions_of_digits_is_not_computed(text: str) -> None:
     error = fault(f"out: $({text})")
-    assert (error.code, error.span.written()) == ("limit-integer", text.partition(" + ")[0])
+    underlined = text.partition(" + ")[0] if PYTHON_KNOWS_COLUMNS else text
+    assert (error.code, error.span.written()) == ("limit-integer", underlined)
 
 
 @pytest.mark.parametrize("text", ["().__class__", "open('x')"])
@@ -422,7 +428,8 @@ def test_what_safe_mode_refuses_is_underlined_and_nothing_around_it(text: str) -
     with pytest.raises(YamaroError) as caught:
         build("/t.yaml", loader=loader, policy=Policy("safe"))
     (error,) = caught.value.diagnostics
-    assert place(error) == f"1:12 {text}"
+    is_exact = PYTHON_KNOWS_COLUMNS or text != "open('x')"  # a call is refused when it runs
+    assert place(error) == (f"1:12 {text}" if is_exact else f"1:8 1 + {text}")
 
 
 def limited(text: str, limits: dict[str, int]) -> list[tuple[str, str]]:

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
     T = TypeVar("T")
 
-RECURSION_LIMIT = 40_000 if sys.version_info >= (3, 11) else 20_000
+RECURSION_LIMIT = 40_000
 STACK_SIZES = (512 << 20, 128 << 20, 32 << 20)
 WAKING_INTERVAL = 0.2
 """Seconds after which a wait looks for Ctrl-C, which may have reached another thread."""

@@ -65,6 +65,7 @@ def test_a_download_is_what_the_command_writes_into_a_folder(
     told: Served, format: str, tmp_path: Path
 ) -> None:
     answer = prepared(told, format)
+    assert "key" in answer, answer
     status, content, headers = told.ask(f"download/{answer['key']}")
     assert status == 200
     assert len(content) == answer["bytes"]

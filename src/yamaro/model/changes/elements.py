@@ -143,7 +143,7 @@ def _paired(
     """Return the elements that differ, in order, and those that only one of the robots has."""
     left, others = [], list(theirs)
     for element in mine:
-        twin = next((each for each in others if _same(element, each, comparing)), None)
+        twin = _twin(element, others, comparing)
         if twin is None:
             left.append(element)
         else:
@@ -151,6 +151,17 @@ def _paired(
     shared = min(len(left), len(others))
     pairs = list(zip(left[:shared], others[:shared], strict=True))
     return pairs, left[shared:], others[shared:]
+
+
+# A tree may be deeper than Python 3.12 and 3.13 let functions written in C call each other. So
+# where its levels call each other there is no `all`, no `next` and no generator in between.
+
+
+def _twin(element: Element, others: list[Element], comparing: Comparing) -> Element | None:
+    for other in others:
+        if _same(element, other, comparing):
+            return other
+    return None
 
 
 def _same(one: Element, other: Element, comparing: Comparing) -> bool:
@@ -180,7 +191,10 @@ def _is_equal(one: Element, other: Element, comparing: Comparing) -> bool:
     mine, theirs = one.elements(), other.elements()
     if len(mine) != len(theirs):
         return False
-    if all(_same(each, twin, comparing) for each, twin in zip(mine, theirs, strict=True)):
+    for each, twin in zip(mine, theirs, strict=True):
+        if not _same(each, twin, comparing):
+            break
+    else:
         return True
     for some, others in _by_key(mine, theirs).values():
         pairs, removed, added = _paired(some, others, comparing)
