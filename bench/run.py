@@ -27,6 +27,7 @@ SCRIPTS = (
     "kept",
     "safety",
     "view",
+    "playground",
     "model",
     "faults",
     "lsp",

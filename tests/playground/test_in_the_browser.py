@@ -54,6 +54,11 @@ class Playground(Chromium):
         self.open(self.address + rest)
         self.wait_for("Boolean(window.playground?.built) && playground.isReady")
 
+    def load_again(self) -> None:
+        """Reload the page, and wait until the robot is built."""
+        self.run("window.isOld = true; location.reload()")
+        self.wait_for("!window.isOld && Boolean(window.playground?.built) && playground.isReady")
+
     def choose(self, example: str) -> None:
         """Open an example, and wait until the robot is built."""
         number = [name for name, _, _ in pack.EXAMPLES].index(example)
@@ -235,6 +240,43 @@ def test_what_was_written_can_be_chosen_again_after_another_example(page: Playgr
     )
     page.wait_for(f"playground.built > {before} && playground.isReady")
     assert page.run("playground.editor.view.state.doc.line(1).text") == "robot: mine"
+
+
+def test_what_was_written_is_kept_when_the_page_is_loaded_again(page: Playground) -> None:
+    first_line = "playground.editor.view.state.doc.line(1).text"
+    page.start("?example=arm")
+    page.write("robot: mine\nmodel:\n  link/name=base:\n")
+    for _ in range(2):
+        page.load_again()
+        assert page.run(first_line) == "robot: mine"
+        assert page.run("document.querySelector('#examples :checked').text") == "Your arm.yaml"
+    page.start("?example=arm")
+    assert page.run(first_line) != "robot: mine"
+
+
+def test_a_link_stays_untrusted_when_the_page_is_loaded_again(page: Playground) -> None:
+    page.choose("pan_tilt")
+    page.write("robot: r\nmodel:\n  link/name=a:\n")
+    page.press("#share")
+    page.wait_for("location.hash.startsWith('#robot=')")
+    page.start(page.run("location.hash"))
+    page.write("robot: r\nimport: [subprocess]\nmodel:\n- link/name=a:\n")
+    page.load_again()
+    assert "error[unsafe-code]" in page.text("#problems")
+
+
+def test_what_python_imports_at_the_start_is_byte_code(page: Playground) -> None:
+    page.start()
+    page.write(
+        "robot: r\nprocess: |\n  import sys\n"
+        "  specs = [module.__spec__ for module in sys.modules.values()]\n"
+        "  files = [spec.origin or '' for spec in specs if spec]\n"
+        "  print(len(files), *[file for file in files if file.endswith('.py')])\n"
+        "model:\n  link/name=a:\n"
+    )
+    count, *sources = page.run("document.getElementById('printed').textContent").split()
+    assert int(count) > 100
+    assert sources == []
 
 
 def test_another_example_fills_the_view(page: Playground) -> None:

@@ -1,11 +1,12 @@
 // Builds the playground into a folder that any web server can serve as it is.
 //
-//   node build.mjs FOLDER     yamaro.zip and examples.json are put there by scripts/playground
+//   node build.mjs FOLDER     with yamaro.zip and examples.json in it, which pack.py makes
 
-import { cpSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
+import { cpSync, mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { dirname, join, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
 import { build } from "esbuild";
+import { loadPyodide } from "pyodide";
 
 const here = dirname(fileURLToPath(import.meta.url));
 const web = dirname(here);
@@ -45,9 +46,33 @@ await build({ ...options, absWorkingDir: web, entryPoints: ["view.css"], outfile
 for (const name of ["index.html", "icon.svg"]) cpSync(join(web, name), join(viewer, name));
 
 mkdirSync(join(target, "pyodide"), { recursive: true });
-for (const name of ["pyodide.mjs", "pyodide.asm.mjs", "pyodide.asm.wasm", "python_stdlib.zip"]) {
+for (const name of ["pyodide.mjs", "pyodide.asm.mjs", "pyodide.asm.wasm"]) {
   cpSync(join(pyodide, name), join(target, "pyodide", name));
 }
+
+// Python with its library and Yamaro, made by that Python.
+const python = await loadPyodide();
+const own = join(target, "yamaro.zip");
+python.FS.writeFile("/own.zip", readFileSync(own));
+python.FS.writeFile("/standard.zip", readFileSync(join(pyodide, "python_stdlib.zip")));
+python.globals.set("examples", readFileSync(join(target, "examples.json"), "utf8"));
+python.runPython(readFileSync(join(here, "archive.py"), "utf8"));
+const archive = python.runPython(`
+import json
+sys.path.insert(0, "/own.zip")
+import bridge
+playground = bridge.Playground("/robot")
+for example in json.loads(examples):
+    playground.open(example["files"], example["main"], is_trusted=True)
+    playground.build()
+    for format in "xml", "mjcf", "sdf":
+        playground.write(format)
+combined("/standard.zip", "/own.zip")
+`);
+writeFileSync(join(target, "python.bin"), archive.toJs());
+archive.destroy();
+rmSync(own);
+
 // No package is loaded from anywhere, so none is named.
 const lock = JSON.parse(readFileSync(join(pyodide, "pyodide-lock.json"), "utf8"));
 writeFileSync(join(target, "pyodide", "pyodide-lock.json"), JSON.stringify({ ...lock, packages: {} }));

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from ..source import Span
 
 
-_OWN_FOLDER = __file__[: -len("runtime/tracebacks.py")]
+_OWN_FOLDER = __file__.rpartition("runtime")[0]
 
 
 class TracebackPlace:

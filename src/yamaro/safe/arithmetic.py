@@ -36,7 +36,7 @@ _WRAPPERS = frozenset((Array, Number, Whole))
 _OPERANDS = NUMBERS | _LISTS | _WRAPPERS
 _OTHERS: dict[type, Any] = {str: "", type(None): None}
 _BAD_INDEX = "only integers, slices (`:`), None and integer or boolean arrays are valid indices"
-_OWN_FOLDER = __file__[: -len("safe/arithmetic.py")]
+_OWN_FOLDER = __file__.rpartition("safe")[0]
 
 
 def extent(shape: tuple[int, ...]) -> int:

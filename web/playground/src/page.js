@@ -5,6 +5,7 @@ import { diagnosticText } from "../../src/messages.js";
 import { Theme } from "../../src/theme.js";
 import { Editor, Output } from "./editor.js";
 import { Runner } from "./runner.js";
+import { recall, remember } from "./kept.js";
 import { fromHash, toHash } from "./share.js";
 
 const PAUSE = 250; // milliseconds without a key after which the robot is built
@@ -133,6 +134,7 @@ function send() {
   const texts = editor.texts();
   const names = [...changed];
   changed.clear();
+  remember(opened());
   if (names.length === 1) void build("change", { name: names[0], text: texts[names[0]] });
   else void build("open", null);
 }
@@ -284,8 +286,11 @@ byId("examples").onchange = ({ target }) => {
 function keepProject() {
   if (!project || !(isChanged || project.key || project.title === "from a link")) return;
   const key = project.key ?? `kept-${kept.size}`;
-  if (!kept.has(key)) byId("examples").append(h("option", { value: key }, `Your ${project.main}`));
-  kept.set(key, { ...opened(), key });
+  offer(key, { ...opened(), key });
+}
+function offer(key, given) {
+  if (!kept.has(key)) byId("examples").append(h("option", { value: key }, `Your ${given.main}`));
+  kept.set(key, given);
 }
 byId("trust-run").onclick = () => {
   project.isTrusted = true;
@@ -295,6 +300,7 @@ byId("trust-run").onclick = () => {
 byId("share").onclick = async () => {
   const hash = await toHash({ files: editor.texts(), main: project.main });
   history.replaceState(null, "", hash);
+  if (isChanged) remember(opened());
   const isCopied = await navigator.clipboard?.writeText(location.href).then(() => true, () => false);
   byId("share").textContent = isCopied ? "Link copied" : "Link is in the address";
   setTimeout(() => (byId("share").textContent = "Share"), 2500);
@@ -313,17 +319,22 @@ async function openFirst() {
     examples = await fetch("examples.json").then((response) => response.json());
     fillExamples();
   }
-  keepProject();
-  const shared = await fromHash(location.hash);
-  if (shared) {
-    byId("examples").value = "link";
-    openProject({ ...shared, title: "from a link", isTrusted: false });
+  const recalled = project ? null : recall();
+  if (recalled) {
+    const key = "kept-0";
+    offer(key, { ...recalled, key });
+    byId("examples").value = key;
+    openProject(kept.get(key));
     return;
   }
+  keepProject();
+  const shared = await fromHash(location.hash);
   const wanted = new URLSearchParams(location.search).get("example");
   const index = Math.max(examples.findIndex(({ name }) => name === wanted), 0);
-  byId("examples").value = String(index);
-  openProject({ ...examples[index], isTrusted: true });
+  byId("examples").value = shared ? "link" : String(index);
+  openProject(
+    shared ? { ...shared, title: "from a link", isTrusted: false } : { ...examples[index], isTrusted: true },
+  );
 }
 
 window.addEventListener("hashchange", () => void openFirst());

@@ -8,19 +8,21 @@ const here = new URL("./", self.location.href);
 let playground = null;
 let toPython = null;
 
+/** Return the address of Python's library with Yamaro in it: a ZIP archive, compressed as a whole. */
+async function library() {
+  const { body } = await fetch(new URL("python.bin", here));
+  const archive = await new Response(body.pipeThrough(new DecompressionStream("gzip"))).blob();
+  return URL.createObjectURL(archive);
+}
+
 async function start() {
-  const [pyodide, archive] = await Promise.all([
-    loadPyodide({ indexURL: new URL("pyodide/", here).href, checkAPIVersion: true }),
-    fetch(new URL("yamaro.zip", here)).then((response) => response.arrayBuffer()),
-  ]);
-  pyodide.unpackArchive(new Uint8Array(archive), "zip", { extractDir: "/lib/yamaro" });
+  const pyodide = await loadPyodide({
+    indexURL: new URL("pyodide/", here).href,
+    stdLibURL: await library(),
+    checkAPIVersion: true,
+  });
   toPython = (value) => pyodide.toPy(value);
-  playground = pyodide.runPython(`
-import sys
-sys.path.insert(0, "/lib/yamaro")
-import bridge
-bridge.Playground("/robot")
-`);
+  playground = pyodide.runPython('import bridge; bridge.Playground("/robot")');
 }
 
 const methods = {

@@ -29,7 +29,7 @@ PARAMETERS = ("arguments", "model", "scene", "robot", "index", *TEXTS)
 UNITS = "UNITS"
 """The dict in the module that holds the units of its results."""
 
-_OWN_FOLDER = __file__[: -len("tools/sweep/hook.py")]
+_OWN_FOLDER = __file__.rpartition("tools")[0]
 
 
 class Hook:
