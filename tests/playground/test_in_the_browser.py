@@ -309,6 +309,24 @@ def test_the_viewer_and_the_editor_follow_each_other(page: Playground) -> None:
     page.wait_for("playground.editor.view.state.selection.main.head > 0")
 
 
+def test_files_with_errors_do_not_show_the_robot_of_other_files(page: Playground) -> None:
+    page.choose("pan_tilt")
+    name = "document.getElementById('viewer').contentWindow.yamaro?.robot?.name"
+    page.wait_for(f"{name} === 'pan_tilt'")
+    page.write("robot: [\n")
+    assert page.run(name) == "pan_tilt"  # the last one that was built
+    page.press("#share")
+    page.wait_for("location.hash.startsWith('#robot=')")
+    link = page.run("location.hash")
+    page.choose("arm")
+    page.wait_for(f"{name} === 'arm'")
+    page.run(f"location.hash = {link!r}")
+    page.wait_for("playground.diagnostics.length && playground.isReady")
+    page.wait_for(f"document.getElementById('viewer').contentWindow.yamaro && !{name}")
+    page.choose("pan_tilt")
+    page.wait_for(f"{name} === 'pan_tilt'")
+
+
 def test_it_can_be_used_on_a_phone(page: Playground) -> None:
     page.resize(390, 800)
     try:

@@ -390,6 +390,25 @@ def test_an_interrupted_thread_is_not_used_again(monkeypatch: pytest.MonkeyPatch
     assert compile_text("out:\n").endswith("<out/>\n")
 
 
+@pytest.mark.usefixtures("untraced")
+def test_a_thread_whose_work_was_done_when_it_is_interrupted_ends(
+    no_thread: list[deep_stack._Worker], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    wait = deep_stack._Job.wait
+
+    def interrupt(self: deep_stack._Job, longest: float | None = None) -> None:
+        wait(self, longest)
+        if longest is None:
+            wait_for(lambda: no_thread)  # it waits for more to do
+            raise KeyboardInterrupt
+
+    threads = _thread._count()
+    monkeypatch.setattr(deep_stack._Job, "wait", interrupt)
+    with pytest.raises(KeyboardInterrupt):
+        run_on_deep_stack(int)
+    wait_for(lambda: _thread._count() == threads)
+
+
 # --- interrupts -------------------------------------------------------------------------------
 
 

@@ -158,6 +158,10 @@ class _Worker:
                 ctypes.c_ulong(self._identity), ctypes.py_object(KeyboardInterrupt)
             )
             job.wait(1.0)
+        try:
+            self._awake.release()  # where the job was done already, the thread waits for more
+        except RuntimeError:  # it has not begun
+            pass
 
 
 class _Importer:

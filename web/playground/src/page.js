@@ -191,7 +191,12 @@ let isViewerReady = false;
 let lastState = null;
 
 function tellViewer(state) {
+  const isGone = Boolean(lastState?.robot) && state !== null && !state.robot;
   lastState = state ?? lastState;
+  if (isGone && isViewerReady) {
+    isViewerReady = false; // until it says so again; so it forgets the robot of other files
+    viewer.contentWindow.location.reload();
+  }
   if (!isViewerReady || !lastState) return;
   hasState = true;
   viewer.contentWindow.postMessage({ type: "yamaro.state", state: lastState }, location.origin);

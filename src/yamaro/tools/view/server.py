@@ -87,6 +87,12 @@ EMBEDDED_HEADERS = {
 """The headers for a page in a frame of an editor."""
 
 
+_WRONG_ADDRESS = (
+    "There is nothing at this address. Open the one that yamaro view has printed, "
+    "which is another at each start."
+)
+
+
 class Refused(Exception):
     """A request is not answered; the status says why."""
 
@@ -256,7 +262,7 @@ class Handler(BaseHTTPRequestHandler):
         token, slash, rest = path[1:].partition("/")
         is_known = hmac.compare_digest(token.encode(), self.server.token.encode())
         if not is_known or not slash:
-            raise Refused(HTTPStatus.NOT_FOUND)
+            raise Refused(HTTPStatus.NOT_FOUND, _WRONG_ADDRESS)
         if not self.server.let_in(self.connection):
             raise Refused(HTTPStatus.SERVICE_UNAVAILABLE)
         return rest
