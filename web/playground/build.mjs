@@ -93,7 +93,7 @@ const notices = [
 writeFileSync(
   join(target, "THIRD-PARTY.txt"),
   `The playground holds these packages. Python's standard library is part of Pyodide (PSF-2.0),
-PyYAML of yamaro.zip (MIT). Texts of the licences: licenses/.\n\n${notices.join("\n")}\n`,
+PyYAML of python.bin (MIT). Texts of the licences: licenses/.\n\n${notices.join("\n")}\n`,
 );
 cpSync(join(web, "licenses"), join(target, "licenses"), { recursive: true });
 cpSync(join(here, "node_modules/codemirror/LICENSE"), join(target, "licenses", "codemirror.txt"));
