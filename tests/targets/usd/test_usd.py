@@ -133,6 +133,12 @@ def test_a_joint_with_commanded_efforts_has_no_gains(tmp_path: Path) -> None:
     assert found == [("approximated", "joint 'rod_joint'")]
 
 
+def test_a_position_actuator_without_gains_is_exact(tmp_path: Path) -> None:
+    text = ARM.replace("kp: 50, kd: 2", "command: position, kp: 0, kd: 0")
+    _, build = stage_of(text, tmp_path)
+    assert [loss for loss in build.losses if "actuators" in loss.what] == []
+
+
 def test_what_usd_cannot_hold_is_reported(tmp_path: Path) -> None:
     _, build = stage_of(ARM, tmp_path)
     found = {(loss.kind, loss.what, loss.owner) for loss in build.losses}

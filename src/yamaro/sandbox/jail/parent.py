@@ -130,7 +130,8 @@ class Child:
         """Fork.
 
         A parent with threads can fork well as long as none of its other threads holds a lock that
-        the work needs; the work would wait for it in vain, until the wall clock ends it. That is
+        the work needs, and no library waits for threads of its own when Python frees in the child
+        what other threads had. Otherwise the child hangs until the wall clock ends it. That is
         known, so the warning about it is turned off; for good, since to turn it on again would
         race with other threads.
         """

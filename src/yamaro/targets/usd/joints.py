@@ -170,7 +170,7 @@ class JointWriter:
         is_linear = joint.type == PRISMATIC
         unit = 1.0 if is_linear else degrees(1)
         kp, kd = self._gains(joint, actuator) if actuator is not None else (0.0, 0.0)
-        if actuator is not None and not (kp or kd):
+        if actuator is not None and actuator.command not in (POSITION, VELOCITY):
             what, how = "effort actuators", "drives without gains"
             self._lose(joint, actuator, what, kind=APPROXIMATED, how=how)
         if joint.dynamics is not None and damping:
