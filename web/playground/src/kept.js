@@ -13,8 +13,7 @@ export function remember(project) {
 
 /** Return what was kept if the page was reloaded, or null. */
 export function recall() {
-  const [{ type }] = performance.getEntriesByType("navigation");
-  if (type !== "reload") return null;
+  if (performance.getEntriesByType("navigation")[0]?.type !== "reload") return null;
   try {
     const { address, ...project } = JSON.parse(sessionStorage.getItem(KEY)) ?? {};
     return address === location.href ? project : null;
