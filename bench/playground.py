@@ -8,12 +8,9 @@ begins each time with an empty cache.
 
 from __future__ import annotations
 
-import functools
-import http.server
 import statistics
 import sys
 import tempfile
-import threading
 import time
 from collections.abc import Iterator
 from pathlib import Path
@@ -23,16 +20,12 @@ from measuring import Figure, Setting, main, run
 ROOT = Path(__file__).parents[1]
 sys.path.insert(0, str(ROOT))
 
+from tests.serving import served  # noqa: E402
 from tests.tools.view import chromium  # noqa: E402
 
 MOST = 6000.0  # ms
 SEEN = "Boolean(document.getElementById('viewer')?.contentWindow?.yamaro?.robot)"
 BUILT = "Boolean(window.playground?.built && playground.isReady)"
-
-
-class Handler(http.server.SimpleHTTPRequestHandler):
-    def log_message(self, format: str, *arguments: object) -> None:
-        """Say nothing."""
 
 
 def measure(setting: Setting) -> Iterator[Figure]:
@@ -41,12 +34,8 @@ def measure(setting: Setting) -> Iterator[Figure]:
         sys.exit("this needs Chromium")
     with tempfile.TemporaryDirectory() as folder:
         run([str(ROOT / "scripts" / "playground"), folder])
-        handler = functools.partial(Handler, directory=folder)
-        with http.server.ThreadingHTTPServer(("127.0.0.1", 0), handler) as server:
-            threading.Thread(target=server.serve_forever, daemon=True).start()
-            address = f"http://127.0.0.1:{server.server_port}/"
+        with served(Path(folder)) as address:
             times = [opened(program, address) for _ in range(setting.runs)]
-            server.shutdown()
     names = ("robot seen", "robot built by Python")
     for name, found in zip(names, zip(*times, strict=True), strict=True):
         ms = [f"{one * 1e3:.0f}" for one in found]

@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 import contextlib
-import functools
 import gzip
-import http.server
 import io
 import json
 import math
@@ -13,15 +11,14 @@ import re
 import shutil
 import subprocess
 import sys
-import threading
 from collections.abc import Iterator
 from itertools import zip_longest
 from pathlib import Path
-from typing import Any
 
 import pytest
 
 from tests.consumers.oracles import missing
+from tests.serving import served
 from tests.tools.view import chromium
 from tests.tools.view.chromium import Chromium
 from tests.waiting import PATIENCE
@@ -33,14 +30,10 @@ import pack  # noqa: E402
 
 LARGEST = 8_000_000
 """Bytes over the wire, compressed."""
+BUILT = "Boolean(window.playground?.built) && playground.isReady"
 ALONE = "--host-resolver-rules=MAP * ~NOTFOUND, EXCLUDE 127.0.0.1"
 
 pytestmark = pytest.mark.slow
-
-
-class Handler(http.server.SimpleHTTPRequestHandler):
-    def log_message(self, format: str, *arguments: Any) -> None:
-        """Say nothing."""
 
 
 class Playground(Chromium):
@@ -52,12 +45,12 @@ class Playground(Chromium):
         """Open the page, and wait until the robot is built."""
         self.open("about:blank")
         self.open(self.address + rest)
-        self.wait_for("Boolean(window.playground?.built) && playground.isReady")
+        self.wait_for(BUILT)
 
     def load_again(self) -> None:
         """Reload the page, and wait until the robot is built."""
         self.run("window.isOld = true; location.reload()")
-        self.wait_for("!window.isOld && Boolean(window.playground?.built) && playground.isReady")
+        self.wait_for(f"!window.isOld && {BUILT}")
 
     def choose(self, example: str) -> None:
         """Open an example, and wait until the robot is built."""
@@ -111,16 +104,12 @@ def browser(folder: Path) -> Iterator[Playground]:
     if program is None:
         missing("Chromium")
         raise AssertionError
-    handler = functools.partial(Handler, directory=str(folder))
-    server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), handler)
-    threading.Thread(target=server.serve_forever, daemon=True).start()
-    page = Playground(program, ALONE, width=1280, height=800)
-    page.address = f"http://127.0.0.1:{server.server_port}/"
-    page.start()
-    yield page
-    page.close()
-    server.shutdown()
-    server.server_close()
+    with served(folder) as address:
+        page = Playground(program, ALONE, width=1280, height=800)
+        page.address = address
+        page.start()
+        yield page
+        page.close()
 
 
 @pytest.fixture

@@ -2,17 +2,14 @@
 
 from __future__ import annotations
 
-import functools
-import http.server
 import subprocess
-import threading
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Any
 
 import pytest
 
 from tests.consumers.oracles import missing
+from tests.serving import served
 from tests.tools.view import chromium
 from tests.tools.view.chromium import Chromium
 from tests.waiting import PATIENCE
@@ -37,11 +34,6 @@ def built() -> str:
         pytest.skip(made.stderr.strip())
     assert made.returncode == 0, made.stdout[-3000:] + made.stderr[-3000:]
     return made.stdout
-
-
-class Handler(http.server.SimpleHTTPRequestHandler):
-    def log_message(self, format: str, *arguments: Any) -> None:
-        """Say nothing."""
 
 
 class Site(Chromium):
@@ -72,12 +64,8 @@ def site(built: str) -> Iterator[Site]:
     if program is None:
         missing("Chromium")
         raise AssertionError
-    handler = functools.partial(Handler, directory=str(SITE))
-    server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), handler)
-    threading.Thread(target=server.serve_forever, daemon=True).start()
-    browser = Site(program, ALONE, width=1280, height=900)
-    browser.address = f"http://127.0.0.1:{server.server_port}"
-    yield browser
-    browser.close()
-    server.shutdown()
-    server.server_close()
+    with served(SITE) as address:
+        browser = Site(program, ALONE, width=1280, height=900)
+        browser.address = address.rstrip("/")
+        yield browser
+        browser.close()

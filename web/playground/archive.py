@@ -61,24 +61,23 @@ def combined(standard: str, own: str) -> bytes:
         standard: the archive of the standard library.
         own: the archive of the modules that run in the playground.
     """
-    begin = f"{STANDARD_LIBRARY}/", f"{own}/"
     specs = (getattr(module, "__spec__", None) for module in list(sys.modules.values()))
-    files = (getattr(spec, "origin", None) or "" for spec in specs)
-    imported = {file.removeprefix(begin[0]).removeprefix(begin[1]) for file in files}
+    imported = {getattr(spec, "origin", None) for spec in specs}
     target = io.BytesIO()
     with zipfile.ZipFile(target, "w", zipfile.ZIP_STORED) as file:
-        for name, content in (*_modules(own), *_modules(standard)):
-            if name in imported:
+        for path, name, content in (*_modules(own, own), *_modules(standard, STANDARD_LIBRARY)):
+            if path in imported:
                 file.writestr(zipfile.ZipInfo(f"{name}c", DATE), _compiled(name, content))
             elif not name.startswith(LEFT_OUT):
                 file.writestr(zipfile.ZipInfo(name, DATE), content)
     return gzip.compress(target.getvalue(), mtime=0)
 
 
-def _modules(archive: str) -> Iterator[tuple[str, bytes]]:
+def _modules(archive: str, place: str) -> Iterator[tuple[str, str, bytes]]:
+    """Yield where Python finds each module of an archive, its name there, and its content."""
     with zipfile.ZipFile(archive) as file:
         for name in file.namelist():
-            yield name, file.read(name)
+            yield f"{place}/{name}", name, file.read(name)
 
 
 def _compiled(name: str, content: bytes) -> bytes:
