@@ -7,6 +7,7 @@ from ..policy import Limits
 from ..source import Source, Span
 from .libyaml import (
     AliasEvent,
+    DeepParser,
     DocumentStartEvent,
     MappingEndEvent,
     MappingStartEvent,
@@ -16,6 +17,7 @@ from .libyaml import (
     SequenceStartEvent,
     StreamEndEvent,
     YAMLError,
+    is_nested_too_deep,
 )
 from .nodes import PLAIN, MappingNode, ScalarNode, SequenceNode, quoted
 
@@ -65,12 +67,15 @@ class NodeBuilder:
         self.units = units
         self.text = source.text if text is None else text
         self.errors = errors
-        self.absent: list[YamlNode] = []  # placeholders of nodes that could not be read
-        self.open_flow: Any = None  # the outermost `[…]` or `{…}` that is open
-        self.documents = 0
         self.limits = limits
         self.source = owner or source
         self.places = places
+        self._begin()
+
+    def _begin(self) -> None:
+        self.absent: list[YamlNode] = []  # placeholders of nodes that could not be read
+        self.open_flow: Any = None  # the outermost `[…]` or `{…}` that is open
+        self.documents = 0
         self.anchors: dict[str, YamlNode] = {}
         self.open_anchors: dict[str, object] = {}
         self.stack: list[tuple[Any, Any]] = []
@@ -81,17 +86,28 @@ class NodeBuilder:
 
     def build(self) -> YamlNode | None:
         """Return the document's root, or None if there is none or its aliases expand too far."""
+        count = len(self.errors or ())
         try:
-            parser = Parser(self.text)
             try:
-                root = self._build(parser)
-                return None if self.is_full else root  # what is below the limit takes long, too
-            finally:
-                parser.dispose()
+                return self._parse(Parser(self.text))
+            except YAMLError as error:
+                if not is_nested_too_deep(error):
+                    raise
+                if self.errors is not None:
+                    del self.errors[count:]
+                self._begin()
+                return self._parse(DeepParser(self.text))
         except YAMLError as error:
             from .faults import refuse_yaml
 
             refuse_yaml(error, self)
+
+    def _parse(self, parser: Any) -> YamlNode | None:
+        try:
+            root = self._build(parser)
+            return None if self.is_full else root  # what is below the limit takes long, too
+        finally:
+            parser.dispose()
 
     def place(self, offset: int) -> int:
         """Return the offset in the owning source of an offset in the text that is read."""

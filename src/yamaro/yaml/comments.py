@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ..source import Source, Span
-from .libyaml import Parser, YAMLError
+from .libyaml import DeepParser, YAMLError
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -47,7 +47,7 @@ def find_comments(source: Source, text: str) -> list[Comment]:
 
 def _gaps(text: str) -> Iterator[tuple[int, int]]:
     """Give the stretches of a text in which only white space and comments stand."""
-    parser = Parser(text)
+    parser = DeepParser(text)
     at = 0
     try:
         while (token := parser.get_token()) is not None:

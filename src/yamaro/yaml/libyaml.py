@@ -90,6 +90,51 @@ def _choose() -> tuple[Any, Any]:
 
 
 Parser, YAMLError = _choose()
+
+
+class DeepParser:
+    """Parses a text of any depth, in Python below the 1,000 levels that libyaml 0.2.6 reads."""
+
+    def __init__(self, text: str) -> None:
+        self._text = text
+        self._parser = Parser(text)
+        self._given = 0
+        self._is_pure = False
+
+    def get_event(self) -> Any:
+        """Return the next event, or None at the end."""
+        return self._next("get_event")
+
+    def get_token(self) -> Any:
+        """Return the next token, or None at the end."""
+        return self._next("get_token")
+
+    def dispose(self) -> None:
+        """Forget the text."""
+        self._parser.dispose()
+
+    def _next(self, what: str) -> Any:
+        try:
+            found = getattr(self._parser, what)()
+        except YAMLError as error:
+            if not is_nested_too_deep(error) or self._is_pure:
+                raise
+            from .pure import PureParser
+
+            self._parser.dispose()
+            self._parser, self._is_pure = PureParser(self._text), True
+            for _ in range(self._given):
+                getattr(self._parser, what)()
+            found = getattr(self._parser, what)()
+        self._given += 1
+        return found
+
+
+def is_nested_too_deep(error: Any) -> bool:
+    """Return whether libyaml gave up because of the depth."""
+    return getattr(error, "problem", None) == "exceeded maximum nesting depth"
+
+
 from yaml.events import (  # noqa: E402 - only now is it settled which yaml this is
     AliasEvent,
     DocumentStartEvent,
@@ -103,6 +148,7 @@ from yaml.events import (  # noqa: E402 - only now is it settled which yaml this
 
 __all__ = [
     "AliasEvent",
+    "DeepParser",
     "DocumentStartEvent",
     "MappingEndEvent",
     "MappingStartEvent",
@@ -112,4 +158,5 @@ __all__ = [
     "SequenceStartEvent",
     "StreamEndEvent",
     "YAMLError",
+    "is_nested_too_deep",
 ]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ...diagnostics import Reporter, YamaroError
-from ...yaml.libyaml import Parser
+from ...yaml.libyaml import DeepParser
 from ...yaml.nodes import ScalarNode
 from ...yaml.reader import read_on
 from .layout import Layout
@@ -55,7 +55,7 @@ def _ends_lines_with_crlf(text: str) -> bool:
 
 def _meaning(text: str) -> Iterator[tuple[Any, ...]]:
     """Give what libyaml reads in a text, without places."""
-    parser = Parser(text)
+    parser = DeepParser(text)
     try:
         while (event := parser.get_event()) is not None:
             yield (

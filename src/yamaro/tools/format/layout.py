@@ -26,7 +26,7 @@ from yaml.tokens import (
     ValueToken,
 )
 
-from ...yaml.libyaml import Parser
+from ...yaml.libyaml import DeepParser
 from .levels import INDENT, Bracket, Level, OwnLine, comment_column
 from .scalars import BREAK, move_block_scalar, move_flow_scalar
 
@@ -87,7 +87,7 @@ class Layout:
 
     def run(self) -> str:
         """Return the text laid out."""
-        parser = Parser(self._text)
+        parser = DeepParser(self._text)
         try:
             while (token := parser.get_token()) is not None:
                 self._take(token)
