@@ -36,11 +36,9 @@ apt_install() {
         { $sudo apt-get update -qq && $sudo apt-get install -y -qq "$@"; } >/dev/null 2>&1
 }
 
-# See to it that pictures can be drawn: OpenGL draws in software, without a display.
-need_opengl() {
-    draws='from yamaro.tools.picture.window import make_window; make_window()'
-    python -c "$draws" >/dev/null 2>&1 || apt_install libegl1 libgl1-mesa-dri
-}
+# What OpenGL needs to draw in software, without a display.
+opengl='libegl1 libgl1-mesa-dri'
+draws() { python -c 'from yamaro.tools.picture.window import make_window; make_window()' >/dev/null 2>&1; }
 
 make_venv() {
     "$1" -m venv "$2" >/dev/null 2>&1 && return
