@@ -42,6 +42,10 @@ os.execv(sys.argv[3], sys.argv[3:])
 """
 
 
+class PageLeft(AssertionError):
+    """The page was left for another while it worked on a command."""
+
+
 class Chromium:
     """A browser with one page.
 
@@ -93,6 +97,8 @@ class Chromium:
         while True:
             answer = self._read()
             if answer.get("id") == message["id"]:
+                if "navigated" in answer.get("error", {}).get("message", ""):
+                    raise PageLeft(answer["error"])
                 assert "error" not in answer, answer["error"]
                 return answer["result"]
             self._note(answer)
@@ -141,9 +147,16 @@ class Chromium:
         return answer["result"].get("value")
 
     def wait_for(self, script: str) -> Any:
-        """Return the value of an expression once it is true."""
+        """Return the value of an expression once it is true, on this page or the next."""
+
+        def value() -> Any:
+            try:
+                return self.run(script)
+            except PageLeft:
+                return None
+
         try:
-            return wait_for(lambda: self.run(script))
+            return wait_for(value)
         except AssertionError as error:
             raise AssertionError(f"{script}: {error}; complaints: {self.complaints}") from None
 
