@@ -14,7 +14,8 @@ HOME = "https://pypi.org/project/yamaro/"
 ADJUSTABLE = frozenset(
     """
     ambiguous-parent anchored-expression angle-too-large assumed-limit axis-not-unit bad-color
-    bad-inertia bad-mass bad-mesh bad-name bad-size bad-version capsule-needs-urdf-1.1
+    bad-inertia bad-mass bad-mesh bad-name bad-size bad-version base-assumed
+    capsule-needs-urdf-1.1
     comment-entry dollar-in-string duplicate-joint duplicate-link duplicate-material far-center
     fixed-mimic function-replaced gimbal-rpy hidden-package hidden-value ignored-limit joint-cycle
     large-mesh leftover-expression limit-order long-chain massless-moving mimic-cycle

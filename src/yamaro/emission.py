@@ -10,7 +10,9 @@ from __future__ import annotations
 import os
 
 from .arguments import UsageError
-from .diagnostics import ERROR, Reporter, YamaroError, did_you_mean
+from .diagnostics import ERROR, WARNING, Diagnostic, Reporter, YamaroError, did_you_mean
+from .model.joint import FIXED
+from .model.kinematics import base_of
 from .model.reading import read_robot
 from .model.values import NumberReader
 from .phases import add_gazebo, check, evaluate, lower
@@ -27,7 +29,6 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping, Sequence
 
-    from .diagnostics import Diagnostic
     from .model.robot import Robot
     from .policy import Policy
     from .request import Request
@@ -41,6 +42,8 @@ if TYPE_CHECKING:
 
 MOST_LETTERS = 100
 """Letters of a robot's name that is a file's."""
+SIMULATORS = ("mjcf", "sdf", "usd")
+"""The formats that say whether the root is fixed in the world."""
 TELLTALES = frozenset(("target", "eval", "exec", "globals", "locals", "vars"))
 """The names of which an expression reads one if what it gives may depend on the format."""
 
@@ -241,6 +244,8 @@ def _build(run: _Run, target: Target, request: Request) -> Build:
     if run.is_faulty:
         explain(found, run.interpreter)
         raise YamaroError(found)
+    if target.format in SIMULATORS and not request.is_partial:
+        found += _assumed_base(run.robot_of(), target.base)
     request.adjustment.allow(found)
     if request.adjustment.deny(found):
         raise YamaroError(found)
@@ -310,7 +315,7 @@ def _wanted(robot: Robot, target: Target, stem: str, file_name: str) -> Wanted:
     return Wanted(
         target.format,
         name=stem,
-        is_fixed=is_fixed(robot, target.base),
+        is_fixed=base_of(robot, target.base)[0] == FIXED,
         paths=target.paths,
         has_meshes=target.has_meshes,
         repairs_inertia=target.repairs_inertia,
@@ -320,16 +325,17 @@ def _wanted(robot: Robot, target: Target, stem: str, file_name: str) -> Wanted:
     )
 
 
-def is_fixed(robot: Robot, base: str | None) -> bool:
-    """Return whether the root of a robot is fixed in the world.
-
-    Args:
-        robot: the robot.
-        base: `fixed` or `free`, if that was asked for. Otherwise the robot's `base` counts; without
-            one a root is fixed that is named `world` or has no mass.
-    """
-    said = base or (robot.base.type if robot.base is not None else None)
-    if said is not None:
-        return said == "fixed"
-    roots = robot.roots
-    return bool(roots) and (roots[0].name == "world" or roots[0].mass == 0.0)
+def _assumed_base(robot: Robot, asked: str | None) -> list[Diagnostic]:
+    """Return a warning if nothing says whether the root is fixed; else nothing."""
+    base, reason = base_of(robot, asked)
+    if not reason:
+        return []
+    return [
+        Diagnostic(
+            "base-assumed",
+            f"the base is assumed to be {base}, since {reason}",
+            robot.span,
+            hint="write 'base: fixed' or 'base: free' in the main file, or pass --base",
+            severity=WARNING,
+        )
+    ]

@@ -11,7 +11,7 @@ from tests.targets.stub import write_with_stub
 from yamaro.commands.main import main
 from yamaro.targets.output import MARK
 
-ROBOT = "robot: arm\nmodel:\n- link/name=base: {}\n"
+ROBOT = "robot: arm\nbase: fixed\nmodel:\n- link/name=base: {}\n"
 
 
 @pytest.fixture(autouse=True)
@@ -101,7 +101,7 @@ def test_meshes_are_copied_to_a_folder(tmp_path: Path) -> None:
 
 
 def test_nothing_is_written_if_a_format_fails(capsys: pytest.CaptureFixture[str]) -> None:
-    Path("robot.yaml").write_text(ROBOT.replace("base", "refused"))
+    Path("robot.yaml").write_text(ROBOT.replace("=base", "=refused"))
     assert main(["robot.yaml", "--to", "urdf,mjcf", "-o", "out"]) == 1
     assert "error[massless-moving]" in capsys.readouterr().err
     assert not Path("out").exists()

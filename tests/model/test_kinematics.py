@@ -3,6 +3,7 @@
 import csv
 import random
 from collections.abc import Iterator, Mapping
+from itertools import pairwise
 from math import pi
 from pathlib import Path
 from typing import Any
@@ -15,7 +16,7 @@ from tests.consumers import oracles
 from tests.model.robots import EXAMPLES, JOINTS
 from yamaro import Robot, build
 from yamaro.model import Pose
-from yamaro.model.kinematics import joint_positions
+from yamaro.model.kinematics import base_of, joint_positions
 
 REPOSITORY = Path(__file__).parents[2]
 CORPUS = REPOSITORY.parent / "shared" / "corpus"
@@ -297,3 +298,94 @@ def test_a_joint_without_limits_may_turn_once() -> None:
     robot = Robot.from_xml(chain(joint(0), joint(1, kind="prismatic")))
     assert robot.joints["j0"].range == (-pi, pi)
     assert robot.joints["j1"].range == (-0.5, 0.5)
+
+
+# --- the base ---------------------------------------------------------------------------------
+
+
+def tree(*joints: str, mass: float = 1.0, root: str = "base", types: str = "revolute") -> Robot:
+    """Return a robot of links 'name' on links 'parent', each written as `parent>name[:type]`.
+
+    `*` before the name makes a mimic joint; every link has the mass.
+    """
+    inertial = f'<inertial><mass value="{mass}"/><inertia ixx="1" iyy="1" izz="1"/></inertial>'
+    links, parts = [root], []
+    for each in joints:
+        ends, _, kind = each.partition(":")
+        parent, _, child = ends.partition(">")
+        mimic = '<mimic joint="leader"/>' if child.startswith("*") else ""
+        child = child.removeprefix("*")
+        links.append(child)
+        parts.append(
+            f'<joint name="{child}_joint" type="{kind or types}"><parent link="{parent}"/>'
+            f'<child link="{child}"/>{mimic}<limit lower="-1" upper="1"/></joint>'
+        )
+    body = "".join(f'<link name="{each}">{inertial if mass else ""}</link>' for each in links)
+    return Robot.from_xml(f'<robot name="r">{body}{"".join(parts)}</robot>')
+
+
+def in_a_row(start: str, name: str, length: int) -> list[str]:
+    """Return joints in a row, the first of which is on a link."""
+    names = [start, *(f"{name}{index}" for index in range(length))]
+    return [f"{parent}>{child}" for parent, child in pairwise(names)]
+
+
+def legs(start: str, count: int, length: int = 3) -> list[str]:
+    return [joint for index in range(count) for joint in in_a_row(start, f"leg{index}_", length)]
+
+
+FOUR_FINGERS = legs("palm", 4, 2)
+
+
+@pytest.mark.parametrize(
+    ("robot", "base"),
+    [
+        (tree("base>wheel:continuous"), "free"),
+        (tree("root>base:fixed", "base>wheel:continuous", root="root"), "free"),
+        (tree("world>base:fixed", "base>wheel:continuous", root="world"), "fixed"),
+        (tree("base>wheel:continuous", mass=0), "fixed"),
+        (tree("base>body:floating", "body>wheel:continuous"), "fixed"),
+        (tree(*in_a_row("base", "arm", 6)), "fixed"),
+        (tree(*legs("base", 4)), "free"),
+        (tree(*legs("base", 6, 1)), "free"),
+        (tree("root>base:fixed", *legs("base", 4), root="root"), "free"),
+        (tree(*legs("base", 3)), "fixed"),
+        (tree(*legs("base", 2), "base>waist", *in_a_row("waist", "left", 7),
+              *in_a_row("waist", "right", 7)), "free"),
+        (tree(*in_a_row("base", "arm", 6), "arm5>palm:fixed", *FOUR_FINGERS), "fixed"),
+        (tree(*in_a_row("base", "left", 6), "left5>left_finger1", "left5>left_finger2",
+              *in_a_row("base", "right", 6), "right5>right_finger1", "right5>right_finger2"),
+         "fixed"),
+        (tree("base>leader", "base>*second", "base>*third", "base>*fourth"), "fixed"),
+    ],
+)  # fmt: skip
+def test_a_base_is_assumed_by_wheels_and_limbs(robot: Robot, base: str) -> None:
+    found, reason = base_of(robot)
+    assert found == base
+    assert bool(reason) == (robot.roots[0].name != "world")
+    for asked in ("fixed", "free"):
+        assert base_of(robot, asked) == (asked, "")
+
+
+WHEEL = """<robot name="r">
+  <link name="base"><inertial><mass value="1"/></inertial></link><link name="wheel"/>
+  <joint name="j" type="revolute"><parent link="base"/><child link="wheel"/>
+  <limit lower="{lower}" upper="1e16" effort="1" velocity="1"/></joint>
+</robot>"""
+
+
+@pytest.mark.parametrize(("lower", "base"), [("-1e16", "free"), ("0", "fixed")])
+def test_limits_that_mean_none_are_those_of_a_wheel(lower: str, base: str) -> None:
+    assert base_of(Robot.from_xml(WHEEL.format(lower=lower)))[0] == base
+
+
+def test_branches_that_a_loop_joins_are_one_limb() -> None:
+    body = "link: {geometry: sphere, radius: 1, mass: 1}"
+    limit = "limit: {upper: 1, effort: 1, velocity: 1}"
+    text = f"robot: r\nmodel:\n- part: {{name: base, {body}}}\n"
+    for name in "abcd":
+        joint = f"joint: {{type: revolute, parent: base, axis: y, {limit}}}"
+        text += f"- part: {{name: {name}, {joint}, {body}}}\n"
+    assert base_of(build("r.yaml", text=text).robot)[0] == "free"
+    text += "- loop: {name: l, type: ball, between: [a, b]}\n"
+    assert base_of(build("r.yaml", text=text, allow=["lost-in-urdf"]).robot)[0] == "fixed"

@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from yamaro.targets.output import Loss
 
 ROBOT = """\
+base: fixed
 model:
 - part: {name: base, link: {geometry: box, scale: 1 1 1, mass: 2}}
 - part:
@@ -49,11 +50,11 @@ def test_a_build_for_a_format_has_its_document_losses_and_assets(robot: Path) ->
     assert built.format == "mjcf"
     assert built.xml() == (
         '<?xml version="1.0"?>\n'
-        '<mjcf name="robot" fixed="false" version="" meshes="true" repairs="false">\n'
+        '<mjcf name="robot" fixed="true" version="" meshes="true" repairs="false">\n'
         '  <body name="base_link"/>\n  <body name="arm_link"/>\n</mjcf>\n'
     )
     assert built.root_name == "mjcf"
-    assert built.root.elements()[1].span.location()[0] == 5
+    assert built.root.elements()[1].span.location()[0] == 6
     assert list(built.robot.joints) == ["arm_joint"]
     assert built.assets == {"assets/arm-12.stl": b"\0\1"}
     assert built.file_name == ""
@@ -77,7 +78,7 @@ def test_losses_of_a_kind_are_one_warning_with_the_other_places_as_notes(tmp_pat
         "also joint 'leg_joint'",
         "also joint 'foot_joint'",
     ]
-    assert warning.span.location()[0] == 6
+    assert warning.span.location()[0] == 7
 
 
 ALL_LOSSES = {
@@ -89,7 +90,7 @@ ALL_LOSSES = {
 
 @pytest.mark.parametrize("format", ["sdf", "mjcf", "usd"])
 def test_what_is_approximated_and_renamed_is_said_too(tmp_path: Path, format: str) -> None:
-    text = "model:\n- link/name=square: {}\n"
+    text = "base: fixed\nmodel:\n- link/name=square: {}\n"
     built = build(put(tmp_path / "robot.yaml", text), target=format)
     assert [each.code for each in built.warnings] == ALL_LOSSES[format]
     assert [each.message for each in built.warnings] == [
@@ -153,14 +154,16 @@ def test_what_is_unknown_is_wrong_usage(robot: Path, options: dict[str, str], me
 # --- the base ---------------------------------------------------------------------------------
 
 MASSIVE = "model:\n- part: {name: base, link: {geometry: sphere, radius: 1, mass: 1}}\n"
+WHEEL = "- part: {name: wheel, joint: {type: continuous, parent: base, axis: y}}\n"
 
 
 @pytest.mark.parametrize(
     ("text", "is_fixed"),
     [
-        (MASSIVE, "false"),
+        (MASSIVE, "true"),
+        (MASSIVE + WHEEL, "false"),
         ("model:\n- link/name=base: {}\n", "true"),
-        ("model:\n- part: {name: 'a b', link: {geometry: sphere, radius: 1, mass: 1}}\n", "false"),
+        ("model:\n- part: {name: 'a b', link: {geometry: sphere, radius: 1, mass: 1}}\n", "true"),
         (
             "model:\n- part: {name: 'a world', link: {geometry: sphere, radius: 1, mass: 1}}\n",
             "true",
@@ -264,7 +267,7 @@ def test_target_is_the_word_of_the_format(tmp_path: Path) -> None:
 
 
 def test_the_errors_of_all_formats_are_reported_once(tmp_path: Path) -> None:
-    path = put(tmp_path / "robot.yaml", "model:\n- link/name=refused: {}\n")
+    path = put(tmp_path / "robot.yaml", "base: fixed\nmodel:\n- link/name=refused: {}\n")
     with pytest.raises(YamaroError) as error:
         build(path, target=["urdf", "sdf", "mjcf"])
     assert [each.code for each in error.value.diagnostics] == ["massless-moving"]

@@ -69,7 +69,7 @@ def raw_of(built: Build, format: str) -> list[tuple[str, str]]:
 
 def test_blocks_are_for_what_they_are_in(tmp_path: Path) -> None:
     path = put(tmp_path / "robot.yaml", ARM)
-    built = build(path, target="mjcf", allow=["lost-in-mjcf"])
+    built = build(path, target="mjcf", base="free", allow=["lost-in-mjcf"])
     assert sorted(raw_of(built, "mjcf")) == [
         ("joint arm_joint", '<note a="1"/>'),
         ("link arm_link", '<site name="tip">\n  <size>1</size>\n</site>'),
@@ -151,7 +151,7 @@ model:
         joint: {{type: continuous, parent: base, mjcf: {{note/joint=left_arm_joint: }}}}
         link: {{{BODY}, mjcf: {{site/pos=0 1 0: }}}}
 """
-    built = build(put(tmp_path / "robot.yaml", text), target="mjcf")
+    built = build(put(tmp_path / "robot.yaml", text), target="mjcf", base="free")
     assert raw_of(built, "mjcf") == [
         ("joint left_arm_joint", '<note joint="left_arm_joint"/>'),
         ("link left_arm_link", '<site pos="0 1 0"/>'),

@@ -17,6 +17,8 @@ LIMITED = (REVOLUTE, PRISMATIC)
 """The types of joints that have a lower and an upper limit."""
 SINGLE = (REVOLUTE, CONTINUOUS, PRISMATIC)
 """The types of joints whose position is one number."""
+UNLIMITED = 1e15
+"""Limits beyond it mean none, such as those of 1e16 that simulators write."""
 DEGREES_OF_FREEDOM = {REVOLUTE: 1, CONTINUOUS: 1, PRISMATIC: 1, PLANAR: 3, FLOATING: 6}
 """Degrees of freedom by joint type, as pinocchio counts them (nv of its joint models)."""
 

@@ -1,8 +1,11 @@
-"""Forward kinematics: where links and the centre of mass are for given joint positions."""
+"""Forward kinematics: where links and the centre of mass are for given joint positions.
+
+Also whether the root of a robot stands still.
+"""
 
 from __future__ import annotations
 
-from .joint import CONTINUOUS, FIXED, FLOATING, PLANAR, PRISMATIC, REVOLUTE
+from .joint import CONTINUOUS, FIXED, FLOATING, PLANAR, PRISMATIC, REVOLUTE, UNLIMITED
 from .pose import IDENTITY, UNTURNED, Pose, multiply, rotate, rotation_about, rotation_from_z
 
 TYPE_CHECKING = False
@@ -11,6 +14,7 @@ if TYPE_CHECKING:
     from typing import Any
 
     from .joint import Joint
+    from .link import Link
     from .pose import Vector
     from .robot import Robot
 
@@ -168,3 +172,107 @@ def center_of_mass(robot: Robot, given: Mapping[str, Position] | None) -> Vector
             sums[axis] += link.mass * center[axis]
     x, y, z = (component / mass for component in sums)
     return (x, y, z)
+
+
+def from_the_roots(robot: Robot) -> list[Link]:
+    """Return the links, each after the one it is attached to; links in a circle are left out."""
+    found = list(robot.roots)
+    for link in found:
+        found += [robot.links[joint.child] for joint in robot.joints_below(link.name)]
+    return found
+
+
+# --- the base ---------------------------------------------------------------------------------
+
+FREE = "free"
+WORLD = "world"
+"""The name of a root link that is fixed in the world."""
+LIMBS = 4
+"""The number of limbs with which a robot walks."""
+TRUNK = 4
+"""The moving joints from the root to where limbs are counted; farther out are hands."""
+
+
+def base_of(robot: Robot, asked: str | None = None) -> tuple[str, str]:
+    """Return whether the root is `fixed` in the world or `free`, and why if that is assumed.
+
+    What is asked for counts, then the robot's `base`; a root `world` is fixed. Otherwise these are
+    assumed, in this order: fixed if nothing that is rigidly joined to the root has mass, or if a
+    floating or planar joint lets go of it; free with a joint that turns endlessly, as wheels do, or
+    with `LIMBS` limbs; else fixed.
+
+    Args:
+        robot: the robot.
+        asked: `fixed`, `free`, or None to do as the robot says.
+
+    Returns:
+        `fixed` or `free`; the reason as a clause, "" if nothing is assumed.
+    """
+    said = asked or (robot.base.type if robot.base is not None else None)
+    roots = robot.roots
+    if said is not None or not roots or roots[0].name == WORLD:
+        return said or FIXED, ""
+    held = [roots[0].name]
+    leaving: list[Joint] = []
+    for link in held:
+        for joint in robot.joints_below(link):
+            if joint.type == FIXED:
+                held.append(joint.child)
+            else:
+                leaving.append(joint)
+    if all(robot.links[link].mass <= 0 for link in held):
+        return FIXED, f"the root '{roots[0].name}' has no mass"
+    for joint in leaving:
+        if joint.type in (FLOATING, PLANAR):
+            return FIXED, f"the joint '{joint.name}' is {joint.type}"
+    for joint in robot.joints.values():
+        if _is_endless(joint):
+            return FREE, f"the joint '{joint.name}' turns endlessly"
+    limbs = count_limbs(robot)
+    if limbs >= LIMBS:
+        return FREE, f"it has {limbs} limbs"
+    return FIXED, "no joint turns endlessly, and it has fewer than four limbs"
+
+
+def _is_endless(joint: Joint) -> bool:
+    """Return whether a joint turns on and on: a wheel, also one with limits that mean none."""
+    limit = joint.limit
+    if joint.type != REVOLUTE or limit is None:
+        return joint.type == CONTINUOUS
+    return limit.lower <= -UNLIMITED and limit.upper >= UNLIMITED
+
+
+def count_limbs(robot: Robot) -> int:
+    """Return how many limbs a robot has: branches of its tree that end in links that move.
+
+    Only the first `TRUNK` moving joints on the way from the root count, so an arm with its hand is
+    one limb. Branches that only mimic joints move do not count, and two that a loop joins are one.
+    """
+    tops = {link.name: link.name for link in robot.roots}  # of the rigid part that a link is in
+    above: dict[str, str] = {}
+    depths = dict.fromkeys(tops, 0)
+    driven: set[str] = set()
+    for link in from_the_roots(robot):
+        top = tops[link.name]
+        for joint in robot.joints_below(link.name):
+            if joint.type == FIXED or depths[top] == TRUNK:
+                tops[joint.child] = top
+            else:
+                tops[joint.child] = joint.child
+                above[joint.child] = top
+                depths[joint.child] = depths[top] + 1
+            if joint.type != FIXED and joint.mimic is None:
+                driven.add(tops[joint.child])
+    ends: dict[str, set[str]] = {}  # of the limbs at or beyond a part
+    for part in reversed(above):
+        if part in driven and part not in ends:
+            ends[part] = {part}
+        if part in ends:
+            ends.setdefault(above[part], set()).update(ends[part])
+    limbs = {end: end for part in above for end in ends.get(part, ())}
+    for loop in robot.loops.values():
+        first, second = (ends.get(tops.get(name, ""), set()) for name in loop.between)
+        if len(first) == len(second) == 1:
+            one, other = limbs[min(first)], limbs[min(second)]
+            limbs = {end: one if limb == other else limb for end, limb in limbs.items()}
+    return len(set(limbs.values()))

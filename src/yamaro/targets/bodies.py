@@ -7,6 +7,7 @@ of the body at the other end: of the one above it, or else of the first one belo
 from __future__ import annotations
 
 from ..model.joint import FIXED
+from ..model.kinematics import WORLD, from_the_roots
 from ..model.pose import IDENTITY, Pose
 
 TYPE_CHECKING = False
@@ -14,9 +15,6 @@ if TYPE_CHECKING:
     from ..model.joint import Joint
     from ..model.link import Link
     from ..model.robot import Robot
-
-WORLD = "world"
-"""The name of a root link that is the world."""
 
 
 def has_mass(link: Link) -> bool:
@@ -102,11 +100,3 @@ class Bodies:
                         return longer
                     ways.append(longer)
         return []
-
-
-def from_the_roots(robot: Robot) -> list[Link]:
-    """Return the links, each after the one it is attached to; links in a circle are left out."""
-    found = list(robot.roots)
-    for link in found:
-        found += [robot.links[joint.child] for joint in robot.joints_below(link.name)]
-    return found

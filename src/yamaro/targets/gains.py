@@ -5,9 +5,8 @@ from __future__ import annotations
 from math import hypot, isfinite, sqrt
 
 from ..model.joint import FLOATING, PLANAR, PRISMATIC, SINGLE
-from ..model.kinematics import link_poses
+from ..model.kinematics import from_the_roots, link_poses
 from ..model.pose import multiply, rotate, transposed
-from .bodies import from_the_roots
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

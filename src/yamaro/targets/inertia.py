@@ -8,10 +8,11 @@ from __future__ import annotations
 
 from ..diagnostics import Diagnostic
 from ..model.joint import FIXED
+from ..model.kinematics import from_the_roots
 from ..model.pose import Pose, multiply, transposed
 from ..model.principal import principal_axes
 from ..xml.values import format_number
-from .bodies import Bodies, from_the_roots
+from .bodies import Bodies
 from .output import APPROXIMATED, LOST, Loss
 
 TYPE_CHECKING = False

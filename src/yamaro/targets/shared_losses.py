@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ..model.joint import SINGLE
+from ..model.joint import SINGLE, UNLIMITED
 from ..model.sensors import CAMERAS, Ranger
 from .output import APPROXIMATED, LOST, RENAMED, Loss
 
@@ -17,8 +17,6 @@ if TYPE_CHECKING:
     from ..model.values import Written
 
 SRDF_HINT = "--to srdf writes them"
-UNLIMITED = 1e15
-"""Limits beyond it mean none, such as those of 1e16 that simulators write."""
 RATES = ("acceleration", "deceleration", "jerk")
 
 

@@ -198,8 +198,9 @@ def test_the_cone_of_a_range_sensor_is_one_ray(tmp_path: Path) -> None:
     assert told(sdf_of(text, tmp_path)) == {cone}
 
 
-def test_a_base_is_free_unless_it_is_told_or_stands_for_the_world(tmp_path: Path) -> None:
-    assert model_of(sdf_of(ARM, tmp_path)).find("joint[@name='base_link_world']") is None
+def test_a_base_is_fixed_where_that_is_asked(tmp_path: Path) -> None:
+    free = model_of(sdf_of(ARM, tmp_path, base="free"))
+    assert free.find("joint[@name='base_link_world']") is None
     fixed = model_of(sdf_of(ARM, tmp_path, base="fixed"))
     joint = fixed.find("joint[@name='base_link_world']")
     assert joint is not None

@@ -165,7 +165,7 @@ def test_a_camera_looks_along_x_with_z_up(tmp_path: Path) -> None:
 
 
 def test_a_base_is_fixed_where_that_is_asked(tmp_path: Path) -> None:
-    free, _ = stage_of(ARM, tmp_path)
+    free, _ = stage_of(ARM, tmp_path, base="free")
     assert not free.GetPrimAtPath("/my_arm/joints/base_link_world")
     fixed, _ = stage_of(ARM, tmp_path, base="fixed")
     assert (

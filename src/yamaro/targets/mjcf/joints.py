@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from ...model.joint import CONTINUOUS, FLOATING, PLANAR, PRISMATIC, REVOLUTE
+from ...model.joint import CONTINUOUS, FLOATING, PLANAR, PRISMATIC, REVOLUTE, UNLIMITED
 from ...model.pose import UNTURNED, Pose, rotate, rotation_from_z
 from ..output import APPROXIMATED, LOST, RENAMED
-from ..shared_losses import UNLIMITED
 from .names import JOINT
 from .writing import Places, Writing, made, number, row
 

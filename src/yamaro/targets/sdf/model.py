@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from ...diagnostics import YamaroError, failure
 from ...model.joint import FIXED, FLOATING
+from ...model.kinematics import WORLD
 from ...model.pose import IDENTITY
-from ..bodies import WORLD, Bodies
+from ..bodies import Bodies
 from ..foreign_xml import foreign_losses
 from ..inertia import Inertias
 from ..output import APPROXIMATED, Loss, Output

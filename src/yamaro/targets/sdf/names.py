@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ..bodies import WORLD
+from ...model.kinematics import WORLD
 from ..output import RENAMED, Loss
 from ..tags import unused
 

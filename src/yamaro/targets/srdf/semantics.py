@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ...diagnostics import Diagnostic, YamaroError
-from ..bodies import WORLD
+from ...model.kinematics import WORLD
 from ..output import LOST, Loss, Output
 from ..tags import Tag
 from .pairs import disabled_pairs

@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING
 from pxr import Gf, Sdf, Usd, UsdPhysics
 
 from ...model.joint import CONTINUOUS, FIXED, FLOATING, PLANAR, PRISMATIC, SINGLE
+from ...model.kinematics import WORLD
 from ...model.pose import Pose, multiply, rotation_about, rotation_from_z
-from ..bodies import WORLD
 from ..gains import POSITION, VELOCITY, Gains
 from ..output import APPROXIMATED, LOST, Loss
 from ..shared_losses import lost_of_joints

@@ -10,7 +10,7 @@ import json
 import os
 from hashlib import sha256
 
-from ...emission import is_fixed
+from ...model.kinematics import base_of
 from ...output import write_file
 from .plan import USD
 from .rows import OK
@@ -41,7 +41,7 @@ def topology_of(robot: Robot, base: str | None) -> str:
         for joint in robot.joints.values()
     ]
     loops = [[name, loop.type, *loop.between] for name, loop in robot.loops.items()]
-    parts = [is_fixed(robot, base), links, joints, loops]
+    parts = [base_of(robot, base)[0], links, joints, loops]
     return sha256(json.dumps(parts, ensure_ascii=False).encode()).hexdigest()[:_DIGITS]
 
 
