@@ -5,7 +5,8 @@ of the files. Tried are, one at a time, for each argument of a robot:
 
 - the opposite, where it is true or false;
 - each text and number that it, or a property or parameter that is given it, is compared with;
-- what it has to be for each file that is there, where the name of a file is computed of it.
+- what it has to be for each file that is there, where the name of a file is computed of it;
+- other numbers where it is numbers, and another text where it is a text.
 
 What xacro makes of the robot then is what has to come out. Arguments it has an error with are left
 out.
@@ -81,6 +82,7 @@ class Arguments:
             else:
                 values |= set().union(*(self._compared.get(own, set()) for own in names))
                 values |= set().union(*(self._named(own, value) for own in names))
+                values.add(_another(value))
             found += [(name, other) for other in sorted(values - {value})]
         return found[:MOST]
 
@@ -111,6 +113,14 @@ class Arguments:
             for path in glob.glob(f"{glob.escape(before)}*{glob.escape(after)}"):
                 found.add(path[len(before) : len(path) - len(after)])
         return found
+
+
+def _another(value: str) -> str:
+    """Return a value of the same kind that no file has thought of."""
+    try:
+        return " ".join(repr(float(number) + 0.125) for number in value.split()) or "other"
+    except ValueError:
+        return "other" if "$" in value else f"{value}_other"
 
 
 def _attributes(tag: str) -> dict[str, str]:

@@ -488,7 +488,7 @@ def test_only_what_comes_again_begins_an_item_of_a_list(tmp_path: Path) -> None:
     )
 
 
-def test_a_long_key_goes_on_in_the_next_line(tmp_path: Path) -> None:
+def test_a_long_key_is_one_line_without_a_question_mark(tmp_path: Path) -> None:
     names = " ".join(f"quite_a_long_parameter_{number}" for number in range(6))
     values = " ".join(f'v{number}="${{{name}}}"' for number, name in enumerate(names.split()))
     given = " ".join(f'{name}="1"' for name in names.split())
@@ -499,7 +499,39 @@ def test_a_long_key_goes_on_in_the_next_line(tmp_path: Path) -> None:
         <xacro:m {given}/>
         """,
     )
-    assert all(len(line) <= 100 for line in made["r.yaml"].splitlines())
+    assert "? " not in made["r.yaml"]
+
+
+def test_a_macro_for_links_that_nothing_calls_has_the_keys_of_parts(tmp_path: Path) -> None:
+    made = migrated(
+        tmp_path,
+        """\
+        <xacro:macro name="ball" params="m r *origin">
+          <inertial>
+            <xacro:insert_block name="origin"/>
+            <mass value="${m}"/>
+            <inertia ixx="${m*r}" ixy="0" ixz="0" iyy="${m*r}" iyz="0" izz="${m*r}"/>
+          </inertial>
+        </xacro:macro>
+        <link name="base"/>
+        """,
+    )
+    assert "mass: $(m)\n" in made["r.yaml"]
+    assert "inertia: $(m*r) 0 0 $(m*r) 0 $(m*r)\n" in made["r.yaml"]
+
+
+def test_a_material_that_a_macro_puts_into_a_link_stays_an_element(tmp_path: Path) -> None:
+    made = migrated(
+        tmp_path,
+        """\
+        <xacro:macro name="blue"><material name="b"><color rgba="0 0 1 1"/></material></xacro:macro>
+        <link name="base">
+          <visual><geometry><sphere radius="1"/></geometry></visual>
+          <xacro:blue/>
+        </link>
+        """,
+    )
+    assert "material/name=b: {color/rgba=0 0 1 1: }" in made["r.yaml"]
 
 
 def test_variables_of_opposite_conditions_have_conditional_values(tmp_path: Path) -> None:

@@ -111,7 +111,7 @@ def _write_pair(entry: Entry, head: str, margin: str, out: list[str], remarks: l
     What is remarked in a mapping in braces is added to `remarks`.
     """
     key = scalar_of(entry.key, in_flow=False)
-    if len(key) > LONGEST_KEY or len(head) + len(key) + 1 > RECORD_WIDTH:
+    if len(key) > LONGEST_KEY:
         words = _foldable(entry.key, key) or [key]
         first, *others = _filled(words, WIDTH - len(margin) - 2)
         out += [f"{head}? {first}", *(f"{margin}  {line}" for line in others)]

@@ -46,6 +46,8 @@ class Contents:
             self._gather(root, None, by_element)
         for root in program.roots.values():
             self._find_parts(root, None, by_element)
+        if not program.has_computed_calls:
+            self._put_uncalled_in_parts()
         self._setters = self._find_setters()
 
     def _gather(self, root: Element, around: Macro | None, known: dict[int, Macro]) -> None:
@@ -238,6 +240,13 @@ class Contents:
         elif node.name.startswith("xacro:"):
             self._put_macro_in_part(_called(node))
 
+    def _put_uncalled_in_parts(self) -> None:
+        """Note macros that nothing calls, such as those of a library, if they are for parts."""
+        for name, macros in self._macros.items():
+            inside = {each.name for macro in macros for each in macro.element.elements()}
+            if name not in self._calls and inside and inside <= _OF_PARTS:
+                self._put_macro_in_part(name)
+
     def _put_macro_in_part(self, name: str) -> None:
         if name in self._in_parts or name not in self._macros:
             return
@@ -261,6 +270,9 @@ class Contents:
             for node in nodes:
                 self._put_in_part(node, caller)
 
+
+_OF_PARTS = frozenset(("visual", "collision", "inertial", "origin", "inertia", "limit"))
+"""Elements that are written in macros so that links and joints do not repeat them."""
 
 _UNKNOWN = frozenset(
     f"xacro:{name}" for name in ("property", "element", "attribute", "include", "arg", "macro")

@@ -48,7 +48,9 @@ if TYPE_CHECKING:
         def entry(self, element: Element, *, bracketed: bool = False) -> Entry:
             """Return an element that may hold statements."""
 
-        def write_statement(self, node: Element, body: Body, place: Write) -> None:
+        def write_statement(
+            self, node: Element, body: Body, place: Write, *, has_keys: bool
+        ) -> None:
             """Write a statement, and the elements in it by `place`."""
 
 
@@ -250,6 +252,9 @@ class XacroPartWriter(PartWriter):
                     out.append(self._section(own, blank))
                 case "axis" if stands_as_key(own):
                     out.add("axis", values_of(own)["xyz"])
+                case "inertia" if stands_as_key(own):
+                    moments = values_of(own)
+                    out.add("inertia", " ".join(moments[name] for name in MOMENTS))
                 case "limit" | "dynamics" | "safety_controller" if not own.children:
                     out.append(self._joint_entry_of(own, values_of(own), "$("))
                 case "material":
@@ -329,9 +334,17 @@ class XacroPartWriter(PartWriter):
             if not isinstance(child, Element):
                 add_loose(child, body, endings)
             elif is_statement(child):
-                self._host.write_statement(child, body, place)
+                is_looks = owner.name != "visual" and "material" in self._made_by(child)
+                self._host.write_statement(child, body, place, has_keys=not is_looks)
             else:
                 write(child, body)
+
+    def _made_by(self, statement: Element) -> Counts:
+        """Return how many elements of each name a statement makes, if that is known."""
+        try:
+            return self._contents.counts([statement], self._around)
+        except UnknownContent:
+            return {}
 
     # --- poses ----------------------------------------------------------------------------------
 

@@ -256,9 +256,16 @@ class FileWriter(ElementWriter):
             constants=self.program.known_numbers,
         )
 
-    def write_statement(self, node: Element, body: Body, place: Write) -> None:
-        """Write a statement, and the elements in it by `place`."""
-        with self.within(place, holder=IN_PART):
+    def write_statement(self, node: Element, body: Body, place: Write, *, has_keys: bool) -> None:
+        """Write a statement, and the elements in it by `place`.
+
+        Args:
+            node: the statement.
+            body: takes what it becomes.
+            place: writes the elements that are right in it.
+            has_keys: whether what the macros and blocks in it make may be keys of a part.
+        """
+        with self.within(place, holder=IN_PART if has_keys else None):
             self._statement(node, Step(node), body)
 
     @contextmanager
