@@ -303,7 +303,9 @@ class Mujoco:
             joint = model.joint(index)
             assert joint.type[0] == 0, "not a free joint"
             outer = np.eye(4)  # T_world_joint: qpos0 is the pose at the joint's zero
-            start = model.qpos0[joint.qposadr[0] : joint.qposadr[0] + 7]
+            start = model.qpos0[joint.qposadr[0] : joint.qposadr[0] + 7].copy()
+            if name == ROOT_JOINT:
+                start[2] = 0  # the height at which it stands on the floor
             outer[:3, :3], outer[:3, 3] = matrix(start[3:]), start[:3]
             rotation = outer[:3, :3] @ matrix(turn)
             at = joint.qposadr[0]

@@ -125,17 +125,19 @@ def test_meshes_overlap_at_their_size(scale: str, is_one: bool, tmp_path: Path) 
     assert contacts(build) == set()
 
 
-def test_the_floor_touches_the_lowest_corner_of_meshes(tmp_path: Path) -> None:
+def test_a_free_robot_stands_on_the_lowest_corner_of_its_meshes(tmp_path: Path) -> None:
     (tmp_path / "cube.stl").write_bytes(stl(-0.2, 0.3))
     text = """\
 robot: cube
+base: free
 model:
 - part:
     name: a
     link: {mass: 1, geometry: box, size: 1 1 1, collision: {geometry: cube.stl, scale: 1 1 2}}
 """
-    scene = built(tmp_path, text).assets["scene.xml"].decode()
-    assert '<geom name="floor" type="plane" pos="0 0 -0.4' in scene
+    build = built(tmp_path, text)
+    assert '<body name="a_link" pos="0 0 0.4' in build.xml()
+    assert '<key name="home" qpos="0 0 0.4' in build.xml()
 
 
 # A gripper with a motor in one of three fingers, which is the lightest.

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from ...model.kinematics import link_poses
 from ...xml.tree import Element
 from ..output import LOST, RENAMED
 from .inertials import inertial_of
 from .joints import add_joints
 from .names import JOINT, WORLD, stem_of
-from .writing import Writing, made, number, pose_attributes
+from .solids import heights_at
+from .writing import Writing, made, number, pose_attributes, row
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -46,7 +48,7 @@ def _add_body(writing: Writing, link: Link) -> None:
     )
     if joint is None and link.name not in writing.plan.static:
         free = writing.names.fresh(JOINT, f"{stem_of(link.name)}_free")
-        writing.motions[free] = ("", "base")
+        writing.motions[free] = (link.name, "base")
         body.children.append(made("freejoint", link, {"name": free}, link.trace))
     inertial = inertial_of(writing, link)
     if inertial is not None:
@@ -105,6 +107,15 @@ def sort_bodies(writing: Writing) -> None:
     """Put what bodies hold in the usual order: what they are, shapes, sites, inner bodies."""
     for body in (writing.sections["worldbody"], *writing.bodies.values()):
         body.children.sort(key=_rank)
+
+
+def put_on_floor(writing: Writing) -> None:
+    """Put free roots where they stand on the floor with all joints at 0, as a model starts."""
+    for link, height in heights_at(writing, link_poses(writing.robot)).items():
+        body = writing.bodies[link]
+        if height and writing.robot.parent_joint(link) is None:
+            name = body.attributes.pop("name")
+            body.attributes = {"name": name, "pos": row((0.0, 0.0, height)), **body.attributes}
 
 
 _ORDER = ("freejoint", "inertial", "joint", "geom", "site", "frame", "camera", "body")

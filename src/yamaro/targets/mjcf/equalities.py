@@ -6,6 +6,7 @@ from ...model.pose import UNTURNED, Pose, rotate, transposed
 from ..output import LOST
 from ..shared_losses import leader_of
 from .names import EQUALITY, SITE
+from .solids import home_poses
 from .writing import Writing, made, pose_attributes, row
 
 TYPE_CHECKING = False
@@ -57,8 +58,6 @@ def add_loops(writing: Writing) -> None:
 
 def _axes(writing: Writing, loop: Loop, axis: Vector) -> tuple[Vector, Vector]:
     """Return the axis of a loop's hinge in both of its frames, as the robot stands at home."""
-    from .keyframes import home_poses
-
     poses = home_poses(writing)
     first, second = (poses[name].rotation for name in loop.between)
     return axis, rotate(transposed(second), rotate(first, axis))

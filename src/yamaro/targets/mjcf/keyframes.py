@@ -6,18 +6,16 @@ from ...model.kinematics import joint_positions, link_poses
 from ...model.pose import IDENTITY
 from ..output import LOST
 from .joints import numbers_of
+from .solids import HOME, heights_at, positions_in
 from .writing import Writing, made, row
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Mapping
-
     from ...model.extras import State
     from ...model.kinematics import Position
     from ...model.pose import Pose
     from ...xml.tree import Element
 
-HOME = "home"
 _JOINTS = ("joint", "freejoint")
 
 
@@ -44,18 +42,19 @@ def add_keyframes(writing: Writing, raw: list[Element]) -> None:
         _add(writing, name, state, order, others)
 
 
-def home_poses(writing: Writing) -> dict[str, Pose]:
-    """Return T_root_link of every link at home, by name."""
-    return link_poses(writing.robot, _given(writing, writing.robot.states.get(HOME)))
-
-
 def _add(writing: Writing, name: str, state: State | None, order: list[str], others: int) -> None:
     """Append a keyframe: a number for each of `qpos`, and for each actuator, also for others."""
-    positions = _positions(writing, state)
+    given = positions_in(writing, state)
+    positions = joint_positions(writing.robot, given)
+    heights = heights_at(writing, link_poses(writing.robot, given))
     numbers: list[float] = []
     for joint in order:
         source, part = writing.motions[joint]
-        numbers += numbers_of(part, positions.get(source, 0.0), _origin(writing, source))
+        found = numbers_of(part, positions.get(source, 0.0), _origin(writing, source))
+        if part in ("base", "free"):
+            link = source if part == "base" else writing.robot.joints[source].child
+            found[2] += heights.get(link, 0.0)
+        numbers += found
     controls = [
         _number(positions.get(joint)) * gear if command == "position" else 0.0
         for joint, command, gear in writing.controls
@@ -69,17 +68,6 @@ def _add(writing: Writing, name: str, state: State | None, order: list[str], oth
     owner = state or writing.robot
     trace = state.trace if state is not None else None
     writing.add("keyframe", made("key", owner, attributes, trace))
-
-
-def _positions(writing: Writing, state: State | None) -> dict[str, Position]:
-    return joint_positions(writing.robot, _given(writing, state))
-
-
-def _given(writing: Writing, state: State | None) -> Mapping[str, Position]:
-    """Return the positions of independent joints: of a state, or where they rest."""
-    free = writing.robot.free_joints()
-    said = state.positions if state is not None else {}
-    return {joint.name: said.get(joint.name, joint.rest) for joint in free}
 
 
 def _number(position: Position | None) -> float:

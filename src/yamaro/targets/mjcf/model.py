@@ -7,7 +7,7 @@ from ...xml.tree import Element
 from ..output import Output
 from .actuators import add_actuators
 from .assets import Looks
-from .bodies import add_bodies, sort_bodies
+from .bodies import add_bodies, put_on_floor, sort_bodies
 from .contacts import add_excludes
 from .defaults import head
 from .equalities import add_loops, add_mimics
@@ -39,6 +39,7 @@ def write(robot: Robot, wanted: Wanted) -> Output:
     add_geoms(writing, Looks(writing))
     add_actuators(writing)
     add_sensors(writing)
+    put_on_floor(writing)
     add_excludes(writing)
     add_mimics(writing)
     add_loops(writing)

@@ -29,11 +29,13 @@ class Plan:
         bodies: the names of the links that are bodies, in that order.
         sites: the names of the links that are sites, in that order.
         static: T_world_link of each link that cannot move, by name.
+        free: of each link, by name, the one that is free in the world and moves it; None if a joint
+            of the robot holds it there.
         world: the link that is the world, or None.
     """
 
     __slots__ = (
-        "_is_fixed", "_measured", "_robot", "bodies", "carriers", "order", "poses", "sites",
+        "_is_fixed", "_measured", "_robot", "bodies", "carriers", "free", "order", "poses", "sites",
         "static", "world",
     )  # fmt: skip
 
@@ -45,6 +47,7 @@ class Plan:
         self.carriers: dict[str, str | None] = {}
         self.poses: dict[str, Pose] = {}
         self.static: dict[str, Pose] = {}
+        self.free: dict[str, str | None] = {}
         self.bodies: list[str] = []
         self.sites: list[str] = []
         self.world: Link | None = None
@@ -60,6 +63,7 @@ class Plan:
     def _place(self, link: Link) -> None:
         name, joint = link.name, self._robot.parent_joint(link.name)
         if joint is None:
+            self.free[name] = None if self._is_fixed else name
             if self._is_fixed:
                 self.static[name] = IDENTITY
             if name == WORLD and self._is_fixed:
@@ -67,8 +71,10 @@ class Plan:
                 self.carriers[name] = None
                 self.poses[name] = IDENTITY
                 return
-        elif joint.type not in MOVING and joint.parent in self.static:
-            self.static[name] = self.static[joint.parent] @ joint.origin
+        else:
+            self.free[name] = name if self.is_floating_in_world(joint) else self.free[joint.parent]
+            if joint.type not in MOVING and joint.parent in self.static:
+                self.static[name] = self.static[joint.parent] @ joint.origin
         if joint is not None and self._is_site(link, joint):
             self.carriers[name] = self.carriers[joint.parent]
             self.poses[name] = self.poses[joint.parent] @ joint.origin

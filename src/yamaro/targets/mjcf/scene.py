@@ -2,12 +2,19 @@
 
 from __future__ import annotations
 
-from math import inf
-
+from ...model.kinematics import link_poses
 from ...xml.values import escaped_attribute
 from ..output import MARK
-from .keyframes import home_poses
-from .solids import solids_at_home
+from .solids import (
+    DIGITS,
+    DOWN,
+    HOME,
+    heights_at,
+    home_poses,
+    positions_in,
+    solids_at,
+    solids_at_home,
+)
 from .writing import number, row
 
 TYPE_CHECKING = False
@@ -15,7 +22,6 @@ if TYPE_CHECKING:
     from ...model.pose import Vector
     from .writing import Writing
 
-DOWN = (0.0, 0.0, -1.0)
 SMALLEST = 0.1
 """The least size of a robot, in metres, that the camera is set up for."""
 TEXT = """\
@@ -37,7 +43,8 @@ rgb2="0.1 0.2 0.3" markrgb="0.8 0.8 0.8" width="300" height="300"/>
   </asset>
   <worldbody>
     <light pos="0 0 {light}" dir="0 0 -1" directional="true"/>
-    <geom name="floor" type="plane" pos="0 0 {floor}" size="0 0 0.05" material="floor"/>
+    <geom name="floor" type="plane" pos="0 0 {floor}" size="0 0 0.05" material="floor" \
+friction="0 0 0" solmix="0"/>
   </worldbody>
 </mujoco>
 """
@@ -46,13 +53,13 @@ rgb2="0.1 0.2 0.3" markrgb="0.8 0.8 0.8" width="300" height="300"/>
 def scene(writing: Writing, file: str) -> bytes:
     """Return a scene with the robot of another file in the same folder.
 
-    The floor touches the lowest point of what collides, at home; under a robot that is fixed it is
-    not above the robot's origin.
+    The floor is at 0, on which free robots stand. What a robot moves that is fixed, such as an arm
+    that hangs, may reach farther down in one of its states: then the floor is there. A contact
+    has the friction and the softness of what touches the floor: MuJoCo takes the greater friction
+    of the two, and weighs their softness.
     """
-    lowest, center, extent = _extent(writing)
-    floor = lowest if lowest < inf else 0.0
-    if writing.wanted.is_fixed:
-        floor = min(floor, 0.0)
+    floor = _floor(writing)
+    center, extent = _extent(writing)
     text = TEXT.format(
         mark=MARK,
         model=escaped_attribute(f"{writing.model} scene"),
@@ -65,14 +72,30 @@ def scene(writing: Writing, file: str) -> bytes:
     return text.encode()
 
 
-def _extent(writing: Writing) -> tuple[float, Vector, float]:
-    """Return the lowest point that collides, and the robot's middle and size, in metres."""
-    solids = solids_at_home(writing)
-    lowest = min((solid.convex.farthest(DOWN)[2] for solid in solids), default=inf)
-    points = [pose.position for pose in home_poses(writing).values()]
-    points += [solid.convex.center for solid in solids]
-    middle, size = _around(points)
-    return lowest, middle, max(size, SMALLEST)
+def _floor(writing: Writing) -> float:
+    """Return the height of the floor: 0, or lower where moving links of a fixed robot are."""
+    plan, states = writing.plan, writing.robot.states
+    held = {name for name in plan.free if plan.free[name] is None and name not in plan.static}
+    if not any(link.name in held for link, _, _ in writing.collisions):
+        return 0.0
+    lowest = 0.0
+    for state in (states.get(HOME), *states.values()):
+        for solid in solids_at(writing, link_poses(writing.robot, positions_in(writing, state))):
+            if solid.link.name in held:
+                lowest = min(lowest, solid.convex.farthest(DOWN)[2])
+    return round(lowest, DIGITS) + 0.0
+
+
+def _extent(writing: Writing) -> tuple[Vector, float]:
+    """Return the robot's middle and size at home, in metres."""
+    poses, free = home_poses(writing), writing.plan.free
+    heights = heights_at(writing, poses)
+    points = [(name, pose.position) for name, pose in poses.items()]
+    points += [(each.link.name, each.convex.center) for each in solids_at_home(writing)]
+    middle, size = _around(
+        [(x, y, z + heights.get(free.get(name) or "", 0.0)) for name, (x, y, z) in points]
+    )
+    return middle, max(size, SMALLEST)
 
 
 def _around(points: list[Vector]) -> tuple[Vector, float]:

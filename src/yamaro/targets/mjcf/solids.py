@@ -1,15 +1,25 @@
-"""What collides of a robot, where it is at home."""
+"""Where a robot is in a state: its links, what collides, and how high it stands on the floor."""
 
 from __future__ import annotations
 
 from ...model.convex import Convex
+from ...model.kinematics import link_poses
 from ...model.shapes import Mesh
-from .keyframes import home_poses
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Mapping, Sequence
+
+    from ...model.extras import State
+    from ...model.kinematics import Position
     from ...model.link import Link
+    from ...model.pose import Pose
     from .writing import Writing
+
+HOME = "home"
+DOWN = (0.0, 0.0, -1.0)
+DIGITS = 12
+"""Decimals of a height in metres: more is rounding."""
 
 
 class Solid:
@@ -22,15 +32,52 @@ class Solid:
         self.convex = convex
 
 
-def solids_at_home(writing: Writing) -> list[Solid]:
+def positions_in(writing: Writing, state: State | None) -> Mapping[str, Position]:
+    """Return the positions of independent joints: of a state, or where they rest."""
+    free = writing.robot.free_joints()
+    said = state.positions if state is not None else {}
+    return {joint.name: said.get(joint.name, joint.rest) for joint in free}
+
+
+def home_poses(writing: Writing) -> dict[str, Pose]:
+    """Return T_root_link of every link at home, by name."""
+    return link_poses(writing.robot, positions_in(writing, writing.robot.states.get(HOME)))
+
+
+def solids_at_home(writing: Writing) -> Sequence[Solid]:
     """Return what collides, in the order of the links, in the axes of the root."""
     if writing.solids is None:
-        poses = home_poses(writing)
-        writing.solids = []
-        for link, collision, points in writing.collisions:
-            shape = collision.shape
-            simple = None if shape is None or isinstance(shape, Mesh) else shape
-            if simple is not None or points:
-                placed = poses[link.name] @ collision.pose
-                writing.solids.append(Solid(link, Convex(placed, simple, points)))
+        writing.solids = solids_at(writing, home_poses(writing))
     return writing.solids
+
+
+def solids_at(writing: Writing, poses: Mapping[str, Pose]) -> list[Solid]:
+    """Return what collides where the links have these poses."""
+    found = []
+    for link, collision, points in writing.collisions:
+        shape = collision.shape
+        simple = None if shape is None or isinstance(shape, Mesh) else shape
+        if simple is not None or points:
+            placed = poses[link.name] @ collision.pose
+            found.append(Solid(link, Convex(placed, simple, points)))
+    return found
+
+
+def heights_at(writing: Writing, poses: Mapping[str, Pose]) -> dict[str, float]:
+    """Return how much higher links that move freely have to be than in these poses.
+
+    A free root stands on the floor, which is at 0. A link on a floating joint is where that joint
+    has it, but not in the floor.
+    """
+    lowest: dict[str, float] = {}
+    carriers = writing.plan.free
+    for solid in solids_at(writing, poses) if any(carriers.values()) else ():
+        carrier = carriers[solid.link.name]
+        if carrier is not None:
+            height = solid.convex.farthest(DOWN)[2]
+            lowest[carrier] = min(lowest.get(carrier, height), height)
+    return {
+        link: round(-height, DIGITS) + 0.0
+        for link, height in lowest.items()
+        if height < 0 or writing.robot.parent_joint(link) is None
+    }

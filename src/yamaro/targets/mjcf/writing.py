@@ -66,8 +66,8 @@ class Writing:
         losses: what MJCF cannot hold.
         files: what belongs beside the document.
         errors: why there is no document.
-        motions: of each joint in MJCF, by name, the joint that it is and which part of it; the name
-            is empty for the free joint of a root.
+        motions: of each joint in MJCF, by name, the joint that it is and which part of it; for the
+            free joint of a root, that link and `base`.
         controls: the joint, the command and the gear of each actuator.
         collisions: what collides: the link, the collision, and of a mesh the outer corners.
         solids: the same at home, once it is worked out.
