@@ -18,6 +18,7 @@ from yamaro.tools.sweep.metrics.extent import bounding_box, home_positions
 from yamaro.tools.sweep.metrics.reach import reach
 from yamaro.tools.sweep.metrics.stable import hold, lowest_point
 from yamaro.tools.sweep.metrics.workspace import workspace
+from yamaro.tools.sweep.simulation import compiled, without_sensors
 
 ROBOTS = ["quadruped/quadruped.yaml", "hexapod/hexapod.yaml", "arm/arm.yaml"]
 
@@ -264,6 +265,43 @@ def test_stable_says_how_long_and_how_upright() -> None:
     assert list(found) == ["stable", "stable_time", "stable_tilt", "stable_sag"]
     assert found["stable"] is True
     assert found["stable_time"] == pytest.approx(0.5)
+
+
+SENSED = """<mujoco>
+  <worldbody>
+    <site name="ground"/>
+    <body name="a"><freejoint/><geom size="1"/><site name="ray"/><site name="held"/><site name="x"/>
+      <body name="b"><joint name="j"/><geom size="1"/><site name="deep"/></body></body>
+  </worldbody>
+  <equality><connect site1="held" site2="ground"/></equality>
+  <actuator><motor name="deep" joint="j"/></actuator>
+  <sensor><rangefinder site="ray"/><gyro site="held"/><jointpos joint="j"/>
+    <gyro site="deep"/></sensor>
+</mujoco>"""
+
+
+def test_stable_leaves_out_sensors_and_the_sites_that_only_they_name() -> None:
+    mujoco = require_module("mujoco")
+    model = mujoco.MjModel.from_xml_string(without_sensors(SENSED))
+    assert (model.nsensor, model.neq, model.nu, model.njnt) == (0, 1, 1, 2)
+    assert {model.site(index).name for index in range(model.nsite)} == {
+        "ground",
+        "held",
+        "x",
+        "deep",
+    }
+
+
+def test_a_lidar_changes_nothing_for_stable(tmp_path) -> None:
+    path = tmp_path / "robot.yaml"
+    path.write_text(
+        "robot: r\nbase: free\nmodel:\n- part: {name: base, link: {geometry: box, size: 1 1 1, "
+        "mass: 2, collision: , sensor/name=scan: {type: lidar, xyz: 0 0 0.6}}}\n"
+    )
+    build = yamaro.build(path, target="mjcf", on_message=lambda line: None)
+    assert compiled(build).nsensor == 360
+    assert compiled(build, has_floor=True, has_sensors=False).nsite == 1  # its frame
+    assert hold(build, 0.1).is_stable
 
 
 @pytest.mark.parametrize(

@@ -15,19 +15,20 @@ SCENE = "scene.xml"
 HINT = "pip install mujoco"
 
 
-def compiled(build: Build, *, has_floor: bool = False) -> Any:
+def compiled(build: Build, *, has_floor: bool = False, has_sensors: bool = True) -> Any:
     """Return the `mujoco.MjModel` of a robot.
 
     Args:
         build: its MJCF.
         has_floor: compile `scene.xml`, in which the robot is on a floor.
+        has_sensors: keep the sensors; each of the hundreds of rays of a lidar is one.
 
     Raises:
         YamaroError: MuJoCo is not installed, or refuses the robot.
     """
     mujoco = import_mujoco()
     files = dict(build.assets)
-    text = build.xml()
+    text = build.xml() if has_sensors else without_sensors(build.xml())
     if has_floor:
         scene = files.pop(SCENE).decode()
         files[_included(scene)] = text.encode()
@@ -37,6 +38,25 @@ def compiled(build: Build, *, has_floor: bool = False) -> Any:
     except ValueError as error:
         message = f"MuJoCo refuses the robot: {' '.join(str(error).split())}"
         raise failure("mujoco-refused", message, build.robot.span) from None
+
+
+def without_sensors(mjcf: str) -> str:
+    """Return an MJCF without its sensors, and without the sites that only sensors name."""
+    from xml.etree import ElementTree
+
+    root = ElementTree.fromstring(mjcf)
+    freed: set[str | None] = set()
+    for section in root.findall("sensor"):
+        freed.update(value for each in section for value in each.attrib.values())
+        root.remove(section)
+    for each in root.iter():
+        if each.tag != "site":
+            freed.difference_update(each.attrib.values())
+    for around in list(root.iter()):
+        for site in around.findall("site"):
+            if site.get("name") in freed:
+                around.remove(site)
+    return ElementTree.tostring(root, encoding="unicode")
 
 
 def import_mujoco() -> Any:

@@ -62,7 +62,7 @@ def hold(build: Build, seconds: float) -> Hold:
     """
     mujoco = import_mujoco()
     has_floor = "<freejoint" in build.xml()
-    model = compiled(build, has_floor=has_floor)
+    model = compiled(build, has_floor=has_floor, has_sensors=False)
     data = mujoco.MjData(model)
     if model.nkey:
         mujoco.mj_resetDataKeyframe(model, data, model.key("home").id)
