@@ -47,7 +47,8 @@ def without_sensors(mjcf: str) -> str:
     root = ElementTree.fromstring(mjcf)
     freed: set[str | None] = set()
     for section in root.findall("sensor"):
-        freed.update(value for each in section for value in each.attrib.values())
+        for each in section:
+            freed.update(value for key, value in each.attrib.items() if key != "name")
         root.remove(section)
     for each in root.iter():
         if each.tag != "site":
