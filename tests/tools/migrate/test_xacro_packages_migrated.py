@@ -78,8 +78,12 @@ def test_a_relative_path_to_another_package_is_that_of_the_package(tmp_path: Pat
 @pytest.mark.parametrize(
     ("cam", "robot", "why"),
     [
-        ('<xacro:macro name="m" params="n"><link name="${n}"/></xacro:macro>',
+        ('<xacro:macro name="m" params="n"><link name="${n}"/></xacro:macro><link name="l"/>',
          INCLUDE + '<xacro:m n="a"/>', "its macro 'm' is called"),
+        ('<xacro:macro name="m" params="n"><link name="${n[0]}"/></xacro:macro>',
+         INCLUDE + """<xacro:m n="${['a']}"/>""", "its macro 'm' is called"),
+        ('<xacro:macro name="m" params="**b"><xacro:insert_block name="b"/></xacro:macro>',
+         INCLUDE + '<xacro:m><b><link name="a"/></b></xacro:m>', "its macro 'm' is called"),
         ('<xacro:m n="a"/>',
          '<xacro:macro name="m" params="n"><link name="${n}"/></xacro:macro>' + INCLUDE,
          "it calls the macro 'm'"),
@@ -105,6 +109,78 @@ def test_what_is_of_one_piece_comes_along(tmp_path: Path, cam: str, robot: str, 
     assert list(migration.layout.brought.values()) == [why]
 
 
+ARM = (
+    '<xacro:macro name="arm" params="name tool:=hand reach:=${0.25*2} *origin">'
+    '<joint name="${name}" type="fixed"><parent link="base"/><child link="${name}_link"/>'
+    '<xacro:insert_block name="origin"/></joint>'
+    '<link name="${name}_link"/><xacro:if value="${tool != \'hand\'}"><a b="${reach}"/></xacro:if>'
+    "</xacro:macro>"
+)
+
+
+def test_a_macro_of_another_package_is_called_where_it_is(tmp_path: Path) -> None:
+    robot = (
+        f'<xacro:arg name="side" default="left"/><xacro:property name="y" value="0.5"/>{INCLUDE}'
+        '<link name="base"/>'
+        '<xacro:arm name="$(arg side)"><origin xyz="0 ${y} 0" rpy="0 0 0"/></xacro:arm>'
+        '<xacro:macro name="more"><xacro:arm name="other" tool="gripper">'
+        '<origin xyz="0 ${-y} 0" rpy="0 0 0"/></xacro:arm></xacro:macro><xacro:more/>'
+    )
+    migration = workspace(tmp_path, robot, "side:=top", cam=ARM)
+    assert list(migration.files) == ["r.yaml", "call_arm.xacro"]
+    assert migration.layout.brought == {}
+    assert "name: $(side), origin_xyz: 0 $(y) 0" in migration.files["r.yaml"]
+    assert "$(find cam)" not in migration.files["r.yaml"]
+    assert (
+        '<xacro:include filename="$(find cam)/urdf/cam.xacro"/>'
+        in (migration.files["call_arm.xacro"])
+    )
+
+
+def test_a_macro_for_links_may_be_called_where_it_is(tmp_path: Path) -> None:
+    red = (
+        '<xacro:macro name="red"><material name="red"><color rgba="1 0 0 1"/></material>'
+        "</xacro:macro>"
+    )
+    robot = (
+        INCLUDE + '<link name="base"><visual><geometry><sphere radius="1"/></geometry><xacro:red/>'
+        "</visual></link>"
+    )
+    migration = workspace(tmp_path, robot, cam=red)
+    assert list(migration.files) == ["r.yaml", "call_red.xacro"]
+    assert "include: call_red.xacro" in migration.files["r.yaml"]
+
+
+def test_materials_of_a_package_are_no_reason_to_copy_it(tmp_path: Path) -> None:
+    arm = '<material name="red"><color rgba="1 0 0 1"/></material>' + ARM
+    robot = (
+        INCLUDE + '<link name="base"/>'
+        '<xacro:arm name="a"><origin xyz="0 0 0" rpy="0 0 0"/></xacro:arm>'
+    )
+    migration = workspace(tmp_path, robot, cam=arm)
+    assert list(migration.files) == ["r.yaml", "call_arm.xacro"]
+    assert "include: $(find cam)/urdf/cam.xacro" in migration.files["r.yaml"]
+
+
+def test_a_macro_that_takes_a_value_from_its_caller_comes_along(tmp_path: Path) -> None:
+    arm = '<xacro:macro name="m" params="side:=^"><link name="${side}"/></xacro:macro>'
+    robot = f'<xacro:property name="side" value="left"/>{INCLUDE}<xacro:m/>'
+    migration = workspace(tmp_path, robot, cam=arm)
+    assert list(migration.files) == ["r.yaml", "cam/urdf/cam.yaml"]
+
+
+def test_a_macro_comes_along_if_its_package_is_asked_for(tmp_path: Path) -> None:
+    robot = f'{INCLUDE}{BASE}<xacro:arm name="a"><origin xyz="0 0 0" rpy="0 0 0"/></xacro:arm>'
+    files = {
+        "bot/package.xml": "<package><name>bot</name></package>",
+        "cam/package.xml": "<package><name>cam</name></package>",
+        "cam/urdf/cam.xacro": ARM,
+        "bot/urdf/r.xacro": robot,
+    }
+    made = moved(tmp_path, files, "bot/urdf/r.xacro", wanted=("cam",)).files
+    assert sorted(made) == ["cam/urdf/cam.yaml", "r.yaml"]
+
+
 def test_the_same_constant_in_two_packages_ties_nothing(tmp_path: Path) -> None:
     constant = '<xacro:property name="PI" value="3.1415"/>'
     robot = constant + INCLUDE + '<link name="l${PI}"/>'
@@ -115,7 +191,7 @@ def test_the_same_constant_in_two_packages_ties_nothing(tmp_path: Path) -> None:
 def test_only_the_files_that_are_tied_come_along(tmp_path: Path) -> None:
     arm = (
         '<xacro:include filename="colors.xacro"/>'
-        '<xacro:macro name="m" params="n"><link name="${n}"/></xacro:macro>'
+        '<xacro:macro name="m" params="n"><link name="${n}"/></xacro:macro><link name="l"/>'
     )
     colors = '<material name="red"><color rgba="1 0 0 1"/></material>'
     migration = workspace(tmp_path, INCLUDE + '<xacro:m n="a"/>', cam=arm, colors=colors)

@@ -26,8 +26,9 @@ if TYPE_CHECKING:
     from ...diagnostics import Diagnostic
     from ...source import Source
 
-ENDINGS = (".yaml", ".yml", ".json")
-"""Endings of the files that a migration writes: sources, and the data that they load."""
+ENDINGS = (".yaml", ".yml", ".json", ".xacro")
+"""Endings of the files that a migration writes: sources, the data that they load, and what calls
+macros of other packages."""
 
 
 class Result:

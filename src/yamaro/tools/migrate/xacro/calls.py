@@ -34,6 +34,9 @@ def write_call(writer: FileWriter, node: Element, body: Body) -> None:
     """Write a call."""
     name = node.name.removeprefix("xacro:")
     macro = writer.program.macro_called(node)
+    if macro is not None and macro.name in writer.layout.borrowed:
+        writer.layout.borrowed[macro.name].write_call(writer, node, body)
+        return
     arguments = Body(in_braces=True)
     for key, value in node.attributes.items():
         arguments.add(key, writer.translator.value(format_value(value)))

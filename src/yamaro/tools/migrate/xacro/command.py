@@ -191,6 +191,9 @@ class Judge:
         """
         words = {"with_section": with_section, "with_control": with_control}
         migration = first = self._tried(program, wanted, words)
+        if first.layout.borrowed and not self._is_right(program, first):
+            words["borrows"] = False
+            migration = first = self._tried(program, wanted, words)
         if first.is_wrong and first.layout.theirs:
             migration = self._tried(program, (ALL,), words)
         if migration.is_wrong and len(program.runs.done) > 1:
@@ -201,6 +204,12 @@ class Judge:
             for run in program.runs.done[1:]:
                 migration.differences += self.differences_with(run, migration)
         return migration
+
+    def _is_right(self, program: XacroProgram, migration: XacroMigration) -> bool:
+        """Return whether sources make the robot with all arguments that it was expanded with."""
+        return not migration.is_wrong and not any(
+            self.differences_with(run, migration) for run in program.runs.done[1:]
+        )
 
     def _tried(
         self, program: XacroProgram, wanted: Collection[str], words: Mapping[str, bool]

@@ -150,9 +150,10 @@ def _shortly(paths: list[str]) -> str:
 
 def _write_theirs(writer: FileWriter, node: Element, paths: list[str], body: Body) -> None:
     """Include files of other packages as they are, with the arguments that they read."""
+    paths = [path for path in paths if not writer.layout.makes_nothing(path)]
     filename = format_value(node.attributes["filename"])
     names = ["$(find {})/{}".format(*writer.layout.theirs[path]) for path in paths]
-    if computed_name(filename) is not None and not _is_pattern(filename):
+    if paths and computed_name(filename) is not None and not _is_pattern(filename):
         names = [writer.translator.text(filename)]
     arguments = dict.fromkeys(own for path in paths for own in writer.layout.arguments_of(path))
     for name in names:

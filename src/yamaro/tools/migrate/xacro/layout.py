@@ -2,7 +2,7 @@
 
 The files of the main file's package, or those in no package if it is in none, become sources. Files
 of other packages are included as they are, unless something in them has no meaning alone: a
-macro that others call, a property that others read, and the other way round.
+macro that others call with more than texts, a property that others read, and the other way round.
 """
 
 from __future__ import annotations
@@ -11,9 +11,11 @@ import os
 
 from ....files.packages import manifest_name
 from ....syntax.names import is_identifier
+from ....xacro.parameters import parse_parameters
 from ....xml.tree import Element
 from ....xml.values import format_value
 from ..elements import walk
+from .borrowed import Borrowed, calls_of
 from .includes import computed_name, source_name
 from .names import common_folder, used_in
 from .program import XacroProgram
@@ -37,15 +39,21 @@ class Layout:
         outputs: their paths in the output folder, by those of the xacro files.
         theirs: the files that stay as they are: package, and path in it.
         brought: the files of other packages that become sources anyway, with the reason.
+        borrowed: the macros of other packages that are called where they are, by name.
     """
 
-    def __init__(self, program: XacroProgram, wanted: Collection[str]) -> None:
+    def __init__(
+        self, program: XacroProgram, wanted: Collection[str], *, borrows: bool = True
+    ) -> None:
         """Lay out a robot.
 
         Args:
             program: the robot.
             wanted: the packages whose files become sources as well, or ALL.
+            borrows: whether macros of other packages are called where they are, if they can be.
         """
+        self._borrows = borrows
+        self.borrowed: dict[str, Borrowed] = {}
         self._program = program
         self._packages: dict[str, tuple[str, str]] = {}
         self.theirs: dict[str, tuple[str, str]] = {}
@@ -73,6 +81,27 @@ class Layout:
         for path in program.roots:
             if path not in self.theirs:
                 self.outputs[path] = self._output(path)
+        self._settle_borrowed()
+
+    def _settle_borrowed(self) -> None:
+        """Give each macro that is called where it is the file that calls it."""
+        self.borrowed = {
+            name: each for name, each in self.borrowed.items() if each.path in self.theirs
+        }
+        for name, each in self.borrowed.items():
+            folder = os.path.dirname(self.outputs[each.caller])
+            each.output = os.path.join(folder, f"call_{name}.xacro")
+
+    def calling_files(self) -> dict[str, str]:
+        """Return the files that call macros of other packages, by their paths in the output."""
+        return {
+            each.output: each.text("$(find {})/{}".format(*self.theirs[each.path]))
+            for each in self.borrowed.values()
+        }
+
+    def makes_nothing(self, path: str, but: str = "") -> bool:
+        """Return whether a file, with those it includes, makes no elements `but` of one name."""
+        return all(_only_defines(self._program.roots[own], but) for own in self._reached_from(path))
 
     def _own_files(self) -> list[str]:
         return [
@@ -195,6 +224,8 @@ class Layout:
             ("its property '{}' is read", within.defined, without.read),
         ):
             shared = sorted(one & other - self._program.constants(inside))
+            if one is within.macros:
+                shared = [name for name in shared if not self._borrow(name, path, inside, without)]
             if shared:
                 return what.format(shared[0])
         if (within.has_computed_calls and without.macros) or (
@@ -202,6 +233,30 @@ class Layout:
         ):
             return "the macros that are called are computed"
         return self._why_arguments(within, without)
+
+    def _borrow(self, name: str, path: str, inside: set[str], without: _Names) -> bool:
+        """Return whether a macro of a file can be called where it is, and remember that."""
+        defined = [own for own in self._program.definitions.values() if own.name == name]
+        others = [root for own, root in self._program.roots.items() if own not in inside]
+        is_plain = not self.makes_nothing(path)
+        calls = [calls_of(name, root, is_plain=is_plain) for root in others]
+        if not self._borrows or len(defined) != 1:
+            return False
+        if is_plain and not self.makes_nothing(path, but="material"):
+            return False  # a material is left out where it is known
+        if any(each is None for each in calls):
+            return False
+        found = Borrowed(
+            defined[0],
+            path,
+            [call for each in calls for call in each or ()],
+            self.arguments_of(path),
+        )
+        around = without.defined | without.parameters
+        if not found.can_be_called(around, self._program):
+            return False
+        self.borrowed[name] = found
+        return True
 
     def _why_arguments(self, within: _Names, without: _Names) -> str:
         for name in sorted(within.arguments):
@@ -277,14 +332,25 @@ class _Names:
                 (self.blocks if is_block else self.defined).add(name)
             elif element.name == "xacro:arg":
                 self.declared.add(name)
-            elif element.name == "xacro:insert_block":
-                self.inserted.add(name)
             elif element.name == "xacro:call":
                 self.calls.add(format_value(element.attributes.get("macro")))
                 self.has_computed_calls |= "$" in format_value(element.attributes.get("macro"))
             elif element.name.startswith("xacro:"):
                 self.calls.add(element.name.removeprefix("xacro:"))
         self.arguments |= self.declared
+        self._find_inserted(root, set())
+
+    def _find_inserted(self, root: Element, own: Collection[str]) -> None:
+        """Find the blocks that are inserted where no macro around has a parameter for them."""
+        for element in root.elements():
+            name = format_value(element.attributes.get("name"))
+            if element.name == "xacro:insert_block" and name not in own:
+                self.inserted.add(name)
+            blocks = own
+            if element.name == "xacro:macro":
+                listed = parse_parameters(format_value(element.attributes.get("params", "")))
+                blocks = {each.name.lstrip("*") for each in listed if each.is_block}
+            self._find_inserted(element, blocks)
 
     @classmethod
     def of(cls, several: Iterable[_Names]) -> _Names:
@@ -295,6 +361,15 @@ class _Names:
             setattr(joined, key, set().union(*(getattr(each, key) for each in known)))
         joined.has_computed_calls = any(each.has_computed_calls for each in known)
         return joined
+
+
+def _only_defines(root: Element, but: str) -> bool:
+    """Return whether a file has only definitions, includes and elements of one name."""
+    return all(
+        element.name in ("xacro:macro", "xacro:property", "xacro:include", "xacro:arg", but)
+        or (element.name in ("xacro:if", "xacro:unless") and _only_defines(element, but))
+        for element in root.elements()
+    )
 
 
 def _includes_of(root: Element) -> list[Element]:

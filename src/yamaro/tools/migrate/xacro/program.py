@@ -116,6 +116,7 @@ class XacroProgram:
         self.values_of_arguments = self.runs.done[0].values
         self.truths = python.truths
         self._evaluated = python.evaluated
+        self._structures = python.structures
         self.truth_texts = python.truth_texts - python.other_texts
         self.numbers = {text: kind for text, kind in python.numbers.items() if kind != "text"}
         self.floats = python.floats
@@ -165,6 +166,11 @@ class XacroProgram:
                 )
             )
         )
+
+    def is_scalar(self, text: str) -> bool:
+        """Return whether all expressions in a text were seen to give texts, numbers and truths."""
+        inside = {found.strip() for found in re.findall(r"\$\{([^}]*)\}", text)}
+        return inside <= self._evaluated - self._structures
 
     def arguments_read(self, root: Element) -> set[str]:
         """Return the arguments that a file reads, also where `$(eval …)` has them as names."""

@@ -272,6 +272,7 @@ class WatchedPython(Python):
         numbers: those that gave a text, with what xacro takes it for: float, int or text.
         truth_texts, other_texts: those that gave a text that xacro takes for a truth value, and
             those that gave another.
+        structures: those that gave no text, number or truth value, but a list or a dict.
     """
 
     __slots__ = (
@@ -281,6 +282,7 @@ class WatchedPython(Python):
         "numbers",
         "other_texts",
         "others",
+        "structures",
         "truth_texts",
         "truths",
     )
@@ -295,6 +297,7 @@ class WatchedPython(Python):
         self.numbers: dict[str, str] = {}
         self.truth_texts: set[str] = set()
         self.other_texts: set[str] = set()
+        self.structures: set[str] = set()
 
     def evaluate(self, text: str, names: dict[str, Any]) -> Any:
         """Return the value of an expression."""
@@ -302,6 +305,8 @@ class WatchedPython(Python):
         self.evaluated.add(text.strip())
         if not isinstance(value, (int, float)) or isinstance(value, bool):
             self.others.add(text.strip())
+        if not isinstance(value, (str, int, float)):
+            self.structures.add(text.strip())
         if isinstance(value, (bool, list, tuple)):
             self.truths.add(text.strip())
         elif isinstance(value, float):

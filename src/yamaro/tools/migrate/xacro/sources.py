@@ -72,6 +72,7 @@ def migrate_program(
     *,
     with_section: bool = True,
     with_control: bool = True,
+    borrows: bool = True,
 ) -> XacroMigration:
     """Return sources that make the same robot, for the arguments given at least.
 
@@ -80,9 +81,10 @@ def migrate_program(
         wanted: the packages whose files become sources even if they could stay as they are.
         with_section: whether arguments are declared in a section, if that is possible.
         with_control: whether blocks for ros2_control are written in words, if that is possible.
+        borrows: whether macros of other packages are called where they are, if they can be.
     """
     contents = Contents(program)
-    layout = Layout(program, wanted)
+    layout = Layout(program, wanted, borrows=borrows)
     migration = XacroMigration({}, layout.outputs[program.main], program.result)
     migration.layout = layout
     callees = Callees(program, layout.theirs)
@@ -111,7 +113,7 @@ def migrate_program(
     migration.origins = {path: name for path, name in layout.outputs.items() if name in sources}
     for output, sections in sources.items():
         migration.files[output] = write_document(sections, written[output][1])
-    migration.files |= _data(program, layout)
+    migration.files |= _data(program, layout) | layout.calling_files()
     migration.lost += _untried(program)
     return migration
 
