@@ -11,8 +11,9 @@ if TYPE_CHECKING:
 
 HOME = "https://pypi.org/project/yamaro/"
 """Where Yamaro is at home, with links to its documentation."""
-ADJUSTABLE = frozenset(
-    """
+ADJUSTABLE = (
+    frozenset(
+        """
     ambiguous-parent anchored-expression angle-too-large assumed-limit axis-not-unit bad-color
     bad-inertia bad-mass bad-mesh bad-name bad-size bad-version base-assumed
     capsule-needs-urdf-1.1
@@ -31,13 +32,21 @@ ADJUSTABLE = frozenset(
     xacro-redefined xacro-scope xacro-syntax xacro-unknown-attribute zero-axis zero-limit
     zero-outside-limits
     """.split()
-) | frozenset(
-    """
+    )
+    | frozenset(
+        """
+    bad-mesh-address bad-value fixed-joint mimic-command mimic-type out-of-range remote-mesh
+    repeated-name reversed-chain unknown-type
+    """.split()
+    )
+    | frozenset(
+        """
     lost-in-urdf approximated-in-urdf lost-in-srdf
     lost-in-sdf approximated-in-sdf renamed-in-sdf
     lost-in-mjcf approximated-in-mjcf renamed-in-mjcf
     lost-in-usd approximated-in-usd renamed-in-usd
     """.split()
+    )
 )
 """What a document can be written with: the warnings, the advice, the errors of finished robots."""
 

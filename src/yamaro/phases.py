@@ -120,10 +120,11 @@ def check(
     *,
     robot: Robot | None = None,
     numbers: NumberReader | None = None,
+    notes: Sequence[Element] = (),
 ) -> bool:
     """Check a robot, and report advice with the codes wanted; return whether it refers to files.
 
-    `robot` is what was read of the root with `numbers`, if it was.
+    `robot` is what was read of the root with `numbers`, if it was; `notes` are what it has besides.
     """
     if root.name != "robot":
         if root.span.source.is_xml:
@@ -143,6 +144,7 @@ def check(
         advice=advisor,
         robot=robot,
         numbers=numbers,
+        notes=notes,
     )
     if clashes := finder.package_clashes():
         from .check.packages import warn_of_clashes

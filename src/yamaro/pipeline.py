@@ -117,7 +117,7 @@ def _lower_check_emit(root: Element, request: Request, interpreter: Interpreter)
         root, notes = lower(root, interpreter, paths.finder, reporter)
         if request.has_gazebo and notes:
             root = add_gazebo(root, notes, reporter)
-        has_files = check(root, paths.finder, reporter, request.wanted_advice())
+        has_files = check(root, paths.finder, reporter, request.wanted_advice(), notes=notes)
         written = paths.applied_to(root) if has_files else root
         return Finished(
             root, write_pieces(written, interpreter.limits), reporter.diagnostics, notes

@@ -18,8 +18,10 @@ from tests.counting import calls_of
 from tests.effort import examples
 from yamaro.check.link import principal_moments
 from yamaro.check.robot import check
+from yamaro.check.semantics import findings_against
 from yamaro.diagnostics import WARNING, Diagnostic, Reporter
 from yamaro.meshes.triangles import mesh_extent
+from yamaro.model.reading import read_robot
 from yamaro.model.urdf_schema import ELEMENTS
 from yamaro.model.values import read_numbers
 from yamaro.rendering import render
@@ -98,6 +100,23 @@ SHORTHANDS = {
     "{limit}": '<limit lower="-1" upper="1" effort="1" velocity="1"/>',
     "{inertia}": '<inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/>',
     "{box}": '<geometry><box size="1 1 1"/></geometry>',
+    "{arm}": '<link name="a"/><link name="b"><inertial><mass value="1"/>{inertia}</inertial></link>'
+    '<joint name="j" type="revolute">{ends}{limit}</joint>',
+    "{two}": '{arm}{third}<joint name="k" type="continuous">{below}</joint>',
+    "{two0}": '{arm}{third}<joint name="k" type="continuous">{below}',
+    "{follower}": '{arm}{third}<joint name="k" type="continuous">{below}<mimic joint="j"/></joint>',
+    "{third}": '<link name="c"><inertial><mass value="1"/>{inertia}</inertial></link>',
+    "{below}": '<parent link="b"/><child link="c"/>',
+    "{hw}": "<hardware><plugin>mock_components/GenericSystem</plugin></hardware>",
+    "{pos}": '<command_interface name="position"/><state_interface name="position"/>',
+    "{simple}": "<plugin>transmission_interface/SimpleTransmission</plugin>",
+    "{type}": "<type>transmission_interface/SimpleTransmission</type>",
+    "{driven}": '<joint name="j"><hardwareInterface>hardware_interface/EffortJointInterface'
+    "</hardwareInterface></joint>",
+    "{driven1}": '<joint name="j"><role>joint1</role><hardwareInterface>'
+    "hardware_interface/EffortJointInterface</hardwareInterface></joint>",
+    "{motor}": '<actuator name="m"/>',
+    "{reach}": "<range><min>0.1</min><max>9</max></range>",
     "{moving}": '<link name="a"/><joint name="j" type="fixed"><parent link="a"/>'
     '<child link="b"/></joint><link name="b">',
 }
@@ -109,8 +128,9 @@ class BadRobot:
     def __init__(self, name: str, codes: list[str], marked: str) -> None:
         self.name = name
         self.codes = codes
-        for short, full in SHORTHANDS.items():
-            marked = marked.replace(short, full)
+        for _ in range(3):  # some have others in them
+            for short, full in SHORTHANDS.items():
+                marked = marked.replace(short, full)
         if not marked.lstrip("«").startswith("<robot"):
             marked = f'<robot name="r">\n{marked}\n</robot>'
         self.places = []
@@ -136,6 +156,9 @@ def bad_robots(group: str) -> list[BadRobot]:
 
 GROUPS = ("tree", "joints", "links", "references")
 FAULTY = [robot for group in GROUPS for robot in bad_robots(group)]
+EXTENSIONS = ("ros2_control", "transmissions", "gazebo")
+ADVISED = [robot for group in EXTENSIONS for robot in bad_robots(group)]
+"""Robots whose fault is what `yamaro check` alone reports."""
 
 
 def found(text: str, *, advice: bool = False) -> list[Diagnostic]:
@@ -169,6 +192,39 @@ def test_an_odd_robot_gets_advice_and_no_warning(robot: BadRobot) -> None:
     assert [(d.span.start, d.span.end) for d in findings] == robot.places
 
 
+@pytest.mark.parametrize("robot", ADVISED, ids=lambda robot: robot.name)
+def test_a_fault_in_an_extension_is_found_at_the_very_place(robot: BadRobot) -> None:
+    assert found(robot.text) == []
+    findings = found(robot.text, advice=True)
+    assert [d.code for d in findings] == robot.codes
+    assert [(d.span.start, d.span.end) for d in findings] == robot.places
+    assert all(d.hint and d.severity == WARNING for d in findings)
+
+
+# The robot of the SRDF in bad_robots/srdf.txt.
+DESCRIBED = """<robot name="r"><link name="a"/><link name="b"/><link name="c"/><link name="d"/>
+<joint name="j" type="revolute"><parent link="a"/><child link="b"/>
+<limit lower="-1" upper="1" effort="1" velocity="1"/></joint>
+<joint name="k" type="continuous"><parent link="b"/><child link="c"/></joint>
+<joint name="f" type="fixed"><parent link="c"/><child link="d"/></joint></robot>"""
+
+
+def found_in_srdf(text: str) -> list[Diagnostic]:
+    root, faults, hints = read(text), Reporter(), Reporter()
+    check(root, reporter=faults, advice=hints)
+    findings_against(root, read_robot(read(DESCRIBED)), hints)
+    assert faults.diagnostics == []
+    return sorted(hints.diagnostics, key=lambda d: d.span.start)
+
+
+@pytest.mark.parametrize("robot", bad_robots("srdf"), ids=lambda robot: robot.name)
+def test_a_fault_in_an_srdf_is_found_at_the_very_place(robot: BadRobot) -> None:
+    findings = found_in_srdf(robot.text)
+    assert [d.code for d in findings] == robot.codes
+    assert [(d.span.start, d.span.end) for d in findings] == robot.places
+    assert all(d.hint and d.severity == WARNING for d in findings)
+
+
 @pytest.mark.parametrize("robot", bad_robots("fine"), ids=lambda robot: robot.name)
 def test_what_is_near_a_fault_is_fine(robot: BadRobot) -> None:
     told = {each.code for each in found(robot.text) + found(robot.text, advice=True)}
@@ -183,7 +239,8 @@ def test_there_are_at_least_as_many_bad_robots_as_promised() -> None:
 def test_every_code_is_explained() -> None:
     page = (Path(__file__).parents[2] / "docs" / "checks.md").read_text(encoding="utf-8")
     explained = set(re.findall(r"^### `([a-z0-9.-]+)`", page, re.MULTILINE))
-    used = {code for robot in FAULTY + bad_robots("advice") for code in robot.codes}
+    everything = FAULTY + ADVISED + bad_robots("advice") + bad_robots("srdf")
+    used = {code for robot in everything for code in robot.codes}
     used |= {"missing-mesh-file", "unknown-package", "large-mesh", "long-chain", "not-urdf"}
     used.add("hidden-package")
     assert used == explained

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -70,6 +71,126 @@ def test_each_file_is_checked(capsys: pytest.CaptureFixture[str]) -> None:
     assert err.endswith("bad.yaml: 2 errors\n")
     assert outcome(capsys, "good.yaml", "./good.yaml")[0] == 0
     assert outcome(capsys, "-q", "good.yaml", "./good.yaml") == (0, "", "")
+
+
+ARM = """<robot name="arm"><link name="base"/><link name="tip"/>
+<joint name="elbow" type="revolute"><parent link="base"/><child link="tip"/>
+<limit lower="-1" upper="1" effort="1" velocity="1"/></joint></robot>"""
+SRDF = """<robot name="arm"><group name="all"><joint name="{joint}"/></group>
+<group_state name="home" group="all"><joint name="{joint}" value="{value}"/></group_state>
+</robot>"""
+
+
+def codes_in(err: str, file: str) -> list[str]:
+    found = re.findall(r"^\w+\[([a-z-]+)\].*\n --> ([^:]+)", err, re.MULTILINE)
+    return [code for code, place in found if place == file]
+
+
+def test_srdf_is_checked_against_the_robot_that_is_given(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    write(ARM, "urdf/my_arm.urdf")
+    write(SRDF.format(joint="elbow", value=2), "config/a.srdf")
+    write(SRDF.format(joint="elbo", value=0), "config/b.srdf")
+    for robot in ("urdf/my_arm.urdf", "arm.yaml"):
+        write("robot: arm\nmodel:\n  include: urdf/my_arm.urdf\n", "arm.yaml")
+        for files in (["config/a.srdf", robot], [robot, "config/a.srdf"]):
+            status, _, err = outcome(capsys, *files)
+            assert status == 1
+            assert codes_in(err, "config/a.srdf") == ["state-outside-limit"]
+        assert codes_in(outcome(capsys, robot, "config/b.srdf")[2], "config/b.srdf") == [
+            "unknown-joint",
+            "unknown-joint",
+        ]
+
+
+def test_srdf_is_checked_against_the_urdf_beside_it(capsys: pytest.CaptureFixture[str]) -> None:
+    write(SRDF.format(joint="elbow", value=2), "a.srdf")
+    status, out, err = outcome(capsys, "a.srdf")
+    assert (status, out) == (0, "a.srdf: ok\n")
+    assert "checked without its robot" in err
+    for name in ("a.urdf", "other_name.urdf"):
+        path = write(ARM, name)
+        assert codes_in(outcome(capsys, "a.srdf")[2], "a.srdf") == ["state-outside-limit"]
+        path.unlink()
+    write(ARM.replace('"arm"', '"leg"'), "leg.urdf")
+    assert outcome(capsys, "-q", "a.srdf") == (0, "", "")
+    write(ARM.replace('"arm"', '"leg"'), "a.urdf")
+    codes = codes_in(outcome(capsys, "a.srdf")[2], "a.srdf")
+    assert codes == ["unknown-reference", "state-outside-limit"]
+
+
+def test_srdf_is_a_file_of_reports(capsys: pytest.CaptureFixture[str]) -> None:
+    write(ARM, "a.urdf")
+    write(SRDF.format(joint="elbow", value="up"), "a.srdf")
+    status, out, err = outcome(capsys, "--format", "json", "a.srdf")
+    (finding,) = json.loads(out)["diagnostics"]
+    assert (status, finding["code"], finding["line"]) == (1, "not-a-number", 2)
+    status, out, err = outcome(capsys, "--deny", "not-a-number", "a.srdf")
+    assert (status, err.count("error[not-a-number]")) == (1, 1)
+    assert outcome(capsys, "-q", "--allow", "not-a-number", "a.srdf")[0] == 0
+
+
+@pytest.mark.parametrize(
+    "text",
+    ["<robot name='r'/>", "<robot name='r'><foo/></robot>", "<srdf name='r'/>", "<robot"],
+)
+def test_nonsense_is_not_a_valid_srdf(text: str, capsys: pytest.CaptureFixture[str]) -> None:
+    write(text, "a.srdf")
+    assert outcome(capsys, "a.srdf")[0] == 1
+
+
+def test_a_program_beside_an_srdf_is_not_run(capsys: pytest.CaptureFixture[str]) -> None:
+    xacro = ARM.replace("<link", '<xacro:property name="a" value="${open(1)}"/><link', 1)
+    xacro = xacro.replace("<robot", '<robot xmlns:xacro="http://ros.org/wiki/xacro"')
+    write(xacro, "a.urdf.xacro")
+    write(SRDF.format(joint="elbow", value=2), "a.srdf")
+    assert outcome(capsys, "-q", "a.srdf") == (0, "", "")
+
+
+def test_a_state_home_says_where_a_joint_starts(capsys: pytest.CaptureFixture[str]) -> None:
+    text = """\
+robot: bent
+model:
+- part: {name: base}
+- part:
+    name: arm
+    joint: {type: revolute, parent: base, limit: {lower: 0.5, upper: 2, effort: 1, velocity: 1}}
+    link: {geometry: sphere, scale: 0.1, mass: 1}
+"""
+    write(text, "a.yaml")
+    assert codes_in(outcome(capsys, "a.yaml")[2], "a.yaml") == ["zero-outside-limits"]
+    write(text + "states: {folded: {arm: 1}}\n", "a.yaml")
+    assert codes_in(outcome(capsys, "a.yaml")[2], "a.yaml") == ["zero-outside-limits"]
+    write(text + "states: {home: {arm: 1}}\n", "a.yaml")
+    assert outcome(capsys, "a.yaml") == (0, "a.yaml: ok\n", "")
+
+
+def test_extensions_are_checked_at_the_users_own_lines(capsys: pytest.CaptureFixture[str]) -> None:
+    xacro = """\
+<robot name="r" xmlns:xacro="http://ros.org/wiki/xacro">
+  <xacro:macro name="eye" params="link rate">
+    <gazebo reference="${link}">
+      <sensor name="eye" type="camera">
+        <update_rate>${rate}</update_rate>
+      </sensor>
+    </gazebo>
+  </xacro:macro>
+  <link name="a"/>
+  <xacro:eye link="a" rate="-30"/>
+</robot>
+"""
+    write(xacro, "r.xacro")
+    err = outcome(capsys, "r.xacro")[2]
+    assert "'update_rate' of the sensor 'eye' is -30" in err
+    assert " --> r.xacro:5:" in err
+    text = "robot: r\nmodel:\n- link/name=a:\n- gazebo/reference=a:\n  - mu1: $(-0.5 * 2)\n"
+    write(text, "r.yaml")
+    err = outcome(capsys, "r.yaml")[2]
+    assert codes_in(err, "r.yaml") == ["negative-value"]
+    assert " --> r.yaml:5:" in err
+    assert main(["r.yaml", "-q"]) == 0  # a build leaves the content of extensions to their readers
+    assert capsys.readouterr().err == ""
 
 
 def test_a_file_that_is_missing_is_wrong_usage(capsys: pytest.CaptureFixture[str]) -> None:

@@ -23,7 +23,6 @@ OTHER_XML = re.compile(r"^(sdf|mujoco|launch|world)\b[^\n]*:", re.MULTILINE)
 # Warnings that an example shows on purpose.
 SHOWN_WARNINGS = {
     "leg_robot/robot.yaml": ["assumed-limit"] * 2,  # one for each leg
-    "quadruped/quadruped.yaml": ["zero-outside-limits"],  # its knees cannot be straight
 }
 
 

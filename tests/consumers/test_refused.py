@@ -8,10 +8,12 @@ from xml.etree import ElementTree
 
 import pytest
 
-from tests.check.test_check import BadRobot, bad_robots, read
+from tests.check.test_check import BadRobot, bad_robots, found, read
 from tests.consumers import oracles
+from tests.consumers.sdf_judges import DESCRIPTIONS, complaint_of_libsdformat
 from yamaro.check.robot import check
 from yamaro.diagnostics import ERROR, Reporter
+from yamaro.model.sdf_schema import CAMERA, NOISE, SURFACE
 from yamaro.model.urdf_schema import VERSIONS
 
 ROBOTS = [robot for group in ("tree", "joints", "links") for robot in bad_robots(group)]
@@ -75,3 +77,60 @@ def test_an_error_is_what_some_parser_refuses(robot: BadRobot, tmp_path: Path) -
         or refuses(lambda: oracles.load_pinocchio(text))
         or refuses(lambda: oracles.load_mujoco(text))
     )
+
+
+# --- libsdformat --------------------------------------------------------------------------------
+
+SOLID = """<link name="a"><inertial><mass value="1"/>
+<inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial>
+<visual><geometry><box size="1 1 1"/></geometry></visual>
+<collision><geometry><box size="1 1 1"/></geometry></collision></link>"""
+"""A link that libsdformat keeps: it leaves out those without mass, with what is said of them."""
+
+
+@pytest.mark.parametrize(
+    "robot",
+    [
+        robot
+        for robot in bad_robots("gazebo")
+        if "libsdformat rejects" in found(robot.text, advice=True)[0].message
+    ],
+    ids=lambda robot: robot.name,
+)
+def test_libsdformat_refuses_what_is_said_to_be_refused(robot: BadRobot, tmp_path: Path) -> None:
+    oracles.require_program("ign")
+    path = tmp_path / "robot.urdf"
+    path.write_text(robot.text.replace('<link name="a"/>', SOLID), encoding="utf-8")
+    assert complaint_of_libsdformat(path)
+
+
+def test_libsdformat_takes_the_values_that_are_fine(tmp_path: Path) -> None:
+    oracles.require_program("ign")
+    robot = next(r for r in bad_robots("fine") if r.name == "values that libsdformat takes")
+    path = tmp_path / "robot.urdf"
+    path.write_text(robot.text, encoding="utf-8")
+    assert complaint_of_libsdformat(path) == ""
+
+
+def test_libsdformat_has_the_least_and_greatest_values_of_the_table() -> None:
+    """Compare the table with the descriptions of SDFormat, where both bound a value."""
+    folder = DESCRIPTIONS
+    if not folder.is_dir():
+        oracles.missing("the descriptions of SDFormat")
+    compared = 0
+    for name, table in (("camera", CAMERA), ("noise", NOISE), ("surface", SURFACE)):
+        root = ElementTree.parse(folder / f"{name}.sdf").getroot()
+        pending = [(root, table)]
+        while pending:
+            described, inner = pending.pop()
+            for child in described.findall("element"):
+                rule = inner.get(child.get("name", ""))
+                if isinstance(rule, dict):
+                    pending.append((child, rule))
+                elif rule is not None and rule.kind in ("number", "integer"):
+                    least = float(child.get("min", "-inf"))
+                    most = float(child.get("max", "inf"))
+                    assert rule.least >= least or rule.above >= least, child.get("name")
+                    assert rule.most <= most, child.get("name")
+                    compared += "min" in child.attrib
+    assert compared >= 10

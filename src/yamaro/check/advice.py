@@ -7,18 +7,20 @@ from __future__ import annotations
 
 from math import fabs, pi, remainder, sqrt
 
-from ..model.joint import FLOATING, REVOLUTE
+from ..model.joint import FIXED, FLOATING, REVOLUTE
+from ..model.kinematics import base_of
 from ..model.link import Inertial
 from ..model.shapes import Mesh
 from .center import advise_on_center
-from .context import CheckContext, label, shown
+from .context import CheckContext, counted, label, shown
+from .files import advise_on_addresses
 from .leftovers import advise_on_leftovers
 from .motion import advise_on_motion
 from .tree import is_fixed
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator
+    from collections.abc import Callable, Iterable, Iterator
 
     from ..diagnostics import Reporter
     from ..model.joint import Joint
@@ -43,6 +45,8 @@ GIMBAL_TOLERANCE = 1e-3
 QUARTER_TOLERANCE = 5e-3
 """How far 1.57, 3.14 and 4.71 are from quarter turns, and some room."""
 MOST_TURNS = 4 * pi
+MOST_SLASHES = 3
+"""Names with a slash; where there are more, it is meant."""
 
 
 def check_advice(
@@ -61,7 +65,7 @@ def check_advice(
     _advise_on_names([*links.values(), *joints.values()], told)
     for name, link in links.items():
         told.outermost = link.element
-        if name not in children:
+        if name not in children and _has_fixed_base(robot, tree):
             _advise_on_root(link, told)
         _advise_on_mass(link, told)
         advise_on_center(link, told)
@@ -75,9 +79,30 @@ def check_advice(
         _advise_on_pose(joint.origin, joint.element, told)
         _advise_on_limit(joint, told)
     told.outermost = None
-    advise_on_motion(tree, told)
+    _advise_on_zero_limits(joints.values(), told)
+    advise_on_motion(robot, tree, told)
+    advise_on_addresses(context, told)
+    if context.has_extensions:
+        _advise_on_extensions(robot, tree, told)
     advise_on_leftovers(robot.element, told)
     told.flush()
+
+
+def _advise_on_extensions(robot: Robot, tree: Tree, context: CheckContext) -> None:
+    """Report what the programs refuse or ignore that read the extensions of URDF."""
+    blocks: dict[str, list[Element]] = {}
+    for element in robot.element.elements():
+        blocks.setdefault(element.name, []).append(element)
+    if "gazebo" in blocks or "sensor" in blocks:
+        from .gazebo import check_gazebo, check_sensors
+
+        check_gazebo(blocks.get("gazebo", ()), tree, context)
+        check_sensors(blocks.get("sensor", ()), context)
+    if "ros2_control" in blocks or "transmission" in blocks:
+        from .control import check_ros2_control, check_transmissions
+
+        check_ros2_control(blocks.get("ros2_control", ()), tree, context)
+        check_transmissions(blocks.get("transmission", ()), tree, context)
 
 
 def _sections(link: Link) -> Iterator[Inertial | Visual | Collision]:
@@ -93,8 +118,14 @@ def _sections(link: Link) -> Iterator[Inertial | Visual | Collision]:
 
 
 def _advise_on_names(named: list[Link | Joint], context: CheckContext) -> None:
-    """Report, once, that names have slashes: where one has, most have."""
+    """Report, once, that names have slashes.
+
+    Many names with one are those of a namespace, which robot_state_publisher and tf2 allow, unless
+    it begins with the slash.
+    """
     found = [each for each in named if "/" in each.name]
+    if len(found) > MOST_SLASHES:
+        found = [each for each in found if each.name.startswith("/")]
     if not found:
         return
     name, element = found[0].name, found[0].element
@@ -111,6 +142,12 @@ def _advise_on_names(named: list[Link | Joint], context: CheckContext) -> None:
 
 
 # --- mass -------------------------------------------------------------------------------------
+
+
+def _has_fixed_base(robot: Robot, tree: Tree) -> bool:
+    """Return whether the root is fixed in the world, as far as the joints are sound."""
+    joints = tree.joints.values()
+    return all(j.child in tree.links for j in joints) and base_of(robot)[0] == FIXED
 
 
 def _advise_on_root(link: Link, context: CheckContext) -> None:
@@ -189,15 +226,6 @@ def _advise_on_limit(joint: Joint, context: CheckContext) -> None:
     limit = joint.limit
     if limit is None or is_fixed(joint) or joint.type == FLOATING:
         return
-    for attribute in ("effort", "velocity"):
-        if limit.number(attribute) == 0:
-            context.warn(
-                "zero-limit",
-                f"the {attribute} limit of joint '{joint.name}' is 0, so it cannot be moved",
-                limit.element,
-                attribute=attribute,
-                hint="planners and simulators use it literally; write the limit of the motor",
-            )
     for attribute in ("lower", "upper"):
         bound = limit.number(attribute)
         if joint.type == REVOLUTE and bound is not None and MOST_TURNS < fabs(bound) <= 720:
@@ -221,6 +249,32 @@ def _advise_on_limit(joint: Joint, context: CheckContext) -> None:
                 hint="write `version=1.2` on the robot, if all "
                 "programs that read it support URDF 1.2",
             )
+
+
+def _advise_on_zero_limits(joints: Iterable[Joint], context: CheckContext) -> None:
+    """Report, once, joints that are allowed no effort or no velocity."""
+    found = [
+        (joint, attributes)
+        for joint in joints
+        if joint.limit is not None and not is_fixed(joint) and joint.type != FLOATING
+        and (attributes := [n for n in ("effort", "velocity") if joint.limit.number(n) == 0])
+    ]  # fmt: skip
+    if not found:
+        return
+    joint, attributes = found[0]
+    assert joint.limit is not None
+    what = "limit" if len(attributes) == 1 else "limits"
+    context.outermost = joint.element
+    context.warn(
+        "zero-limit",
+        f"the {' and '.join(attributes)} {what} of joint '{joint.name}' "
+        f"{'is' if len(attributes) == 1 else 'are'} 0, so it cannot be moved",
+        joint.limit.element,
+        attribute=attributes[0],
+        hint="planners and simulators use it literally; write the limit of the motor",
+        notes=counted([each.name for each, _ in found[1:]], "joint", "has such a limit"),
+    )
+    context.outermost = None
 
 
 def _advise_on_pose(pose: Pose, owner: Element, context: CheckContext) -> None:

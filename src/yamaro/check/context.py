@@ -121,6 +121,7 @@ class CheckContext:
         *,
         attribute: str | None = None,
         is_of_name: bool = False,
+        span: Span | None = None,
         missing: str | None = None,
         hint: str | None = None,
         notes: Sequence[str] = (),
@@ -128,7 +129,7 @@ class CheckContext:
     ) -> None:
         """Note a finding at an attribute's value, or at the element when none is named.
 
-        With `is_of_name` it is at the attribute's name.
+        With `is_of_name` it is at the attribute's name, with `span` at the text that is meant.
 
         A line in a loop or a function makes many elements; what is wrong with them for the same
         reason is reported once. `missing` names what is not there, where that is the fault.
@@ -137,9 +138,12 @@ class CheckContext:
             Diagnostic(
                 code,
                 message,
-                element.name_span(attribute)
-                if attribute is not None and is_of_name
-                else place_of(element, attribute),
+                span
+                or (
+                    element.name_span(attribute)
+                    if attribute is not None and is_of_name
+                    else place_of(element, attribute)
+                ),
                 hint=hint,
                 notes=notes,
                 severity=WARNING,
@@ -292,6 +296,23 @@ def listed(names: Sequence[str], *, limit: int = 5) -> str:
     if len(names) > limit:
         return ", ".join(quoted) + f" and {len(names) - limit} more"
     return " and ".join([", ".join(quoted[:-1]), quoted[-1]] if len(quoted) > 1 else quoted)
+
+
+def counted(names: Sequence[str], kind: str, what: str) -> tuple[str, ...]:
+    """Return a note of how many more have a fault that is reported once, and which; or none.
+
+    Args:
+        names: the names of the others.
+        kind: what they are, such as `joint`.
+        what: the fault as it is said of one: it begins with "has" or "is".
+    """
+    if not names:
+        return ()
+    if len(names) == 1:
+        return (f"1 more {kind} {what}: {listed(names)}",)
+    verb, _, rest = what.partition(" ")
+    plural = {"has": "have", "is": "are", "goes": "go"}[verb]
+    return (f"{len(names)} more {kind}s {plural} {rest}: {listed(names, limit=10)}",)
 
 
 def shown(number: float) -> str:

@@ -79,6 +79,67 @@ def is_local(filename: str) -> bool:
     return "://" not in filename or filename.startswith(LOCAL_SCHEMES)
 
 
+REMOTE = ("http", "https", "ftp")
+SCHEMES = ("package", "file", "model", *REMOTE)
+CAD = frozenset(
+    ("step", "stp", "iges", "igs", "sldprt", "sldasm", "fcstd", "blend", "x_t", "ipt", "f3d", "skp")
+)
+"""Endings of files in which programs of design keep their work; no reader of URDF reads them."""
+
+
+def advise_on_addresses(context: CheckContext, advice: CheckContext) -> None:
+    """Report files at addresses, or of kinds, that readers of URDF do not read.
+
+    Args:
+        context: knows which links and materials refer to files.
+        advice: takes what is found; a file is reported once.
+    """
+    seen: set[str] = set()
+    for element, owner in _file_references(context.file_owners):
+        filename = attribute_text(element, "filename") or ""
+        scheme, separator, _ = filename.partition("://")
+        if filename in seen or "$" in filename:
+            continue
+        seen.add(filename)
+        advice.outermost = owner
+        what = f"the {element.name} '{filename}' of {label(owner)}"
+        if separator and scheme in REMOTE:
+            advice.warn(
+                "remote-mesh",
+                f"{what} is on the web, where only programs of ROS fetch it",
+                element,
+                attribute="filename",
+                hint="download it, and write package://my_robot/meshes/arm.stl",
+            )
+        elif separator and scheme not in SCHEMES:
+            hint, fix = advice.near(scheme, SCHEMES, element.value_span("filename"))
+            advice.warn(
+                "bad-mesh-address",
+                f"{what} has the scheme '{scheme}', which no reader of URDF knows",
+                element,
+                attribute="filename",
+                hint=hint or "write package://my_robot/meshes/arm.stl",
+                fix=fix,
+            )
+        elif "\\" in filename:
+            advice.warn(
+                "bad-mesh-address",
+                f"{what} has backslashes, which only Windows reads",
+                element,
+                attribute="filename",
+                hint=f"write {filename.replace(chr(92), '/')}",
+            )
+        elif filename.rpartition(".")[2].lower() in CAD and element.name == "mesh":
+            advice.warn(
+                "bad-mesh-address",
+                f"{what} is a file of a design program, which no reader of URDF reads",
+                element,
+                attribute="filename",
+                hint="export it as STL, OBJ, COLLADA or glTF",
+            )
+    advice.outermost = None
+
+
 def package_of(filename: str) -> str | None:
     """Return the package of a package:// address."""
     if not filename.startswith(PACKAGE_SCHEME):

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from ..model.joint import CONTINUOUS, LIMITED
-from .context import CheckContext, shown
+from ..model.joint import CONTINUOUS, FLOATING, LIMITED, PLANAR
+from .context import CheckContext, counted, shown
 from .tree import is_fixed
 
 TYPE_CHECKING = False
@@ -12,6 +12,7 @@ if TYPE_CHECKING:
 
     from ..model.joint import Joint, Limit
     from ..model.link import Link
+    from ..model.robot import Robot
     from .tree import Tree
 
     Joints = Mapping[str, Joint]
@@ -20,30 +21,61 @@ ROUNDING = 1e-6
 """How far beside 0 a bound may be that is meant to be 0, in m and rad."""
 
 
-def advise_on_motion(tree: Tree, context: CheckContext) -> None:
+def advise_on_motion(robot: Robot, tree: Tree, context: CheckContext) -> None:
     """Report limits that say something else than they seem to, and links without mass that move."""
+    zeros, soft = _Several(), _Several()
+    home = robot.states.get("home")
     for joint in tree.joints.values():
         context.outermost = joint.element
-        _advise_on_joint(joint, tree.joints, context)
+        bounds = _advise_on_joint(joint, tree.joints, context)
+        if bounds is None:
+            continue
+        lower, upper = bounds
+        is_placed = home is not None and joint.name in home.positions
+        if joint.mimic is None and not is_placed and not lower - ROUNDING <= 0 <= upper + ROUNDING:
+            zeros.add(joint, "lower" if lower > 0 else "upper", bounds)
+        _find_soft_limits(joint, bounds, soft)
     context.outermost = None
+    _advise_on_zeros(zeros, context)
+    _advise_on_soft_limits(soft, context)
     _advise_on_massless(tree.links, tree.joints, context)
 
 
-def _advise_on_joint(joint: Joint, joints: Joints, context: CheckContext) -> None:
-    _advise_on_fixed_follower(joint, joints, context)
+class _Several:
+    """Joints with one fault, which is reported at the first: its joint, attribute and bounds."""
+
+    __slots__ = ("first", "names")
+
+    def __init__(self) -> None:
+        self.first: tuple[Joint, str, tuple[float, float]] | None = None
+        self.names: list[str] = []
+
+    def add(self, joint: Joint, attribute: str, bounds: tuple[float, float]) -> None:
+        """Note a joint."""
+        if self.first is None:
+            self.first = (joint, attribute, bounds)
+        elif joint.name not in self.names and joint is not self.first[0]:
+            self.names.append(joint.name)
+
+
+def _advise_on_joint(
+    joint: Joint, joints: Joints, context: CheckContext
+) -> tuple[float, float] | None:
+    """Report what is wrong with one joint; return its bounds if it has a range."""
+    _advise_on_follower(joint, joints, context)
     limit = joint.limit
     if limit is None:
-        return
+        return None
     if joint.type == CONTINUOUS:
         _advise_on_continuous(joint.name, limit, context)
     if joint.type not in LIMITED:
-        return
+        return None
     lower, upper = _bound(limit, "lower"), _bound(limit, "upper")
     if lower is None or upper is None or lower > upper:
-        return  # reported elsewhere
+        return None  # reported elsewhere
     written = limit.element.attributes
     if "lower" not in written and "upper" not in written:
-        return
+        return None
     if lower == upper:
         context.warn(
             "no-range",
@@ -53,17 +85,20 @@ def _advise_on_joint(joint: Joint, joints: Joints, context: CheckContext) -> Non
             attribute="upper" if "upper" in written else "lower",
             hint="set a range, or make it fixed",
         )
-        return
-    if joint.mimic is None and not lower - ROUNDING <= 0 <= upper + ROUNDING:
-        _advise_on_zero(joint.name, limit, lower, upper, context)
-    _advise_on_soft_limits(joint, lower, upper, context)
+        return None
+    return lower, upper
 
 
-def _advise_on_fixed_follower(joint: Joint, joints: Joints, context: CheckContext) -> None:
-    """Report a fixed joint that mimics one that moves; a hand that is fixed as a whole is fine."""
-    mimic = joint.mimic if is_fixed(joint) else None
+def _advise_on_follower(joint: Joint, joints: Joints, context: CheckContext) -> None:
+    """Report a joint that mimics one that moves, but cannot follow it.
+
+    A hand that is fixed as a whole is fine.
+    """
+    mimic = joint.mimic
     master = joints.get(mimic.joint) if mimic is not None else None
-    if mimic is not None and master is not None and not is_fixed(master):
+    if mimic is None or master is None or is_fixed(master):
+        return
+    if is_fixed(joint):
         context.warn(
             "fixed-mimic",
             f"joint '{joint.name}' mimics '{master.name}', but is fixed",
@@ -71,6 +106,23 @@ def _advise_on_fixed_follower(joint: Joint, joints: Joints, context: CheckContex
             attribute="joint",
             hint="use a type that moves, or remove the mimic",
         )
+    elif mimic.number("multiplier") == 0:
+        context.warn(
+            "fixed-mimic",
+            f"joint '{joint.name}' mimics '{master.name}' with the multiplier 0, so it never moves",
+            mimic.element,
+            attribute="multiplier",
+            hint="write the ratio of the two motions, or remove the mimic",
+        )
+    for each, other in ((joint, "it"), (master, f"'{master.name}'")):
+        if each.type in (FLOATING, PLANAR):
+            context.warn(
+                "mimic-type",
+                f"joint '{joint.name}' cannot mimic '{master.name}': {other} is {each.type}",
+                mimic.element,
+                attribute="joint",
+                hint="only joints that move along or about one axis follow each other",
+            )
 
 
 def _bound(limit: Limit, attribute: str) -> float | None:
@@ -91,36 +143,52 @@ def _advise_on_continuous(name: str, limit: Limit, context: CheckContext) -> Non
         )
 
 
-def _advise_on_zero(
-    name: str, limit: Limit, lower: float, upper: float, context: CheckContext
-) -> None:
-    """Report a range without 0: viewers, planners and simulators start there."""
+def _advise_on_zeros(found: _Several, context: CheckContext) -> None:
+    """Report, once, ranges without 0: viewers, planners and simulators start there."""
+    if found.first is None:
+        return
+    joint, attribute, (lower, upper) = found.first
+    assert joint.limit is not None
+    context.outermost = joint.element
     context.warn(
         "zero-outside-limits",
-        f"joint '{name}' goes from {shown(lower)} to {shown(upper)}, which excludes 0",
-        limit.element,
-        attribute="lower" if lower > 0 else "upper",
-        hint="most programs start with all joints at 0; set another start "
-        "position, or include 0 in the range with another origin",
+        f"joint '{joint.name}' goes from {shown(lower)} to {shown(upper)}, which excludes 0",
+        joint.limit.element,
+        attribute=attribute,
+        hint="most programs start with all joints at 0; write a state `home` with a position for "
+        "it, or include 0 in the range with another origin",
+        notes=counted(found.names, "joint", "has such a range"),
     )
+    context.outermost = None
 
 
-def _advise_on_soft_limits(joint: Joint, lower: float, upper: float, context: CheckContext) -> None:
-    """Report soft limits beyond the limits: the safety controller then never acts."""
+def _find_soft_limits(joint: Joint, bounds: tuple[float, float], found: _Several) -> None:
+    """Note soft limits beyond the limits: the safety controller then never acts."""
     safety = joint.safety_controller
-    if safety is None:
-        return
     for attribute in ("soft_lower_limit", "soft_upper_limit"):
-        soft = safety.number(attribute)
-        if soft is not None and soft != 0 and not lower <= soft <= upper:
-            context.warn(
-                "soft-limit-outside",
-                f"'{attribute}' of joint '{joint.name}' is {shown(soft)}, outside of its limits "
-                f"{shown(lower)} to {shown(upper)}",
-                safety.element,
-                attribute=attribute,
-                hint="soft limits must be between 'lower' and 'upper'",
-            )
+        soft = safety.number(attribute) if safety is not None else None
+        if soft is not None and soft != 0 and not bounds[0] <= soft <= bounds[1]:
+            found.add(joint, attribute, bounds)
+
+
+def _advise_on_soft_limits(found: _Several, context: CheckContext) -> None:
+    """Report, once, soft limits beyond the limits."""
+    if found.first is None:
+        return
+    joint, attribute, (lower, upper) = found.first
+    safety = joint.safety_controller
+    assert safety is not None
+    context.outermost = joint.element
+    context.warn(
+        "soft-limit-outside",
+        f"'{attribute}' of joint '{joint.name}' is {shown(safety.number(attribute) or 0.0)}, "
+        f"outside of its limits {shown(lower)} to {shown(upper)}",
+        safety.element,
+        attribute=attribute,
+        hint="soft limits must be between 'lower' and 'upper'",
+        notes=counted(found.names, "joint", "has such soft limits"),
+    )
+    context.outermost = None
 
 
 # --- links that move and weigh nothing --------------------------------------------------------

@@ -6,7 +6,7 @@ Everything here is linear in the size of the robot and recurses no deeper than t
 from __future__ import annotations
 
 from ..model.reading import read_robot
-from ..model.urdf_schema import OTHER_FORMATS, SRDF_ELEMENTS, VERSIONS
+from ..model.urdf_schema import OTHER_FORMATS, VERSIONS, is_semantic
 from ..xml.tree import Element
 from .context import FILES, MATERIALS, TREE, CheckContext
 from .schema import check_elements
@@ -14,7 +14,7 @@ from .tree import check_spelling, check_tree
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Sequence
 
     from ..diagnostics import Reporter
     from ..model.robot import Robot
@@ -33,6 +33,7 @@ def check(
     advice: Reporter | None = None,
     robot: Robot | None = None,
     numbers: NumberReader | None = None,
+    notes: Sequence[Element] = (),
 ) -> bool:
     """Check the robot and report each fault as a warning at the value that is wrong.
 
@@ -49,12 +50,13 @@ def check(
             this is not worked out.
         robot: what `read_robot` gives of the root, if that is there already.
         numbers: what it reads numbers with.
+        notes: what the robot has that is not an element of URDF, such as states.
 
     Returns:
         Whether it has meshes or textures.
     """
     context = CheckContext(root, reporter, numbers=numbers)
-    robot = robot or read_robot(root, numbers=context.numbers)
+    robot = robot or read_robot(root, numbers=context.numbers, notes=notes)
     context.version = _check_robot(robot, context)
     check_elements(root, context)
     context.stage = TREE
@@ -76,6 +78,13 @@ def check(
         )
     context.flush()
     if advice is not None:
+        if is_semantic(root):
+            from .semantics import check_semantics
+
+            told = CheckContext(root, advice)
+            check_semantics(root, told)
+            told.flush()
+            return bool(context.file_owners)
         from .advice import check_advice
 
         check_advice(robot, tree, context, advice=advice, resolve_mesh=resolve_mesh)
@@ -91,21 +100,19 @@ def _check_materials(robot: Robot, context: CheckContext) -> None:
 
 
 def check_format(root: Element, reporter: Reporter) -> None:
-    """Report another format in a file that is called .urdf; parsers of URDF refuse it."""
-    if root.span.source.path.lower().endswith(".urdf"):
-        known = OTHER_FORMATS.get(root.name)
-        what = "this is not URDF" if known is None else f"this is {known}, not URDF"
-        reporter.warn(
-            "not-urdf",
-            f"{what}: its root is '{root.name}'",
-            root.span,
-            hint="the root of a URDF is 'robot'; use the extension of the file's format",
-        )
-
-
-def _is_srdf(root: Element) -> bool:
-    """Return whether a `<robot>` is MoveIt's semantic description, which has no links."""
-    return any(child.name in SRDF_ELEMENTS for child in root.elements())
+    """Report another format in a file that is called .urdf or .srdf, whose parsers refuse it."""
+    path = root.span.source.path.lower()
+    for format in ("URDF", "SRDF"):
+        if path.endswith(f".{format.lower()}"):
+            known = OTHER_FORMATS.get(root.name)
+            what = f"this is not {format}" if known is None else f"this is {known}, not {format}"
+            a = "a" if format == "URDF" else "an"
+            reporter.warn(
+                "not-urdf",
+                f"{what}: its root is '{root.name}'",
+                root.span,
+                hint=f"the root of {a} {format} is 'robot'; use the extension of the file's format",
+            )
 
 
 def _check_robot(robot: Robot, context: CheckContext) -> str:
@@ -114,7 +121,7 @@ def _check_robot(robot: Robot, context: CheckContext) -> str:
     name = robot.written("name")
     if name is not None:
         check_spelling(root, name, context)
-    if not robot.all_links and not _is_srdf(root):
+    if not robot.all_links and not is_semantic(root):
         context.error(
             "no-link",
             "the robot has no link, so parsers reject it",

@@ -13,9 +13,10 @@ from .usage import DONE, INPUT_ERROR, WrongUsage
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Mapping, Sequence
+    from collections.abc import Callable, Mapping, Sequence
 
     from ..diagnostics import Diagnostic
+    from ..result import Build
     from ..streams import Streams
     from ..tools.fixing import Fixing
     from ..tools.reports.findings import Checked
@@ -27,7 +28,8 @@ def run(arguments: Arguments, streams: Streams) -> int:
     form = arguments.options.get("format", "text")
     if form == "text" and arguments.has("output"):
         raise WrongUsage("'-o' needs '--format' with json, sarif, github or junit")
-    if form == "text" and len(arguments.words) == 1 and not arguments.has("fix"):
+    is_one = len(arguments.words) == 1 and not is_srdf(arguments.words[0])
+    if form == "text" and is_one and not arguments.has("fix"):
         fine = [] if streams.quiet else [f"{display_name(arguments)}: ok\n"]
         return convert_file(arguments, streams, lambda build: fine, advice=True)
     arguments.resolve_output()
@@ -39,7 +41,7 @@ def run(arguments: Arguments, streams: Streams) -> int:
         if files is None:
             return INPUT_ERROR
     else:
-        files = [_checked(each, streams) for each in _each_file(arguments)]
+        files = _check_all(arguments, streams)
     status = DONE if all(each.is_fine for each in files) else INPUT_ERROR
     if form == "text":
         return max(status, _say(files, arguments, streams))
@@ -53,15 +55,41 @@ def _each_file(arguments: Arguments) -> list[Arguments]:
     return [arguments.for_file(path) for path in paths]
 
 
-def _checked(
+def _check_all(
     arguments: Arguments, streams: Streams, texts: Mapping[str, str] | None = None
+) -> list[Checked]:
+    """Check each file; those of robots first, for SRDF is checked against these."""
+    every = _each_file(arguments)
+    if not any(is_srdf(each.words[0]) for each in every):
+        return [_checked(each, streams, texts) for each in every]
+    from .semantics import Semantics
+
+    semantics = Semantics(arguments, streams, texts)
+    done: dict[str, Checked] = {}
+    for each in sorted(every, key=lambda each: is_srdf(each.words[0])):
+        path = each.words[0]
+        look = semantics.findings if is_srdf(path) else semantics.keep
+        done[path] = _checked(each, streams, texts, look)
+    return [done[each.words[0]] for each in every]
+
+
+def is_srdf(path: str) -> bool:
+    """Return whether a file is called as those with MoveIt's semantic descriptions are."""
+    return ".srdf" in os.path.basename(path).lower()
+
+
+def _checked(
+    arguments: Arguments,
+    streams: Streams,
+    texts: Mapping[str, str] | None = None,
+    look: Callable[[Build], Sequence[Diagnostic]] | None = None,
 ) -> Checked:
-    """Check one file."""
+    """Check one file; `look` finds more in what was built of it."""
     from ..diagnostics import ERROR
     from ..tools.reports.findings import Checked
 
     allowed = read_adjustment(arguments).allowed
-    found = find_in_file(arguments, streams, texts=texts)
+    found = find_in_file(arguments, streams, texts=texts, look=look)
     is_fine = all(each.severity != ERROR and each.code in allowed for each in found)
     path = arguments.words[0]
     absolute = "" if path == STANDARD_INPUT else os.path.abspath(path)
@@ -114,7 +142,7 @@ def _fixed(arguments: Arguments, streams: Streams) -> list[Checked] | None:
     files: list[Checked] = []
 
     def check(texts: Mapping[str, str]) -> list[Diagnostic]:
-        files[:] = [_checked(each, streams, texts) for each in _each_file(arguments)]
+        files[:] = _check_all(arguments, streams, texts)
         return [one for each in files for one in each.diagnostics]
 
     paths = [os.path.abspath(path) for path in arguments.words]

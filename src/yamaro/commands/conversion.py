@@ -18,7 +18,7 @@ from .usage import DONE, INPUT_ERROR, WrongUsage
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable, Mapping
+    from collections.abc import Callable, Iterable, Mapping, Sequence
 
     from ..diagnostics import Diagnostic
     from ..files.loader import FileLoader, Loader
@@ -99,7 +99,11 @@ def _check_places(arguments: Arguments) -> None:
 
 
 def find_in_file(
-    arguments: Arguments, streams: Streams, *, texts: Mapping[str, str] | None = None
+    arguments: Arguments,
+    streams: Streams,
+    *,
+    texts: Mapping[str, str] | None = None,
+    look: Callable[[Build], Sequence[Diagnostic]] | None = None,
 ) -> list[Diagnostic]:
     """Build the file and return all that is to be said of it, with the advice of `check`.
 
@@ -107,6 +111,7 @@ def find_in_file(
         arguments: the command line, with one file.
         streams: where everything goes that the file prints.
         texts: what to read in place of some files, by absolute paths.
+        look: finds more in the tree of what was built.
     """
     from ..diagnostics import YamaroError
 
@@ -118,15 +123,16 @@ def find_in_file(
         if streams.owns_process:
             cancel = _bound_process(arguments, streams, policy)
         build, _ = _build(
-            arguments, streams, policy, lambda build: (), advice=True, has_root=False,
-            records=False, loader=None if texts is None else _overlay(arguments, policy, texts),
+            arguments, streams, policy, lambda build: (), advice=True,
+            has_root=look is not None, records=False,
+            loader=None if texts is None else _overlay(arguments, policy, texts),
         )  # fmt: skip
     except YamaroError as error:
         return error.diagnostics
     finally:
         if cancel is not None:
             cancel()
-    return build.warnings
+    return build.warnings if look is None else [*build.warnings, *look(build)]
 
 
 def _overlay(arguments: Arguments, policy: Policy, texts: Mapping[str, str]) -> FileLoader:

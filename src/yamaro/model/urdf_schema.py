@@ -11,6 +11,7 @@ from .shapes import SHAPE_WORDS, SIMPLE_SHAPES
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from ..xml.tree import Element
     from .shapes import SimpleShape
 
 JOINT_TYPES = ("revolute", "continuous", "prismatic", "fixed", "floating", "planar")
@@ -194,6 +195,15 @@ SRDF_ELEMENTS = frozenset(
     ("group", "group_state", "end_effector", "virtual_joint", "disable_collisions")
 )
 """Elements of the Semantic Robot Description Format, whose root is a `<robot>` too."""
+
+
+def is_semantic(root: Element) -> bool:
+    """Return whether a `<robot>` is an SRDF: it has no links of its own, and elements of SRDF."""
+    found = {child.name for child in root.elements()}
+    return "link" not in found and (
+        not found.isdisjoint(SRDF_ELEMENTS) or root.span.source.path.lower().endswith(".srdf")
+    )
+
 
 OTHER_FORMATS = {"sdf": "SDF", "world": "SDF", "model": "SDF", "mujoco": "MJCF"}
 """The outermost elements of other formats for robots."""

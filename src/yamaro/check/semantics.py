@@ -1,0 +1,501 @@
+"""Checks an SRDF, MoveIt's semantic description of a robot: alone, and against the robot.
+
+What srdfdom (model.cpp) and MoveIt's RobotModel leave out with no more than a line in a log.
+"""
+
+from __future__ import annotations
+
+from ..model.sdf_schema import NOT_NEGATIVE, THREE, Value
+from ..model.values import attribute_text
+from .context import CheckContext, shown
+from .tree import is_fixed
+from .values import (
+    Names,
+    check_required,
+    check_value,
+    children,
+    named,
+    numbers,
+    report_word,
+)
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Collection, Iterable
+
+    from ..diagnostics import Reporter
+    from ..model.robot import Robot
+    from ..xml.tree import Element
+
+    Members = dict[str, set[str]]
+    """The joints of each group."""
+
+IGNORES = "MoveIt ignores it"
+NEEDED = {
+    "group": ("name",),
+    "group_state": ("name", "group"),
+    "end_effector": ("name", "parent_link", "group"),
+    "virtual_joint": ("name", "type", "parent_frame", "child_link"),
+    "passive_joint": ("name",),
+    "joint_property": ("joint_name", "property_name", "value"),
+    "disable_collisions": ("link1", "link2"),
+    "enable_collisions": ("link1", "link2"),
+    "disable_default_collisions": ("link",),
+    "link_sphere_approximation": ("link",),
+}
+"""The elements of SRDF, and the attributes without which they are ignored."""
+MEMBERS = {
+    "link": ("name",),
+    "joint": ("name",),
+    "chain": ("base_link", "tip_link"),
+    "group": ("name",),
+}
+"""What can be in a group."""
+LINKS = {
+    "end_effector": ("parent_link",),
+    "virtual_joint": ("child_link",),
+    "disable_collisions": ("link1", "link2"),
+    "enable_collisions": ("link1", "link2"),
+    "disable_default_collisions": ("link",),
+    "link_sphere_approximation": ("link",),
+}
+"""The attributes that name links of the robot."""
+JOINTS = {"passive_joint": "name", "joint_property": "joint_name"}
+VIRTUAL = {"fixed": 0, "planar": 3, "floating": 7}
+"""The types of virtual joints, and how many numbers the position of each has."""
+TOLERANCE = 1e-6
+"""How far beside its limits a joint may be in a state, in m and rad."""
+
+
+# --- alone ----------------------------------------------------------------------------------
+
+
+def check_semantics(root: Element, context: CheckContext) -> None:
+    """Check an SRDF without its robot: what is missing, repeated, or names no group."""
+    groups = {named(each): each for each in children(root, "group")}
+    names = {
+        "group": Names("groups", "MoveIt keeps the first"),
+        "end_effector": Names("end effectors", "MoveIt keeps one of them"),
+        "virtual_joint": Names("virtual joints", "MoveIt keeps one of them"),
+        "passive_joint": Names("passive joints", "one is enough"),
+    }
+    states: dict[str, Names] = {}
+    pairs: dict[tuple[str, ...], Element] = {}
+    for child in root.elements():
+        context.outermost = child
+        needed = NEEDED.get(child.name)
+        if needed is None:
+            _check_unknown(child, NEEDED, "an SRDF", context)
+            continue
+        where = _where(child)
+        check_required(child, needed, where, IGNORES, context)
+        if child.name in names:
+            names[child.name].add(child, context)
+        if child.name == "group":
+            _check_group(child, groups, where, context)
+        elif child.name == "group_state":
+            group = (attribute_text(child, "group") or "").strip()
+            states.setdefault(group, Names(f"states of '{group}'", "MoveIt keeps one")).add(
+                child, context
+            )
+            _check_group_name(child, "group", groups, where, context)
+            _check_state(child, root, where, context)
+        elif child.name == "end_effector":
+            for attribute in ("group", "parent_group"):
+                _check_group_name(child, attribute, groups, where, context)
+        elif child.name == "virtual_joint":
+            _check_virtual(child, where, context)
+        elif child.name in ("disable_collisions", "enable_collisions"):
+            _check_pair(child, pairs, context)
+        elif child.name == "link_sphere_approximation":
+            _check_spheres(child, where, context)
+    context.outermost = None
+    _check_circles(groups, context)
+    if not any(child.name in NEEDED for child in root.elements()):
+        context.warn(
+            "missing-element",
+            "this SRDF says nothing of its robot",
+            root,
+            missing="group",
+            hint="add groups; `yamaro FILE --to srdf` writes an SRDF",
+        )
+
+
+def _where(element: Element) -> str:
+    what = element.name.replace("_", " ")
+    name = named(element)
+    return f"the {what} '{name}'" if name else f"a '{element.name}'"
+
+
+def _check_unknown(child: Element, known: Iterable[str], where: str, context: CheckContext) -> None:
+    """Report what MoveIt ignores: nobody else reads SRDF."""
+    if ":" in child.name:
+        return
+    hint, fix = context.near(child.name, list(known), child.span)
+    belongs = child.name in MEMBERS and known is NEEDED
+    context.warn(
+        "unknown-element",
+        f"'{child.name}' has no meaning in {where}; {IGNORES}",
+        child,
+        hint="it belongs in a group" if belongs else hint or f"it can hold {', '.join(known)}",
+        fix=None if belongs else fix,
+    )
+
+
+def _check_group(
+    group: Element, groups: dict[str, Element], where: str, context: CheckContext
+) -> None:
+    """Check what a group holds."""
+    members = 0
+    for member in group.elements():
+        needed = MEMBERS.get(member.name)
+        if needed is None:
+            _check_unknown(member, MEMBERS, where, context)
+            continue
+        members += 1
+        check_required(member, needed, f"a {member.name} of {where}", IGNORES, context)
+        if member.name == "group":
+            _check_group_name(member, "name", groups, where, context)
+        elif member.name == "chain":
+            ends = [attribute_text(member, end) for end in needed]
+            if ends[0] and ends[0] == ends[1]:
+                context.warn(
+                    "bad-value",
+                    f"the chain of {where} begins and ends at '{ends[0]}', so it has no joint",
+                    member,
+                    attribute="tip_link",
+                    hint="name the last link of the chain",
+                )
+    if not members:
+        context.warn(
+            "missing-element",
+            f"{where} is empty, so MoveIt moves nothing with it",
+            group,
+            missing="member",
+            hint="add a chain, joints, links or groups",
+        )
+
+
+def _check_group_name(
+    element: Element,
+    attribute: str,
+    groups: dict[str, Element],
+    where: str,
+    context: CheckContext,
+) -> None:
+    name = (attribute_text(element, attribute) or "").strip()
+    if not name or name in groups or "$" in name:
+        return
+    hint, fix = context.near(name, groups, element.value_span(attribute))
+    context.warn(
+        "unknown-reference",
+        f"{where} names the group '{name}', which does not exist; {IGNORES}",
+        element,
+        attribute=attribute,
+        hint=hint or "name a group of this file",
+        fix=fix,
+    )
+
+
+def _check_circles(groups: dict[str, Element], context: CheckContext) -> None:
+    """Report groups that contain themselves."""
+    inside = {
+        name: [named(each) for each in children(group, "group")] for name, group in groups.items()
+    }
+    done: set[str] = set()
+    for name in groups:
+        path: list[str] = []
+        pending = [(name, 0)]
+        while pending:
+            own, depth = pending.pop()
+            del path[depth:]
+            if own in path:
+                context.warn(
+                    "joint-cycle",
+                    f"the group '{own}' contains itself: {' → '.join([*path, own])}",
+                    groups[own],
+                    attribute="name",
+                    hint="remove one of these groups from the other",
+                )
+                return
+            if own in done:
+                continue
+            path.append(own)
+            pending += [(each, depth + 1) for each in inside.get(own, ()) if each in groups]
+        done |= set(path)
+
+
+def _check_state(state: Element, root: Element, where: str, context: CheckContext) -> None:
+    """Check the joints of a state: one number each, several for a virtual joint."""
+    virtual = {
+        named(each): VIRTUAL.get((attribute_text(each, "type") or "").strip().lower(), 0)
+        for each in children(root, "virtual_joint")
+    }
+    names = Names(f"joints of {where}", "the last counts")
+    for joint in children(state, "joint"):
+        name = named(joint)
+        check_required(joint, ("name", "value"), f"a joint of {where}", IGNORES, context)
+        names.add(joint, context)
+        if attribute_text(joint, "value"):
+            rule = Value(count=virtual.get(name) or 1)
+            check_value(joint, rule, f"'{name}' of {where}", context, attribute="value")
+    if not any(True for _ in children(state, "joint")):
+        context.warn(
+            "missing-element",
+            f"{where} has no joint, so it says nothing",
+            state,
+            missing="joint",
+            hint="add `joint/name=…, value=0:` for each joint",
+        )
+
+
+def _check_virtual(joint: Element, where: str, context: CheckContext) -> None:
+    kind = (attribute_text(joint, "type") or "").strip()
+    if kind and kind.lower() not in VIRTUAL and "$" not in kind:
+        report_word(
+            kind, VIRTUAL, f"the type of {where}", joint, joint.value_span("type"), context,
+            result="so MoveIt takes it as fixed",
+        )  # fmt: skip
+
+
+def _check_pair(
+    pair: Element, pairs: dict[tuple[str, ...], Element], context: CheckContext
+) -> None:
+    links = [attribute_text(pair, name) or "" for name in ("link1", "link2")]
+    if not all(links):
+        return
+    if links[0] == links[1]:
+        context.warn(
+            "bad-value",
+            f"'{pair.name}' names the link '{links[0]}' twice; no link collides with itself",
+            pair,
+            attribute="link2",
+            hint="name another link",
+        )
+        return
+    first = pairs.setdefault((pair.name, *sorted(links)), pair)
+    if first is not pair:
+        context.warn(
+            "repeated-element",
+            f"'{pair.name}' of '{links[0]}' and '{links[1]}' is given twice",
+            pair,
+            hint="remove one of them",
+            notes=(f"first given at {first.span.place()}",),
+        )
+
+
+def _check_spheres(holder: Element, where: str, context: CheckContext) -> None:
+    for sphere in children(holder, "sphere"):
+        own = f"a sphere of {where}"
+        if check_required(sphere, ("center", "radius"), own, IGNORES, context):
+            check_value(sphere, THREE, f"'center' of {own}", context, attribute="center")
+            check_value(sphere, NOT_NEGATIVE, f"'radius' of {own}", context, attribute="radius")
+
+
+# --- against the robot --------------------------------------------------------------------------
+
+
+def findings_against(root: Element, robot: Robot, reporter: Reporter) -> None:
+    """Report what an SRDF says of links and joints that the robot does not have."""
+    context = CheckContext(root, reporter)
+    _check_robot_name(root, robot, context)
+    virtual = {named(each) for each in children(root, "virtual_joint")}
+    joints = [*robot.joints, *virtual]
+    members = _members(root, robot)
+    for child in root.elements():
+        context.outermost = child
+        where = _where(child)
+        for attribute in LINKS.get(child.name, ()):
+            _check_name(child, attribute, robot.links, "link", where, context)
+        if child.name in JOINTS:
+            _check_name(child, JOINTS[child.name], joints, "joint", where, context)
+        elif child.name == "group":
+            for link in children(child, "link"):
+                _check_name(link, "name", robot.links, "link", where, context)
+            for joint in children(child, "joint"):
+                _check_name(joint, "name", joints, "joint", where, context)
+            for chain in children(child, "chain"):
+                _check_chain(chain, robot, where, context)
+        elif child.name == "group_state":
+            _check_positions(child, robot, joints, members, where, context)
+        elif child.name == "end_effector":
+            _check_end_effector(child, root, robot, where, context)
+        elif child.name == "virtual_joint":
+            _check_attached(child, robot, where, context)
+    context.outermost = None
+    context.flush()
+
+
+def _check_robot_name(root: Element, robot: Robot, context: CheckContext) -> None:
+    name = named(root)
+    if name and robot.name and name != robot.name:
+        context.warn(
+            "unknown-reference",
+            f"this SRDF is for the robot '{name}', but the robot is called '{robot.name}'",
+            root,
+            attribute="name",
+            hint=f"write name={robot.name}, or check it with the robot that it is for",
+        )
+
+
+def _check_name(
+    element: Element,
+    attribute: str,
+    known: Collection[str],
+    kind: str,
+    where: str,
+    context: CheckContext,
+) -> None:
+    name = (attribute_text(element, attribute) or "").strip()
+    if not name or name in known:
+        return
+    hint, fix = context.near(name, known, element.value_span(attribute))
+    context.warn(
+        "unknown-joint" if kind == "joint" else "unknown-reference",
+        f"{where} names '{name}', which is not a {kind} of the robot; {IGNORES}",
+        element,
+        attribute=attribute,
+        hint=hint or f"name a {kind} of the robot",
+        fix=fix,
+    )
+
+
+def _check_chain(chain: Element, robot: Robot, where: str, context: CheckContext) -> None:
+    for end in ("base_link", "tip_link"):
+        _check_name(chain, end, robot.links, "link", where, context)
+    base, tip = ((attribute_text(chain, end) or "").strip() for end in ("base_link", "tip_link"))
+    if base in robot.links and tip in robot.links and base != tip and _is_above(tip, base, robot):
+        context.warn(
+            "reversed-chain",
+            f"the chain of {where} begins at '{base}', which is below its end '{tip}'",
+            chain,
+            attribute="base_link",
+            hint="swap the two: `base_link` is nearer to the root",
+        )
+
+
+def _is_above(upper: str, lower: str, robot: Robot) -> bool:
+    """Return whether a link is on the way from another to the root."""
+    return upper in _way_up(lower, robot)
+
+
+def _way_up(link: str, robot: Robot) -> list[str]:
+    """Return the links above a link, the nearest first."""
+    found: list[str] = []
+    seen = {link}
+    while (joint := robot.parent_joint(link)) is not None and joint.parent not in seen:
+        link = joint.parent
+        seen.add(link)
+        found.append(link)
+    return found
+
+
+def _members(root: Element, robot: Robot) -> Members:
+    """Return the joints of each group: its own, those above its links, of chains and groups."""
+    groups = {named(each): each for each in children(root, "group")}
+    found: Members = {}
+    for name, group in groups.items():
+        own = {named(joint) for joint in children(group, "joint")}
+        for link in children(group, "link"):
+            own |= _joint_above(named(link), robot)
+        for chain in children(group, "chain"):
+            base = (attribute_text(chain, "base_link") or "").strip()
+            tip = (attribute_text(chain, "tip_link") or "").strip()
+            ways = [[end, *_way_up(end, robot)] for end in (base, tip)]
+            shared = set(ways[0]) & set(ways[1])
+            for below in {*ways[0], *ways[1]} - shared:
+                own |= _joint_above(below, robot)
+        found[name] = own
+    for _ in groups:  # until nothing is added; groups in groups are seldom deep
+        before = sum(map(len, found.values()))
+        for name, group in groups.items():
+            for inner in children(group, "group"):
+                found[name] |= found.get(named(inner), set())
+        if sum(map(len, found.values())) == before:
+            break
+    return found
+
+
+def _joint_above(link: str, robot: Robot) -> set[str]:
+    joint = robot.parent_joint(link) if link in robot.links else None
+    return set() if joint is None else {joint.name}
+
+
+def _check_positions(
+    state: Element,
+    robot: Robot,
+    joints: Collection[str],
+    members: Members,
+    where: str,
+    context: CheckContext,
+) -> None:
+    """Check the joints of a state: that they move, are in the group, and within their limits."""
+    group = (attribute_text(state, "group") or "").strip()
+    for value in children(state, "joint"):
+        _check_name(value, "name", joints, "joint", where, context)
+        name = named(value)
+        joint = robot.joints.get(name)
+        if joint is None:
+            continue
+        if is_fixed(joint):
+            context.warn(
+                "fixed-joint",
+                f"{where} moves the joint '{name}', which is fixed",
+                value,
+                attribute="name",
+                hint="remove it from the state",
+            )
+            continue
+        if group in members and name not in members[group]:
+            context.warn(
+                "unknown-joint",
+                f"{where} moves the joint '{name}', which is not in the group '{group}'; {IGNORES}",
+                value,
+                attribute="name",
+                hint="add it to the group, or write a state of another group",
+            )
+        row = numbers(attribute_text(value, "value") or "")
+        if row is None or len(row) != 1 or joint.limit is None or joint.type == "continuous":
+            continue
+        lower, upper = joint.limit.number("lower") or 0.0, joint.limit.number("upper") or 0.0
+        if lower <= upper and not lower - TOLERANCE <= row[0] <= upper + TOLERANCE:
+            context.warn(
+                "state-outside-limit",
+                f"the position {shown(row[0])} of '{name}' in {where} is outside of its limits, "
+                f"{shown(lower)} and {shown(upper)}",
+                value,
+                attribute="value",
+                hint="positions are in radians or metres",
+            )
+
+
+def _check_end_effector(
+    element: Element, root: Element, robot: Robot, where: str, context: CheckContext
+) -> None:
+    """Report an end effector whose group has the link that it is on."""
+    name = (attribute_text(element, "group") or "").strip()
+    parent = (attribute_text(element, "parent_link") or "").strip()
+    group = next((each for each in children(root, "group") if named(each) == name), None)
+    if group is not None and parent in {named(link) for link in children(group, "link")}:
+        context.warn(
+            "unknown-reference",
+            f"{where} is on '{parent}', which is a link of its own group '{name}'",
+            element,
+            attribute="parent_link",
+            hint="name the link of the arm that it is fixed to",
+        )
+
+
+def _check_attached(element: Element, robot: Robot, where: str, context: CheckContext) -> None:
+    """Report a virtual joint that is not on the root: MoveIt skips it."""
+    child = (attribute_text(element, "child_link") or "").strip()
+    roots = [link.name for link in robot.roots]
+    if child in robot.links and roots and child not in roots:
+        context.warn(
+            "unknown-reference",
+            f"{where} is on '{child}', but only the root '{roots[0]}' can be attached to the "
+            f"world; {IGNORES}",
+            element,
+            attribute="child_link",
+            hint=f"write child_link={roots[0]}",
+        )
