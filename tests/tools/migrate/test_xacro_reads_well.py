@@ -727,3 +727,35 @@ def test_an_expression_that_is_only_a_number_is_that_number(tmp_path: Path) -> N
 def test_comments_stand_where_their_entries_do(tmp_path: Path) -> None:
     made = migrated(tmp_path, "<t><a/><!-- b --><b/><c/><d/><!-- a --><a/></t>")["r.yaml"]
     assert "  - a:\n    # b\n    b:\n    c:\n    d:\n  # a\n  - a:\n" in made
+
+
+def test_an_argument_is_compared_with_a_text_as_it_is(tmp_path: Path) -> None:
+    made = migrated(
+        tmp_path,
+        """\
+        <xacro:arg name="lidar" default="urg"/>
+        <xacro:arg name="sim" default="true"/>
+        <link name="base">
+          <xacro:if value="${'$(arg lidar)' == 'urg' and   '$(arg sim)' == 'true'}"><a/></xacro:if>
+          <xacro:if value="${'rp' != '$(arg lidar)' and '$(arg sim)' != 'true'}"><b/></xacro:if>
+        </link>
+        """,
+    )
+    assert "if lidar == 'urg' and sim:" in made["r.yaml"]
+    assert "if lidar != 'rp' and not sim:" in made["r.yaml"]
+
+
+def test_a_sign_before_a_long_number_is_that_of_the_number(tmp_path: Path) -> None:
+    made = migrated(
+        tmp_path,
+        """\
+        <link name="base"/>
+        <joint name="tip_joint" type="fixed">
+          <parent link="base"/><child link="tip_link"/>
+          <origin xyz="0 0 1" rpy="-${1/3} 0 0"/>
+        </joint>
+        <link name="tip_link"/><gazebo><v>x-${1/3}</v></gazebo>
+        """,
+    )
+    assert "-(1/3)" in made["r.yaml"]
+    assert "x-$(str(1/3))" in made["r.yaml"]

@@ -67,6 +67,26 @@ def declare_arguments(files: Mapping[str, Body], main: str, program: XacroProgra
     return True
 
 
+def truths_declared(files: Mapping[str, Body], main: str) -> set[str]:
+    """Return the arguments of the section that are true or false wherever their names are read."""
+    sections = {entry.key: entry.value for entry in files[main]}
+    section = sections.get("arguments")
+    truths = set()
+    for entry in section if isinstance(section, Body) else ():
+        given = {own.key: own.value for own in entry.value} if isinstance(entry.value, Body) else {}
+        default = given.get("default", entry.value)
+        is_text = not isinstance(default, str) or isinstance(default, Quoted)
+        if given.get("type") == BOOLEAN or (not is_text and default in ("true", "false")):
+            truths.add(entry.key)
+    for sections_of_file in files.values():
+        for entry in entries_in(sections_of_file):
+            if isinstance(entry.value, Row):
+                truths -= {piece.partition("=")[0].lstrip("*") for piece in entry.value.pieces}
+            elif entry.key == "variables" and isinstance(entry.value, Body):
+                truths -= {stem_of(own) for own in entry.value if own.value != f"$({stem_of(own)})"}
+    return truths
+
+
 def _variable(name: str) -> str:
     return name.replace("-", "_")
 

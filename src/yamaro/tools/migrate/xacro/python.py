@@ -94,7 +94,11 @@ class Translator:
                 pieces.append(f"$({self._substitution(part.text)})")
             else:
                 python = self.expression(part.text)
-                if self._is_shown_as_truth(part.text) or (
+                is_ended = not _is_in_word(["", part, *parts[index + 1 :]], 1)
+                if ends_in_minus(pieces) and is_ended and self.is_number(part.text):
+                    pieces[-1] = pieces[-1][:-1]
+                    python = minus(python)
+                elif self._is_shown_as_truth(part.text) or (
                     part.text.strip() in self.long_floats and _is_in_word(parts, index)
                 ):
                     python = f"str({python})"
@@ -180,7 +184,7 @@ class Translator:
             raise CannotMigrate(f"the expression '{text}' is not valid Python") from None
         edits = Edits(python)
         self._look_at(tree.body, edits)
-        return " ".join(edits.text()[1:-2].split("\n")).strip()
+        return _SPACES.sub(lambda found: found[1] or " ", edits.text()[1:-2]).strip()
 
     def _look_at(self, node: ast.AST, edits: Edits, bound: frozenset[str] = frozenset()) -> None:
         """Note what has to be written in another way in a piece of syntax."""
@@ -413,6 +417,10 @@ def _is_name(node: ast.AST) -> TypeGuard[ast.Name]:
     import ast
 
     return isinstance(node, ast.Name)
+
+
+_SPACES = re.compile(r"""('[^'\n]*'|"[^"\n]*")|\s{2,}|\n""")
+"""Texts in Python, and the space between other things that takes more than one character."""
 
 
 def _without_empty(text: str) -> str:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from ..controls import use_control
 from ..document import Body
 from ..writing import write_document
-from .argument_section import declare_arguments
+from .argument_section import declare_arguments, truths_declared
 from .callees import Callees
 from .contents import Contents
 from .file import header_of, sections_of
@@ -13,7 +13,7 @@ from .inertia import Solids
 from .layout import Layout
 from .placing import Placing
 from .program import XacroProgram
-from .tidying import tidy
+from .tidying import simplify_comparisons, tidy
 from .writer import FileWriter
 
 TYPE_CHECKING = False
@@ -109,6 +109,8 @@ def migrate_program(
     main = migration.main
     tidy(sources, main, program)
     migration.has_section = with_section and declare_arguments(sources, main, program)
+    truths = truths_declared(sources, main) if migration.has_section else set()
+    simplify_comparisons(sources.values(), truths)
     migration.has_control = with_control and use_control(sources[main])
     migration.origins = {path: name for path, name in layout.outputs.items() if name in sources}
     for output, sections in sources.items():

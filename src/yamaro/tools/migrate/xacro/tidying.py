@@ -10,11 +10,12 @@ import os
 import re
 from collections import Counter
 
-from ..document import Body, Entry, Row
+from ....xacro.literals import guess_value
+from ..document import Body, Entry, Row, pieces_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator
+    from collections.abc import Callable, Collection, Iterable, Iterator
 
     from .program import XacroProgram
 
@@ -190,6 +191,53 @@ def path_of_include(entry: Entry) -> str:
     if isinstance(entry.value, Body):
         return next((str(own.value) for own in entry.value if own.key == "path"), "")
     return str(entry.value)
+
+
+# --- comparisons ----------------------------------------------------------------------------------
+
+
+_LITERAL = r"""('[^'\\]*'|"[^"\\]*")"""
+_TEXT_OF = r"str\((\w+)\)(\.lower\(\))?"
+_COMPARED = re.compile(rf"\b{_TEXT_OF} (==|!=) {_LITERAL}|{_LITERAL} (==|!=) {_TEXT_OF}")
+
+
+def simplify_comparisons(files: Iterable[Body], truths: Collection[str]) -> None:
+    """Write `x == 'left'` for `str(x) == 'left'`, and `x` for `str(x).lower() == 'true'`.
+
+    Args:
+        files: the sections of all files.
+        truths: the names that are always true or false.
+    """
+
+    def simplified(found: re.Match[str]) -> str:
+        name, lower, operator, literal = found.group(1, 2, 3, 4)
+        if name is None:
+            literal, operator, name, lower = found.group(5, 6, 7, 8)
+        text = literal[1:-1]
+        if lower and name in truths and text in ("true", "false"):
+            return name if (text == "true") == (operator == "==") else f"not {name}"
+        is_told_apart = isinstance(guess_value(text), str) and text.lower() not in _SHOWN
+        return f"{name} {operator} {literal}" if is_told_apart and not lower else found[0]
+
+    for sections in files:
+        for entry in entries_in(sections):
+            if entry.key == "condition" and isinstance(entry.value, str):
+                entry.value = type(entry.value)(_COMPARED.sub(simplified, entry.value))
+            elif "$(" in entry.key:
+                entry.key = _in_expressions(entry.key, simplified)
+            if isinstance(entry.value, str) and not isinstance(entry.value, Row):
+                entry.value = type(entry.value)(_in_expressions(entry.value, simplified))
+
+
+_SHOWN = ("none", "true", "false", "nan", "inf", "-inf")
+"""Texts that Python shows for something that is not a text."""
+
+
+def _in_expressions(text: str, simplified: Callable[[re.Match[str]], str]) -> str:
+    return "".join(
+        _COMPARED.sub(simplified, piece) if is_expression else piece
+        for piece, is_expression in pieces_of(text)
+    )
 
 
 # --- walking --------------------------------------------------------------------------------------
