@@ -139,3 +139,31 @@ def test_a_block_may_have_the_name_of_a_macro(tmp_path: Path) -> None:
         """,
     )
     assert model_of(made)[0].strip(" -") == "Paint:"
+
+
+def test_an_argument_without_a_name_cannot_be_given(tmp_path: Path) -> None:
+    made = migrated_for(
+        tmp_path,
+        """\
+        <xacro:arg name="" default="1"/>
+        <xacro:arg name="n" default="a"/>
+        <link name="$(arg n)"/>
+        """,
+        "",
+        "b",
+    )
+    assert "arguments:\n  n: a\n" in made
+
+
+@pytest.mark.parametrize("given", ["'false'", "'true'", "false", "True", "1", "0", "'0'"])
+def test_a_text_in_eval_is_read_as_python(tmp_path: Path, given: str) -> None:
+    migrated_for(
+        tmp_path,
+        f"""\
+        <xacro:macro name="m" params="fast:={given} slow:='false'">
+          <link name="$(eval 'fast' if ${{fast}} else 'slow' if ${{slow}} else 'still')"/>
+          <link name="$(eval 1 + ${{slow}})"/>
+        </xacro:macro>
+        <xacro:m/>
+        """,
+    )

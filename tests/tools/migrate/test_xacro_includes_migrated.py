@@ -432,3 +432,59 @@ def test_a_file_named_by_the_environment_was_frozen(
     with pytest.raises(YamaroError) as caught:
         is_same_with_any(tmp_path, migration.main, "kind:=t")
     assert caught.value.diagnostics[0].code == "missing-file"
+
+
+@pytest.mark.parametrize("size", ["6", "7", "7b"])
+def test_a_computed_name_of_a_file_added_a_text_and_a_number(tmp_path: Path, size: str) -> None:
+    files = {
+        f"sizes/{each}/{name}.xacro": text
+        for each in ("6", "7", "7b")
+        for name, text in (
+            ("arm", f'{_sized("${n}/tool")}<xacro:t n="${{n}}"/>'),
+            (
+                "tool",
+                f'<xacro:macro name="t" params="n"><link name="{each}_${{n}}"/></xacro:macro>',
+            ),
+        )
+    }
+    files["r.xacro"] = f'''<xacro:arg name="n" default="{size}"/>
+        <xacro:macro name="m" params="n">{_sized("${n}/arm")}</xacro:macro>
+        <xacro:m n="$(arg n)"/>'''
+    files["package.xml"] = "<package><name>in</name></package>"
+    made = holds(tmp_path, files, "n:=6", "n:=7", "n:=7b")
+    assert "include: ../$(n)/tool.yaml\n" in made.files["sizes/7/arm.yaml"]
+
+
+def _sized(name: str) -> str:
+    return f'<xacro:include filename="$(find in)/sizes/{name}.xacro"/>'
+
+
+@pytest.mark.parametrize("default", ["..", "../lib", "no"])
+def test_a_computed_include_in_a_macro_is_relative_to_the_file_that_calls_it(
+    tmp_path: Path, default: str
+) -> None:
+    files = {
+        "robots/small/r.xacro": """<xacro:property name="base" value="../.."/>
+            <xacro:include filename="${base}/lib/m.xacro"/><xacro:m base="${base}"/>""",
+        "lib/m.xacro": f"""<xacro:macro name="m" params="base:='{default}'">
+            <xacro:include filename="${{base}}/lib/l.xacro"/><xacro:l/></xacro:macro>""",
+        "lib/l.xacro": '<xacro:macro name="l" params=""><link name="a"/></xacro:macro>',
+        "package.xml": "<package><name>in</name></package>",
+    }
+    made = holds(tmp_path, files, main="robots/small/r.xacro")
+    assert "include: ../robots/small/$(base)/lib/l.yaml\n" in made.files["lib/m.yaml"]
+
+
+@pytest.mark.parametrize("extra", ["", "more.xacro"])
+def test_a_variable_of_the_environment_whose_default_is_computed_names_a_file(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path, extra: str
+) -> None:
+    files = {
+        "r.xacro": """<xacro:property name="nothing" value="none.xacro"/>
+            <xacro:include filename="$(optenv TEST_MORE ${nothing})"/><link name="a"/>""",
+        "none.xacro": "",
+        "more.xacro": '<link name="b"/>',
+    }
+    if extra:
+        monkeypatch.setenv("TEST_MORE", extra)
+    holds(tmp_path, files)

@@ -453,3 +453,33 @@ def test_what_macros_give_parts_has_the_keys_of_parts(tmp_path: Path) -> None:
         "    dynamics: {damping: 1}\n"
     ) in made
     assert "  Red():\n    material: {name: red, color: 1 0 0 1}\n" in made
+
+
+@pytest.mark.parametrize("again", ['<xacro:solid m="4"/>', f"<inertial>{MASS}</inertial>"])
+def test_the_second_inertial_of_a_macro_was_lost(tmp_path: Path, again: str) -> None:
+    made = migrated_for(
+        tmp_path,
+        f"""\
+        <xacro:macro name="solid" params="m"><inertial><origin xyz="0 0 ${{m}}" rpy="0 0 0"/>
+          <mass value="${{m}}"/><inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/>
+        </inertial></xacro:macro>
+        <link name="base"><xacro:solid m="3"/>{again}</link>
+        """,
+    )
+    assert "Solid: {m: 3}" in made
+
+
+@pytest.mark.parametrize("kind", ["texture", "mesh"])
+def test_the_name_of_a_file_may_be_empty(tmp_path: Path, kind: str) -> None:
+    texture = '<material name="red"><texture filename="{}"/></material>'.format
+    shape = '<geometry><mesh filename="{}"/></geometry>'.format
+    given = {"texture": (BOX, texture("$(arg n)")), "mesh": (shape("$(arg n)"), "")}[kind]
+    fixed = {"texture": (BOX, texture("")), "mesh": (shape(""), "")}[kind]
+    text = "".join(f"<visual>{''.join(pair)}</visual>" for pair in (given, fixed))
+    migrated_for(
+        tmp_path,
+        f'<xacro:arg name="n" default="a.stl"/><link name="base">{text}</link>',
+        "",
+        "b.stl",
+        " ",
+    )

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from tests.tools.migrate.against_xacro import holds
 from tests.tools.migrate.test_xacro_migration import hold_for, migrated
 
 FINGER = '<xacro:macro name="finger" params=""><link name="${side}_finger"/></xacro:macro>'
@@ -149,3 +150,20 @@ def test_a_name_that_a_macro_sets_for_its_caller_is_seen_by_what_that_calls(
     )
     assert "side/bridge: $(side)_$(given)" in made
     assert "/child" not in made
+
+
+def test_a_macro_of_a_file_that_a_macro_includes_reads_a_property_of_that_macro(
+    tmp_path: Path,
+) -> None:
+    outer = """<xacro:macro name="outer" params="n:=2">
+        <xacro:property name="size" value="$(arg g)"/>
+        <xacro:include filename="f.xacro"/>
+        <xacro:macro name="inner" params="k"><xacro:leaf k="${k}_${size}"/></xacro:macro>
+        <xacro:inner k="a"/><xacro:if value="${n > 1}"><xacro:inner k="b"/></xacro:if>
+        </xacro:macro>"""
+    leaf = '<xacro:macro name="leaf" params="k"><link name="${k}_${size}"/></xacro:macro>'
+    argument = '<xacro:arg name="g" default="1"/>'
+    made = holds(
+        tmp_path, {"r.xacro": argument + outer + "<xacro:outer/>", "f.xacro": leaf}, "g:=7"
+    )
+    assert "size/child: $(g)" in made.files["r.yaml"]

@@ -194,9 +194,18 @@ def is_short_material(material: Element) -> bool:
         isinstance(child, Element)
         and not child.children
         and list(values_of(child)) == [wanted[child.name]]
-        and (child.name != "color" or are_numbers(values_of(child)["rgba"], 4))
+        and (
+            are_numbers(values_of(child)["rgba"], 4)
+            if child.name == "color"
+            else _is_surely_named(values_of(child)["filename"])
+        )
         for child in children
     )
+
+
+def _is_surely_named(file: str) -> bool:
+    """Return whether the name of a file cannot be empty, which a part refuses."""
+    return bool(without_expressions(file).replace("$()", "").strip())
 
 
 def material_entry(material: Element) -> Entry | None:

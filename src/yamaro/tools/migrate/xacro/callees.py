@@ -29,17 +29,15 @@ class _Reads:
     Attributes:
         used: the names that it reads itself.
         own: the names that are defined in it.
-        bound: those, and the ones of the macros that it is in.
         free: the other names that it, or what it reaches, reads.
         reached: the macros it calls and the files it includes.
     """
 
-    __slots__ = ("bound", "free", "own", "reached", "used")
+    __slots__ = ("free", "own", "reached", "used")
 
     def __init__(self, own: set[str], used: set[str], reached: set[object]) -> None:
         self.used = used
         self.own = own
-        self.bound = own
         self.free = used - own
         self.reached = reached
 
@@ -105,15 +103,16 @@ class Callees:
         return _Reads(own, used, reached)
 
     def _bind_nested(self) -> None:
-        """Let macros that are in others see the names of these, as functions do."""
+        """Let macros that are in others see the names of these, as functions do.
+
+        What they call does not see them.
+        """
         by_element = {id(macro.element): macro for macro in self._program.definitions.values()}
         for outer in self._program.definitions.values():
             for element in walk(outer.element):
                 inner = by_element.get(id(element))
                 if inner is not None and inner is not outer:
-                    reads = self._reads[inner]
-                    reads.bound = reads.bound | self._reads[outer].own
-                    reads.free -= reads.bound
+                    self._reads[inner].free -= self._reads[outer].own
 
     def _hand_on(self) -> None:
         """Add what is read by what is reached, until nothing is new."""
@@ -122,7 +121,7 @@ class Callees:
             is_new = False
             for reads in self._reads.values():
                 for other in reads.reached:
-                    found = self._reads[other].free - reads.bound - reads.free
+                    found = self._reads[other].free - reads.own - reads.free
                     is_new = is_new or bool(found)
                     reads.free |= found
 

@@ -305,15 +305,15 @@ class Choices:
         except YamaroError:
             return None
 
-    def files_named(self, text: str, span: Span, *, by_pattern: bool) -> dict[str, str]:
+    def files_named(self, text: str, span: Span, base: str, *, by_pattern: bool) -> dict[str, str]:
         """Return the files that a computed name may mean, by what it may be.
 
         Args:
             text: the name.
             span: where it is written.
+            base: the folder that it is relative to.
             by_pattern: whether the names in it may be anything for which there is a file.
         """
-        start = os.path.dirname(span.source.path)
         found = {}
         from_data = {
             own for given, _ in self._with_given(text, span) for own in self._with_data(given)
@@ -323,7 +323,7 @@ class Choices:
         if not known and not by_pattern:
             known = list(self._literal_names)
         for name in known:
-            path = os.path.normpath(os.path.join(start, name))
+            path = os.path.normpath(os.path.join(base, name))
             if os.path.isfile(path) and path != span.source.path:
                 found[name] = path
         for own, _ in self._with_given(text, span):
@@ -331,7 +331,7 @@ class Choices:
             for path, bound in self._files(own, span):
                 if is_all or any(not name for name, _ in bound):
                     is_relative = not own.startswith(("/", "$(find", "$(cwd"))
-                    found[os.path.relpath(path, start) if is_relative else path] = path
+                    found[os.path.relpath(path, base) if is_relative else path] = path
         return dict(list(found.items())[:MOST_FILES])
 
     def _possible(self, text: str, span: Span, depth: int) -> set[str]:

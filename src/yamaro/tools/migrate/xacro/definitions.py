@@ -42,11 +42,15 @@ def write_argument(writer: FileWriter, node: Element, body: Body) -> None:
     name = format_value(node.attributes.get("name"))
     if not is_late(writer, name) or "default" not in node.attributes:
         return
+    hidden = writer.program.hidden
     own = writer.variable(name)
     default = writer.translator.value(format_value(node.attributes["default"]))
-    value = Body([Entry(f"{own}/global", default)], in_braces=True)
-    if name in writer.program.hidden.used:
-        value.add(f"arg_{own}/global", default)
+    value = Body(in_braces=True)
+    if name not in hidden.everywhere:
+        value.add(f"{own}/global", default)
+    if name in hidden.used:
+        own = f"arg_{own}"
+        value.add(f"{own}/global", default)
     given = Body([Entry("variables", value)], in_braces=True)
     body.add("if", Body([Entry("condition", f"{own} is None"), Entry("body", given)]))
 

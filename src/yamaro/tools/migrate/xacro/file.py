@@ -75,6 +75,8 @@ def _arguments(writer: FileWriter) -> Body:
             continue
         body.note(argument.remark)
         scope = writer.scope_of(name) if writer.program.is_shared_argument(name) else ""
+        if name in writer.program.hidden.replaced:
+            scope = "/global"  # so that it does not hide the property of its name
         body.add(writer.variable(name) + scope, value or "")
         body.note_end(argument.ending)
     for name in writer.program.arguments:

@@ -75,8 +75,8 @@ def computed_name(filename: str) -> ComputedName | None:
     return None
 
 
-def folder_meant(start: str, includer: str, host: Host, span: Span) -> str | None:
-    """Return the folder that the start of a name means in a file, or None if there is none."""
+def folder_meant(start: str, base: str, host: Host, span: Span) -> str | None:
+    """Return the folder that the start of a name means in a folder, or None if there is none."""
     folder = ""
     for part in parse_template(start).parts:
         if isinstance(part, str):
@@ -89,7 +89,7 @@ def folder_meant(start: str, includer: str, host: Host, span: Span) -> str | Non
             folder += host.find_package(part.text.split()[1], span)
         except YamaroError:
             return None
-    return os.path.normpath(os.path.join(os.path.dirname(includer), folder))
+    return os.path.normpath(os.path.join(base, folder))
 
 
 def _is_constant(command: str) -> bool:
@@ -178,9 +178,14 @@ def _computed_name(
     filename = computed.start + computed.rest
     named = writer.program.files.names_of(node)
     is_relative = not any(os.path.isabs(name) for name in named)
+    for base in _bases(writer) if named else ():
+        name = _name_from(writer, node, computed, named, base)
+        if name:
+            return name
     folder = writer.program.files.folder_meant(computed.start, node)
-    if folder and (computed.start or is_relative):
-        name = computed.source(folder, sources or _likely(writer, folder), writer.translator.text)
+    if folder and not named and (computed.start or is_relative):
+        likely = sources or _likely(writer, folder)
+        name = computed.source(folder, likely, writer.translator.text)
         if name:
             return name
     python = writer.translator.joined(filename)
@@ -214,6 +219,44 @@ def _likely(writer: FileWriter, folder: str) -> dict[str, str]:
         return {}
     name = os.path.relpath(output, os.path.dirname(writer.output_of(writer.path)) or ".")
     return {os.path.join(folder, "x.xacro"): os.path.normpath(os.path.join(name, "x.yaml"))}
+
+
+def _bases(writer: FileWriter) -> list[str]:
+    """Return the folders that the name of an included file may be relative to.
+
+    In a macro that is the folder of the file that calls it.
+    """
+    folders = [writer.path, *writer.program.roots]
+    return list(dict.fromkeys(map(os.path.dirname, folders)))
+
+
+def _name_from(
+    writer: FileWriter, node: Element, computed: ComputedName, named: dict[str, str], base: str
+) -> str | None:
+    """Return the name of an included source if it is that of the file with another ending.
+
+    Args:
+        writer: writes the file in which it stands.
+        node: the include.
+        computed: its name in xacro.
+        named: the paths that it meant, by the names computed there.
+        base: the folder that the names are relative to.
+    """
+    folder = writer.program.files.folder_meant(computed.start, node, base)
+    output = writer.layout.folder_of(folder) if folder else None
+    if folder is None or output is None or not computed.rest.endswith(ENDINGS):
+        return None
+    for name, path in named.items():
+        if path not in writer.layout.outputs:
+            continue
+        rest = os.path.relpath(os.path.join(base, name), folder) if computed.start else name
+        if os.path.normpath(os.path.join(base, name)) != path or writer.output_of(
+            path
+        ) != os.path.normpath(os.path.join(output, source_name(rest))):
+            return None
+    start = os.path.relpath(output, os.path.dirname(writer.output_of(writer.path)) or ".")
+    rest = writer.translator.text(source_name(computed.rest))
+    return rest if start == "." else f"{start}/{rest}"
 
 
 def _common_ending(by_name: dict[str, str]) -> str | None:

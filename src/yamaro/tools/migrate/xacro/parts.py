@@ -383,7 +383,7 @@ class XacroPartWriter(PartWriter):
         counts, given = self._counts(link), self._given(link)
         self._has_one_inertial = not _may_repeat(counts, "inertial")
         plan = super()._plan(link)
-        if plan.inertial is not None and not self._has_one_inertial:
+        if not self._has_one_inertial and (plan.inertial is not None or "inertial" in given):
             raise NoPart
         if {"origin", "mass"} & given.keys():
             raise NoPart  # they are keys of a link

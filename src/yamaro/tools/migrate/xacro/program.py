@@ -13,7 +13,7 @@ from ....xml.tree import Comment, Element
 from ....xml.values import format_value
 from ..document import spaced
 from ..elements import comments_at_ends, tidy_text, walk
-from .arguments import HiddenArguments, arguments_in, is_property_of
+from .arguments import HiddenArguments, arguments_in, arguments_of, is_property_of
 from .callers import Callers, names_of_callers
 from .known_numbers import known_numbers
 from .macros import Argument, Macro
@@ -100,10 +100,11 @@ class XacroProgram:
         self._pass_names()
         self.spelled = self._spelled()
         self._constants = self._named_constants()
+        self._set_by_several = self._named_by_several()
         self._callers = Callers(self)
         self.inherited = names_of_callers(self)
         self.hidden = HiddenArguments(
-            self.roots.values(), self.definitions.values(), self.inherited
+            self.roots, self.main, self.definitions.values(), self.inherited
         )
         self._declare_given(arguments)
         self.included_by_macros = self._included_by_macros()
@@ -176,6 +177,7 @@ class XacroProgram:
         """Return the arguments that a file reads, also where `$(eval …)` has them as names."""
         names = arguments_in(root, with_own=True)
         for text in texts_in(root):
+            names |= arguments_of(text)
             for inside in re.findall(r"\$\(eval([^)]*)", text):
                 names |= set(_NAME.findall(inside)) & self.arguments.keys()
         return names
@@ -200,6 +202,14 @@ class XacroProgram:
                     found.setdefault(name, set()).add(value)
         several = {name for name, paths in self.properties.items() if len(paths) > 1}
         return {name for name, texts in found.items() if len(texts) == 1} & several
+
+    def _named_by_several(self) -> set[str]:
+        """Return the properties that several files set, other than to the same constant."""
+        files: dict[str, int] = {}
+        for path in self.roots.keys() - self.namespaces.inside:
+            for name in defined_in(self.roots[path]):
+                files[name] = files.get(name, 0) + 1
+        return {name for name, count in files.items() if count > 1} - self._constants
 
     def _included_by_macros(self) -> set[str]:
         return {
@@ -257,7 +267,7 @@ class XacroProgram:
         for child in element.children:
             if isinstance(child, Element):
                 latest = None
-                if child.name == "xacro:arg" and "name" in child.attributes:
+                if child.name == "xacro:arg" and child.attributes.get("name"):  # "" cannot be given
                     latest = self._add_argument(child, "\n".join(remarks))
                 remarks = []
             elif not isinstance(child, Comment):
@@ -384,7 +394,9 @@ class XacroProgram:
         return any(own.name == "xacro:arg" and own.attributes.get("name") == name for own in places)
 
     def is_shared_argument(self, name: str) -> bool:
-        """Return whether another file reads an argument, or a property of its name that is it."""
+        """Return whether an argument, or a property that has its name, is read in other files."""
+        if name in self.hidden.replaced:
+            return True
         if name in self.hidden.everywhere:
             return False
         return any(
@@ -461,6 +473,10 @@ class XacroProgram:
         own = expression.strip()
         return own in self._evaluated and own not in self._others
 
+    def is_text(self, expression: str) -> bool:
+        """Return whether an expression gave texts whenever it was evaluated, if it was."""
+        return expression.strip() not in self.runs.python.no_texts
+
     def is_defined_again(self, macro: Macro) -> bool:
         """Return whether a macro of a file is replaced by one further down in it."""
         return macro.name not in self._in_a_row and any(
@@ -470,7 +486,7 @@ class XacroProgram:
 
     def is_used_elsewhere(self, name: str, path: str) -> bool:
         """Return if another file has a name in an expression or tag, or any sets it globally."""
-        if name in self.assigned_globally:
+        if name in self.assigned_globally or name in self._set_by_several:
             return True
         if self.has_computed_calls and name.startswith("xacro:"):
             return True

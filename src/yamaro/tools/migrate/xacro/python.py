@@ -38,6 +38,7 @@ class Translator:
 
     Attributes:
         is_number: decides which expressions give numbers.
+        is_text: decides which expressions give texts.
         imports: the modules that they need.
         used: the names they read.
         argument: gives the name of the variable for an argument.
@@ -78,6 +79,7 @@ class Translator:
         self.spelled: Mapping[str, str] = {}
         self.is_typed_argument: Callable[[str], bool] = lambda name: False
         self.is_number: Callable[[str], bool] = lambda text: False
+        self.is_text: Callable[[str], bool] = lambda text: True
         self.imports: set[str] = set()
         self.used: set[str] = set()
 
@@ -305,6 +307,8 @@ class Translator:
                 continue
             if found["inner"] is not None:
                 python = f"({self.expression(found['inner'])})"
+                if not quote:
+                    python = self._read_again(found["inner"].strip(), python)
             else:
                 python = self._command(found["command"])
             if quote:
@@ -315,6 +319,15 @@ class Translator:
                 out.append(python)
         out.append(text[position:])
         return _without_empty("".join(out))
+
+    def _read_again(self, expression: str, python: str) -> str:
+        """Return an expression whose text xacro puts into another, where it is read as Python."""
+        kind = self._numbers.get(expression)
+        if kind:
+            return f"{kind}{python}"
+        if expression in self._truth_texts:
+            return f"(str{python}.lower() == 'true')"
+        return python
 
     def _as_text(self, python: str) -> str:
         if python.startswith("find("):
@@ -347,7 +360,7 @@ class Translator:
         if command == "env" and len(words) == 1:
             return f"env('{words[0]}')"
         if command == "optenv" and words:
-            return f"env('{words[0]}', {' '.join(words[1:])!r})"
+            return f"env('{words[0]}', {self.joined(' '.join(words[1:])) or repr('')})"
         if command == "cwd":
             return "cwd"
         if command == "eval":
@@ -361,9 +374,12 @@ class Translator:
             if isinstance(part, str):
                 pieces.append(repr(part))
             elif isinstance(part, Substitution):
-                pieces.append(f"str({self._command(part.text)})")
+                python = self._command(part.text)
+                is_text = python.startswith(("env(", "find("))
+                pieces.append(python if is_text else f"str({python})")
             else:
-                pieces.append(self.expression(part.text))
+                python = self.expression(part.text)
+                pieces.append(python if self.is_text(part.text) else f"str({python})")
         return " + ".join(pieces)
 
     def _evaluated(self, text: str) -> str:

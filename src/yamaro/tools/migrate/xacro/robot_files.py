@@ -108,7 +108,8 @@ class RobotFiles:
                     continue
                 key = (span.source.path, span.start)
                 is_new = key not in self.included
-                for name, found in choices.files_named(text, span, by_pattern=is_new).items():
+                base = self._base_of(self.runs.named.get(key, {}), os.path.dirname(path))
+                for name, found in choices.files_named(text, span, base, by_pattern=is_new).items():
                     if found == self.main or not self._read_file(found, span):
                         continue
                     known = self.included.setdefault(key, [])
@@ -116,6 +117,18 @@ class RobotFiles:
                         known.append(found)
                     self.runs.named.setdefault(key, {})[name] = found
         self._read_the_rest(self._host)
+
+    def _base_of(self, named: Mapping[str, str], folder: str) -> str:
+        """Return the folder that names of files are relative to: in a macro, that of its caller.
+
+        Args:
+            named: the paths that they meant, by the names.
+            folder: where the file is that has the names.
+        """
+        for base in dict.fromkeys([folder, *map(os.path.dirname, self.documents)]):
+            if all(os.path.normpath(os.path.join(base, own)) == named[own] for own in named):
+                return base
+        return folder
 
     def left_behind(self, include: Element) -> list[str]:
         """Return the files that are not read and that a computed include might mean."""
@@ -215,9 +228,16 @@ class RobotFiles:
                 if is_new:
                     pending.append(found)
 
-    def folder_meant(self, start: str, element: Element) -> str | None:
-        """Return the folder that the start of a file's name means where an element stands."""
-        return folder_meant(start, element.span.source.path, self._host, element.span)
+    def folder_meant(self, start: str, element: Element, base: str = "") -> str | None:
+        """Return the folder that the start of a file's name means.
+
+        Args:
+            start: of the name.
+            element: where it is written.
+            base: the folder that names are relative to; by default that of the file.
+        """
+        base = base or os.path.dirname(element.span.source.path)
+        return folder_meant(start, base, self._host, element.span)
 
 
 def _plain_path(filename: str, includer: str, host: Host, span: Span) -> str | None:

@@ -273,12 +273,14 @@ class WatchedPython(Python):
         truth_texts, other_texts: those that gave a text that xacro takes for a truth value, and
             those that gave another.
         structures: those that gave no text, number or truth value, but a list or a dict.
+        no_texts: those that gave something else than a text.
     """
 
     __slots__ = (
         "evaluated",
         "floats",
         "long_floats",
+        "no_texts",
         "numbers",
         "other_texts",
         "others",
@@ -298,6 +300,7 @@ class WatchedPython(Python):
         self.truth_texts: set[str] = set()
         self.other_texts: set[str] = set()
         self.structures: set[str] = set()
+        self.no_texts: set[str] = set()
 
     def evaluate(self, text: str, names: dict[str, Any]) -> Any:
         """Return the value of an expression."""
@@ -307,6 +310,8 @@ class WatchedPython(Python):
             self.others.add(text.strip())
         if not isinstance(value, (str, int, float)):
             self.structures.add(text.strip())
+        if not isinstance(value, str):
+            self.no_texts.add(text.strip())
         if isinstance(value, (bool, list, tuple)):
             self.truths.add(text.strip())
         elif isinstance(value, float):

@@ -102,6 +102,7 @@ class FileWriter(ElementWriter):
         )
         self.translator.argument = self.argument_name
         self.translator.is_number = program.is_number
+        self.translator.is_text = program.is_text
         self.translator.data_folder = self._data_folder()
         self.translator.long_floats = program.runs.python.long_floats
         self.translator.spelled = program.spelled
