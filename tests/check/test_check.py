@@ -104,6 +104,7 @@ SHORTHANDS = {
     '<joint name="j" type="revolute">{ends}{limit}</joint>',
     "{two}": '{arm}{third}<joint name="k" type="continuous">{below}</joint>',
     "{two0}": '{arm}{third}<joint name="k" type="continuous">{below}',
+    "{two0e}": '{arm}{third}<joint name="k" type="revolute">{below}{limit}',
     "{follower}": '{arm}{third}<joint name="k" type="continuous">{below}<mimic joint="j"/></joint>',
     "{third}": '<link name="c"><inertial><mass value="1"/>{inertia}</inertial></link>',
     "{below}": '<parent link="b"/><child link="c"/>',

@@ -62,10 +62,12 @@ def check_advice(
     links, joints = tree.links, tree.joints
     children = {joint.child for joint in joints.values()}
     sizes: dict[Mesh, float | None] = {}
+    heavy = [name for name, link in links.items() if name not in children and link.inertial]
+    heavy = heavy if heavy and _has_fixed_base(robot, tree) else []
     _advise_on_names([*links.values(), *joints.values()], told)
     for name, link in links.items():
         told.outermost = link.element
-        if name not in children and _has_fixed_base(robot, tree):
+        if heavy and name == heavy[0]:
             _advise_on_root(link, told)
         _advise_on_mass(link, told)
         advise_on_center(link, told)

@@ -89,8 +89,9 @@ def check_ros2_control(blocks: Iterable[Element], tree: Tree, context: CheckCont
         _check_parts(block, where, context)
         _check_hardware(block, where, context)
         _check_components(block, kind, tree, commanded, context)
+        declared = {named(each) for each in children(block, "joint")}
         for transmission in children(block, "transmission"):
-            _check_own_transmission(transmission, block, context)
+            _check_own_transmission(transmission, declared, context)
     context.outermost = None
 
 
@@ -127,6 +128,24 @@ def _check_hardware(block: Element, where: str, context: CheckContext) -> None:
             hint="remove one of them, or write a block for each",
         )
     for hardware in found:
+        for child in hardware.elements():
+            if child.name not in ("plugin", "param", "group"):
+                hint, fix = context.near(child.name, ("plugin", "param", "group"), child.span)
+                context.warn(
+                    "unknown-element",
+                    f"'{child.name}' has no meaning in the hardware of {where}; ros2_control "
+                    "ignores it",
+                    child,
+                    hint=hint or "it can hold plugin, group and param",
+                    fix=fix,
+                )
+        for again in list(children(hardware, "plugin"))[1:]:
+            context.warn(
+                "repeated-element",
+                f"the hardware of {where} has 'plugin' twice; the first counts",
+                again,
+                hint="remove one of them, or write a block for each",
+            )
         _check_plugin(hardware, f"the hardware of {where}", context)
         _check_params(hardware, f"the hardware of {where}", context)
 
@@ -193,7 +212,8 @@ def _check_components(
         names.add(part, context)
         is_again = f"{part.name} {name}" in seen
         seen.add(f"{part.name} {name}")
-        _check_component(part, where, kind, context)
+        is_unknown = part.name == "joint" and name not in tree.joints  # reported as such
+        _check_component(part, where, kind, context, may_be_empty=is_unknown)
         if part.name != "gpio":
             _check_limits_switch(part, where, context)
         joint = tree.joints.get(name) if part.name == "joint" else None
@@ -219,7 +239,9 @@ def _check_commanded(part: Element, name: str, commanded: set[str], context: Che
         )
 
 
-def _check_component(part: Element, where: str, kind: str, context: CheckContext) -> None:
+def _check_component(
+    part: Element, where: str, kind: str, context: CheckContext, *, may_be_empty: bool
+) -> None:
     params = _check_params(part, where, context)
     names = {interface: Names(f"{interface}s of {where}", REFUSES) for interface in INTERFACES}
     count = 0
@@ -238,7 +260,7 @@ def _check_component(part: Element, where: str, kind: str, context: CheckContext
                 child,
                 hint="write `type=system` on the block, or remove it",
             )
-    if not count and (part.name != "joint" or not params):
+    if not count and not may_be_empty and (part.name != "joint" or not params):
         context.warn(
             "missing-element",
             f"{where} has no interface in ros2_control, so nothing can command or read it",
@@ -275,6 +297,17 @@ def _check_interface(interface: Element, part: Element, where: str, context: Che
         )  # fmt: skip
     own = f"the {interface.name} '{name}' of {where}" if name else own
     params = _check_params(interface, own, context)
+    for child in interface.elements():
+        if child.name not in ("param", "limits"):
+            is_param = child.name in ("min", "max", "initial_value")
+            context.warn(
+                "unknown-element",
+                f"'{child.name}' has no meaning in {own}; ros2_control ignores it",
+                child,
+                hint=f'write <param name="{child.name}">…</param>'
+                if is_param
+                else "it can hold param and limits",
+            )
     _check_limits_switch(interface, own, context)
     if "size" in interface.attributes:
         check_value(interface, AT_LEAST_ONE, f"'size' of {own}", context, attribute="size")
@@ -288,7 +321,7 @@ def _check_interface(interface: Element, part: Element, where: str, context: Che
             if row:
                 found[key] = (param, f"'{key}' of {own}", row[0])
         if "min" in found and "max" in found:
-            check_order(found["min"], found["max"], context)
+            check_order(found["min"], found["max"][2], "max", context)
 
 
 def _check_limits_switch(holder: Element, where: str, context: CheckContext) -> None:
@@ -378,7 +411,9 @@ def _report_fixed(part: Element, joint: Joint, result: str, context: CheckContex
     )
 
 
-def _check_own_transmission(transmission: Element, block: Element, context: CheckContext) -> None:
+def _check_own_transmission(
+    transmission: Element, declared: set[str], context: CheckContext
+) -> None:
     """Check a transmission in a `<ros2_control>` block."""
     name = named(transmission)
     where = f"the transmission '{name}'" if name else "a transmission"
@@ -386,7 +421,6 @@ def _check_own_transmission(transmission: Element, block: Element, context: Chec
     kind = _check_plugin(transmission, where, context)
     _check_kind(kind, child_named(transmission, "plugin"), where, context)
     joints, actuators = (list(children(transmission, each)) for each in ("joint", "actuator"))
-    declared = {named(each) for each in children(block, "joint")}
     for part in (*joints, *actuators):
         own = f"the {part.name} '{named(part)}' of {where}"
         check_required(part, ("name", "role"), own, REFUSES, context)
@@ -427,7 +461,7 @@ def check_transmissions(
 ) -> None:
     """Check the transmissions of ros_control; joints that do not exist are reported elsewhere."""
     skips = "ros_control skips it"
-    names: dict[str, Names] = {}
+    names: dict[tuple[str, ...], Names] = {}
     for transmission in transmissions:
         context.outermost = transmission
         name = named(transmission)
@@ -438,7 +472,7 @@ def check_transmissions(
         text = content(kind) or ""
         is_old = kind is None and attribute_text(transmission, "type")
         own_names = Names("transmissions", "ros_control keeps one of them")
-        names.setdefault(text, own_names).add(transmission, context)
+        names.setdefault((text, *_interfaces(joints)), own_names).add(transmission, context)
         for joint in joints if text in TRANSMISSIONS else ():
             found = tree.joints.get(named(joint))
             if found is not None and is_fixed(found):
@@ -468,6 +502,12 @@ def check_transmissions(
             parts = (*joints, *actuators)
             _check_roles([(content(child_named(p, "role")), p) for p in parts], where, context)
     context.outermost = None
+
+
+def _interfaces(joints: Iterable[Element]) -> list[str]:
+    """Return the interfaces of a transmission: for each of them it is another one."""
+    found = (content(each) for joint in joints for each in children(joint, "hardwareInterface"))
+    return sorted({each for each in found if each})
 
 
 def _check_kind(text: str, element: Element | None, where: str, context: CheckContext) -> None:

@@ -189,7 +189,7 @@ def _check_material(material: Element, where: str, context: CheckContext) -> Non
     """Report a name that looks like one of Gazebo's materials, and is not."""
     name = content(material) or ""
     own = name.removeprefix("Gazebo/")
-    if own == name or own in MATERIALS or context.near_word(own, MATERIALS) is None:
+    if own == name or own in MATERIALS or "$" in own:
         return
     report_word(
         name,
@@ -225,7 +225,7 @@ def check_table(element: Element, table: Table, where: str, context: CheckContex
             check_table(child, inner, where, context)
     for lower, upper in RANGES:
         if lower in found and upper in found:
-            check_order(found[lower], found[upper], context)
+            check_order(found[lower], found[upper][2], upper, context)
 
 
 # --- sensors and plugins ------------------------------------------------------------------------
@@ -294,9 +294,9 @@ def _check_plugin(plugin: Element, tree: Tree, context: CheckContext) -> None:
     check_required(plugin, ("name", "filename"), where, REFUSES, context)
     for child in plugin.elements():
         if child.name in PLUGIN_JOINTS:
-            kind, known, ending, code = "joint", list(tree.joints), "_joint", "unknown-joint"
+            kind, known, ending, code = "joint", tree.joints.keys(), "_joint", "unknown-joint"
         elif child.name in PLUGIN_LINKS:
-            kind, known, ending, code = "link", list(tree.links), "_link", "unknown-reference"
+            kind, known, ending, code = "link", tree.links.keys(), "_link", "unknown-reference"
         else:
             continue
         for word in (content(child) or "").replace(",", " ").split():

@@ -10,7 +10,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
-    from ..model.joint import Joint, Limit
+    from ..model.joint import Joint, Limit, Mimic
     from ..model.link import Link
     from ..model.robot import Robot
     from .tree import Tree
@@ -114,6 +114,8 @@ def _advise_on_follower(joint: Joint, joints: Joints, context: CheckContext) -> 
             attribute="multiplier",
             hint="write the ratio of the two motions, or remove the mimic",
         )
+    else:
+        _advise_on_reach(joint, mimic, master, context)
     for each, other in ((joint, "it"), (master, f"'{master.name}'")):
         if each.type in (FLOATING, PLANAR):
             context.warn(
@@ -123,6 +125,32 @@ def _advise_on_follower(joint: Joint, joints: Joints, context: CheckContext) -> 
                 attribute="joint",
                 hint="only joints that move along or about one axis follow each other",
             )
+
+
+def _advise_on_reach(joint: Joint, mimic: Mimic, master: Joint, context: CheckContext) -> None:
+    """Report a joint whose range leaves out all positions that it would follow to."""
+    ranges = []
+    for each in (joint, master):
+        limit = each.limit if each.type in LIMITED else None
+        lower, upper = (None if limit is None else _bound(limit, n) for n in ("lower", "upper"))
+        if lower is None or upper is None or lower >= upper:
+            return
+        ranges.append((lower, upper))
+    (lower, upper), ends = ranges
+    factor = mimic.number("multiplier") if mimic.written("multiplier") is not None else 1.0
+    offset = mimic.number("offset") if mimic.written("offset") is not None else 0.0
+    if factor is None or offset is None:
+        return
+    least, most = sorted(factor * end + offset for end in ends)
+    if min(upper, most) - max(lower, least) <= ROUNDING:
+        context.warn(
+            "fixed-mimic",
+            f"joint '{joint.name}' would follow '{master.name}' from {shown(least)} to "
+            f"{shown(most)}, but its range is {shown(lower)} to {shown(upper)}, so it never moves",
+            mimic.element,
+            attribute="joint",
+            hint="check the signs of multiplier, offset and limits",
+        )
 
 
 def _bound(limit: Limit, attribute: str) -> float | None:

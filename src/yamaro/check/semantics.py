@@ -63,6 +63,10 @@ LINKS = {
 JOINTS = {"passive_joint": "name", "joint_property": "joint_name"}
 VIRTUAL = {"fixed": 0, "planar": 3, "floating": 7}
 """The types of virtual joints, and how many numbers the position of each has."""
+MOST_SHOWN = 8
+"""Groups of a circle that a message names."""
+DEEPEST = 20
+"""Groups in groups in groups that are followed."""
 TOLERANCE = 1e-6
 """How far beside its limits a joint may be in a state, in m and rad."""
 
@@ -78,6 +82,10 @@ def check_semantics(root: Element, context: CheckContext) -> None:
         "end_effector": Names("end effectors", "MoveIt keeps one of them"),
         "virtual_joint": Names("virtual joints", "MoveIt keeps one of them"),
         "passive_joint": Names("passive joints", "one is enough"),
+    }
+    virtual = {
+        named(each): VIRTUAL.get((attribute_text(each, "type") or "").strip().lower(), 0)
+        for each in children(root, "virtual_joint")
     }
     states: dict[str, Names] = {}
     pairs: dict[tuple[str, ...], Element] = {}
@@ -99,7 +107,7 @@ def check_semantics(root: Element, context: CheckContext) -> None:
                 child, context
             )
             _check_group_name(child, "group", groups, where, context)
-            _check_state(child, root, where, context)
+            _check_state(child, virtual, where, context)
         elif child.name == "end_effector":
             for attribute in ("group", "parent_group"):
                 _check_group_name(child, attribute, groups, where, context)
@@ -198,39 +206,41 @@ def _check_group_name(
 
 
 def _check_circles(groups: dict[str, Element], context: CheckContext) -> None:
-    """Report groups that contain themselves."""
-    inside = {
-        name: [named(each) for each in children(group, "group")] for name, group in groups.items()
+    """Report, once, groups that contain themselves."""
+    inner = {
+        name: [each for each in map(named, children(group, "group")) if each in groups]
+        for name, group in groups.items()
     }
     done: set[str] = set()
     for name in groups:
-        path: list[str] = []
-        pending = [(name, 0)]
-        while pending:
-            own, depth = pending.pop()
-            del path[depth:]
-            if own in path:
+        path = {name: iter(inner[name])}  # in the order gone, with what is left of each
+        while path and name not in done:
+            own = next(reversed(path))
+            below = next(path[own], None)
+            if below is None:
+                done.add(own)
+                del path[own]
+            elif below in path:
+                gone = list(path)
+                circle = [*gone[gone.index(below) :], below]
+                if len(circle) > MOST_SHOWN:
+                    circle = [*circle[: MOST_SHOWN // 2], "…", *circle[-MOST_SHOWN // 2 :]]
                 context.warn(
                     "joint-cycle",
-                    f"the group '{own}' contains itself: {' → '.join([*path, own])}",
-                    groups[own],
+                    f"the group '{below}' contains itself: {' → '.join(circle)}",
+                    groups[below],
                     attribute="name",
                     hint="remove one of these groups from the other",
                 )
                 return
-            if own in done:
-                continue
-            path.append(own)
-            pending += [(each, depth + 1) for each in inside.get(own, ()) if each in groups]
-        done |= set(path)
+            elif below not in done:
+                path[below] = iter(inner[below])
 
 
-def _check_state(state: Element, root: Element, where: str, context: CheckContext) -> None:
+def _check_state(
+    state: Element, virtual: dict[str, int], where: str, context: CheckContext
+) -> None:
     """Check the joints of a state: one number each, several for a virtual joint."""
-    virtual = {
-        named(each): VIRTUAL.get((attribute_text(each, "type") or "").strip().lower(), 0)
-        for each in children(root, "virtual_joint")
-    }
     names = Names(f"joints of {where}", "the last counts")
     for joint in children(state, "joint"):
         name = named(joint)
@@ -301,7 +311,9 @@ def findings_against(root: Element, robot: Robot, reporter: Reporter) -> None:
     _check_robot_name(root, robot, context)
     virtual = {named(each) for each in children(root, "virtual_joint")}
     joints = [*robot.joints, *virtual]
-    members = _members(root, robot)
+    groups = {named(each): each for each in children(root, "group")}
+    members = _members(groups, robot)
+    roots = [link.name for link in robot.roots]
     for child in root.elements():
         context.outermost = child
         where = _where(child)
@@ -319,9 +331,9 @@ def findings_against(root: Element, robot: Robot, reporter: Reporter) -> None:
         elif child.name == "group_state":
             _check_positions(child, robot, joints, members, where, context)
         elif child.name == "end_effector":
-            _check_end_effector(child, root, robot, where, context)
+            _check_end_effector(child, groups, where, context)
         elif child.name == "virtual_joint":
-            _check_attached(child, robot, where, context)
+            _check_attached(child, robot, roots, where, context)
     context.outermost = None
     context.flush()
 
@@ -390,9 +402,11 @@ def _way_up(link: str, robot: Robot) -> list[str]:
     return found
 
 
-def _members(root: Element, robot: Robot) -> Members:
-    """Return the joints of each group: its own, those above its links, of chains and groups."""
-    groups = {named(each): each for each in children(root, "group")}
+def _members(groups: dict[str, Element], robot: Robot) -> Members:
+    """Return the joints of each group: its own, those above its links, of chains and groups.
+
+    There are none if groups are nested too deeply.
+    """
     found: Members = {}
     for name, group in groups.items():
         own = {named(joint) for joint in children(group, "joint")}
@@ -406,14 +420,14 @@ def _members(root: Element, robot: Robot) -> Members:
             for below in {*ways[0], *ways[1]} - shared:
                 own |= _joint_above(below, robot)
         found[name] = own
-    for _ in groups:  # until nothing is added; groups in groups are seldom deep
+    for _ in range(DEEPEST):
         before = sum(map(len, found.values()))
         for name, group in groups.items():
             for inner in children(group, "group"):
                 found[name] |= found.get(named(inner), set())
         if sum(map(len, found.values())) == before:
-            break
-    return found
+            return found
+    return {}
 
 
 def _joint_above(link: str, robot: Robot) -> set[str]:
@@ -470,12 +484,12 @@ def _check_positions(
 
 
 def _check_end_effector(
-    element: Element, root: Element, robot: Robot, where: str, context: CheckContext
+    element: Element, groups: dict[str, Element], where: str, context: CheckContext
 ) -> None:
     """Report an end effector whose group has the link that it is on."""
     name = (attribute_text(element, "group") or "").strip()
     parent = (attribute_text(element, "parent_link") or "").strip()
-    group = next((each for each in children(root, "group") if named(each) == name), None)
+    group = groups.get(name)
     if group is not None and parent in {named(link) for link in children(group, "link")}:
         context.warn(
             "unknown-reference",
@@ -486,10 +500,11 @@ def _check_end_effector(
         )
 
 
-def _check_attached(element: Element, robot: Robot, where: str, context: CheckContext) -> None:
+def _check_attached(
+    element: Element, robot: Robot, roots: list[str], where: str, context: CheckContext
+) -> None:
     """Report a virtual joint that is not on the root: MoveIt skips it."""
     child = (attribute_text(element, "child_link") or "").strip()
-    roots = [link.name for link in robot.roots]
     if child in robot.links and roots and child not in roots:
         context.warn(
             "unknown-reference",

@@ -171,20 +171,21 @@ def numbers(text: str) -> tuple[float, ...] | None:
 
 
 def check_order(
-    lower: tuple[Element, str, float], upper: tuple[Element, str, float], context: CheckContext
+    lower: tuple[Element, str, float], upper: float, name: str, context: CheckContext
 ) -> None:
     """Report a least value above the greatest.
 
     Args:
         lower: the element with the least value, what to call it, and its number.
-        upper: the same of the greatest.
+        upper: the greatest value.
+        name: what to call that.
         context: takes what is found.
     """
     element, where, number = lower
-    if number > upper[2]:
+    if number > upper:
         context.warn(
             "limit-order",
-            f"{where} ({shown(number)}) is greater than {upper[1]} ({shown(upper[2])})",
+            f"{where} ({shown(number)}) is greater than '{name}' ({shown(upper)})",
             element,
             span=content_span(element),
             hint="swap the two",

@@ -293,7 +293,7 @@ MATERIALS = frozenset(
     OrangeTransparent OrangeTransparentOverlay PaintedWall Pedestrian Pioneer2Body PioneerBody
     Primary Purple PurpleGlow Red RedBright RedGlow RedTransparent RedTransparentOverlay
     Residential Road Runway Secondary SkyBlue Steps Tertiary Trunk Turquoise TurquoiseGlow
-    TurquoiseGlowOutline White WhiteGlow Wood WoodFloor WoodPallet Yellow YellowGlow
+    TurquoiseGlowOutline White WhiteGlow WindowFrame Wood WoodFloor WoodPallet Yellow YellowGlow
     YellowTransparent ZincYellow
     """.split()
 )
