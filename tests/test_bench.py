@@ -13,7 +13,17 @@ from tests.waiting import PATIENCE
 
 BENCH = Path(__file__).parents[1] / "bench"
 OTHERS = {
-    *("attached", "changes", "engines", "losses", "measuring", "mirrored", "mjcf", "noise"),
+    *(
+        "attached",
+        "changes",
+        "engines",
+        "fresh",
+        "losses",
+        "measuring",
+        "mirrored",
+        "mjcf",
+        "noise",
+    ),
     *("killed", "others", "reading", "robots", "run", "sdf", "style", "urdf", "usd", "verdicts"),
 }
 """What measures nothing by itself, and what needs a corpus that is not part of the project."""

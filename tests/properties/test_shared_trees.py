@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -156,6 +157,27 @@ def findings(root: Element) -> list[Diagnostic]:
 def test_shared_elements_are_checked_as_if_each_place_had_its_own(root: Element) -> None:
     expected = [told(finding) for finding in findings(unshared(root))]
     assert [told(finding) for finding in findings(with_memos(root))] == expected
+    assert [told(finding) for finding in findings(root)] == expected
+
+
+def doubled(element: Element, depth: int) -> Element:
+    """Return a copy in which each element `depth` levels below stands twice."""
+    children: list[Any] = []
+    for child in element.children:
+        if not isinstance(child, Element):
+            children.append(child)
+        elif depth == 1:
+            children += [child, child]
+        else:
+            children.append(doubled(child, depth - 1))
+    return element.with_children(children)
+
+
+@pytest.mark.parametrize("depth", [1, 2, 3])
+@pytest.mark.parametrize("text", ROBOTS)
+def test_an_element_that_stands_twice_is_reported_as_two_of_them(text: str, depth: int) -> None:
+    root = doubled(read(text), depth)
+    expected = [told(finding) for finding in findings(unshared(root))]
     assert [told(finding) for finding in findings(root)] == expected
 
 

@@ -182,7 +182,7 @@ def _check_params(holder: Element, where: str, context: CheckContext) -> dict[st
     for param in children(holder, "param"):
         check_required(param, ("name",), f"a param of {where}", REFUSES, context)
         name = named(param)
-        if name and found.setdefault(name, param) is not param:
+        if name in found:
             context.warn(
                 "repeated-element",
                 f"the param '{name}' of {where} is given twice; the last counts",
@@ -190,6 +190,8 @@ def _check_params(holder: Element, where: str, context: CheckContext) -> dict[st
                 attribute="name",
                 hint="remove one of them",
             )
+        if name:
+            found[name] = param
     return found
 
 

@@ -70,7 +70,7 @@ def check_gazebo(blocks: Iterable[Element], tree: Tree, context: CheckContext) -
             continue  # reported as such
         where = f"for '{reference}'" if reference else "for the robot as a whole"
         table = _table_for(reference, tree)
-        seen: dict[str, Element] = {}
+        seen: set[str] = set()
         for child in block.elements():
             _check_entry(child, table, seen, where, context)
             if child.name == "sensor":
@@ -121,7 +121,7 @@ def _check_fixed(block: Element, name: str, tree: Tree, context: CheckContext) -
 
 
 def _check_entry(
-    child: Element, table: Table, seen: dict[str, Element], where: str, context: CheckContext
+    child: Element, table: Table, seen: set[str], where: str, context: CheckContext
 ) -> None:
     """Check an element directly in a block."""
     name = child.name
@@ -129,13 +129,14 @@ def _check_entry(
     if rule is None:
         _check_unknown(child, table, where, context)
         return
-    if name not in OFTEN and seen.setdefault(name, child) is not child:
+    if name not in OFTEN and name in seen:
         context.warn(
             "repeated-element",
             f"'{name}' {where} is given twice in this block; the last counts",
             child,
             hint="remove one of them",
         )
+    seen.add(name)
     if name == "material":
         _check_material(child, where, context)
     elif name == "sensor":

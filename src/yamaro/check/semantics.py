@@ -283,8 +283,11 @@ def _check_pair(
             hint="name another link",
         )
         return
-    first = pairs.setdefault((pair.name, *sorted(links)), pair)
-    if first is not pair:
+    key = (pair.name, *sorted(links))
+    first = pairs.get(key)
+    if first is None:
+        pairs[key] = pair
+    else:
         context.warn(
             "repeated-element",
             f"'{pair.name}' of '{links[0]}' and '{links[1]}' is given twice",

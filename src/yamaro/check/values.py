@@ -243,8 +243,9 @@ class Names:
         name = (attribute_text(element, attribute) or "").strip()
         if not name:
             return
-        first = self._first.setdefault(name, element)
-        if first is element:
+        first = self._first.get(name)
+        if first is None:
+            self._first[name] = element
             return
         place, own = first.value_span(attribute), element.value_span(attribute)
         note = (
