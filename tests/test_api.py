@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+import importlib
+import inspect
 import os
+import re
 import sys
 import warnings
 from concurrent.futures import ThreadPoolExecutor
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -543,7 +547,62 @@ def test_every_public_name_is_there_and_described() -> None:
         assert f"`{name}`" in page or f"`yamaro.{name}`" in page
 
 
+# --- how variables are passed -----------------------------------------------------------------
+
+
+@pytest.mark.parametrize("method", ["build", "program"])
+def test_build_says_how_variables_are_passed(folder: Path, method: str) -> None:
+    file = write(folder, "variables: {upper: 0.1}\nlaunch/upper=$(upper):\n")
+    build = partial(yamaro.build, file) if method == "build" else yamaro.load(file).build
+    wrong: Any = build
+    with pytest.raises(TypeError, match=re.escape("passed by variables={'upper': 0.3}")):
+        wrong(upper=0.3)
+    with pytest.raises(TypeError, match=re.escape("passed by variables={'upper': 0.3}")):
+        wrong("upper:=0.3")
+    with pytest.raises(TypeError, match=re.escape("passed by variables={'name': …}")):
+        wrong({"upper": 0.3})
+    assert 'upper="0.3"' in build(variables={"upper": 0.3}).xml()
+
+
+def test_a_misspelt_argument_of_build_is_suggested(folder: Path) -> None:
+    wrong: Any = yamaro.build
+    with pytest.raises(TypeError, match="no argument 'stict'; did you mean 'strict'"):
+        wrong(write(folder, "launch:\n"), stict=True)
+
+
+def test_load_says_which_function_takes_variables(folder: Path) -> None:
+    wrong: Any = yamaro.load
+    for call in (lambda: wrong("a.yaml", upper=1), lambda: wrong("a.yaml", "upper:=1")):
+        with pytest.raises(TypeError, match=re.escape("passed by load(path).convert(upper=1)")):
+            call()
+
+
+def test_convert_takes_variables_as_build_does(folder: Path) -> None:
+    file = write(
+        folder, "variables: {a: 0, b: 0, variables: 0}\nlaunch/v=$(a) $(b) $(variables):\n"
+    )
+    given: dict[str, object] = {"a": 1, "b": 1, "variables": 3}
+    assert 'v="1 2 3"' in yamaro.convert(file, variables=given, b=2)
+    assert 'v="1 2 3"' in yamaro.load(file).convert("a:=0", variables=given, b=2)
+    wrong: Any = yamaro.convert
+    with pytest.raises(TypeError, match="variables= takes a dict"):
+        wrong(file, variables=3)
+
+
+def test_the_arguments_of_build_are_seen_by_editors() -> None:
+    for function in (yamaro.build, yamaro.load, yamaro.Program.build):
+        names = list(inspect.signature(function).parameters)
+        assert names[0] in ("path", "self")
+        assert "positional" not in names and "named" not in names
+
+
 # --- the names of the package -----------------------------------------------------------------
+
+
+def test_dir_of_the_package_lists_the_public_names_only() -> None:
+    for module in (yamaro, importlib.import_module("yamaro.model")):
+        shown = [name for name in dir(module) if not name.startswith("__")]
+        assert shown == sorted(module.__all__)
 
 
 def test_every_public_name_is_there_and_listed() -> None:

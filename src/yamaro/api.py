@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from .arguments import UsageError
+from .arguments import UsageError, explains_variables, merged_variables
 from .files.mesh_files import RELATIVE
 from .policy import Policy
 from .program import Program, as_built_in, converted
@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from .result import Build
 
 
+@explains_variables("variables={{'{name}': {value}}}")
 def build(
     path: str | os.PathLike[str],
     *,
@@ -101,9 +102,10 @@ def convert(
     path: str | os.PathLike[str],
     /,
     *assignments: str,
+    variables: Mapping[str, object] | None = None,
     allow: Iterable[str] = (),
     deny: Iterable[str] = (),
-    **variables: object,
+    **named: object,
 ) -> str:
     """Compile a file and return the XML.
 
@@ -113,24 +115,26 @@ def convert(
         path: the main file: YAML, a URDF or a robot in xacro.
         assignments: variables of the main file, or arguments of xacro, as on the command line:
             `"length:=2"`.
+        variables: the same as Python objects, as `build` takes them: `{"width": 0.3}`.
         allow: codes of diagnostics that are warnings.
         deny: codes of diagnostics that are errors.
-        variables: the same as Python objects: `width=0.3`.
+        named: the same, one by one: `width=0.3`.
 
     Raises:
         YamaroError: the input has errors.
         OSError: the main file cannot be read.
         ValueError: an assignment is malformed.
     """
-    if isinstance(variables.get("policy"), Policy):
+    if isinstance(named.get("policy"), Policy):
         raise TypeError("convert() takes no policy: write load(path, policy=policy).convert(…)")
     try:
         program = Program(path, allow=allow, deny=deny)
     except UsageError as error:
         raise as_built_in(error) from None
-    return converted(program, assignments, variables)
+    return converted(program, assignments, merged_variables(variables, named))
 
 
+@explains_variables("load(path).convert({name}={value})")
 def load(
     path: str | os.PathLike[str],
     *,

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from .diagnostics import Adjustment, Reporter, YamaroError
+from functools import wraps
+
+from .diagnostics import Adjustment, Reporter, YamaroError, did_you_mean
 from .runtime.predefined import plain_data
 from .source import COMMAND_LINE, KEYWORD_ARGUMENT, Source, Span
 from .syntax.context import ParseContext
@@ -13,11 +15,62 @@ from .yaml.nodes import PLAIN, ScalarNode
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Mapping, Sequence
+    from collections.abc import Callable, Iterable, Mapping, Sequence
+    from typing import Any, TypeVar
+
+    Function = TypeVar("Function", bound=Callable[..., Any])
 
 
 class UsageError(Exception):
     """The command was used wrongly: the main file is missing, or an argument is malformed."""
+
+
+def explains_variables(how: str) -> Callable[[Function], Function]:
+    """Let a function that is called with variables among its arguments say how to pass them.
+
+    Args:
+        how: what to write, where `{name}` is a variable and `{value}` its value.
+    """
+
+    def decorate(function: Function) -> Function:
+        known = list(function.__kwdefaults__ or ())
+        count: int = function.__code__.co_argcount
+
+        @wraps(function)
+        def checked(*positional: Any, **named: Any) -> Any:
+            for name, value in named.items():
+                if name not in known and name not in function.__code__.co_varnames[:count]:
+                    hint = did_you_mean(name, known)
+                    remedy = how.format(name=name, value=repr(value))
+                    raise TypeError(
+                        f"{function.__name__}() has no argument '{name}'; "
+                        + (f"{hint} " if hint else "")
+                        + f"a variable of the file is passed by {remedy}"
+                    )
+            for value in positional[count:]:
+                name, separator, text = str(value).partition(":=")
+                remedy = how.format(name=name if separator else "name", value=text or "…")
+                raise TypeError(
+                    f"{function.__name__}() takes no argument {value!r} here; "
+                    f"a variable of the file is passed by {remedy}"
+                )
+            return function(*positional, **named)
+
+        return checked  # type: ignore[return-value]
+
+    return decorate
+
+
+def merged_variables(variables: object, named: Mapping[str, object]) -> dict[str, object]:
+    """Return the variables of `variables=` and those that are arguments by name, which win."""
+    try:
+        given: Mapping[str, object] = dict(variables or {})  # type: ignore[call-overload]
+    except (TypeError, ValueError):
+        raise TypeError(
+            "variables= takes a dict of variables; pass a variable that is called 'variables' in "
+            "it: variables={'variables': …}"
+        ) from None
+    return {**given, **named}
 
 
 def adjustment_of(

@@ -5,7 +5,13 @@ from __future__ import annotations
 import os
 import sys
 
-from .arguments import UsageError, adjustment_of, read_arguments
+from .arguments import (
+    UsageError,
+    adjustment_of,
+    explains_variables,
+    merged_variables,
+    read_arguments,
+)
 from .diagnostics import Adjustment, Reporter, YamaroError, YamaroWarning, failure_of_all
 from .files.loader import FileLoader, LoadError
 from .files.mesh_files import COPY, NONE, RELATIVE, MeshFinder
@@ -134,15 +140,22 @@ class Program:
         else:
             self._library.parse(source, reporter=reporter)
 
-    def convert(self, /, *assignments: str, **variables: object) -> str:
+    def convert(
+        self,
+        /,
+        *assignments: str,
+        variables: Mapping[str, object] | None = None,
+        **named: object,
+    ) -> str:
         """Return the XML; see `yamaro.convert`.
 
         Raises:
             YamaroError: the input has errors.
             ValueError: an assignment is malformed.
         """
-        return converted(self, assignments, variables)
+        return converted(self, assignments, merged_variables(variables, named))
 
+    @explains_variables("variables={{'{name}': {value}}}")
     def build(
         self,
         *,

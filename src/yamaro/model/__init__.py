@@ -105,4 +105,4 @@ if not TYPE_CHECKING:  # for type checkers, only the names imported above are th
 
 
 def __dir__() -> list[str]:
-    return sorted({*globals(), *__all__})
+    return sorted([*__all__, *(name for name in globals() if name[:2] == name[-2:] == "__")])
