@@ -90,6 +90,27 @@ def test_what_is_as_expected_passes(folder: Path, capsys: pytest.CaptureFixture[
     assert run(capsys) == (0, "arm.test.yaml: 1 passed\n", "")
 
 
+def test_positions_are_named_by_states_and_parts_and_have_units(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    Path("arm.yaml").write_text(ROBOT + "states:\n  home: {arm: -30deg}\n", encoding="utf-8")
+    write(
+        expecting(
+            "robot.pose('tool0', 'home').x == approx(-0.25)",
+            "robot.pose('tool0', robot.states['home']).x == approx(-0.25)",
+            "robot.pose('arm', {'arm': '90deg'}, base='base').z == approx(0.25)",
+            "robot.pose('tool0', {'arm': '90deg'}).x == approx(0.5)",
+            "joint('arm').name == 'arm_joint' and link('base').name == 'base_link'",
+            "robot.center_of_mass('home') == robot.center_of_mass({'arm': -30 * deg})",
+        )
+    )
+    assert run(capsys) == (0, "arm.test.yaml: 1 passed\n", "")
+    write(expecting("robot.pose('tool0', 'hoem').x > 0"))
+    assert "has no state 'hoem'; did you mean 'home'?" in run(capsys)[2]
+    write(expecting("robot.pose('tool0', {'amr': 1}).x > 0"))
+    assert "has no joint 'amr'; did you mean 'arm_joint'?" in run(capsys)[2]
+
+
 def test_what_is_not_is_shown_with_the_values_of_its_parts(
     folder: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

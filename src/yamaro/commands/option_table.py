@@ -251,8 +251,17 @@ OPTIONS = {
             completes="views",
         ),
         Option(
+            "state",
+            "named state in which the robot is shown; home by default, if it has one, or else "
+            "zero: all joints at 0",
+            PICTURE,
+            value="NAME",
+            wants="the name of a state",
+        ),
+        Option(
             "joints",
-            "positions of joints, in radians or metres",
+            "positions of joints, by their names or those of their parts, in radians, metres or "
+            "another unit: elbow=45deg; on top of the state",
             PICTURE,
             value="NAME=POSITION,...",
             wants="NAME=POSITION",

@@ -10,21 +10,16 @@ from .pose import IDENTITY, UNTURNED, Pose, multiply, rotate, rotation_about, ro
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Mapping, Sequence
-    from typing import Any
+    from collections.abc import Sequence
 
     from .joint import Joint
     from .link import Link
     from .pose import Vector
+    from .positions import GivenPositions, Position
     from .robot import Robot
 
-    Position = float | Sequence[float] | Pose
-    """Where a joint is: one number, three for a planar joint, a pose for a floating one."""
 
-
-def joint_positions(
-    robot: Robot, given: Mapping[str, Position] | None = None
-) -> dict[str, Position]:
+def joint_positions(robot: Robot, given: GivenPositions | None = None) -> dict[str, Position]:
     """Return the position of every joint that moves, by name.
 
     Args:
@@ -32,12 +27,13 @@ def joint_positions(
         given: positions of some joints; others are at 0. See `Robot.pose`.
 
     Raises:
-        ValueError: a position is given for a joint that there is not, that cannot move or that
-            mimics another, or one that is not of the joint's type.
+        ValueError: see `positions.read_positions`.
     """
     positions: dict[str, Position] = {}
-    for name, position in (given or {}).items():
-        positions[name] = _position_of(robot.need_joint(name), position)
+    if given:
+        from .positions import read_positions
+
+        positions = read_positions(robot, given)
     for joint in robot.joints.values():
         if joint.mimic is not None:
             _follow(joint, robot, positions)
@@ -47,27 +43,6 @@ def joint_positions(
 
 
 _ZERO: dict[str, Position] = {PLANAR: (0.0, 0.0, 0.0), FLOATING: IDENTITY}
-
-
-def _position_of(joint: Joint, given: Any) -> Position:
-    """Return a position that is given for a joint; raise ValueError if it cannot be that."""
-    what = f"joint '{joint.name}'"
-    if joint.mimic is not None:
-        raise ValueError(f"{what} mimics '{joint.mimic.joint}': give the position of that one")
-    if joint.type == FIXED:
-        raise ValueError(f"{what} is fixed, and has no position")
-    if joint.type == FLOATING:
-        if not isinstance(given, Pose):
-            raise ValueError(f"{what} is floating: give its position as a Pose")
-        return given
-    try:
-        if joint.type == PLANAR:
-            x, y, angle = map(float, given)
-            return (x, y, angle)
-        return float(given)
-    except (TypeError, ValueError):
-        wanted = "x, y and an angle" if joint.type == PLANAR else "one number"
-        raise ValueError(f"{what} is {joint.type}: give its position as {wanted}") from None
 
 
 def _follow(joint: Joint, robot: Robot, positions: dict[str, Position]) -> None:
@@ -120,9 +95,9 @@ def _planar(axis: Vector, position: Sequence[float]) -> Pose:
     return Pose(rotation_about(axis, angle) if angle else UNTURNED, place)
 
 
-def pose_of(robot: Robot, name: str, given: Mapping[str, Position] | None) -> Pose:
+def pose_of(robot: Robot, name: str, given: GivenPositions | None) -> Pose:
     """Return T_root_link of one link; see `Robot.pose`."""
-    robot.need_link(name)
+    name = robot.need_link(name).name
     positions = joint_positions(robot, given)
     pose = IDENTITY
     seen = set()
@@ -135,7 +110,7 @@ def pose_of(robot: Robot, name: str, given: Mapping[str, Position] | None) -> Po
     return pose
 
 
-def link_poses(robot: Robot, given: Mapping[str, Position] | None = None) -> dict[str, Pose]:
+def link_poses(robot: Robot, given: GivenPositions | None = None) -> dict[str, Pose]:
     """Return T_root_link of every link by name, in order; see `Robot.poses`."""
     positions = joint_positions(robot, given)
     poses: dict[str, Pose] = {}
@@ -157,7 +132,7 @@ def link_poses(robot: Robot, given: Mapping[str, Position] | None = None) -> dic
     return {name: poses[name] for name in robot.links}
 
 
-def center_of_mass(robot: Robot, given: Mapping[str, Position] | None) -> Vector:
+def center_of_mass(robot: Robot, given: GivenPositions | None) -> Vector:
     """Return the centre of mass in the frame of the root, in metres; see `Robot.center_of_mass`."""
     mass = robot.mass
     if not mass:

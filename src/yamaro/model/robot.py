@@ -22,7 +22,6 @@ from __future__ import annotations
 
 from math import fsum
 
-from ..diagnostics import suggest
 from .joint import FIXED
 from .values import Written, attribute_text
 
@@ -52,12 +51,15 @@ if TYPE_CHECKING:
         Surface,
     )
     from .joint import Joint
-    from .kinematics import Position
     from .link import Link, Material, Visual
     from .pose import Pose, Vector
+    from .positions import GivenPositions
     from .sensors import Sensor
 
     Named = TypeVar("Named", Link, Joint)
+
+NAMING = "naming"
+"""The name of a note that says what the joints and links of parts are called."""
 
 
 class Frame:
@@ -330,30 +332,32 @@ class Robot(Written):
     def pose(
         self,
         name: str,
-        positions: Mapping[str, Position] | None = None,
+        positions: GivenPositions | None = None,
         *,
         base: str | None = None,
     ) -> Pose:
         """Return T_root_link of a link or frame, for given positions of joints.
 
         Args:
-            name: the link's or frame's.
-            positions: by the joints' names: a number in radians or metres for a revolute,
-                continuous or prismatic joint; three numbers for a planar one, x and y in metres
-                and an angle in radians, in the plane across its axis; a `Pose` for a floating
-                one. Joints that are left out are at 0. Joints that mimic others follow them.
+            name: the link's or frame's, or that of the part whose link it is.
+            positions: a state or its name, such as `"home"`; or positions by the names of joints
+                or of their parts: a number in radians or metres for a revolute, continuous or
+                prismatic joint, or a text with a unit, such as `"90deg"`; three of them for a
+                planar one, x, y and an angle in the plane across its axis; a `Pose` for a
+                floating one. Joints that are left out are at 0. Joints that mimic others follow
+                them.
             base: the link or frame in whose frame the pose is, T_base_link; by default the root.
 
         Raises:
-            ValueError: there is no such link, or no such joint that can be given a position, or a
-                position is not of its joint's type.
+            ValueError: there is no such link, no such state, or no such joint that can be given a
+                position, or a position is not of its joint's type.
         """
         from .kinematics import pose_of
 
         pose = pose_of(self, name, positions)
         return pose if base is None else pose_of(self, base, positions).inverse() @ pose
 
-    def poses(self, positions: Mapping[str, Position] | None = None) -> dict[str, Pose]:
+    def poses(self, positions: GivenPositions | None = None) -> dict[str, Pose]:
         """Return T_root_link of every link by name, in order; see `pose`.
 
         A robot with faults may have several roots, or links in a circle. Each pose is then
@@ -368,7 +372,7 @@ class Robot(Written):
         """Return the sum of all links' masses in kg."""
         return fsum(link.mass for link in self.links.values())
 
-    def center_of_mass(self, positions: Mapping[str, Position] | None = None) -> Vector:
+    def center_of_mass(self, positions: GivenPositions | None = None) -> Vector:
         """Return the centre of mass in the frame of the root, in metres.
 
         Args:
@@ -421,18 +425,27 @@ class Robot(Written):
         )
 
     def need_link(self, name: str) -> Link:
-        """Return a link; raise ValueError, with a suggestion, if there is none of that name."""
+        """Return the link of a name, or of a part; else raise ValueError with a suggestion."""
         link = self.links.get(name)
         if link is None:
-            raise ValueError(_unknown("link or frame", name, self.links))
+            from .positions import link_named
+
+            return link_named(self, name)
         return link
 
     def need_joint(self, name: str) -> Joint:
-        """Return a joint; raise ValueError, with a suggestion, if there is none of that name."""
+        """Return the joint of a name, or of a part; else raise ValueError with a suggestion."""
         joint = self.joints.get(name)
         if joint is None:
-            raise ValueError(_unknown("joint", name, self.joints))
+            from .positions import joint_named
+
+            return joint_named(self, name)
         return joint
+
+    def name_patterns(self, kind: str) -> tuple[str, ...]:
+        """Return what the joints or links of parts are called: `*_joint`, then as `naming` says."""
+        patterns = [attribute_text(note, f"{kind}s") for note in self._notes if note.name == NAMING]
+        return tuple(dict.fromkeys([f"*_{kind}", *filter(None, patterns)]))
 
     def __repr__(self) -> str:
         return f"<Robot '{self.name}': {len(self.links)} links, {len(self.joints)} joints>"
@@ -465,9 +478,3 @@ def _definitions(materials: tuple[Material, ...], links: tuple[Link, ...]) -> di
             if inner is not None and inner.name and inner.is_defined:
                 found.setdefault(inner.name, inner)
     return found
-
-
-def _unknown(kind: str, name: str, known: Mapping[str, object]) -> str:
-    near = suggest(name, list(known))
-    hint = f"; did you mean '{near}'?" if near is not None else ""
-    return f"the robot has no {kind} '{name}'{hint}"

@@ -5,6 +5,7 @@ from __future__ import annotations
 from math import acos, dist
 
 from ..model.pose import rotate, transposed
+from ..model.positions import HOME
 from ..model.reading import read_robot
 
 TYPE_CHECKING = False
@@ -18,8 +19,6 @@ if TYPE_CHECKING:
     from .lowering import Lowering
     from .notes import RobotNote
 
-HOME = "home"
-"""The state in which loops are looked at; without it, all joints are at 0."""
 LARGEST_GAP = 1e-6
 """In metres and radians: simulators close gaps of this size without a jerk."""
 

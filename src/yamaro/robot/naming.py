@@ -5,12 +5,12 @@ from __future__ import annotations
 from ..diagnostics import YamaroError, failure
 from ..xml.tree import Element, Text
 from .fields import read_value, word_of
-from .notes import check_keys
+from .notes import RobotNote, check_keys
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from ..source import Span
-    from ..xml.tree import RobotWord
+    from ..xml.tree import Node, RobotWord
     from .lowering import Lowering
 
 PATTERNS = {"joint": "*_joint", "link": "*_link"}
@@ -20,20 +20,20 @@ PATTERNS = {"joint": "*_joint", "link": "*_link"}
 class Naming:
     """How the names of the joints and links of a file are made of those of parts."""
 
-    __slots__ = ("_joint", "_link")
+    __slots__ = ("joints", "links")
 
     def __init__(self, joint: str, link: str) -> None:
         """Take two patterns, each with one `*`."""
-        self._joint = joint
-        self._link = link
+        self.joints = joint
+        self.links = link
 
     def joint(self, part: str) -> str:
         """Return the name of a part's joint."""
-        return self._joint.replace("*", part)
+        return self.joints.replace("*", part)
 
     def link(self, part: str) -> str:
         """Return the name of a part's link."""
-        return self._link.replace("*", part)
+        return self.links.replace("*", part)
 
 
 def note_naming(lowering: Lowering, word: RobotWord) -> None:
@@ -42,6 +42,14 @@ def note_naming(lowering: Lowering, word: RobotWord) -> None:
         lowering.namings[word.span.source] = _read(word)
     except YamaroError as error:
         lowering.absorb(error)
+
+
+def lower_naming(lowering: Lowering, word: RobotWord, out: list[Node]) -> None:
+    """Append a note of the patterns, by which the finished robot knows joints by their parts."""
+    naming = lowering.namings.get(word.span.source)
+    if naming is not None:
+        patterns: dict[str, object] = {"joints": naming.joints, "links": naming.links}
+        out.append(RobotNote("naming", word.span, patterns, trace=word.trace))
 
 
 def _read(word: RobotWord) -> Naming:

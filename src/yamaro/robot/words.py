@@ -24,9 +24,9 @@ def lower_word(lowering: Lowering, word: RobotWord, out: list[Node]) -> None:
 
             lower_control(lowering, word, out)
         case "naming":
-            from .naming import note_naming
+            from .naming import lower_naming
 
-            note_naming(lowering, word)
+            lower_naming(lowering, word, out)
         case _:
             from .sections import lower_section
 

@@ -514,7 +514,7 @@ def test_a_failed_picture_leaves_the_old_file_as_it_was(
     source = tmp_path / "robot.urdf"
     source.write_text(f'<robot name="r">{two_balls()}</robot>')
     assert main(["picture", str(source), "-o", str(output), "--joints", "swnig=1"]) == 2
-    assert "there is no joint 'swnig'; did you mean 'swing'?" in capsys.readouterr().err
+    assert "the robot has no joint 'swnig'; did you mean 'swing'?" in capsys.readouterr().err
     assert output.read_bytes() == b"old"
 
 

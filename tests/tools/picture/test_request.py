@@ -1,11 +1,12 @@
 """What the options of `yamaro picture` mean, and what is said of wrong ones."""
 
+from math import pi, radians
 from pathlib import Path
 
 import pytest
 
 from tests.model.robots import JOINTS
-from yamaro import Robot
+from yamaro import Robot, build
 from yamaro.arguments import UsageError
 from yamaro.commands.main import main
 from yamaro.tools.picture.motion import moments, swung
@@ -79,13 +80,66 @@ def test_joint_positions_are_read() -> None:
     assert found == {"turn": 0.5, "spin": -10.0, "slide": 0.25}
 
 
+def test_joint_positions_may_have_units() -> None:
+    asked = request(lists={"joints": ["turn=-45deg,slide=25 mm", "spin=0.5rev"]})
+    found = read_positions(asked, Robot.from_xml(JOINTS))
+    assert found == {"turn": -radians(45), "slide": 0.025, "spin": pi}
+
+
+STATES = """
+robot: arm
+model:
+- part: {name: base}
+- part:
+    name: j2
+    joint:
+      {type: revolute, parent: base, limit: {lower: -90deg, upper: 90deg, effort: 1, velocity: 1}}
+- part:
+    name: j3
+    joint:
+      {type: prismatic, parent: j2, limit: {lower: 1cm, upper: 3cm, effort: 1, velocity: 1}}
+states:
+  home: {j2: -30deg}
+  up: {j2: 60deg, j3: 3cm}
+"""
+
+
+@pytest.mark.parametrize(
+    ("options", "joints", "expected"),
+    [
+        ({}, [], {"j2_joint": -radians(30), "j3_joint": 0.02}),
+        ({"state": "home"}, ["j2=-45deg"], {"j2_joint": -radians(45), "j3_joint": 0.02}),
+        ({"state": "up"}, [], {"j2_joint": radians(60), "j3_joint": 0.03}),
+        ({"state": "up"}, ["j3_joint=0.5in"], {"j2_joint": radians(60), "j3_joint": 0.0127}),
+        ({"state": "zero"}, [], {"j2_joint": 0, "j3_joint": 0.02}),
+    ],
+)
+def test_a_robot_is_shown_in_a_state_with_joints_on_top(
+    options: dict[str, str], joints: list[str], expected: dict[str, float]
+) -> None:
+    robot = build("arm.yaml", text=STATES).robot
+    asked = request(**options, lists={"joints": joints})
+    assert read_positions(asked, robot) == pytest.approx(expected, abs=1e-12)
+
+
+def test_a_state_that_there_is_not_is_refused_with_a_suggestion() -> None:
+    robot = build("arm.yaml", text=STATES).robot
+    with pytest.raises(UsageError, match="has no state 'hoem'; did you mean 'home'"):
+        read_positions(request(state="hoem"), robot)
+    with pytest.raises(UsageError, match="'--state home' shows a named state"):
+        request(lists={"joints": ["home"]})
+
+
 @pytest.mark.parametrize(
     ("text", "said"),
     [
-        ("trun=1", "there is no joint 'trun'; did you mean 'turn'?"),
-        ("xyz=1", "there is no joint 'xyz'; those that move are turn, spin, slide"),
-        ("turn=far", "the joint 'turn' needs a number of radians, not 'far'"),
-        ("slide=inf", "the joint 'slide' needs a number of metres, not 'inf'"),
+        ("trun=1", "the robot has no joint 'trun'; did you mean 'turn'?"),
+        ("xyz=1", "the robot has no joint 'xyz'; those that move are turn, spin, slide"),
+        ("turn=far", "give its position as one number, in radians or as 90deg, not 'far'"),
+        ("slide=inf", "give its position as one number, in metres or as 30mm, not 'inf'"),
+        ("slide=90deg", "not '90deg'; that is an angle, and not a length"),
+        ("turn=3mm", "not '3mm'; that is a length, and not an angle"),
+        ("turn=1e300", "the joint 'turn' cannot be drawn at '1e300'"),
         ("follow=1", "the joint 'follow' mimics 'turn': move that one"),
         ("hold=1", "the joint 'hold' is fixed: it has no position to set"),
         ("drift=1", "the joint 'drift' is planar: it has no position to set"),

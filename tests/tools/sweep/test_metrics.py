@@ -11,10 +11,11 @@ from scipy.optimize import brentq, minimize
 import yamaro
 from tests.consumers.oracles import require_module
 from tests.tools.sweep.robots import EXAMPLES, elbow_arm, joint, robot_of, variant_of
+from yamaro.model.positions import home_positions
 from yamaro.model.shapes import Box, Cylinder, Sphere
 from yamaro.tools.sweep.evaluation import Evaluation
 from yamaro.tools.sweep.metrics.chains import Chain, tips_of
-from yamaro.tools.sweep.metrics.extent import bounding_box, home_positions
+from yamaro.tools.sweep.metrics.extent import bounding_box
 from yamaro.tools.sweep.metrics.reach import reach
 from yamaro.tools.sweep.metrics.stable import hold, lowest_point
 from yamaro.tools.sweep.metrics.workspace import workspace

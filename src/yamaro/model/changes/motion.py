@@ -15,7 +15,7 @@ from .tolerance import angle_between, distance_between
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from ..joint import Joint
-    from ..kinematics import Position
+    from ..positions import Position
     from ..robot import Robot
     from .change import Change
     from .context import Comparing

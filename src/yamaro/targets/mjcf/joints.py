@@ -11,8 +11,8 @@ from .writing import Places, Writing, made, number, row
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from ...model.joint import Joint
-    from ...model.kinematics import Position
     from ...model.pose import Vector
+    from ...model.positions import Position
     from ...model.values import Written
     from ...xml.tree import Element
 

@@ -4,16 +4,17 @@ from __future__ import annotations
 
 from ...model.kinematics import joint_positions, link_poses
 from ...model.pose import IDENTITY
+from ...model.positions import HOME, positions_in
 from ..output import LOST
 from .joints import numbers_of
-from .solids import HOME, heights_at, positions_in
+from .solids import heights_at
 from .writing import Writing, made, row
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from ...model.extras import State
-    from ...model.kinematics import Position
     from ...model.pose import Pose
+    from ...model.positions import Position
     from ...xml.tree import Element
 
 _JOINTS = ("joint", "freejoint")
@@ -44,7 +45,7 @@ def add_keyframes(writing: Writing, raw: list[Element]) -> None:
 
 def _add(writing: Writing, name: str, state: State | None, order: list[str], others: int) -> None:
     """Append a keyframe: a number for each of `qpos`, and for each actuator, also for others."""
-    given = positions_in(writing, state)
+    given = positions_in(writing.robot, state)
     positions = joint_positions(writing.robot, given)
     heights = heights_at(writing, link_poses(writing.robot, given))
     numbers: list[float] = []

@@ -3,15 +3,14 @@
 from __future__ import annotations
 
 from ...model.kinematics import link_poses
+from ...model.positions import HOME, positions_in
 from ...xml.values import escaped_attribute
 from ..output import MARK
 from .solids import (
     DIGITS,
     DOWN,
-    HOME,
     heights_at,
     home_poses,
-    positions_in,
     solids_at,
     solids_at_home,
 )
@@ -80,7 +79,9 @@ def _floor(writing: Writing) -> float:
         return 0.0
     lowest = 0.0
     for state in (states.get(HOME), *states.values()):
-        for solid in solids_at(writing, link_poses(writing.robot, positions_in(writing, state))):
+        for solid in solids_at(
+            writing, link_poses(writing.robot, positions_in(writing.robot, state))
+        ):
             if solid.link.name in held:
                 lowest = min(lowest, solid.convex.farthest(DOWN)[2])
     return round(lowest, DIGITS) + 0.0

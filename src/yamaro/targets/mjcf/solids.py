@@ -4,19 +4,17 @@ from __future__ import annotations
 
 from ...model.convex import Convex
 from ...model.kinematics import link_poses
+from ...model.positions import home_positions
 from ...model.shapes import Mesh
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
 
-    from ...model.extras import State
-    from ...model.kinematics import Position
     from ...model.link import Link
     from ...model.pose import Pose
     from .writing import Writing
 
-HOME = "home"
 DOWN = (0.0, 0.0, -1.0)
 DIGITS = 12
 """Decimals of a height in metres: more is rounding."""
@@ -32,16 +30,9 @@ class Solid:
         self.convex = convex
 
 
-def positions_in(writing: Writing, state: State | None) -> Mapping[str, Position]:
-    """Return the positions of independent joints: of a state, or where they rest."""
-    free = writing.robot.free_joints()
-    said = state.positions if state is not None else {}
-    return {joint.name: said.get(joint.name, joint.rest) for joint in free}
-
-
 def home_poses(writing: Writing) -> dict[str, Pose]:
     """Return T_root_link of every link at home, by name."""
-    return link_poses(writing.robot, positions_in(writing, writing.robot.states.get(HOME)))
+    return link_poses(writing.robot, home_positions(writing.robot))
 
 
 def solids_at_home(writing: Writing) -> Sequence[Solid]:

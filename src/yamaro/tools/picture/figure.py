@@ -210,7 +210,7 @@ class Figure:
     # --- positions ---
 
     def set_positions(self, positions: Mapping[str, float]) -> None:
-        """Move the joints; those that are not named keep their rest position."""
+        """Move the joints; those that are not named are at their rest position."""
         at_rest = {joint.name: joint.rest for joint in self.robot.free_joints()}
         poses = self.robot.poses({**at_rest, **positions})
         self._poses = {name: np.array(pose.matrix()) for name, pose in poses.items()}

@@ -18,6 +18,9 @@ if TYPE_CHECKING:
     from ...model.joint import Joint
     from ...model.robot import Robot
 
+ZERO = "zero"
+"""The state in which all joints are at 0, if the robot does not call another one so."""
+
 STILLS = (".png", ".jpg", ".jpeg")
 FILMS = (".gif", ".mp4")
 LEAST_PIXELS, MOST_PIXELS = 16, 4096
@@ -60,7 +63,8 @@ class Request:
         ending: of the file, in lower case with its dot.
         width, height: of each view, in pixels.
         views: from where the robot is seen; several make a sheet.
-        joints: the values of `--joints`, by name.
+        state: the name of the state that is shown; "" for `home`, if there is one.
+        joints: the values of `--joints`, by name; these joints are not as in the state.
         shows: some of SHOWN.
         is_transparent: whether the background is transparent.
         turns: whether the camera goes around the robot.
@@ -70,8 +74,8 @@ class Request:
     """
 
     __slots__ = (
-        "ending", "height", "is_transparent", "joints", "rate", "seconds", "shows", "sweep",
-        "turns", "views", "width",
+        "ending", "height", "is_transparent", "joints", "rate", "seconds", "shows", "state",
+        "sweep", "turns", "views", "width",
     )  # fmt: skip
 
     def __init__(
@@ -94,6 +98,7 @@ class Request:
         usual = FILM_SIZE if self.is_film else STILL_SIZE
         self.width, self.height = _size(options["size"]) if "size" in options else usual
         self.views = [view for text in lists.get("view", ["iso"]) for view in _views(text)]
+        self.state = options.get("state", "")
         self.joints = [pair for text in lists.get("joints", []) for pair in _pairs(text)]
         self.shows = {word for text in lists.get("show", [VISUAL]) for word in _words(text)}
         self.is_transparent = "transparent" in options
@@ -119,41 +124,44 @@ class Request:
 
 
 def read_positions(request: Request, robot: Robot) -> dict[str, float]:
-    """Return the joint positions that are asked for; raise UsageError for what no joint can do."""
-    positions = {}
-    for name, text in request.joints:
-        joint = find_joint(name, robot)
-        try:
-            position = float(text)
-        except ValueError:
-            position = float("nan")
-        if not abs(position) <= LARGEST:
-            unit = "metres" if joint.type == "prismatic" else "radians"
-            wrong = shortened(text)
-            raise UsageError(f"the joint '{name}' needs a number of {unit}, not '{wrong}'")
-        positions[name] = position
+    """Return the positions of all joints that move independently, as they are asked for.
+
+    Raises:
+        UsageError: a state or joint is named that there is not, or a position is not of its joint.
+    """
+    from ...model.positions import home_positions, positions_in, read_position, state_named
+
+    try:
+        if not request.state:
+            positions = home_positions(robot)
+        elif request.state == ZERO and ZERO not in robot.states:
+            positions = positions_in(robot, None)
+        else:
+            positions = positions_in(robot, state_named(robot, request.state))
+        for name, text in request.joints:
+            joint = find_joint(name, robot)
+            position = read_position(joint, text)
+            if not isinstance(position, float) or abs(position) > LARGEST:
+                raise ValueError(f"the joint '{name}' cannot be drawn at '{shortened(text)}'")
+            positions[joint.name] = position
+    except ValueError as error:
+        raise UsageError(str(error)) from None
     return positions
 
 
 def find_joint(name: str, robot: Robot) -> Joint:
     """Return a joint that can be moved; raise UsageError if the robot has no such joint."""
-    joint = robot.joints.get(name)
-    names = [each.name for each in robot.free_joints()]
-    if joint is None:
-        hint = did_you_mean(name, names) or _listed(names)
-        raise UsageError(f"there is no joint '{shortened(name)}'; {hint}")
+    from ...model.positions import joint_named
+
+    try:
+        joint = joint_named(robot, name)
+    except ValueError as error:
+        raise UsageError(str(error)) from None
     if joint.mimic is not None:
-        raise UsageError(f"the joint '{name}' mimics '{joint.mimic.joint}': move that one")
+        raise UsageError(f"the joint '{joint.name}' mimics '{joint.mimic.joint}': move that one")
     if not joint.is_free:
-        raise UsageError(f"the joint '{name}' is {joint.type}: it has no position to set")
+        raise UsageError(f"the joint '{joint.name}' is {joint.type}: it has no position to set")
     return joint
-
-
-def _listed(names: Sequence[str]) -> str:
-    if not names:
-        return "the robot has none that moves"
-    more = ", …" if len(names) > 12 else ""
-    return f"those that move are {', '.join(names[:12])}{more}"
 
 
 def _ending_of(output: str) -> str:
@@ -207,7 +215,9 @@ def _pairs(text: str) -> list[tuple[str, str]]:
     for each in text.split(","):
         name, separator, value = each.strip().rpartition("=")
         if not separator or not name:
-            raise UsageError(f"'--joints' takes NAME=POSITION, not '{shortened(each)}'")
+            wrong = shortened(each)
+            hint = f"; '--state {wrong}' shows a named state" if wrong.isidentifier() else ""
+            raise UsageError(f"'--joints' takes NAME=POSITION, not '{wrong}'{hint}")
         pairs.append((name, value))
     return pairs
 

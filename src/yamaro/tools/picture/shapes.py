@@ -71,7 +71,7 @@ class DrawnShape:
 
 def drawable_robot(build: Build) -> Robot:
     """Return the robot of a build, in which numbers too large to draw are left out."""
-    return read_robot(build.robot_tree(), largest=LARGEST)
+    return read_robot(build.robot_tree(), notes=build.notes, largest=LARGEST)
 
 
 def shapes_of(robot: Robot, finder: MeshFinder) -> list[DrawnShape]:

@@ -6,6 +6,7 @@ import os
 from math import hypot, inf
 
 from ....model.kinematics import link_poses
+from ....model.positions import home_positions
 from ....model.shapes import Box, Capsule, Cylinder, Mesh, Sphere
 from .failures import metric_failure
 
@@ -19,7 +20,6 @@ if TYPE_CHECKING:
     from ....model.robot import Robot
     from ....model.shapes import Shape
 
-HOME = "home"
 _known_corners: dict[tuple[str, int, int], Any] = {}
 """The corners of meshes that were read in this process, by path, time and size of the file."""
 
@@ -54,13 +54,6 @@ def bounding_box(robot: Robot, finder: MeshFinder) -> Vector:
         raise metric_failure("the robot has no shapes, so there is no box around it", robot.span)
     x, y, z = (end - start for start, end in zip(low, high, strict=True))
     return (x, y, z)
-
-
-def home_positions(robot: Robot) -> dict[str, float]:
-    """Return the positions of the independent joints at home."""
-    home = robot.states.get(HOME)
-    said = home.positions if home is not None else {}
-    return {joint.name: said.get(joint.name, joint.rest) for joint in robot.free_joints()}
 
 
 def _shapes(robot: Robot) -> list[tuple[str, Pose, Shape]]:

@@ -15,11 +15,17 @@ def metric_failure(message: str, span: Span, *, hint: str | None = None) -> Yama
     return failure("metric-failed", message, span, hint=hint)
 
 
-def check_link(robot: Robot, name: str) -> None:
-    """Raise YamaroError if a robot has no link or frame of a name."""
-    if name in robot.links:
-        return
-    from ....diagnostics import did_you_mean
+def named_link(robot: Robot, name: str) -> str:
+    """Return the name of a link or frame, which may be given as that of its part.
 
-    hint = did_you_mean(name, robot.links) or f"it has {', '.join(list(robot.links)[:8])}"
-    raise metric_failure(f"the robot has no link or frame '{name}'", robot.span, hint=hint)
+    Raises:
+        YamaroError: there is none.
+    """
+    from ....model.positions import link_named
+
+    try:
+        return link_named(robot, name).name
+    except ValueError as error:
+        message, _, hint = str(error).partition("; ")
+        hint = hint or f"it has {', '.join(list(robot.links)[:8])}"
+        raise metric_failure(message, robot.span, hint=hint) from None

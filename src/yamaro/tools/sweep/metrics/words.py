@@ -7,7 +7,7 @@ from ....source import Source, Span
 from ..simulation import FORMAT
 from .chains import tips_of
 from .extent import bounding_box
-from .failures import check_link, metric_failure
+from .failures import metric_failure, named_link
 from .reach import reach
 from .stable import hold
 from .workspace import workspace
@@ -166,9 +166,7 @@ def _bounding_box(variant: Variant, arguments: Sequence[str]) -> Sequence[Number
 
 def _reach(variant: Variant, arguments: Sequence[str]) -> Sequence[Number]:
     robot = variant.build.robot
-    for name in arguments:
-        check_link(robot, name)
-    return (reach(robot, arguments),)
+    return (reach(robot, [named_link(robot, name) for name in arguments]),)
 
 
 def _workspace(variant: Variant, arguments: Sequence[str]) -> Sequence[Number]:
@@ -180,8 +178,7 @@ def _workspace(variant: Variant, arguments: Sequence[str]) -> Sequence[Number]:
             robot.span,
             hint=f"name one: workspace({tips[0]})" if tips else None,
         )
-    check_link(robot, tips[0])
-    return (workspace(robot, tips[0]),)
+    return (workspace(robot, named_link(robot, tips[0])),)
 
 
 def _stable(variant: Variant, arguments: Sequence[str]) -> Sequence[Number]:

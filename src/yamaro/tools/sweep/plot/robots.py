@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -10,7 +10,6 @@ from ....confined import Reader
 from ...picture.cameras import fitted
 from ...picture.draw import Drawing
 from ...picture.request import Request
-from ..metrics.extent import home_positions
 from ..showing import show
 
 if TYPE_CHECKING:
@@ -54,10 +53,8 @@ def pictures(folder: str, indices: Mapping[str, int], policy: Policy) -> dict[st
 
 
 def _drawing(build: Build, policy: Policy) -> tuple[Drawing, Request]:
-    positions: dict[str, Any] = home_positions(build.robot)
-    joints = [f"{name}={position!r}" for name, position in positions.items()]
     options = {"size": SIZE, "transparent": ""}
-    request = Request("robot.png", options, {"joints": joints})
+    request = Request("robot.png", options, {})
     name = build.files[0] if build.files else "sweep"
     reader = Reader(policy, readable=build.finder.roots, name=name)
     return Drawing(build, request, reader), request
