@@ -22,7 +22,7 @@ from yamaro.check.semantics import findings_against
 from yamaro.diagnostics import WARNING, Diagnostic, Reporter
 from yamaro.meshes.triangles import mesh_extent
 from yamaro.model.reading import read_robot
-from yamaro.model.urdf_schema import ELEMENTS
+from yamaro.model.schema import ELEMENTS
 from yamaro.model.values import read_numbers
 from yamaro.rendering import render
 from yamaro.source import Source, Span
@@ -651,7 +651,7 @@ def test_the_work_grows_with_the_size_and_no_faster() -> None:
 
 NAMES = st.sampled_from([*ELEMENTS, "gazebo", "a:b", "jonit", "contact"])
 ATTRIBUTES = st.sampled_from(
-    [*sorted({name for rule in ELEMENTS.values() for name in rule.attributes}), "iyx", "x:y"]
+    [*sorted({name for rule in ELEMENTS.values() for name in rule.fields}), "iyx", "x:y"]
 )
 VALUES = st.one_of(
     st.sampled_from(["a", "b", "revolute", "fixed", "1", "-1", "0 0 0", "1 2 3", "nan", "", " "]),

@@ -13,8 +13,8 @@ from tests.consumers import oracles
 from tests.consumers.sdf_judges import DESCRIPTIONS, complaint_of_libsdformat
 from yamaro.check.robot import check
 from yamaro.diagnostics import ERROR, Reporter
+from yamaro.model.schema import VERSIONS
 from yamaro.model.sdf_schema import CAMERA, NOISE, SURFACE
-from yamaro.model.urdf_schema import VERSIONS
 
 ROBOTS = [robot for group in ("tree", "joints", "links") for robot in bad_robots(group)]
 READ_BY_ALL = (

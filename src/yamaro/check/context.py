@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
     from ..diagnostics import Frame, Reporter
     from ..fixes import Fix
-    from ..model.urdf_schema import AttributeRule
+    from ..model.schema import Field
     from ..source import Span
 
     Children = dict[str, Element]
@@ -105,7 +105,7 @@ class CheckContext:
         self.stage = SCHEMA
         self.count = 0
         self.sound: set[tuple[object, ...]] = set()
-        self.sound_values: dict[AttributeRule, dict[str, bool]] = {}
+        self.sound_values: dict[Field, dict[str, bool]] = {}
         self.material_uses: dict[str, tuple[Element, Element]] = {}
         self.materials_inside: set[str] = set()
         self.has_extensions = False

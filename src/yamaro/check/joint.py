@@ -5,7 +5,7 @@ from __future__ import annotations
 from math import hypot
 
 from ..model.joint import CONTINUOUS, LIMITED, PLANAR, REVOLUTE, SINGLE
-from ..model.urdf_schema import JOINT_TYPES, joint_type_hint, joint_type_meant
+from ..model.schema import JOINT_TYPES, joint_type_hint, joint_type_meant
 from ..model.values import attribute_text
 from ..xml.tree import Element
 from .context import JOINTS, CheckContext, shown

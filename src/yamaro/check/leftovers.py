@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ..model.urdf_schema import ELEMENTS, TEXT
+from ..model.schema import ELEMENTS, TEXT
 from ..model.values import attribute_text
 from ..xml.tree import Element, Text
 from .context import CheckContext
@@ -59,5 +59,5 @@ def _is_leftover(text: str) -> bool:
 
 def _is_number(element: str, attribute: str) -> bool:
     """Return whether URDF reads numbers there, so that the check reports it anyway."""
-    rule = ELEMENTS[element].attributes.get(attribute) if element in ELEMENTS else None
+    rule = ELEMENTS[element].fields.get(attribute) if element in ELEMENTS else None
     return rule is not None and rule.count != TEXT

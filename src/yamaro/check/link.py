@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from math import fabs, hypot, tau
 
+from ..model.schema import MOMENTS
 from ..model.shapes import SHAPE_WORDS, SIMPLE_SHAPES, Capsule, Mesh
-from ..model.urdf_schema import MOMENTS
 from ..model.values import attribute_text
 from ..xml.tree import Element
 from .context import LINKS, CheckContext, label, shown

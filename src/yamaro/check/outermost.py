@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from ..model.schema import OTHER_FORMATS
 from ..model.shapes import SHAPE_WORDS
-from ..model.urdf_schema import OTHER_FORMATS
 from ..xml.tree import Element
 from .context import CheckContext
 

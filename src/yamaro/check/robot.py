@@ -6,7 +6,7 @@ Everything here is linear in the size of the robot and recurses no deeper than t
 from __future__ import annotations
 
 from ..model.reading import read_robot
-from ..model.urdf_schema import OTHER_FORMATS, VERSIONS, is_semantic
+from ..model.schema import OTHER_FORMATS, VERSIONS, is_semantic
 from ..xml.tree import Element
 from .context import FILES, MATERIALS, TREE, CheckContext
 from .schema import check_elements

@@ -5,19 +5,19 @@ It is the one walk over all elements, and calls the checks of what their values 
 
 from __future__ import annotations
 
-from ..model.shapes import SHAPE_WORDS
-from ..model.urdf_schema import (
+from ..model.schema import (
     ANY,
     ELEMENTS,
-    LIMITS_OF_1_2,
+    OF_1_2,
     ONCE,
     OPTIONAL_SINCE_1_2,
     OUTERMOST,
     POSITIVE,
     TEXT,
-    AttributeRule,
-    ElementRule,
+    Field,
+    Thing,
 )
+from ..model.shapes import SHAPE_WORDS
 from ..model.values import NOT_FINITE, SPACING, NumberFault, attribute_text
 from ..xml.tree import Element, Memo
 from ..xml.values import LONGEST_ROW_REMEMBERED, remember
@@ -27,7 +27,7 @@ from .link import check_inertial, check_pose, check_section
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Collection
 
     from ..fixes import Fix
     from .context import Children
@@ -72,33 +72,6 @@ LEAVES = frozenset(
 )
 """Elements of which, when they are empty, the attributes are all there is to check."""
 
-XYZ = "x y z"
-COMPONENTS = {
-    "xyz": XYZ,
-    "rpy": "roll pitch yaw",
-    "quat_xyzw": "x y z w",
-    "size": XYZ,
-    "scale": XYZ,
-    "rgba": "red green blue alpha",
-}
-EXAMPLES = {
-    "value": "1.0",
-    "link": "base",
-    "joint": "left_finger_joint",
-    "xyz": "0 0 1",
-    "size": "0.4 0.3 0.2",
-    "radius": "0.1",
-    "length": "0.5",
-    "rgba": "0.8 0.8 0.8 1",
-    "filename": "package://my_robot/meshes/arm.stl",
-    "effort": "10",
-    "velocity": "2",
-    "k_velocity": "10",
-    "type": "fixed",
-    "name": "my_name",
-    **dict.fromkeys(("ixx", "iyy", "izz"), "0.01"),
-    **dict.fromkeys(("ixy", "ixz", "iyz"), "0"),
-}
 REMEDIES = {
     "inertia": "add `inertia/ixx=0.01, ixy=0, ixz=0, iyy=0.01, iyz=0, izz=0.01:`; "
     "a part computes it from the mass and the shape",
@@ -134,9 +107,7 @@ def check_elements(root: Element, context: CheckContext) -> None:
     context.outermost = None
 
 
-def _check_element(
-    element: Element, rule: ElementRule, owner: Element, context: CheckContext
-) -> None:
+def _check_element(element: Element, rule: Thing, owner: Element, context: CheckContext) -> None:
     """Check an element and what is in it; the depth is bounded by the table."""
     _check_attributes(element, rule, owner, context)
     children = element.children
@@ -154,7 +125,7 @@ def _check_element(
 
 
 def _check_children(
-    element: Element, rule: ElementRule, owner: Element, context: CheckContext
+    element: Element, rule: Thing, owner: Element, context: CheckContext
 ) -> Children:
     """Check the elements in an element, and return the first of each name that may stand once."""
     known = rule.children
@@ -212,11 +183,9 @@ def _check_own_origin(origin: Element, joint: Element, context: CheckContext) ->
 # --- attributes -------------------------------------------------------------------------------
 
 
-def _check_attributes(
-    element: Element, rule: ElementRule, owner: Element, context: CheckContext
-) -> None:
+def _check_attributes(element: Element, rule: Thing, owner: Element, context: CheckContext) -> None:
     attributes, sound = element.attributes, context.sound_values
-    known = rule.attributes
+    known = rule.fields
     for name, value in attributes.items():
         attribute_rule = known.get(name)
         if attribute_rule is None:
@@ -231,7 +200,7 @@ def _check_attributes(
 
 
 def _check_numbers(
-    name: str, rule: AttributeRule, element: Element, owner: Element, context: CheckContext
+    name: str, rule: Field, element: Element, owner: Element, context: CheckContext
 ) -> None:
     text = attribute_text(element, name)
     if text is None:
@@ -287,7 +256,7 @@ def _report_count(
     count: int,
     text: str,
     name: str,
-    rule: AttributeRule,
+    rule: Field,
     element: Element,
     owner: Element,
     context: CheckContext,
@@ -296,7 +265,7 @@ def _report_count(
     found = f"{count}: '{text}'" if count else "none"
     hint = "write one number"
     if rule.count > 1:
-        hint = f"write {rule.count} numbers: {COMPONENTS[name]}"
+        hint = f"write {rule.count} numbers: {rule.parts}"
     if name == "rgba" and count == 3:
         hint = f"add the opacity as the fourth number: {text} 1"
     context.error(
@@ -311,7 +280,7 @@ def _report_count(
 def _report_sign(
     number: float,
     name: str,
-    rule: AttributeRule,
+    rule: Field,
     element: Element,
     owner: Element,
     context: CheckContext,
@@ -327,7 +296,7 @@ def _report_sign(
         )
         return
     # urdfdom refuses a negative acceleration, deceleration and jerk where it reads them.
-    is_refused = context.version == "1.2" and name in LIMITS_OF_1_2
+    is_refused = context.version == "1.2" and name in OF_1_2
     tell = context.error if is_refused else context.warn
     from ..fixes import renumbering
 
@@ -354,7 +323,9 @@ def _report_missing_attribute(
     elif element.name == "robot":
         hint = "name it: `robot: my_robot`"
     else:
-        hint = f"add it, as in `{element.name}/{name}={EXAMPLES[name]}:`"
+        hint = (
+            f"add it, as in `{element.name}/{name}={ELEMENTS[element.name].fields[name].example}:`"
+        )
     subject = f"'{element.name}' in {label(owner)}"
     if element is owner:
         subject = label(owner) if name != "name" else f"a {element.name}"
@@ -366,7 +337,7 @@ def _report_missing_attribute(
 
 
 def _check_unknown_attribute(
-    name: str, element: Element, rule: ElementRule, owner: Element, context: CheckContext
+    name: str, element: Element, rule: Thing, owner: Element, context: CheckContext
 ) -> None:
     if ":" in name or name == "xmlns" or name in rule.extensions:
         return
@@ -380,9 +351,9 @@ def _check_unknown_attribute(
     else:
         from ..suggestions import meant
 
-        absent = [known for known in rule.attributes if known not in element.attributes]
+        absent = [known for known in rule.fields if known not in element.attributes]
         near, fix = meant(name, absent, element.name_span(name))
-        hint = near or _choices("attributes", element.name, rule.attributes)
+        hint = near or _choices("attributes", element.name, rule.fields)
     context.warn(
         "unknown-attribute",
         f"URDF has no attribute '{name}' in {_holder(element, owner)}; parsers ignore it",
@@ -394,7 +365,7 @@ def _check_unknown_attribute(
     )
 
 
-def _choices(kind: str, name: str, known: dict[str, AttributeRule] | dict[str, str]) -> str:
+def _choices(kind: str, name: str, known: Collection[str]) -> str:
     if not known:
         return f"'{name}' has no {kind}; remove it"
     if len(known) == 1:
@@ -445,7 +416,7 @@ def _check_unknown_child(
     child: Element,
     element: Element,
     names: set[str],
-    rule: ElementRule,
+    rule: Thing,
     owner: Element,
     context: CheckContext,
 ) -> None:
@@ -469,13 +440,13 @@ def _check_unknown_child(
 
 
 def _hint_for_stray(
-    child: Element, element: Element, present: set[str], rule: ElementRule
+    child: Element, element: Element, present: set[str], rule: Thing
 ) -> tuple[str, Fix | None]:
     """Return what to write for an element that URDF does not have there, and perhaps the fix."""
     from ..suggestions import meant
 
     name = child.name
-    if name in rule.attributes:
+    if name in rule.fields:
         text = child.text().strip() or "…"
         return f"in URDF it is an attribute: `{element.name}/{name}={text}:`", None
     if name in GAZEBO_ONLY:

@@ -9,7 +9,7 @@ from ..diagnostics import Reporter, YamaroError
 from ..files.loader import FileLoader, LoadError, decode
 from ..main_file import reach_of
 from ..model.reading import read_robot
-from ..model.urdf_schema import is_semantic
+from ..model.schema import is_semantic
 from ..model.values import attribute_text
 from ..xml.reader import read_xml
 from .settings import make_policy, read_adjustment, read_packages

@@ -23,8 +23,8 @@ from .pose import (
     unit_vector,
 )
 from .robot import Robot
+from .schema import JOINT_TYPES, MOMENTS, joint_type_hint
 from .shapes import COUNTS, SHAPE_WORDS, SIMPLE_SHAPES, SIZES, UNSCALED, Mesh
-from .urdf_schema import JOINT_TYPES, MOMENTS, joint_type_hint
 from .values import NumberFault, NumberReader, attribute_text, child_named
 
 TYPE_CHECKING = False

@@ -5,7 +5,7 @@ from __future__ import annotations
 from math import pi
 
 from ..diagnostics import YamaroError, failure
-from ..model.urdf_schema import JOINT_TYPES, joint_type_hint, joint_type_meant
+from ..model.schema import JOINT_TYPES, joint_type_hint, joint_type_meant
 from ..xml.tree import Element
 from ..xml.values import format_number, format_value
 from .fields import read_record, read_value, sort_fields, with_attributes, word_of

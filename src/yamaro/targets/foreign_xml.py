@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from ..diagnostics import INHERITED
 from ..model.noting import content, numbers_in
-from ..model.urdf_schema import ELEMENTS
+from ..model.schema import ELEMENTS
 from ..model.values import attribute_text
 from ..xml.tree import Element
 from .output import LOST, Loss
@@ -79,7 +79,7 @@ def _outside_of_the_tree(robot: Robot) -> list[Loss]:
 def _is_plain(element: Element) -> bool:
     """Return whether a link, joint or material has nothing but what URDF has."""
     rule = ELEMENTS[element.name]
-    if not element.attributes.keys() <= rule.attributes.keys():
+    if not element.attributes.keys() <= rule.fields.keys():
         return False
     known = rule.children
     for child in element.children:
@@ -115,7 +115,7 @@ class _Walk:
         before = len(self.losses)
         rule = ELEMENTS[element.name]
         for name in element.attributes:
-            if name not in rule.attributes and element.attributes[name] is not None:
+            if name not in rule.fields and element.attributes[name] is not None:
                 span = element.name_span(name)
                 what = f"attributes '{name}' of <{element.name}>"
                 self.losses.append(Loss(LOST, what, owner, span, trace=trace))

@@ -117,7 +117,7 @@ class Items:
 
     def add_elements(self, element: str) -> None:
         """Add the XML elements that URDF has in an element."""
-        from ...model.urdf_schema import ELEMENTS
+        from ...model.schema import ELEMENTS
 
         rule = ELEMENTS.get(element)
         for name in rule.children if rule is not None else ():
@@ -125,10 +125,10 @@ class Items:
 
     def add_attributes(self, element: str) -> None:
         """Add the attributes of an XML element."""
-        from ...model.urdf_schema import ELEMENTS
+        from ...model.schema import ELEMENTS
 
         rule = ELEMENTS.get(element)
-        names = list(rule.attributes) if rule is not None else ["name"]
+        names = list(rule.fields) if rule is not None else ["name"]
         for name in names:
             self.add(name, _PROPERTY, text=f"{name}=", detail=f"attribute of <{element}>", rank="2")
 

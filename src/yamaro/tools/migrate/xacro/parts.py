@@ -7,7 +7,7 @@ all arguments, the joint or link stays an element.
 
 from __future__ import annotations
 
-from ....model.urdf_schema import JOINT_TYPES
+from ....model.schema import JOINT_TYPES
 from ....model.values import values_of
 from ....xml.tree import Comment, Element, Text
 from ....xml.values import format_value

@@ -1,0 +1,523 @@
+"""The schema of a robot: each value of each thing that a robot has, said once.
+
+A `Thing` is an element of URDF, such as `limit`, or what words of YAML add to it, such as an
+actuator; a `Field` is one of its values. A field has one name everywhere: it is the key in YAML,
+the attribute in URDF, and the attribute of the object in the model. Whoever deals with all fields
+loops over these rows: the readers of parts and of URDF, the check of values, `diff`, mirrors,
+`why`, the editor, the tables of the docs, and in `targets/holding.py` the losses of each format.
+What deals with one field, such as the inertia of a shape, is code of its own.
+
+Sources: urdfdom's parser and its `xsd/urdf.xsd`; URDF 1.1 adds `capsule` and `quat_xyzw`, 1.2 the
+acceleration, deceleration and jerk limits.
+"""
+
+from __future__ import annotations
+
+from math import pi, tau
+
+from ..diagnostics import did_you_mean, suggest
+from .shapes import SHAPE_WORDS, SIMPLE_SHAPES
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from ..xml.tree import Element
+    from .shapes import SimpleShape
+
+TEXT = 0
+"""The `count` of a field that is not made of numbers."""
+
+ANY = "any"
+NOT_NEGATIVE = "not negative"
+POSITIVE = "positive"
+NOT_ZERO = "not zero"
+PART = "from 0 to 1"
+WHOLE = "whole, from 1"
+COUNT = "whole, from 0"
+
+KEPT, NEGATED = "kept", "negated"
+
+ONCE = "once"
+OFTEN = "often"
+
+
+class Field:
+    """One value of a thing.
+
+    Attributes:
+        name: its name in YAML, in URDF and in the model.
+        count: how many numbers it holds, or TEXT.
+        kind: what the numbers measure: a word of `model/quantities.py`.
+        sign: which numbers make sense: ANY, NOT_NEGATIVE, POSITIVE, NOT_ZERO, PART,
+            WHOLE or COUNT.
+        required: whether parsers refuse or drop the thing without it.
+        default: what the model has where it is left out.
+        reversal: what becomes of it where the positions of its joint count the other way: it is
+            KEPT, NEGATED, or changes places, negated, with the field of this name.
+        choices: the words that it may be, if only some may.
+        help: what the editor and the docs say of it.
+        example: a value, for hints.
+        parts: what each of several numbers is, in words.
+    """
+
+    __slots__ = (
+        "choices", "count", "default", "example", "help", "kind", "name", "parts", "required",
+        "reversal", "sign",
+    )  # fmt: skip
+
+    def __init__(
+        self,
+        name: str,
+        count: int = 1,
+        kind: str = "number",
+        *,
+        sign: str = ANY,
+        required: bool = False,
+        default: float | tuple[float, ...] | str | None = None,
+        reversal: str = KEPT,
+        choices: tuple[str, ...] = (),
+        help: str = "",
+        example: str = "",
+        parts: str = "",
+    ) -> None:
+        """Describe a field; see the class."""
+        self.name = name
+        self.count = count
+        self.kind = kind
+        self.sign = sign
+        self.required = required
+        self.default = default
+        self.reversal = reversal
+        self.choices = choices
+        self.help = help
+        self.example = example
+        self.parts = parts
+
+    def __repr__(self) -> str:
+        return f"<Field '{self.name}'>"
+
+
+class Thing:
+    """Something that a robot has: an element of URDF, or what words of YAML say besides.
+
+    Attributes:
+        name: its name: that of the element or of the word.
+        fields: its values by name, in the order in which they are listed and compared.
+        children: the elements that may be in it, each ONCE or OFTEN.
+        required: the names of the fields that it must have.
+        required_children: the elements that it must have.
+        extensions: further elements and attributes that known tools read there; their content is
+            theirs.
+        scalar: the field that a bare value sets, as in `axis: 0 0 1`; None if it takes none.
+    """
+
+    __slots__ = (
+        "children", "extensions", "fields", "name", "required", "required_children", "scalar",
+    )  # fmt: skip
+
+    def __init__(
+        self,
+        name: str,
+        *fields: Field,
+        children: dict[str, str] | None = None,
+        required_children: tuple[str, ...] = (),
+        extensions: tuple[str, ...] = (),
+        scalar: str | None = None,
+    ) -> None:
+        """Describe a thing; see the class."""
+        self.name = name
+        self.fields = {field.name: field for field in fields}
+        self.children = children if children is not None else {}
+        self.required = tuple([field.name for field in fields if field.required])
+        self.required_children = required_children
+        self.extensions = frozenset(extensions)
+        self.scalar = scalar
+
+    def numbers(self) -> dict[str, int]:
+        """Return the fields that are made of numbers, each with how many."""
+        return {name: field.count for name, field in self.fields.items() if field.count != TEXT}
+
+    def __repr__(self) -> str:
+        return f"<Thing '{self.name}'>"
+
+
+JOINT_TYPES = ("revolute", "continuous", "prismatic", "fixed", "floating", "planar")
+OTHER_JOINT_TYPES = {
+    "hinge": "revolute",
+    "rotary": "revolute",
+    "rotational": "revolute",
+    "slider": "prismatic",
+    "linear": "prismatic",
+    "sliding": "prismatic",
+    "weld": "fixed",
+    "free": "floating",
+}
+"""What other formats call the types of joints."""
+VERSIONS = ("1.0", "1.1", "1.2")
+MOMENTS = ("ixx", "ixy", "ixz", "iyy", "iyz", "izz")
+"""The fields of `inertia`, in the order of `Inertia`."""
+AXES = ("x", "y", "z", "-x", "-y", "-z")
+"""The words for an axis."""
+COMMANDS = ("position", "velocity", "effort")
+"""The commands of an actuator; of several, the first of these is the usual one."""
+
+# --- URDF -------------------------------------------------------------------------------------
+
+_NAME = Field("name", TEXT, required=True, help="its name", example="my_name")
+_OPTIONAL_NAME = Field("name", TEXT, help="its name")
+_SHAPED = {"origin": ONCE, "geometry": ONCE}
+_SHAPE_HELP = {
+    "size": "the lengths of a box's sides, x y z",
+    "radius": "the radius of a cylinder, sphere or capsule",
+    "length": "the length of a cylinder, or of the cylinder in a capsule",
+}
+
+
+def _shape(kind: str, shape: type[SimpleShape]) -> Thing:
+    """Return a simple shape, whose sizes are in one field or in one for each."""
+    count = len(shape.sizes) // len(shape.attributes)
+    examples = shape.example.split() if count == 1 else [shape.example]
+    fields = [
+        Field(name, count, "length", sign=POSITIVE, required=True, help=_SHAPE_HELP[name],
+              example=example, parts="x y z" if count == 3 else "")
+        for name, example in zip(shape.attributes, examples, strict=True)
+    ]  # fmt: skip
+    return Thing(kind, *fields)
+
+
+_THINGS = (
+    Thing(
+        "robot",
+        _NAME,
+        Field("version", TEXT, help="the version of URDF", example="1.0"),
+        children={"link": OFTEN, "joint": OFTEN, "material": OFTEN},
+    ),
+    Thing(
+        "link",
+        _NAME,
+        # Not documented, but used by the PR2 and allowed by urdf.xsd.
+        Field("type", TEXT, help="a word that some programs read"),
+        children={"inertial": ONCE, "visual": OFTEN, "collision": OFTEN},
+        # PyBullet reads `contact` and `concave`, HPP and RobCoGen `self_collision_checking`.
+        extensions=("contact", "sensor", "self_collision_checking", "concave"),
+    ),
+    Thing(
+        "visual",
+        _OPTIONAL_NAME,
+        children={**_SHAPED, "material": ONCE},
+        required_children=("geometry",),
+    ),
+    Thing(
+        "collision",
+        _OPTIONAL_NAME,
+        children=_SHAPED,
+        required_children=("geometry",),
+        extensions=("verbose", "group", "concave"),
+    ),
+    Thing(
+        "inertial",
+        children={"origin": ONCE, "mass": ONCE, "inertia": ONCE},
+        required_children=("mass", "inertia"),
+    ),
+    Thing(
+        "mass",
+        Field("value", 1, "mass", required=True, default=0.0, help="the mass in kilograms",
+              example="1.0"),
+    ),
+    Thing(
+        "inertia",
+        *[
+            Field(name, 1, "inertia", required=True, default=0.0,
+                  help="in kg·m², about the centre of mass",
+                  example="0.01" if name[1] == name[2] else "0")
+            for name in MOMENTS
+        ],
+    ),
+    Thing(
+        "origin",
+        Field("xyz", 3, "length", default=(0.0, 0.0, 0.0), example="0 0 1", parts="x y z",
+              help="the position x y z in metres; units such as `350mm` are allowed"),
+        Field("rpy", 3, "angle", default=(0.0, 0.0, 0.0), example="0 0 1.57",
+              parts="roll pitch yaw",
+              help="roll, pitch and yaw in radians, about fixed axes; units such as `90deg` are "
+              "allowed"),
+        Field("quat_xyzw", 4, example="0 0 0 1", parts="x y z w",
+              help="the rotation as a quaternion; URDF 1.1"),
+    ),
+    Thing("geometry", children=dict.fromkeys(SHAPE_WORDS, ONCE)),
+    *[_shape(kind, shape) for kind, shape in SIMPLE_SHAPES.items()],
+    Thing(
+        "mesh",
+        Field("filename", TEXT, required=True, help="the file of the mesh",
+              example="package://my_robot/meshes/arm.stl"),
+        Field("scale", 3, default=(1.0, 1.0, 1.0), help="the factors of the mesh",
+              example="0.001 0.001 0.001", parts="x y z"),
+    ),
+    Thing(
+        "material",
+        Field("name", TEXT, required=True, help="the name of the material", example="my_name"),
+        children={"color": ONCE, "texture": ONCE},
+        scalar="name",
+    ),
+    Thing(
+        "color",
+        Field("rgba", 4, required=True, help="red, green, blue and alpha, from 0 to 1",
+              example="0.8 0.8 0.8 1", parts="red green blue alpha"),
+        scalar="rgba",
+    ),
+    Thing(
+        "texture",
+        Field("filename", TEXT, required=True, help="an image file",
+              example="package://my_robot/meshes/arm.stl"),
+        scalar="filename",
+    ),
+    Thing(
+        "joint",
+        _NAME,
+        Field("type", TEXT, required=True, choices=JOINT_TYPES, example="fixed",
+              help="revolute, continuous, prismatic, fixed, floating or planar; required"),
+        children=dict.fromkeys(
+            ("origin", "parent", "child", "axis", "calibration", "dynamics", "limit", "mimic",
+             "safety_controller"),
+            ONCE,
+        ),
+        required_children=("parent", "child"),
+    ),
+    Thing(
+        "parent",
+        Field("link", TEXT, required=True, help="the name of a link", example="base"),
+        scalar="link",
+    ),
+    Thing("child", Field("link", TEXT, required=True, help="the name of a link", example="base")),
+    Thing(
+        "axis",
+        Field("xyz", 3, required=True, default=(1.0, 0.0, 0.0), example="0 0 1", parts="x y z",
+              help="the joint's axis: three numbers, or x, y, z, -x, -y, -z"),
+        scalar="xyz",
+    ),
+    Thing(
+        "limit",
+        Field("lower", 1, "position", default=0.0, reversal="upper", example="-1.57",
+              help="the least position, in radians or metres"),
+        Field("upper", 1, "position", default=0.0, reversal="lower", example="1.57",
+              help="the greatest position, in radians or metres"),
+        Field("effort", 1, "effort", sign=NOT_NEGATIVE, required=True, example="10",
+              help="the greatest torque or force, in N·m or N"),
+        Field("velocity", 1, "velocity", sign=NOT_NEGATIVE, required=True, example="2",
+              help="the greatest speed, in rad/s or m/s"),
+        Field("acceleration", 1, "acceleration of a joint", sign=NOT_NEGATIVE, example="5",
+              help="the greatest acceleration; URDF 1.2"),
+        Field("deceleration", 1, "acceleration of a joint", sign=NOT_NEGATIVE, example="5",
+              help="the greatest deceleration; URDF 1.2"),
+        Field("jerk", 1, "jerk", sign=NOT_NEGATIVE, example="50",
+              help="the greatest jerk; URDF 1.2"),
+    ),
+    Thing(
+        "dynamics",
+        Field("damping", 1, "damping", sign=NOT_NEGATIVE, default=0.0, example="0.1",
+              help="in N·m·s/rad, or N·s/m"),
+        Field("friction", 1, "effort", sign=NOT_NEGATIVE, default=0.0, example="0.1",
+              help="static friction, in N·m or N"),
+    ),
+    Thing(
+        "mimic",
+        Field("joint", TEXT, required=True, example="left_finger_joint",
+              help="the joint, or part, that is followed"),
+        Field("multiplier", 1, "ratio", default=1.0, example="-1",
+              help="position = multiplier · position of the other + offset; 1 by default"),
+        Field("offset", 1, "position", default=0.0, example="0.1",
+              help="in radians or metres; 0 by default"),
+        scalar="joint",
+    ),
+    Thing(
+        "safety_controller",
+        Field("soft_lower_limit", 1, "position", default=0.0, reversal="soft_upper_limit",
+              example="-1.5", help="where the lower limit of the controller begins"),
+        Field("soft_upper_limit", 1, "position", default=0.0, reversal="soft_lower_limit",
+              example="1.5", help="where the upper limit of the controller begins"),
+        Field("k_position", 1, "rate", default=0.0, example="15", help="the position gain"),
+        Field("k_velocity", 1, "damping", required=True, default=0.0, example="10",
+              help="the velocity gain; required"),
+    ),
+    Thing(
+        "calibration",
+        Field("rising", 1, "position", reversal=NEGATED, example="0.1",
+              help="the position of a rising edge"),
+        Field("falling", 1, "position", reversal=NEGATED, example="0.1",
+              help="the position of a falling edge"),
+        Field("reference_position", 1, "position", reversal=NEGATED, example="0.1",
+              help="the position of the reference"),
+    ),
+)  # fmt: skip
+
+ELEMENTS = {thing.name: thing for thing in _THINGS}
+"""The elements of URDF by name; URDF never uses a name for two things."""
+
+RECORDS = ("axis", "limit", "dynamics", "mimic", "safety_controller", "calibration")
+"""The elements of a joint that a part writes as keys with fields."""
+OF_1_2 = frozenset(("acceleration", "deceleration", "jerk"))
+"""Limits that came with URDF 1.2."""
+OPTIONAL_SINCE_1_2 = frozenset(("effort", "velocity"))
+"""Limits that URDF 1.2 takes as unbounded when they are left out."""
+
+# --- what words of YAML say besides -----------------------------------------------------------
+
+ACTUATOR = Thing(
+    "actuator",
+    Field("command", TEXT, choices=COMMANDS, default="position", example="position",
+          help="position, velocity or effort"),
+    Field("kp", 1, "stiffness", sign=NOT_NEGATIVE, example="50", help="the position gain"),
+    Field("kd", 1, "damping", sign=NOT_NEGATIVE, example="2", help="the velocity gain"),
+    Field("armature", 1, "armature", sign=NOT_NEGATIVE, example="0.01",
+          help="the inertia of the rotor at the joint, in kg·m² or kg"),
+    Field("gear", 1, sign=NOT_ZERO, default=1.0, example="50", help="the gear ratio"),
+)  # fmt: skip
+
+SURFACE = Thing(
+    "surface",
+    Field("friction", 1, sign=NOT_NEGATIVE, example="0.8", help="the coefficient of friction"),
+    Field("friction2", 1, sign=NOT_NEGATIVE, example="0.8",
+          help="the coefficient in the second direction"),
+    Field("restitution", 1, sign=PART, example="0.5",
+          help="how much of the speed is kept at a bounce, from 0 to 1"),
+    Field("stiffness", 1, "contact stiffness", sign=NOT_NEGATIVE, example="100000",
+          help="the stiffness of the contact, in N/m"),
+    Field("damping", 1, "contact damping", sign=NOT_NEGATIVE, example="10",
+          help="the damping of the contact, in N·s/m"),
+)  # fmt: skip
+
+SENSOR = Thing(
+    "sensor",
+    Field("type", TEXT, required=True, example="imu",
+          help="imu, lidar, camera, depth_camera, gps, contact, magnetometer, range; or "
+          "force_torque in a joint"),
+    Field("rate", 1, "rate", sign=NOT_NEGATIVE, example="30",
+          help="measurements per second, in Hz"),
+    Field("noise", 1, sign=NOT_NEGATIVE, example="0.01", help="the standard deviation"),
+    Field("topic", TEXT, example="scan", help="the topic of the measurements"),
+)  # fmt: skip
+"""What all sensors have."""
+
+_IMAGE = (
+    Field("size", 2, "pixels", sign=WHOLE, default=(640.0, 480.0), example="640 480",
+          help="width and height of the image, in pixels"),
+    Field("fov", 1, "angle", sign=NOT_NEGATIVE, default=pi / 3, example="1.05",
+          help="the horizontal field of view"),
+    Field("clip", 2, "length", sign=NOT_NEGATIVE, default=(0.05, 100.0), example="0.05 100",
+          help="the nearest and the farthest distance that is seen"),
+)  # fmt: skip
+_RANGE_HELP = "the least and the greatest distance"
+
+LINK_SENSORS = {
+    "imu": Thing("imu"),
+    "lidar": Thing(
+        "lidar",
+        Field("rays", 1, sign=WHOLE, default=360.0, example="720",
+              help="the rays of a lidar in a row"),
+        Field("angle", 1, "angle", sign=NOT_NEGATIVE, default=tau, example="6.28",
+              help="the angle that a lidar sees"),
+        Field("range", 2, "length", sign=NOT_NEGATIVE, default=(0.1, 10.0), example="0.1 12",
+              help=_RANGE_HELP),
+        Field("rows", 1, sign=WHOLE, default=1.0, example="16", help="the rows of a lidar"),
+        Field("tilt", 1, "angle", sign=NOT_NEGATIVE, default=0.0, example="0.5",
+              help="the angle between the rows of a lidar"),
+    ),
+    "camera": Thing("camera", *_IMAGE),
+    "depth_camera": Thing("depth_camera", *_IMAGE),
+    "gps": Thing("gps"),
+    "contact": Thing("contact"),
+    "magnetometer": Thing("magnetometer"),
+    "range": Thing(
+        "range",
+        Field("range", 2, "length", sign=NOT_NEGATIVE, default=(0.02, 4.0), example="0.1 12",
+              help=_RANGE_HELP),
+        Field("fov", 1, "angle", sign=NOT_NEGATIVE, default=0.0, example="0.3",
+              help="the angle of its cone"),
+    ),
+}  # fmt: skip
+"""What each type of sensor in a link has of its own."""
+JOINT_SENSORS = {"force_torque": Thing("force_torque")}
+"""What each type of sensor in a joint has of its own."""
+SENSORS = {**LINK_SENSORS, **JOINT_SENSORS}
+
+LOOP = Thing(
+    "loop",
+    Field("name", TEXT, required=True, help="the name of the joint that closes the loop"),
+    Field("type", TEXT, required=True, choices=("fixed", "ball", "revolute"),
+          help="fixed, revolute or ball"),
+    Field("between", TEXT, required=True, help="two links or frames"),
+    Field("axis", 3, help="the axis of a revolute joint", example="0 0 1"),
+)  # fmt: skip
+
+GROUP = Thing(
+    "group",
+    Field("chain", TEXT, help="two links: the base and the tip"),
+    Field("links", TEXT, help="names of links"),
+    Field("joints", TEXT, help="names of joints"),
+    Field("groups", TEXT, help="names of other groups"),
+    Field("parent", TEXT, help="the link that an end effector is joined to"),
+    Field("end_effector", TEXT, choices=("true", "false"),
+          help="whether the group is an end effector"),
+)  # fmt: skip
+
+COLLISIONS = Thing(
+    "collisions",
+    Field("samples", 1, sign=COUNT, default=10_000.0, example="10000",
+          help="how many random positions are tried"),
+    Field("seed", 1, sign=COUNT, default=1.0, example="1", help="the seed of these positions"),
+    Field("keep", TEXT, help="pairs that stay enabled"),
+)  # fmt: skip
+
+CONTROL = Thing(
+    "control",
+    Field("name", TEXT, help="the name of the block; by default the robot's"),
+    Field("type", TEXT, choices=("system", "actuator", "sensor"), default="system",
+          help="system (the default), actuator or sensor"),
+    Field("plugin", TEXT, required=True, help="the hardware plugin; required"),
+    Field("joints", TEXT, help="names or patterns of joints; by default those with an actuator"),
+    Field("sensors", TEXT, help="names or patterns of sensors"),
+    Field("params", TEXT, help="parameters of the hardware"),
+    Field("gpio", TEXT, help="`NAME: {command: […], state: […]}`"),
+    Field("transmissions", TEXT, choices=("true", "false"),
+          help="whether to add a simple transmission for each joint"),
+    Field("state", TEXT, help="the state that gives the initial values"),
+)  # fmt: skip
+
+WORDS = {
+    thing.name: thing for thing in (ACTUATOR, SURFACE, SENSOR, LOOP, GROUP, COLLISIONS, CONTROL)
+}
+"""What words of YAML say that URDF has no elements for, by name."""
+
+# --- the outermost elements -------------------------------------------------------------------
+
+SRDF_ELEMENTS = frozenset(
+    ("group", "group_state", "end_effector", "virtual_joint", "disable_collisions")
+)
+"""Elements of the Semantic Robot Description Format, whose root is a `<robot>` too."""
+
+
+def is_semantic(root: Element) -> bool:
+    """Return whether a `<robot>` is an SRDF: it has no links of its own, and elements of SRDF."""
+    found = {child.name for child in root.elements()}
+    return "link" not in found and (
+        not found.isdisjoint(SRDF_ELEMENTS) or root.span.source.path.lower().endswith(".srdf")
+    )
+
+
+OTHER_FORMATS = {"sdf": "SDF", "world": "SDF", "model": "SDF", "mujoco": "MJCF"}
+"""The outermost elements of other formats for robots."""
+
+OUTERMOST = ("link", "joint", "material", "gazebo", "transmission", "ros2_control", "sensor")
+"""Element names well known directly under `robot`, where any other name may stand as well."""
+
+
+def joint_type_meant(word: str) -> str | None:
+    """Return the type of joint that `word` is probably meant to be, or None."""
+    return OTHER_JOINT_TYPES.get(word.lower()) or suggest(word, JOINT_TYPES)
+
+
+def joint_type_hint(word: str) -> str:
+    """Return the hint for `word`, which is not a type of joint: which type may be meant."""
+    other = OTHER_JOINT_TYPES.get(word.lower())
+    if other is not None:
+        return f"URDF calls it '{other}'"
+    return did_you_mean(word, JOINT_TYPES) or f"the types are {', '.join(JOINT_TYPES)}"
