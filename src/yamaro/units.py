@@ -46,6 +46,8 @@ _NAMES: dict[Dimension, tuple[str, str]] = {
 }
 _SYMBOLS = ("kg", "m", "rad", "s")
 _COMPOSED: dict[Dimension, str] = {
+    FORCE: "N",
+    TORQUE: "N*m",
     (2, 1, -1, -1): "N*m*s/rad",
     (0, 1, -1, 0): "N*s/m",
     (2, 1, -2, -1): "N*m/rad",

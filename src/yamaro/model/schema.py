@@ -390,7 +390,7 @@ SENSOR = Thing(
     Field("type", TEXT, required=True, example="imu",
           help="imu, lidar, camera, depth_camera, gps, contact, magnetometer, range; or "
           "force_torque in a joint"),
-    Field("rate", 1, "rate", sign=NOT_NEGATIVE, example="30",
+    Field("rate", 1, "frequency", sign=NOT_NEGATIVE, example="30",
           help="measurements per second, in Hz"),
     Field("noise", 1, sign=NOT_NEGATIVE, example="0.01", help="the standard deviation"),
     Field("topic", TEXT, example="scan", help="the topic of the measurements"),
@@ -438,6 +438,7 @@ LINK_SENSORS = {
 JOINT_SENSORS = {"force_torque": Thing("force_torque")}
 """What each type of sensor in a joint has of its own."""
 SENSORS = {**LINK_SENSORS, **JOINT_SENSORS}
+"""The types of sensors, each with what it has of its own."""
 
 LOOP = Thing(
     "loop",

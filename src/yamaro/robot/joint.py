@@ -5,12 +5,19 @@ from __future__ import annotations
 from math import pi
 
 from ..diagnostics import YamaroError, failure
-from ..model.schema import JOINT_TYPES, joint_type_hint, joint_type_meant
+from ..model.schema import (
+    ELEMENTS,
+    JOINT_TYPES,
+    RECORDS,
+    TEXT,
+    joint_type_hint,
+    joint_type_meant,
+)
 from ..xml.tree import Element
 from ..xml.values import format_number, format_value
 from .fields import read_record, read_value, sort_fields, with_attributes, word_of
 from .numbers import read_attribute
-from .places import JOINT, RECORD_KEYS
+from .places import JOINT
 from .pose import origin_element, read_pose
 
 TYPE_CHECKING = False
@@ -26,23 +33,6 @@ PI = format_number(pi)
 ASSUMED_RANGES = {"revolute": (f"-{PI}", PI), "prismatic": ("-1", "1")}
 ASSUMED_EFFORT = "100"
 ASSUMED_VELOCITY = "10"
-
-SCALARS = {"axis": "xyz", "mimic": "joint"}
-NUMBERS: dict[str, dict[str, int]] = {
-    "axis": {"xyz": 3},
-    "limit": dict.fromkeys(
-        ("lower", "upper", "effort", "velocity", "acceleration", "deceleration", "jerk"), 1
-    ),
-    "dynamics": {"damping": 1, "friction": 1},
-    "mimic": {"multiplier": 1, "offset": 1},
-    "safety_controller": dict.fromkeys(
-        ("soft_lower_limit", "soft_upper_limit", "k_position", "k_velocity"), 1
-    ),
-    "calibration": {"rising": 1, "falling": 1, "reference_position": 1},
-}
-"""The attributes of numbers, and how many numbers each takes."""
-
-REQUIRED = {"axis": "xyz", "mimic": "joint"}
 
 
 class JointType:
@@ -103,7 +93,7 @@ def _absorbed_type(lowering: Lowering, key: Element, fields: Fields) -> JointTyp
 def _add_rest(lowering: Lowering, fields: Fields, children: list[Node]) -> None:
     """Append the keys and elements that are output where they are written."""
     for node in fields.rest:
-        if type(node) is Element and node.name in RECORD_KEYS and not node.verbatim:
+        if type(node) is Element and node.name in RECORDS and not node.verbatim:
             try:
                 children.append(lowering.once(node, _lower_record))
             except YamaroError as error:
@@ -223,24 +213,27 @@ def _origin_element(lowering: Lowering, key: Element, fields: Fields, child: str
 
 def _lower_record(lowering: Lowering, key: Element) -> Element:
     """Return an element such as `axis` or `limit` with attributes, numbers checked."""
-    name = key.name
-    numbers = NUMBERS[name]
-    record = read_record(lowering, key, SCALARS.get(name))
+    thing = ELEMENTS[key.name]
+    record = read_record(lowering, key, thing.scalar)
     for attribute, value in record.values.items():
-        count = numbers.get(attribute)
-        label = name if attribute == SCALARS.get(name) else attribute
-        if count is not None:
-            row = read_attribute(lowering, record, attribute, count=count, name=label)
+        field = thing.fields.get(attribute)
+        label = thing.name if attribute == thing.scalar else attribute
+        if field is not None and field.count != TEXT:
+            row = read_attribute(
+                lowering, record, attribute, count=field.count, name=label, kind=field.kind
+            )
             record.values[attribute] = row.text
         else:
             span = record.span(attribute)
             record.values[attribute] = word_of(label, value, span, owner=key)
-    if name in REQUIRED and REQUIRED[name] not in record.values:
+    if thing.scalar is not None and thing.scalar not in record.values:
         raise failure(
             "empty-value",
-            f"'{name}' has no '{REQUIRED[name]}'",
+            f"'{thing.name}' has no '{thing.scalar}'",
             key.span,
-            hint="write axis: 0 0 1" if name == "axis" else "write mimic: with a joint's name",
+            hint="write axis: 0 0 1"
+            if thing.name == "axis"
+            else "write mimic: with a joint's name",
             trace=key.trace,
         )
     return record.element()

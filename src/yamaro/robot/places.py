@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+from ..model.schema import ELEMENTS, RECORDS, SENSORS
+from ..model.schema import SENSOR as ANY_SENSOR
+
 POSE_ROWS = ("xyz", "rpy", "pivot")
 """The keys of a pose that take numbers."""
 POSE_KEYS = frozenset((*POSE_ROWS, "origin"))
 SIZE_KEYS = frozenset(("scale", "radius", "length", "size"))
 SHAPE_KEYS = SIZE_KEYS | {"geometry"}
 MASS_KEYS = frozenset(("mass", "density"))
-RECORD_KEYS = frozenset(("axis", "limit", "dynamics", "mimic", "safety_controller", "calibration"))
 
 COMMON_ELEMENTS = frozenset(
     (
@@ -85,7 +87,7 @@ PART = PartPlace(
 JOINT = PartPlace(
     "joint",
     keys=POSE_KEYS | {"type", "parent", "child"},
-    ordered=RECORD_KEYS,
+    ordered=frozenset(RECORDS),
     stand_ins=frozenset(("parent", "child", "origin")),
     elements=COMMON_ELEMENTS - {"visual", "collision", "material"},
     example="type: fixed",
@@ -132,8 +134,9 @@ FRAME = PartPlace(
 SENSOR = PartPlace(
     "sensor",
     keys=POSE_KEYS - {"origin"},
-    elements=frozenset(("type", "rate", "noise", "topic", "rays", "rows", "angle", "tilt"))
-    | {"range", "size", "fov", "clip", "frame"},
+    elements=frozenset(
+        ("frame", *ANY_SENSOR.fields, *(name for each in SENSORS.values() for name in each.fields))
+    ),
     example="type: imu",
 )
 
@@ -145,7 +148,7 @@ _HOMES: dict[str, dict[str, str]] = {
         "surface": _SURFACE_HINT,
         **dict.fromkeys((*sorted(SHAPE_KEYS), "mass", "density"), _LINK_HINT),
         **dict.fromkeys(("visual", "collision", "inertial"), _LINK_HINT),
-        **dict.fromkeys(("type", "parent", "child", *sorted(RECORD_KEYS)), _JOINT_HINT),
+        **dict.fromkeys(("type", "parent", "child", *sorted(RECORDS)), _JOINT_HINT),
         **dict.fromkeys(sorted(POSE_KEYS), "it belongs under 'joint:' or under 'link:'"),
         "inertia": "it belongs under 'link:', in 'inertial:'",
     },
@@ -156,18 +159,16 @@ _HOMES: dict[str, dict[str, str]] = {
         "name": "write the name beside 'joint:', or as joint/name=…",
         "link": "'link:' belongs beside 'joint:', not in it",
         "joint": "a joint cannot contain a joint",
-        "lower": "it belongs in 'limit:'",
-        "upper": "it belongs in 'limit:'",
-        "effort": "it belongs in 'limit:'",
-        "velocity": "it belongs in 'limit:'",
-        "damping": "it belongs in 'dynamics:'",
-        "friction": "it belongs in 'dynamics:'",
-        "multiplier": "it belongs in 'mimic:'",
-        "offset": "it belongs in 'mimic:'",
+        **{
+            name: f"it belongs in '{record}:'"
+            for record in RECORDS
+            for name in ELEMENTS[record].fields
+            if name not in POSE_ROWS and name != "joint"
+        },
     },
     "link": {
         "surface": _SURFACE_HINT,
-        **dict.fromkeys(("type", "parent", "child", *sorted(RECORD_KEYS)), _JOINT_HINT),
+        **dict.fromkeys(("type", "parent", "child", *sorted(RECORDS)), _JOINT_HINT),
         "name": "write the name beside 'link:', or as link/name=…",
         "material": "it belongs in 'visual:'",
         "color": "it belongs in 'visual:'",
@@ -179,7 +180,7 @@ _HOMES: dict[str, dict[str, str]] = {
     "section": {
         "surface": _SURFACE_HINT,
         **dict.fromkeys(("mass", "density"), "it belongs in 'link:' or in its 'inertial:'"),
-        **dict.fromkeys(("type", "parent", "child", *sorted(RECORD_KEYS)), _JOINT_HINT),
+        **dict.fromkeys(("type", "parent", "child", *sorted(RECORDS)), _JOINT_HINT),
         **dict.fromkeys(("visual", "collision", "inertial"), "it belongs directly in 'link:'"),
         "inertia": "it belongs in 'inertial:'",
         "material": "it belongs in 'visual:'",

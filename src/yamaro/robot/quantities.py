@@ -6,22 +6,14 @@ Loaded for the first text that is not a row of plain numbers.
 from __future__ import annotations
 
 from ..diagnostics import YamaroError, failure, suggest
+from ..model.quantities import BY_JOINT, DIMENSIONS
+from ..model.schema import ELEMENTS
+from ..model.shapes import SIMPLE_SHAPES
 from ..source import Span
 from ..units import (
-    ACCELERATION,
     ANGLE,
-    ANGULAR_ACCELERATION,
-    ANGULAR_SPEED,
-    DENSITY,
-    FORCE,
-    INERTIA,
     LENGTH,
-    MASS,
     NUMBER,
-    RATE,
-    SPEED,
-    TIME,
-    TORQUE,
     UNITS,
     UnknownUnit,
     fits,
@@ -43,58 +35,16 @@ if TYPE_CHECKING:
     from ..units import Dimension
     from .lowering import Lowering
 
-DIMENSIONS: dict[str, Dimension] = {
-    "number": NUMBER,
-    "length": LENGTH,
-    "angle": ANGLE,
-    "mass": MASS,
-    "time": TIME,
-    "rate": RATE,
-    "speed": SPEED,
-    "angular speed": ANGULAR_SPEED,
-    "acceleration": ACCELERATION,
-    "angular acceleration": ANGULAR_ACCELERATION,
-    "force": FORCE,
-    "torque": TORQUE,
-    "density": DENSITY,
-    "inertia": INERTIA,
-    "contact stiffness": (0, 1, -2, 0),
-    "contact damping": (0, 1, -1, 0),
-}
-"""The kinds of numbers that are the same wherever they are."""
-
-BY_JOINT: dict[str, tuple[tuple[Dimension, ...], tuple[Dimension, ...]]] = {
-    "position": ((ANGLE,), (LENGTH,)),
-    "velocity": ((ANGULAR_SPEED,), (SPEED,)),
-    "acceleration of a joint": ((ANGULAR_ACCELERATION,), (ACCELERATION,)),
-    "jerk": (((0, 0, -3, 1),), ((1, 0, -3, 0),)),
-    "effort": ((TORQUE,), (FORCE,)),
-    "damping": (((2, 1, -1, -1),), ((0, 1, -1, 0),)),
-    "stiffness": (((2, 1, -2, -1),), ((0, 1, -2, 0),)),
-    "armature": ((INERTIA,), (MASS,)),
-    "ratio": ((NUMBER, (-1, 0, 0, 1)), (NUMBER, (1, 0, 0, -1))),
-}
-"""The kinds of numbers that depend on the joint: for one that turns, and for one that slides.
-
-A ratio is between two joints, of which the other may turn or slide.
-"""
-
 KINDS = {
-    **dict.fromkeys(("xyz", "pivot", "radius", "length", "size of a box"), "length"),
-    **{f"scale of a {shape}": "length" for shape in ("box", "cylinder", "sphere", "capsule")},
-    "rpy": "angle",
-    "mass": "mass",
-    "density": "density",
-    **dict.fromkeys(("inertia", "ixx", "ixy", "ixz", "iyy", "iyz", "izz"), "inertia"),
-    **dict.fromkeys(("lower", "upper", "soft_lower_limit", "soft_upper_limit"), "position"),
-    **dict.fromkeys(("rising", "falling", "reference_position", "offset"), "position"),
-    "velocity": "velocity",
-    **dict.fromkeys(("acceleration", "deceleration"), "acceleration of a joint"),
-    "jerk": "jerk",
-    **dict.fromkeys(("effort", "friction"), "effort"),
-    **dict.fromkeys(("damping", "k_velocity"), "damping"),
-    "k_position": "rate",
-    "multiplier": "ratio",
+    **{
+        name: field.kind
+        for thing in ELEMENTS.values()
+        for name, field in thing.fields.items()
+        if field.kind != "number" and name != "size"
+    },
+    **dict.fromkeys(("pivot", "size of a box"), "length"),
+    **{f"scale of a {shape}": "length" for shape in SIMPLE_SHAPES},
+    **{name: name for name in ("mass", "density", "inertia")},
 }
 """The kind of the numbers of a key; those of any other key are plain numbers."""
 

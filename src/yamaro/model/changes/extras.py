@@ -6,32 +6,20 @@ What elements such as `<gazebo>` say of sensors and actuators is compared in `el
 
 from __future__ import annotations
 
+from ..quantities import unit_of
+from ..schema import ACTUATOR, COLLISIONS, LOOP, SENSOR, SENSORS, SURFACE
 from .context import Owner
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Mapping
+    from collections.abc import Callable, Collection, Mapping
 
-    from ..extras import Extras, Surface
+    from ..extras import Actuator, Extras, Surface
     from ..robot import Robot
+    from ..schema import Thing
     from ..sensors import Sensor
     from ..values import Written
     from .context import Comparing
-
-SENSOR = {"rate": "Hz", "noise": "", "topic": ""}
-DETAILS = {
-    "rays": "", "angle": "rad", "rows": "", "tilt": "rad", "range": "m", "size": "pixels",
-    "fov": "rad", "clip": "m",
-}  # fmt: skip
-ACTUATOR = {"command": "", "kp": "", "kd": "", "armature": "", "gear": ""}
-SURFACE = {
-    "friction": "",
-    "friction2": "",
-    "restitution": "",
-    "stiffness": "N/m",
-    "damping": "N·s/m",
-}
-COLLISIONS = {"samples": "", "seed": ""}
 
 
 def compare_extras(comparing: Comparing) -> None:
@@ -100,13 +88,19 @@ def _fact(thing: Written) -> object:
 def _compare_fields(
     one: object,
     other: object,
-    fields: dict[str, str],
+    thing: Thing,
     owner: Owner,
     comparing: Comparing,
+    *,
+    but: Collection[str] = (),
+    joint_type: str = "",
 ) -> None:
-    """Compare numbers, rows of them and texts by their names."""
-    for name, unit in fields.items():
+    """Compare the fields of two things, except for some that are compared otherwise."""
+    for name, field in thing.fields.items():
+        if name in but:
+            continue
         before, after = getattr(one, name, None), getattr(other, name, None)
+        unit = unit_of(field.kind, joint_type)
         if isinstance(before, tuple) and isinstance(after, tuple):
             comparing.row(owner, name, (before, after), unit=unit)
         elif isinstance(before, (int, float)) and isinstance(after, (int, float)):
@@ -120,13 +114,16 @@ def _compare_sensors(one: Sensor, other: Sensor, owner: Owner, comparing: Compar
     comparing.named(owner, "link", (one.link, other.link), comparing.link)
     comparing.named(owner, "joint", (one.joint, other.joint), comparing.joint)
     comparing.named(owner, "frame", (one.frame, other.frame), comparing.link)
-    _compare_fields(one, other, SENSOR, owner, comparing)
-    if one.type == other.type:
-        _compare_fields(one.details, other.details, DETAILS, owner, comparing)
+    _compare_fields(one, other, SENSOR, owner, comparing, but=("type",))
+    if one.type == other.type and one.details is not None:
+        _compare_fields(one.details, other.details, SENSORS[one.type], owner, comparing)
 
 
-def _compare_actuators(one: object, other: object, owner: Owner, comparing: Comparing) -> None:
-    _compare_fields(one, other, ACTUATOR, owner, comparing)
+def _compare_actuators(one: Actuator, other: Actuator, owner: Owner, comparing: Comparing) -> None:
+    joint = comparing.first.joints.get(one.joint)
+    kind = joint.type if joint is not None else ""
+    _compare_fields(one, other, ACTUATOR, owner, comparing, joint_type=kind)
+    comparing.text(owner, "commands", (one.commands, other.commands))
 
 
 def _surfaces(extras: Extras, rename: Callable[[str], str]) -> dict[str, Surface]:
@@ -173,7 +170,7 @@ def _compare_loops(one: object, other: object, owner: Owner, comparing: Comparin
     ends = [getattr(each, "between", ()) for each in (one, other)]
     first = [comparing.link(name) for name in ends[0]]
     comparing.text(owner, "between", (first, list(ends[1])))
-    _compare_fields(one, other, {"type": "", "axis": ""}, owner, comparing)
+    _compare_fields(one, other, LOOP, owner, comparing, but=("name", "between"))
 
 
 def _compare_settings(first: Extras, second: Extras, comparing: Comparing) -> None:
@@ -188,7 +185,7 @@ def _compare_settings(first: Extras, second: Extras, comparing: Comparing) -> No
             comparing.change(owner, "collisions", _settings(one), _settings(other))
         return
     owner = Owner("collisions", "", new_name=None, places=(one.span, other.span))
-    _compare_fields(one, other, COLLISIONS, owner, comparing)
+    _compare_fields(one, other, COLLISIONS, owner, comparing, but=("keep",))
     kept = [" ".join(map(comparing.link, pair)) for pair in one.keep]
     comparing.text(owner, "keep", (kept, [" ".join(pair) for pair in other.keep]))
 
@@ -196,4 +193,4 @@ def _compare_settings(first: Extras, second: Extras, comparing: Comparing) -> No
 def _settings(settings: object) -> object:
     if settings is None:
         return None
-    return {name: getattr(settings, name) for name in COLLISIONS}
+    return {name: getattr(settings, name) for name in COLLISIONS.numbers()}

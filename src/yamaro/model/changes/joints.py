@@ -3,31 +3,20 @@
 from __future__ import annotations
 
 from ..joint import FIXED, FLOATING, PRISMATIC
+from ..quantities import unit_of
+from ..schema import ELEMENTS
 from .context import Owner
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from ...source import Span
     from ..joint import Joint
+    from ..schema import Thing
     from ..values import Written
     from .context import Comparing, Place
 
-LIMIT = ("lower", "upper", "effort", "velocity", "acceleration", "deceleration", "jerk")
-DYNAMICS = {"damping": 0.0, "friction": 0.0}
-SAFETY = ("soft_lower_limit", "soft_upper_limit", "k_position", "k_velocity")
-CALIBRATION = ("rising", "falling")
-_ANGULAR = {
-    "lower": "rad", "upper": "rad", "effort": "N·m", "velocity": "rad/s",
-    "acceleration": "rad/s²", "deceleration": "rad/s²", "jerk": "rad/s³",
-    "damping": "N·m·s/rad", "friction": "N·m", "offset": "rad",
-    "soft_lower_limit": "rad", "soft_upper_limit": "rad", "rising": "rad", "falling": "rad",
-}  # fmt: skip
-_LINEAR = {
-    "lower": "m", "upper": "m", "effort": "N", "velocity": "m/s",
-    "acceleration": "m/s²", "deceleration": "m/s²", "jerk": "m/s³",
-    "damping": "N·s/m", "friction": "N", "offset": "m",
-    "soft_lower_limit": "m", "soft_upper_limit": "m", "rising": "m", "falling": "m",
-}  # fmt: skip
+WITH_NUMBERS = ("limit", "dynamics", "safety_controller", "calibration")
+"""The parts of a joint that are made of numbers."""
 
 
 def compare_joints(one: Joint, other: Joint, comparing: Comparing) -> None:
@@ -40,16 +29,12 @@ def compare_joints(one: Joint, other: Joint, comparing: Comparing) -> None:
         comparing.pose(owner, "origin", one.origin, other.origin, owner.places)
     if one.type not in (FIXED, FLOATING) and other.type not in (FIXED, FLOATING):
         _compare_axes(one, other, owner, comparing)
-    units = _LINEAR if PRISMATIC in (one.type, other.type) else _ANGULAR
-    for part, names in (
-        ("limit", LIMIT),
-        ("dynamics", DYNAMICS),
-        ("safety_controller", SAFETY),
-        ("calibration", CALIBRATION),
-    ):
+    kind = PRISMATIC if PRISMATIC in (one.type, other.type) else one.type
+    for part in WITH_NUMBERS:
         values = (getattr(one, part), getattr(other, part))
-        _compare_numbers(values, names, owner, comparing, part=part, units=units)
-    _compare_mimics(one, other, owner, comparing, unit=units["offset"])
+        if values[0] is not values[1]:
+            _compare_numbers(ELEMENTS[part], values, owner, comparing, kind)
+    _compare_mimics(one, other, owner, comparing, unit=unit_of("position", kind))
 
 
 def _compare_axes(one: Joint, other: Joint, owner: Owner, comparing: Comparing) -> None:
@@ -72,24 +57,25 @@ def _places(one: object, other: object) -> Place:
 
 
 def _compare_numbers(
+    thing: Thing,
     values: tuple[Written | None, Written | None],
-    names: tuple[str, ...] | dict[str, float],
     owner: Owner,
     comparing: Comparing,
-    *,
-    part: str,
-    units: dict[str, str],
+    joint_type: str,
 ) -> None:
-    """Compare the numbers of two limits, or of other groups that may be left out."""
-    one, other = values
-    if one is other:
-        return
-    for name in names:
-        default = names[name] if isinstance(names, dict) else None
-        before, after = (default if each is None else getattr(each, name) for each in values)
-        places = (_value_place(one, name), _value_place(other, name))
+    """Compare two limits, or other parts of joints that may be left out.
+
+    A joint without dynamics has those of 0; one without a limit has none.
+    """
+    left_out = 0.0 if thing.name == "dynamics" else None
+    for name, field in thing.fields.items():
+        before, after = (left_out if each is None else getattr(each, name) for each in values)
         comparing.number(
-            owner, f"{part}.{name}", (before, after), unit=units.get(name, ""), places=places
+            owner,
+            f"{thing.name}.{name}",
+            (before, after),
+            unit=unit_of(field.kind, joint_type),
+            places=(_value_place(values[0], name), _value_place(values[1], name)),
         )
 
 
