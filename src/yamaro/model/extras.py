@@ -8,6 +8,7 @@ the robot says in elements of other programs, such as `<gazebo>`, `recognition.p
 from __future__ import annotations
 
 from ..diagnostics import INHERITED
+from .schema import ACTUATOR, COLLISIONS, SURFACE, TEXT
 from .sensors import Sensor
 from .values import Written, attribute_text, number_in, read_numbers
 
@@ -19,8 +20,7 @@ if TYPE_CHECKING:
     from ..source import Span
     from ..xml.tree import Element
     from .pose import Vector
-
-DEFAULT_SAMPLES, DEFAULT_SEED = 10_000, 1
+    from .schema import Thing
 
 
 class Noted(Written):
@@ -35,6 +35,12 @@ class Noted(Written):
     def __init__(self, element: Element) -> None:
         self.element = element
         self.trace = _trace_of(element)
+
+    def _take(self, thing: Thing) -> None:
+        """Take the values of a thing's fields from the attributes."""
+        for name, field in thing.fields.items():
+            found = self.written(name) if field.count == TEXT else self.number(name)
+            setattr(self, name, field.default if found is None else found)
 
     def _text(self, attribute: str) -> str:
         return attribute_text(self.element, attribute) or ""
@@ -62,15 +68,16 @@ class Actuator(Noted):
 
     __slots__ = ("armature", "command", "commands", "gear", "joint", "kd", "kp")
 
+    command: str
+    kp: float | None
+    kd: float | None
+    armature: float | None
+    gear: float
+
     def __init__(self, element: Element) -> None:
         super().__init__(element)
         self.joint = self._text("joint")
-        self.command = self._text("command") or "position"
-        self.kp = self.number("kp")
-        self.kd = self.number("kd")
-        self.armature = self.number("armature")
-        gear = self.number("gear")
-        self.gear = 1.0 if gear is None else gear
+        self._take(ACTUATOR)
         self.commands = tuple(self._text("commands").split()) or (self.command,)
 
 
@@ -91,16 +98,19 @@ class Surface(Noted):
         "damping", "friction", "friction2", "index", "link", "restitution", "stiffness",
     )  # fmt: skip
 
+    friction: float | None
+    friction2: float | None
+    restitution: float | None
+    stiffness: float | None
+    damping: float | None
+
     def __init__(self, element: Element) -> None:
         super().__init__(element)
         self.link = self._text("link")
         self.index = int(self.number("index") or 0)
-        self.friction = self.number("friction")
-        own = self.number("friction2")
-        self.friction2 = self.friction if own is None else own
-        self.restitution = self.number("restitution")
-        self.stiffness = self.number("stiffness")
-        self.damping = self.number("damping")
+        self._take(SURFACE)
+        if self.friction2 is None:
+            self.friction2 = self.friction
 
     def values(self) -> tuple[float | None, ...]:
         """Return friction, friction2, restitution, stiffness and damping."""
@@ -173,11 +183,14 @@ class CollisionSettings(Noted):
 
     __slots__ = ("keep", "samples", "seed")
 
+    samples: int
+    seed: int
+    keep: tuple[tuple[str, str], ...]
+
     def __init__(self, element: Element) -> None:
         super().__init__(element)
-        samples, seed = self.number("samples"), self.number("seed")
-        self.samples = DEFAULT_SAMPLES if samples is None else int(samples)
-        self.seed = DEFAULT_SEED if seed is None else int(seed)
+        self._take(COLLISIONS)
+        self.samples, self.seed = int(self.samples), int(self.seed)
         pairs = zip(self._named("keep", "link_1"), self._named("keep", "link_2"))  # noqa: B905
         self.keep = tuple(pairs)
 

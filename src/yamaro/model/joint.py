@@ -84,12 +84,18 @@ class SafetyController(Written):
 
 
 class Calibration(Written):
-    """The positions, in radians or metres, where a reference switch rises or falls, or None."""
+    """The positions, in radians or metres, that a joint is calibrated at, or None.
 
-    __slots__ = ("falling", "rising")
+    Attributes:
+        rising, falling: where a reference switch rises or falls.
+        reference_position: the reference; older files have it, and urdfdom's schema.
+    """
+
+    __slots__ = ("falling", "reference_position", "rising")
 
     rising: float | None
     falling: float | None
+    reference_position: float | None
 
 
 class Joint(ReadLater):

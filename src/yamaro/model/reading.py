@@ -23,7 +23,7 @@ from .pose import (
     unit_vector,
 )
 from .robot import Robot
-from .schema import JOINT_TYPES, MOMENTS, joint_type_hint
+from .schema import ELEMENTS, JOINT_TYPES, MOMENTS, TEXT, joint_type_hint
 from .shapes import COUNTS, SHAPE_WORDS, SIMPLE_SHAPES, SIZES, UNSCALED, Mesh
 from .values import NumberFault, NumberReader, attribute_text, child_named
 
@@ -31,11 +31,13 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     import os
     from collections.abc import Sequence
+    from typing import Any, TypeVar
 
     from ..diagnostics import Frame as Step
     from .pose import Vector
     from .shapes import Inertia, Shape
 
+    Part = TypeVar("Part", Limit, Mimic, Dynamics, SafetyController, Calibration)
     Numbers = tuple[float, ...]
     Contents = tuple[Inertial | None, tuple[Visual, ...], tuple[Collision, ...]]
 
@@ -115,9 +117,7 @@ class _Reader:
         self._contents: dict[int, Contents] = {}
         self._origins: dict[int, Pose] = {}
         self._axes: dict[int, Vector] = {}
-        self._limits: dict[int, Limit] = {}
-        self._mimics: dict[int, Mimic] = {}
-        self._dynamics: dict[int, Dynamics] = {}
+        self._parts: dict[int, Any] = {}
         self._visuals: dict[int, Visual] = {}
         self._collisions: dict[int, Collision] = {}
         self._link_reader, self._joint_reader = self._read_link, self._read_joint  # bound once
@@ -306,7 +306,7 @@ class _Reader:
         joint.child = attribute_text(child, "link") or ""
         joint.mimic = None
         if mimic is not None:
-            joint.mimic = self._mimics.get(id(mimic)) or self._mimic(mimic)
+            joint.mimic = self._part(Mimic, mimic)
         return joint
 
     def _read_joint(self, joint: Joint) -> None:
@@ -323,14 +323,14 @@ class _Reader:
         axis, limit, dynamics = get("axis"), get("limit"), get("dynamics")
         joint.axis = X_AXIS if axis is None else self._axes.get(id(axis)) or self._axis(axis)
         if limit is not None:
-            joint.limit = self._limits.get(id(limit)) or self._limit(limit)
+            joint.limit = self._part(Limit, limit)
         if dynamics is not None:
-            joint.dynamics = self._dynamics.get(id(dynamics)) or self._dynamics_of(dynamics)
+            joint.dynamics = self._part(Dynamics, dynamics)
         safety, calibration = get("safety_controller"), get("calibration")
         if safety is not None:
-            joint.safety_controller = self._safety_controller(safety)
+            joint.safety_controller = self._part(SafetyController, safety)
         if calibration is not None:
-            joint.calibration = self._calibration(calibration)
+            joint.calibration = self._part(Calibration, calibration)
 
     def _joint_type(self, joint: Element) -> str:
         kind = attribute_text(joint, "type")
@@ -347,49 +347,23 @@ class _Reader:
         axis = self._axes[id(element)] = unit_vector(self._vector(element, "xyz", X_AXIS))
         return axis
 
-    def _limit(self, element: Element) -> Limit:
-        limit = self._limits[id(element)] = Limit()
-        limit.element = element
-        limit.lower = self._number(element, "lower") or 0.0
-        limit.upper = self._number(element, "upper") or 0.0
-        limit.effort = self._number(element, "effort")
-        limit.velocity = self._number(element, "velocity")
-        limit.acceleration = self._number(element, "acceleration")
-        limit.deceleration = self._number(element, "deceleration")
-        limit.jerk = self._number(element, "jerk")
-        return limit
-
-    def _mimic(self, element: Element) -> Mimic:
-        mimic = self._mimics[id(element)] = Mimic()
-        mimic.element = element
-        mimic.joint = attribute_text(element, "joint") or ""
-        multiplier = self._number(element, "multiplier")
-        mimic.multiplier = 1.0 if multiplier is None else multiplier
-        mimic.offset = self._number(element, "offset") or 0.0
-        return mimic
-
-    def _dynamics_of(self, element: Element) -> Dynamics:
-        dynamics = self._dynamics[id(element)] = Dynamics()
-        dynamics.element = element
-        dynamics.damping = self._number(element, "damping") or 0.0
-        dynamics.friction = self._number(element, "friction") or 0.0
-        return dynamics
-
-    def _safety_controller(self, element: Element) -> SafetyController:
-        safety = SafetyController()
-        safety.element = element
-        safety.soft_lower_limit = self._number(element, "soft_lower_limit") or 0.0
-        safety.soft_upper_limit = self._number(element, "soft_upper_limit") or 0.0
-        safety.k_position = self._number(element, "k_position") or 0.0
-        safety.k_velocity = self._number(element, "k_velocity") or 0.0
-        return safety
-
-    def _calibration(self, element: Element) -> Calibration:
-        calibration = Calibration()
-        calibration.element = element
-        calibration.rising = self._number(element, "rising")
-        calibration.falling = self._number(element, "falling")
-        return calibration
+    def _part(self, kind: type[Part], element: Element) -> Part:
+        """Return the limit, mimic, … of an element, with the values that the schema lists."""
+        known: Part | None = self._parts.get(id(element))
+        if known is not None:
+            return known
+        part = self._parts[id(element)] = kind()
+        part.element = element
+        for name, field in ELEMENTS[element.name].fields.items():
+            value: object = field.default
+            if field.count == TEXT:
+                value = attribute_text(element, name) or ""
+            else:
+                number = self._number(element, name)
+                if number is not None:
+                    value = number
+            setattr(part, name, value)
+        return part
 
     # --- values ---
 

@@ -2,10 +2,9 @@
 
 A `Thing` is an element of URDF, such as `limit`, or what words of YAML add to it, such as an
 actuator; a `Field` is one of its values. A field has one name everywhere: it is the key in YAML,
-the attribute in URDF, and the attribute of the object in the model. Whoever deals with all fields
-loops over these rows: the readers of parts and of URDF, the check of values, `diff`, mirrors,
-`why`, the editor, the tables of the docs, and in `targets/holding.py` the losses of each format.
-What deals with one field, such as the inertia of a shape, is code of its own.
+the attribute in URDF, and the attribute of the object in the model. Code that deals with all
+fields loops over these rows: the readers of parts and of URDF, the check of values, `diff`, mirrors
+and the editor. What deals with one field, such as the inertia of a shape, is code of its own.
 
 Sources: urdfdom's parser and its `xsd/urdf.xsd`; URDF 1.1 adds `capsule` and `quat_xyzw`, 1.2 the
 acceleration, deceleration and jerk limits.
@@ -51,8 +50,8 @@ class Field:
             WHOLE or COUNT.
         required: whether parsers refuse or drop the thing without it.
         default: what the model has where it is left out.
-        reversal: what becomes of it where the positions of its joint count the other way: it is
-            KEPT, NEGATED, or changes places, negated, with the field of this name.
+        reversal: how it changes where the positions of its joint count the other way: it is KEPT,
+            NEGATED, or changes places, negated, with the field of this name.
         choices: the words that it may be, if only some may.
         help: what the editor and the docs say of it.
         example: a value, for hints.
@@ -159,6 +158,8 @@ AXES = ("x", "y", "z", "-x", "-y", "-z")
 """The words for an axis."""
 COMMANDS = ("position", "velocity", "effort")
 """The commands of an actuator; of several, the first of these is the usual one."""
+DEFAULT_SAMPLES, DEFAULT_SEED = 10_000, 1
+"""How the pairs of links that never collide are found."""
 
 # --- URDF -------------------------------------------------------------------------------------
 
@@ -462,9 +463,10 @@ GROUP = Thing(
 
 COLLISIONS = Thing(
     "collisions",
-    Field("samples", 1, sign=COUNT, default=10_000.0, example="10000",
+    Field("samples", 1, sign=COUNT, default=DEFAULT_SAMPLES, example="10000",
           help="how many random positions are tried"),
-    Field("seed", 1, sign=COUNT, default=1.0, example="1", help="the seed of these positions"),
+    Field("seed", 1, sign=COUNT, default=DEFAULT_SEED, example="1",
+          help="the seed of these positions"),
     Field("keep", TEXT, help="pairs that stay enabled"),
 )  # fmt: skip
 

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from math import pi, tau
+from math import tau
 
 from .pose import IDENTITY, Pose, rotation_from_rpy
+from .schema import SENSORS, WHOLE
 from .values import Written, attribute_text, read_numbers
 
 TYPE_CHECKING = False
@@ -33,12 +34,14 @@ class Lidar:
 
     __slots__ = ("_ends", "_tilt_ends", "angle", "range", "rays", "rows", "tilt")
 
+    rays: int
+    angle: float
+    rows: int
+    tilt: float
+    range: tuple[float, float]
+
     def __init__(self, element: Element) -> None:
-        self.rays = _count(element, "rays", 360)
-        self.rows = _count(element, "rows", 1)
-        self.range = _pair(element, "range", (0.1, 10.0))
-        self.angle = _number(element, "angle", tau)
-        self.tilt = _number(element, "tilt", 0.0)
+        _take(self, element, LIDAR)
         step = self.angle / self.rays if _is_circle(self.angle) else 0.0
         self._ends = (-self.angle / 2, self.angle / 2 - step)
         self._tilt_ends = (-self.tilt / 2, self.tilt / 2)
@@ -78,11 +81,12 @@ class Camera:
 
     __slots__ = ("clip", "fov", "size")
 
+    size: tuple[int, int]
+    fov: float
+    clip: tuple[float, float]
+
     def __init__(self, element: Element) -> None:
-        width, height = _pair(element, "size", (640.0, 480.0))
-        self.size = (int(width), int(height))
-        self.fov = _number(element, "fov", pi / 3)
-        self.clip = _pair(element, "clip", (0.05, 100.0))
+        _take(self, element, "camera")
 
 
 class Ranger:
@@ -95,9 +99,11 @@ class Ranger:
 
     __slots__ = ("fov", "range")
 
+    range: tuple[float, float]
+    fov: float
+
     def __init__(self, element: Element) -> None:
-        self.range = _pair(element, "range", (0.02, 4.0))
-        self.fov = _number(element, "fov", 0.0)
+        _take(self, element, RANGE)
 
 
 class Sensor(Written):
@@ -177,15 +183,17 @@ def _row(element: Element, attribute: str) -> tuple[float, ...]:
     return found if isinstance(found, tuple) else ()
 
 
-def _number(element: Element, attribute: str, default: float) -> float:
-    row = _row(element, attribute)
-    return row[0] if len(row) == 1 else default
-
-
-def _count(element: Element, attribute: str, default: int) -> int:
-    return max(int(_number(element, attribute, default)), 1)
-
-
 def _pair(element: Element, attribute: str, default: tuple[float, float]) -> tuple[float, float]:
     row = _row(element, attribute)
     return (row[0], row[1]) if len(row) == 2 else default
+
+
+def _take(details: Lidar | Camera | Ranger, element: Element, kind: str) -> None:
+    """Take the values of a type of sensor from an element: whole numbers where it counts."""
+    for name, field in SENSORS[kind].fields.items():
+        row = _row(element, name)
+        if len(row) != field.count:
+            assert not isinstance(field.default, (str, type(None))), "all that it sees has defaults"
+            row = field.default if isinstance(field.default, tuple) else (field.default,)
+        values: list[object] = [max(int(n), 1) if field.sign == WHOLE else n for n in row]
+        setattr(details, name, values[0] if field.count == 1 else tuple(values))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from ..diagnostics import YamaroError, failure
+from ..model.schema import ACTUATOR, COMMANDS, NOT_ZERO
 from ..xml.values import format_value
 from .entries import chosen, given_once
 from .fields import empty_value, read_value
@@ -11,14 +12,10 @@ from .numbers import read_numbers
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from ..model.schema import Field
     from ..source import Span
     from ..xml.tree import Element, Node
     from .lowering import Lowering
-
-COMMANDS = ("position", "velocity", "effort")
-KEYS = ("command", "kp", "kd", "armature", "gear")
-KINDS = {"kp": "stiffness", "kd": "damping", "armature": "armature", "gear": "number"}
-"""What is commanded; the gains; the inertia and the ratio of the gear."""
 
 
 def lower_actuator(lowering: Lowering, word: Element, joint: Element, out: list[Node]) -> None:
@@ -31,7 +28,7 @@ def lower_actuator(lowering: Lowering, word: Element, joint: Element, out: list[
 
 def _read(lowering: Lowering, word: Element, joint: Element) -> RobotNote:
     refuse_attributes(word)
-    keys = given_once(word, KEYS)
+    keys = given_once(word, ACTUATOR.fields)
     _check_joint(word, joint)
     lowering.joint_type = format_value(joint.attributes.get("type"))
     note = RobotNote(
@@ -51,30 +48,28 @@ def _read(lowering: Lowering, word: Element, joint: Element) -> RobotNote:
             if len(commands) > 1:
                 note.attributes["commands"] = " ".join(commands)
         else:
+            field = ACTUATOR.fields[key.name]
             numbers = read_numbers(
-                lowering, value, span, count=1, name=key.name, trace=key.trace, kind=KINDS[key.name]
+                lowering, value, span, count=1, name=key.name, trace=key.trace, kind=field.kind
             )
-            _check_number(key, numbers.values[0], span)
+            _check_number(field, key, numbers.values[0], span)
             note.attributes[key.name] = numbers.text
     return note
 
 
-def _check_number(key: Element, number: float, span: Span) -> None:
+def _check_number(field: Field, key: Element, number: float, span: Span) -> None:
     """Raise YamaroError for a negative gain or inertia, and for a gear that does not turn."""
-    if number > 0 or (number == 0) != (key.name == "gear"):
+    if number > 0 or (number == 0) != (field.sign == NOT_ZERO):
         return
     raise failure(
         "bad-number",
         "'gear' is not 0: it is how often the motor turns for one turn of the joint"
-        if key.name == "gear"
+        if field.sign == NOT_ZERO
         else f"'{key.name}' takes a number from 0, and this is {format_value(number)}",
         span,
-        hint=f"write {key.name}: {_EXAMPLES[key.name]}",
+        hint=f"write {key.name}: {field.example}",
         trace=key.trace,
     )
-
-
-_EXAMPLES = {"kp": "50", "kd": "2", "armature": "0.01", "gear": "50"}
 
 
 def _commands(key: Element) -> list[str]:

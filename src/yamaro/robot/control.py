@@ -5,6 +5,7 @@ from __future__ import annotations
 from fnmatch import fnmatchcase
 
 from ..diagnostics import YamaroError, did_you_mean, failure
+from ..model.schema import CONTROL
 from ..xml.tree import Element, Text
 from ..xml.values import format_value
 from .control_block import SENSOR_INTERFACES
@@ -22,11 +23,7 @@ if TYPE_CHECKING:
 
     Patterns = list[tuple[str, Span]]
 
-KEYS = (
-    *("name", "type", "plugin", "joints", "sensors"),
-    *("params", "gpio", "transmissions", "state"),
-)
-TYPES = ("system", "actuator", "sensor")
+TYPES = CONTROL.fields["type"].choices
 SENSOR_TYPE = TYPES[2]
 PLUGIN = "mock_components/GenericSystem"
 """The plugin in examples: it mirrors commands to states, without hardware."""
@@ -67,7 +64,7 @@ def lower_control(lowering: Lowering, word: RobotWord, out: list[Node]) -> None:
 
 def _read(lowering: Lowering, word: RobotWord) -> PendingControl:
     entries = entries_of(word, f"control: {{plugin: {PLUGIN}}}")
-    keys = given_once(word.with_children([*entries]), KEYS)
+    keys = given_once(word.with_children([*entries]), CONTROL.fields)
     if "plugin" not in keys:
         raise failure(
             "missing-key",

@@ -5,6 +5,7 @@ from __future__ import annotations
 from itertools import islice
 
 from ..diagnostics import YamaroError, did_you_mean, failure
+from ..model.sensors import CAMERAS
 from ..source import joined
 from ..xml.robot_names import RobotNames
 from ..xml.tree import Element
@@ -31,7 +32,7 @@ from .mirror_image import (
 )
 from .notes import RobotNote, check_keys
 from .rigid import RigidLinks, child_links, link_of, name_of, pose_of, set_pose
-from .sensors import CAMERAS, OPTICAL
+from .sensors import OPTICAL
 from .word_renaming import WordRenaming
 
 TYPE_CHECKING = False

@@ -11,6 +11,7 @@ Algorithms, section 2.8, for the transformation of inertia.
 from __future__ import annotations
 
 from ..model.pose import Pose
+from ..model.schema import ELEMENTS, KEPT, NEGATED, RECORDS
 from ..xml.tree import Comment, Element, RawBlock, Text
 from ..xml.values import format_value
 
@@ -26,8 +27,6 @@ PLANES = {"yz": 0, "xz": 1, "xy": 2}
 _MOMENTS = {"ixy": (0, 1), "ixz": (0, 2), "iyz": (1, 2)}
 _TURNING = ("revolute", "continuous")
 _SLIDING = ("prismatic", "planar")
-_SWAPPED = (("lower", "upper"), ("soft_lower_limit", "soft_upper_limit"))
-_NEGATED = ("rising", "falling")
 
 
 def negated(word: str) -> str:
@@ -137,13 +136,12 @@ def set_axis(joint: Element, axis: str) -> None:
 
 def reverse(joint: Element) -> None:
     """Let the positions of a joint count the other way: its limits change sides and signs."""
-    for child in joint.elements():
-        if child.name in ("limit", "safety_controller"):
-            for lower, upper in _SWAPPED:
-                _swap(child, lower, upper)
-        elif child.name == "calibration":
-            for name in _NEGATED:
-                change_text(child, name, negated)
+    for part in joint.elements():
+        for field in ELEMENTS[part.name].fields.values() if part.name in RECORDS else ():
+            if field.reversal == NEGATED:
+                change_text(part, field.name, negated)
+            elif field.reversal != KEPT and field.name < field.reversal:  # each pair once
+                _swap(part, field.name, field.reversal)
 
 
 def _swap(element: Element, lower: str, upper: str) -> None:

@@ -6,6 +6,7 @@ Names of parts in them are replaced by those of joints and links when all parts 
 from __future__ import annotations
 
 from ..diagnostics import YamaroError, failure
+from ..model.schema import COLLISIONS, GROUP, LOOP
 from ..xml.tree import Element
 from .entries import TRUTHS, entries_of, given_once, one_of
 from .fields import read_value, word_of
@@ -17,10 +18,7 @@ if TYPE_CHECKING:
     from ..xml.tree import Node, RobotWord
     from .lowering import Lowering
 
-LOOP_TYPES = ("fixed", "ball", "revolute")
 BASES = ("fixed", "free")
-GROUP_KEYS = ("chain", "links", "joints", "groups", "parent", "end_effector")
-COLLISION_KEYS = ("samples", "seed", "keep")
 
 
 def lower_section(lowering: Lowering, word: RobotWord, out: list[Node]) -> None:
@@ -74,7 +72,7 @@ def _states(lowering: Lowering, word: RobotWord, out: list[Node]) -> None:
 def _groups(lowering: Lowering, word: RobotWord, out: list[Node]) -> None:
     for given in entries_of(word, "arm: {chain: [base_link, tool0]}"):
         group = given.with_children([*entries_of(given, "arm: {chain: [base_link, tool0]}")])
-        check_keys(group, GROUP_KEYS)
+        check_keys(group, GROUP.fields)
         note = _note(lowering, "robot-group", group, {"name": group.name})
         for key in group.elements():
             if key.name == "end_effector":
@@ -116,7 +114,7 @@ def _add_members(lowering: Lowering, group: RobotNote, key: Element) -> None:
 def _collisions(lowering: Lowering, word: RobotWord, out: list[Node]) -> None:
     note = _note(lowering, "collisions", word, {})
     entries = entries_of(word, "samples: 10000")
-    for key in given_once(word.with_children([*entries]), COLLISION_KEYS).values():
+    for key in given_once(word.with_children([*entries]), COLLISIONS.fields).values():
         if key.name == "keep":
             for pair in _pairs(key):
                 kept = _note(lowering, "keep", key, {"link_1": pair[0], "link_2": pair[1]})
@@ -132,7 +130,7 @@ def _collisions(lowering: Lowering, word: RobotWord, out: list[Node]) -> None:
                 "bad-number",
                 f"'{key.name}' is a whole number from 0",
                 span,
-                hint=f"write {key.name}: {10000 if key.name == 'samples' else 1}",
+                hint=f"write {key.name}: {COLLISIONS.fields[key.name].example}",
                 trace=word.trace,
             )
         note.attributes[key.name] = numbers.text
@@ -159,7 +157,7 @@ def _pairs(key: Element) -> list[tuple[str, str]]:
 
 
 def _loop(lowering: Lowering, word: RobotWord, out: list[Node]) -> None:
-    keys = given_once(word, ("name", "type", "between", "axis"))
+    keys = given_once(word, LOOP.fields)
     for name, example in (("name", "bar"), ("type", "revolute"), ("between", "[bar_end, pin]")):
         if name not in keys:
             raise failure(
@@ -169,7 +167,7 @@ def _loop(lowering: Lowering, word: RobotWord, out: list[Node]) -> None:
                 hint=f"write {name}: {example}",
                 trace=word.trace,
             )
-    kind = one_of(keys["type"], LOOP_TYPES)
+    kind = one_of(keys["type"], LOOP.fields["type"].choices)
     ends = names_in(keys["between"])
     if len(ends) != 2:
         raise failure(

@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 from ..diagnostics import YamaroError, failure
+from ..model.schema import JOINT_SENSORS, LINK_SENSORS, TEXT, WHOLE
+from ..model.schema import SENSOR as ANY_SENSOR
+from ..model.sensors import CAMERAS
 from ..xml.tree import Element
 from ..xml.values import format_value
 from .entries import given_once
@@ -15,47 +18,14 @@ from .pose import ZERO_ROW, Pose, read_pose
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from ..model.schema import Field, Thing
     from ..xml.tree import Node
     from .lowering import Lowering
 
-COMMON_KEYS = ("type", "rate", "noise", "topic")
-NUMBERS = {"rays": 1, "rows": 1, "angle": 1, "tilt": 1, "range": 2, "size": 2, "fov": 1, "clip": 2}
-"""How many numbers each key takes: counts, radians, metres, pixels, radians, metres."""
-KINDS = {
-    "rate": "rate",
-    **dict.fromkeys(("angle", "tilt", "fov"), "angle"),
-    **dict.fromkeys(("range", "clip"), "length"),
-}
-"""What the numbers of a key are; those of the others take no unit."""
-LINK_SENSORS: dict[str, tuple[str, ...]] = {
-    "imu": (),
-    "lidar": ("rays", "angle", "range", "rows", "tilt"),
-    "camera": ("size", "fov", "clip"),
-    "depth_camera": ("size", "fov", "clip"),
-    "gps": (),
-    "contact": (),
-    "magnetometer": (),
-    "range": ("range", "fov"),
-}
-"""The types of sensors in a link, each with the keys of its own."""
-JOINT_SENSORS: dict[str, tuple[str, ...]] = {"force_torque": ()}
-"""The types of sensors in a joint."""
-CAMERAS = ("camera", "depth_camera")
 OPTICAL = "_optical"
 """What follows a camera's name in the name of its optical frame."""
-_EXAMPLES = {
-    "rate": "30",
-    "noise": "0.01",
-    "rays": "720",
-    "rows": "16",
-    "angle": "6.28",
-    "tilt": "0.5",
-    "range": "0.1 12",
-    "size": "640 480",
-    "fov": "1.05",
-    "clip": "0.05 100",
-}
-WHOLE = ("rays", "rows", "size")
 OPTICAL_RPY = "-1.5707963267949 0 -1.5707963267949"
 """From a camera's frame, x forward, to its optical frame, z forward and y down. Source: REP 103."""
 
@@ -119,7 +89,7 @@ def _optical_frame(lowering: Lowering, word: Element, name: str, frame: str) -> 
 
 
 def _read(
-    lowering: Lowering, word: Element, types: dict[str, tuple[str, ...]]
+    lowering: Lowering, word: Element, types: Mapping[str, Thing]
 ) -> tuple[RobotNote, dict[str, Element]]:
     """Return the note of a sensor, and its keys.
 
@@ -137,16 +107,18 @@ def _read(
         trace=lowering.trace,
     )
     note.value_spans = places = {"name": word.value_span("name")}
+    fields = {**ANY_SENSOR.fields, **types[kind].fields}
+    del fields["type"]
     for key_name, key in keys.items():
-        text = _value(lowering, key_name, key)
-        if text is not None:
-            note.attributes[key_name] = text
+        field = fields.get(key_name)
+        if field is not None:
+            note.attributes[key_name] = _value(lowering, field, key)
         if key_name not in POSE_ROWS:
             places[key_name] = read_value(key)[1]
     return note, keys
 
 
-def _kind(word: Element, keys: dict[str, Element], types: dict[str, tuple[str, ...]]) -> str:
+def _kind(word: Element, keys: dict[str, Element], types: Mapping[str, Thing]) -> str:
     key = keys.get("type")
     if key is None:
         raise failure(
@@ -179,13 +151,13 @@ def _kind(word: Element, keys: dict[str, Element], types: dict[str, tuple[str, .
     )
 
 
-def _check_keys(keys: dict[str, Element], kind: str, types: dict[str, tuple[str, ...]]) -> None:
-    own = types[kind]
-    known = (*COMMON_KEYS, *POSE_ROWS, "frame", *own)
+def _check_keys(keys: dict[str, Element], kind: str, types: Mapping[str, Thing]) -> None:
+    own, common = types[kind].fields, ANY_SENSOR.fields
+    known = (*common, *POSE_ROWS, "frame", *own)
     for name, key in keys.items():
         if name in known:
             continue
-        others = [other for other, others_own in types.items() if name in others_own]
+        others = [other for other, thing in types.items() if name in thing.fields]
         from ..suggestions import meant_word
 
         hint, fix = (None, None) if others else meant_word(name, known, key.span)
@@ -195,7 +167,7 @@ def _check_keys(keys: dict[str, Element], kind: str, types: dict[str, tuple[str,
             if others
             else f"'{name}' is not an entry of a sensor",
             key.span,
-            hint=f"{kind} takes {', '.join(own or COMMON_KEYS[1:])}"
+            hint=f"{kind} takes {', '.join(own or [*common][1:])}"
             if others
             else hint or f"{kind} takes {', '.join(known)}",
             trace=key.trace,
@@ -215,26 +187,29 @@ def _refuse_pose(keys: dict[str, Element], reason: str) -> None:
             )
 
 
-def _value(lowering: Lowering, name: str, key: Element) -> str | None:
-    """Return the value of a key as text; None for those that are read elsewhere."""
-    if name in (*POSE_ROWS, "type", "frame"):
-        return None
+def _value(lowering: Lowering, field: Field, key: Element) -> str:
+    """Return the value of a field as text."""
     value, span = read_value(key)
-    if name == "topic":
-        return word_of(name, value, span, owner=key)
-    count = NUMBERS.get(name, 1)
-    kind = KINDS.get(name, "number")
+    if field.count == TEXT:
+        return word_of(field.name, value, span, owner=key)
     numbers = read_numbers(
-        lowering, value, span, count=count, name=name, trace=key.trace, kind=kind
+        lowering,
+        value,
+        span,
+        count=field.count,
+        name=field.name,
+        trace=key.trace,
+        kind=field.kind,
     )
+    is_whole = field.sign == WHOLE
     for number in numbers.values:
-        if number < 0 or (name in WHOLE and (number < 1 or number != int(number))):
+        if number < 0 or (is_whole and (number < 1 or number != int(number))):
             raise failure(
                 "bad-number",
-                f"'{name}' takes {'whole ' if name in WHOLE else ''}numbers "
-                f"{'from 1' if name in WHOLE else 'from 0'}, and this is {format_value(number)}",
+                f"'{field.name}' takes {'whole ' if is_whole else ''}numbers "
+                f"{'from 1' if is_whole else 'from 0'}, and this is {format_value(number)}",
                 span,
-                hint=f"write {name}: {_EXAMPLES[name]}",
+                hint=f"write {field.name}: {field.example}",
                 trace=key.trace,
             )
     return numbers.text

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from ..diagnostics import YamaroError, failure
+from ..model.schema import PART, SURFACE
 from ..xml.values import format_value
 from .entries import given_once
 from .fields import read_value
@@ -14,16 +15,6 @@ if TYPE_CHECKING:
     from ..source import Span
     from ..xml.tree import Element, Node
     from .lowering import Lowering
-
-KEYS = {
-    "friction": "number",
-    "friction2": "number",
-    "restitution": "number",
-    "stiffness": "contact stiffness",
-    "damping": "contact damping",
-}
-"""The keys, each with what its number is; friction in two directions."""
-_EXAMPLES = {"restitution": "0.5", "stiffness": "100000", "damping": "10"}
 
 
 def lower_surfaces(
@@ -49,13 +40,14 @@ def lower_surfaces(
 
 def _read(lowering: Lowering, word: Element, link: str, number: int) -> RobotNote:
     refuse_attributes(word)
-    keys = given_once(word, tuple(KEYS))
+    keys = given_once(word, SURFACE.fields)
     note = RobotNote(
         "surface", word.span, {"link": link, "index": str(number)}, trace=lowering.trace
     )
     places: dict[str, Span] = {}
     note.value_spans = places
     for key in keys.values():
+        field = SURFACE.fields[key.name]
         value, span = read_value(key)
         row = read_numbers(
             lowering,
@@ -64,16 +56,15 @@ def _read(lowering: Lowering, word: Element, link: str, number: int) -> RobotNot
             count=1,
             name=key.name,
             trace=word.trace,
-            kind=KEYS[key.name],
+            kind=field.kind,
         )
-        most = 1.0 if key.name == "restitution" else None
-        if row.values[0] < 0 or (most is not None and row.values[0] > most):
+        if row.values[0] < 0 or (field.sign == PART and row.values[0] > 1):
             raise failure(
                 "bad-number",
-                f"'{key.name}' takes a number {'from 0 to 1' if most else 'from 0'}, "
+                f"'{key.name}' takes a number {PART if field.sign == PART else 'from 0'}, "
                 f"and this is {format_value(row.values[0])}",
                 span,
-                hint=f"write {key.name}: {_EXAMPLES.get(key.name, '0.8')}",
+                hint=f"write {key.name}: {field.example}",
                 trace=word.trace,
             )
         note.attributes[key.name] = row.text

@@ -12,7 +12,7 @@ from __future__ import annotations
 
 from itertools import combinations
 
-from ...model.extras import DEFAULT_SAMPLES, DEFAULT_SEED
+from ...model.schema import DEFAULT_SAMPLES, DEFAULT_SEED
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

@@ -5,9 +5,15 @@ The words of a place are its keys. What can stand everywhere in statements is in
 
 from __future__ import annotations
 
+from ...model.schema import AXES, ELEMENTS, RECORDS, SENSOR, SENSORS, WORDS
+from ...model.shapes import SIMPLE_SHAPES
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from ...model.schema import Thing
+
 _POSE = {
-    "xyz": "the position x y z in metres; units such as `350mm` are allowed",
-    "rpy": "roll, pitch and yaw in radians, about fixed axes; units such as `90deg` are allowed",
+    **{name: ELEMENTS["origin"].fields[name].help for name in ("xyz", "rpy")},
     "pivot": "the point, in the rotated axes, that is placed at `xyz`",
 }
 _ORIGIN = {"origin": "the pose as attributes: `{xyz: 0 0 1, rpy: 0 0 0}`"}
@@ -21,7 +27,16 @@ _SIZES = {
 _MASS = {"mass": "the mass in kilograms", "density": "kilograms per cubic metre"}
 _BODY = {"body": "the statements"}
 
+
+def _fields(thing: Thing) -> dict[str, str]:
+    """Return the fields of a thing, each with its help."""
+    return {name: field.help for name, field in thing.fields.items()}
+
+
+_SENSOR = {name: about for each in SENSORS.values() for name, about in _fields(each).items()}
 MANUAL: dict[str, dict[str, str]] = {
+    **{name: _fields(ELEMENTS[name]) for name in RECORDS if name != "axis"},
+    **{name: _fields(thing) for name, thing in WORDS.items()},
     "root": {
         "robot": "names the robot; the default is the name of the file",
         "import": "Python modules for the expressions of this file",
@@ -63,12 +78,12 @@ MANUAL: dict[str, dict[str, str]] = {
         "link": "the link: shape, mass, sections; without it the link is empty",
     },
     "joint": {
-        "type": "revolute, continuous, prismatic, fixed, floating or planar; required",
+        "type": ELEMENTS["joint"].fields["type"].help,
         "parent": "the name of a link, or of a part, whose link is meant; required",
         "child": "the name of the child link; by default that of the part",
         **_POSE,
         **_ORIGIN,
-        "axis": "the joint's axis: three numbers, or x, y, z, -x, -y, -z",
+        "axis": ELEMENTS["axis"].fields["xyz"].help,
         "limit": "lower, upper, effort and velocity",
         "dynamics": "damping and friction",
         "mimic": "the joint that this one follows: `joint`, `multiplier`, `offset`",
@@ -109,72 +124,13 @@ MANUAL: dict[str, dict[str, str]] = {
         **_POSE,
         **_ORIGIN,
     },
-    "limit": {
-        "lower": "the least position, in radians or metres",
-        "upper": "the greatest position, in radians or metres",
-        "effort": "the greatest torque or force, in N·m or N",
-        "velocity": "the greatest speed, in rad/s or m/s",
-        "acceleration": "the greatest acceleration; URDF 1.2",
-        "deceleration": "the greatest deceleration; URDF 1.2",
-        "jerk": "the greatest jerk; URDF 1.2",
-    },
-    "dynamics": {
-        "damping": "in N·m·s/rad, or N·s/m",
-        "friction": "static friction, in N·m or N",
-    },
-    "mimic": {
-        "joint": "the joint, or part, that is followed",
-        "multiplier": "position = multiplier · position of the other + offset; 1 by default",
-        "offset": "in radians or metres; 0 by default",
-    },
-    "safety_controller": {
-        "k_velocity": "the velocity gain; required",
-        "k_position": "the position gain",
-        "soft_lower_limit": "where the lower limit of the controller begins",
-        "soft_upper_limit": "where the upper limit of the controller begins",
-    },
-    "calibration": {
-        "rising": "the position of a rising edge",
-        "falling": "the position of a falling edge",
-        "reference_position": "the position of the reference",
-    },
     "material": {
-        "name": "the name of the material",
-        "color": "red, green, blue and alpha, from 0 to 1",
-        "texture": "an image file",
-    },
-    "surface": {
-        "friction": "the coefficient of friction",
-        "friction2": "the coefficient in the second direction",
-        "restitution": "how much of the speed is kept at a bounce, from 0 to 1",
-        "stiffness": "the stiffness of the contact, in N/m",
-        "damping": "the damping of the contact, in N·s/m",
+        **_fields(ELEMENTS["material"]),
+        "color": ELEMENTS["color"].fields["rgba"].help,
+        "texture": ELEMENTS["texture"].fields["filename"].help,
     },
     "frame": dict(_POSE),
-    "sensor": {
-        "type": "imu, lidar, camera, depth_camera, gps, contact, magnetometer, range; or "
-        "force_torque in a joint",
-        **_POSE,
-        "rate": "measurements per second, in Hz",
-        "noise": "the standard deviation",
-        "topic": "the topic of the measurements",
-        "frame": "the frame that it measures in",
-        "rays": "the rays of a lidar in a row",
-        "rows": "the rows of a lidar",
-        "angle": "the angle that a lidar sees",
-        "tilt": "the angle between the rows of a lidar",
-        "range": "the least and the greatest distance",
-        "size": "width and height of the image, in pixels",
-        "fov": "the horizontal field of view",
-        "clip": "the nearest and the farthest distance that is seen",
-    },
-    "actuator": {
-        "command": "position, velocity or effort",
-        "kp": "the position gain",
-        "kd": "the velocity gain",
-        "armature": "the inertia of the rotor at the joint, in kg·m² or kg",
-        "gear": "the gear ratio",
-    },
+    "sensor": {**_fields(SENSOR), **_POSE, "frame": "the frame that it measures in", **_SENSOR},
     "variables": {},
     "functions": {},
     "function": {
@@ -211,12 +167,6 @@ MANUAL: dict[str, dict[str, str]] = {
         "meshes": "scale (the default), same, or files by files",
         **_BODY,
     },
-    "loop": {
-        "name": "the name of the joint that closes the loop",
-        "type": "fixed, revolute or ball",
-        "between": "two links or frames",
-        "axis": "the axis of a revolute joint",
-    },
     "argument": {
         "default": "the value if nothing is passed; without it the argument is required",
         "type": "number, integer, text, boolean, list, mapping or path",
@@ -231,57 +181,28 @@ MANUAL: dict[str, dict[str, str]] = {
         "joint": "a pattern such as `*_joint`",
         "link": "a pattern such as `*_link`",
     },
-    "control": {
-        "name": "the name of the block; by default the robot's",
-        "type": "system (the default), actuator or sensor",
-        "plugin": "the hardware plugin; required",
-        "joints": "names or patterns of joints; by default those with an actuator",
-        "sensors": "names or patterns of sensors",
-        "params": "parameters of the hardware",
-        "gpio": "`NAME: {command: […], state: […]}`",
-        "transmissions": "whether to add a simple transmission for each joint",
-        "state": "the state that gives the initial values",
-    },
-    "group": {
-        "chain": "two links: the base and the tip",
-        "links": "names of links",
-        "joints": "names of joints",
-        "groups": "names of other groups",
-        "parent": "the link that an end effector is joined to",
-        "end_effector": "whether the group is an end effector",
-    },
-    "collisions": {
-        "samples": "how many random positions are tried",
-        "seed": "the seed of these positions",
-        "keep": "pairs that stay enabled",
-    },
 }
 
+_SHAPES = tuple(SIMPLE_SHAPES)
 VALUES: dict[tuple[str, str], tuple[str, ...]] = {
-    ("joint", "type"): ("revolute", "continuous", "prismatic", "fixed", "floating", "planar"),
-    ("joint", "axis"): ("x", "y", "z", "-x", "-y", "-z"),
-    ("loop", "axis"): ("x", "y", "z", "-x", "-y", "-z"),
-    ("loop", "type"): ("fixed", "revolute", "ball"),
-    ("link", "geometry"): ("box", "cylinder", "sphere", "capsule"),
-    ("visual", "geometry"): ("box", "cylinder", "sphere", "capsule"),
-    ("collision", "geometry"): ("box", "cylinder", "sphere", "capsule"),
-    ("inertial", "geometry"): ("box", "cylinder", "sphere", "capsule"),
-    ("sensor", "type"): (
-        "imu", "lidar", "camera", "depth_camera", "gps", "contact", "magnetometer", "range",
-        "force_torque",
-    ),
-    ("actuator", "command"): ("position", "velocity", "effort"),
+    **{
+        (thing.name, name): field.choices
+        for thing in (ELEMENTS["joint"], *WORDS.values())
+        for name, field in thing.fields.items()
+        if field.choices
+    },
+    ("joint", "axis"): AXES,
+    ("loop", "axis"): AXES,
+    **{(place, "geometry"): _SHAPES for place in ("link", "visual", "collision", "inertial")},
+    ("sensor", "type"): tuple(SENSORS),
     ("mirror", "plane"): ("xz", "xy", "yz"),
     ("mirror", "axes"): ("keep", "mirror"),
     ("mirror", "meshes"): ("scale", "same"),
     ("argument", "type"): ("number", "integer", "text", "boolean", "list", "mapping", "path"),
     ("argument", "unit"): ("m", "mm", "cm", "rad", "deg", "kg", "g", "s", "N", "Nm", "Hz"),
     ("argument", "log"): ("true", "false"),
-    ("control", "type"): ("system", "actuator", "sensor"),
-    ("control", "transmissions"): ("true", "false"),
-    ("group", "end_effector"): ("true", "false"),
     ("root", "base"): ("fixed", "free"),
-}  # fmt: skip
+}
 """The words that a value may be, by the place and the key."""
 
 PREDEFINED = {
