@@ -26,6 +26,10 @@ def test_a_workspace_is_built_installed_found_and_built_again(tmp_path: Path) ->
     assert 'name="wheel_link"' in urdf
     assert 'filename="package://arm_description/meshes/arm.obj"' in urdf
     check_that_packages_are_found(workspace)
+    cart = workspace.folder / "install/cart/share/cart"
+    for folder in ("config", "launch", "rviz", "urdf", "worlds"):
+        made = {path.name for path in (workspace.cart / folder).iterdir()}
+        assert made and made <= {path.name for path in (cart / folder).iterdir()}
 
     robots = ("rover_description", "cart")
     assert built(workspace.build(*robots)) == set()

@@ -134,7 +134,8 @@ class Workspace:
         select = ["--packages-select", *packages] if packages else []
         return self.run(
             "colcon", "build", "--event-handlers", "console_direct+", *select, "--cmake-args",
-            f"-DYAMARO_COMMAND={YAMARO}", f"-DPython3_EXECUTABLE={SYSTEM_PYTHON}", check=check,
+            f"-DYAMARO_COMMAND={YAMARO}", f"-DPython3_EXECUTABLE={SYSTEM_PYTHON}",
+            f"-Dyamaro_DIR={ROOT / 'ros/yamaro_ros/cmake'}", check=check,
         )  # fmt: skip
 
     def sourced(self, command: str, check: bool = True) -> str:

@@ -17,7 +17,9 @@ NEXT = """\
   cd {folder}
   pip install .
   yamaro view {main}
-  yamaro test"""
+  yamaro test
+
+README.md shows how to start it in RViz, Gazebo and MuJoCo"""
 NO_PICTURE = """
 the README has no picture yet: pip install 'yamaro[picture]', then
   yamaro picture {main} -o picture.png"""

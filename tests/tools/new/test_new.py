@@ -24,11 +24,19 @@ FILES = {
     ".pre-commit-config.yaml",
     "CMakeLists.txt",
     "README.md",
+    "config/ros2_controllers.yaml",
+    "config/ros_gz_bridge.yaml",
+    "launch/bringup.launch.py",
+    "launch/description.launch.py",
+    "launch/display.launch.py",
+    "launch/gazebo.launch.py",
     "package.xml",
     "pyproject.toml",
+    "rviz/rover.rviz",
     "test/rover.test.yaml",
     "urdf/rover.yaml",
     "urdf/wheel.yaml",
+    "worlds/flat.sdf",
 }
 
 
@@ -90,8 +98,11 @@ def test_the_robot_is_as_it_should_be(here: Path, capsys: pytest.CaptureFixture[
     assert main(["new", "rover"]) == 0
     files = sorted(map(str, (here / "rover").glob("*/*.yaml")))
     assert main(["fmt", "--check", *files]) == 0
+    robot = "rover/urdf/rover.yaml"
     for camera in ("true", "false"):
-        assert main(["check", "--strict", "rover/urdf/rover.yaml", f"camera:={camera}"]) == 0
+        for hardware in ("mock", "gazebo"):
+            words = [f"camera:={camera}", f"hardware:={hardware}"]
+            assert main(["check", "--strict", robot, *words]) == 0
     capsys.readouterr()
     assert main(["test", "rover"]) == 0
     assert "rover.test.yaml: 4 passed" in capsys.readouterr().out
