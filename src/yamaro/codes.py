@@ -11,6 +11,15 @@ if TYPE_CHECKING:
 
 HOME = "https://pypi.org/project/yamaro/"
 """Where Yamaro is at home, with links to its documentation."""
+LOSSES = frozenset(
+    """
+    lost-in-urdf approximated-in-urdf lost-in-srdf
+    lost-in-sdf approximated-in-sdf renamed-in-sdf
+    lost-in-mjcf approximated-in-mjcf renamed-in-mjcf
+    lost-in-usd approximated-in-usd renamed-in-usd
+    """.split()
+)
+"""What an output format cannot hold."""
 ADJUSTABLE = (
     frozenset(
         """
@@ -27,7 +36,7 @@ ADJUSTABLE = (
     several-shapes several-surfaces slash-in-name soft-limit-outside state-outside-limit two-parents
     two-rotations unknown-attribute unknown-child unknown-element unknown-joint
     unknown-joint-type unknown-key unknown-material unknown-mimic unknown-package unknown-parent
-    unknown-reference unknown-variable unused-geometry wrong-count xacro-deprecated
+    unknown-reference unknown-variable unused-allow unused-geometry wrong-count xacro-deprecated
     xacro-ignored xacro-lost xacro-message xacro-name xacro-no-files xacro-prefix
     xacro-redefined xacro-scope xacro-syntax xacro-unknown-attribute zero-axis zero-limit
     zero-outside-limits
@@ -39,14 +48,7 @@ ADJUSTABLE = (
     repeated-name reversed-chain unknown-type
     """.split()
     )
-    | frozenset(
-        """
-    lost-in-urdf approximated-in-urdf lost-in-srdf
-    lost-in-sdf approximated-in-sdf renamed-in-sdf
-    lost-in-mjcf approximated-in-mjcf renamed-in-mjcf
-    lost-in-usd approximated-in-usd renamed-in-usd
-    """.split()
-    )
+    | LOSSES
 )
 """What a document can be written with: the warnings, the advice, the errors of finished robots."""
 

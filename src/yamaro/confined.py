@@ -128,7 +128,7 @@ def outcome_of_build(build: Build, *, has_root: bool) -> Outcome:
     from .xml.tree import unshared
 
     return Outcome(
-        diagnostics=build.warnings,
+        diagnostics=[*build.warnings, *build.accepted],
         pieces=() if build.outputs else build.pieces,
         files=build.files,
         meshes=build.meshes,

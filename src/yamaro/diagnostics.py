@@ -15,6 +15,8 @@ if TYPE_CHECKING:
 
 ERROR = "error"
 WARNING = "warning"
+ACCEPTED = "accepted"
+"""The severity of what a comment in the file accepts: it is not shown, and prevents nothing."""
 
 FRAME_KINDS = ("called", "included", "loaded", "read")
 """What a step can be: a call of a function, an `include`, `load_yaml`, a file that xacro reads."""
@@ -100,7 +102,7 @@ class Diagnostic:
             span: the place to underline.
             hint: what to write instead.
             notes: further facts, such as the place of a first definition; one line each.
-            severity: ERROR or WARNING.
+            severity: ERROR, WARNING or ACCEPTED.
             trace: the calls and includes that led to the place.
             fix: the change of the text that the hint describes, if that is known. A hint that
                 `did_you_mean` returns brings its own, unless the word is not written at the place.
@@ -136,11 +138,17 @@ class Diagnostic:
 
 
 class YamaroError(Exception):
-    """The input has errors; `diagnostics` holds them, with any warnings found before them."""
+    """The input has errors.
+
+    Attributes:
+        diagnostics: the errors, with any warnings found before them.
+        accepted: what was found before and is accepted by comments.
+    """
 
     def __init__(self, diagnostics: Iterable[Diagnostic]) -> None:
         super().__init__()
         self.diagnostics = list(diagnostics)
+        self.accepted: Sequence[Diagnostic] = ()
 
     def __str__(self) -> str:
         from .rendering import render_all
@@ -270,7 +278,9 @@ class Reporter:
 
     def add(self, diagnostic: Diagnostic) -> None:
         """Collect `diagnostic` unless the same was collected before."""
-        key = (diagnostic.code, diagnostic.message, diagnostic.span.key())
+        key: tuple[object, ...] = (diagnostic.code, diagnostic.message, diagnostic.span.key())
+        if diagnostic.severity == ACCEPTED:
+            key = (*key, id(diagnostic))  # it may be accepted at each of several calls
         if key not in self._seen:
             self._seen.add(key)
             self.diagnostics.append(diagnostic)

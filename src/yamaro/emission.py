@@ -246,7 +246,7 @@ def _build(run: _Run, target: Target, request: Request) -> Build:
         raise YamaroError(found)
     if target.format in SIMULATORS and not request.is_partial:
         found += _assumed_base(run.robot_of(), target.base)
-    request.adjustment.allow(found)
+    request.allow(found)
     if request.adjustment.deny(found):
         raise YamaroError(found)
     try:

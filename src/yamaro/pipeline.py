@@ -42,7 +42,7 @@ def compile_request(
     document = _lower_check_emit(evaluated, request, interpreter)
     finished = document.root
     if finished is not None:
-        request.adjustment.allow(document.diagnostics)
+        request.allow(document.diagnostics)
     else:
         explain(document.diagnostics, interpreter)
     if finished is None or request.adjustment.deny(document.diagnostics):

@@ -12,7 +12,14 @@ from .arguments import (
     merged_variables,
     read_arguments,
 )
-from .diagnostics import Adjustment, Reporter, YamaroError, YamaroWarning, failure_of_all
+from .diagnostics import (
+    WARNING,
+    Adjustment,
+    Reporter,
+    YamaroError,
+    YamaroWarning,
+    failure_of_all,
+)
 from .files.loader import FileLoader, LoadError
 from .files.mesh_files import COPY, NONE, RELATIVE, MeshFinder
 from .main_file import finder_for, folder_of, reach_of, read_main, stem_of
@@ -300,6 +307,10 @@ class Program:
             else:
                 result = self._run(compile_here, reporter, source)
         except YamaroError as error:
+            from .allowances import accept, set_aside
+
+            accept([each for each in error.diagnostics if each.severity == WARNING])
+            error.accepted = set_aside(error.diagnostics)
             request.adjustment.deny(error.diagnostics)
             raise
         if request.adjustment.deny(reporter.diagnostics):
@@ -309,10 +320,22 @@ class Program:
     def _compiled(self, request: Request, say: Say) -> Build:
         """Return what is built of a request, in this process."""
         if not request.targets:
-            return compile_request(request, self._library, self._policy, say)
-        from .emission import compile_targets
+            build = compile_request(request, self._library, self._policy, say)
+        else:
+            from .emission import compile_targets
 
-        return compile_targets(request, self._library, self._policy, say)
+            build = compile_targets(request, self._library, self._policy, say)
+        if build.warnings or request.source.has_remarks:
+            from .allowances import accept, report_unused, set_aside
+
+            found = request.reporter
+            accept(found.diagnostics)
+            wants = request.wanted_advice()
+            if wants is not None and wants("unused-allow"):
+                report_unused(request.source, found, request.looks_for)
+                accept(found.diagnostics)
+            build.accepted = set_aside(found.diagnostics)
+        return build
 
     def _compile_confined(self, request: Request, say: Say, *, has_root: bool) -> Build:
         """Return the build that came out of a jail.
@@ -330,11 +353,18 @@ class Program:
         outcome = self._run_confined(compile_there, reporter, request.source, has_root=has_root)
         for line in outcome.messages:
             say(line)
+        accepted: list[Diagnostic] = []
+        if not outcome.has_errors and outcome.diagnostics:
+            from .allowances import set_aside
+
+            accepted = set_aside(outcome.diagnostics)
         for diagnostic in outcome.diagnostics:
             reporter.add(diagnostic)
         if outcome.has_errors:
             raise YamaroError(reporter.diagnostics)
-        return build_of_outcome(outcome, request, self._policy)
+        build = build_of_outcome(outcome, request, self._policy)
+        build.accepted = accepted
+        return build
 
     def _mesh_paths(
         self, mode: str, output: str | os.PathLike[str] | None, packages: PackageFinder

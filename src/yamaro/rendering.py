@@ -34,6 +34,13 @@ def render(diagnostic: Diagnostic, *, color: bool = False) -> str:
     return "\n".join(lines + excerpt_lines(diagnostic.span, _remarks(diagnostic), style, paint))
 
 
+def render_in_line(diagnostic: Diagnostic, *, color: bool = False) -> str:
+    """Return the diagnostic in one line: what and where."""
+    paint = painted if color else _plain
+    head = paint(f"{diagnostic.severity}[{diagnostic.code}]", _STYLES[diagnostic.severity])
+    return f"{head}: {shortened(diagnostic.message)}, at {shortened(diagnostic.span.place())}"
+
+
 def excerpt_lines(
     span: Span, remarks: Iterable[tuple[str, str]], style: str, paint: Callable[[str, str], str]
 ) -> list[str]:

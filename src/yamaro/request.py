@@ -8,13 +8,19 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
-    from .diagnostics import Adjustment, Reporter
+    from .diagnostics import Adjustment, Diagnostic, Reporter
     from .files.mesh_files import MeshFinder
     from .files.packages import PackageFinder
     from .source import Source, Span
     from .targets.assets import Assets
     from .targets.mesh_paths import MeshPaths
     from .xml.tree import Element
+
+
+_OF_THIS_MACHINE = (
+    "hidden-package", "large-mesh", "missing-extra", "missing-mesh-file", "unknown-package",
+)  # fmt: skip
+"""The codes of what depends on the files and packages that are installed."""
 
 
 class Target:
@@ -163,6 +169,27 @@ class Request:
         self.records = records
         self.targets = targets
         self.is_partial = False
+
+    def allow(self, diagnostics: Sequence[Diagnostic]) -> None:
+        """Turn what the command line allows into warnings, and mark what comments accept."""
+        self.adjustment.allow(diagnostics)
+        if diagnostics:
+            from .allowances import accept
+
+            accept(diagnostics)
+
+    def looks_for(self, code: str) -> bool:
+        """Return whether a finding with a code is reported here wherever there is one."""
+        from .targets.writers import URDF_ONLY
+
+        formats = [target.format for target in self.targets] or ["urdf"]
+        if code in URDF_ONLY:
+            return "urdf" in formats
+        if code == "base-assumed":
+            return not {"mjcf", "sdf", "usd"}.isdisjoint(formats)
+        if code in _OF_THIS_MACHINE or ".srdf" in self.source.name.lower():
+            return False
+        return "-in-" not in code or code.partition("-in-")[2] in formats
 
     def wanted_advice(self) -> Callable[[str], bool] | None:
         """Return what decides which codes of advice to report, or None if no advice is wanted."""

@@ -42,6 +42,7 @@ class Build:
     """A finished robot or other document.
 
     Attributes:
+        accepted: what was found and is accepted by comments in the files.
         files: the absolute path of every file read, in order.
         file_name: what its file is called; "" if it was built for no file.
         format: the output format: `urdf` (also for other XML), `sdf`, `mjcf`, `srdf` or `usd`.
@@ -63,6 +64,7 @@ class Build:
         "_finished",
         "_robot",
         "_root",
+        "accepted",
         "file_name",
         "files",
         "finder",
@@ -119,6 +121,7 @@ class Build:
         self._find_assets = paths.assets
         self.finder = paths.finder
         self.warnings = warnings
+        self.accepted: Sequence[Diagnostic] = ()
         self.files = files
         self.notes = notes
         self.noted = noted

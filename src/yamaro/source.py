@@ -6,6 +6,10 @@ a diagnostic is shown, so carrying a span costs next to nothing.
 
 from __future__ import annotations
 
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
 STANDARD_INPUT = "-"
 """The path that means standard input."""
 STANDARD_INPUT_NAME = "<standard input>"
@@ -25,9 +29,10 @@ class Source:
 
     Attributes:
         is_xml: whether it has been read as XML: a robot in URDF or xacro, taken as it is.
+        allowances: the comments that accept findings, once they are read; see `allowances.py`.
     """
 
-    __slots__ = ("_line_starts", "is_xml", "name", "path", "text")
+    __slots__ = ("_has_remarks", "_line_starts", "allowances", "is_xml", "name", "path", "text")
 
     def __init__(self, text: str, *, name: str, path: str = "") -> None:
         """Hold `text`; `name` is shown to people, `path` is absolute, or empty if there is none."""
@@ -35,7 +40,16 @@ class Source:
         self.name = name
         self.path = path
         self.is_xml = False
+        self.allowances: Any = None
+        self._has_remarks: bool | None = None
         self._line_starts: list[int] | None = None
+
+    @property
+    def has_remarks(self) -> bool:
+        """Return whether there may be comments that are meant for Yamaro."""
+        if self._has_remarks is None:
+            self._has_remarks = "yamaro:" in self.text
+        return self._has_remarks
 
     def line_starts(self) -> list[int]:
         """Return the offset at which each line begins; LF, CRLF and a lone CR end a line."""

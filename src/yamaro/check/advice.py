@@ -128,19 +128,18 @@ def _advise_on_names(named: list[Link | Joint], context: CheckContext) -> None:
     found = [each for each in named if "/" in each.name]
     if len(found) > MOST_SLASHES:
         found = [each for each in found if each.name.startswith("/")]
-    if not found:
-        return
-    name, element = found[0].name, found[0].element
-    more = len(found) - 1
-    context.warn(
-        "slash-in-name",
-        f"the {element.name} name '{name}' has a '/' in it",
-        element,
-        attribute="name",
-        hint="tools that use it for topics or files fail; use '_', and "
-        "a frame_prefix for robot_state_publisher",
-        notes=[f"{more} more name{'s have' if more > 1 else ' has'} one"] if more else (),
-    )
+    for group in context.apart("slash-in-name", found, lambda each: (each.element, "name")):
+        name, element = group[0].name, group[0].element
+        more = len(group) - 1
+        context.warn(
+            "slash-in-name",
+            f"the {element.name} name '{name}' has a '/' in it",
+            element,
+            attribute="name",
+            hint="tools that use it for topics or files fail; use '_', and "
+            "a frame_prefix for robot_state_publisher",
+            notes=[f"{more} more name{'s have' if more > 1 else ' has'} one"] if more else (),
+        )
 
 
 # --- mass -------------------------------------------------------------------------------------
@@ -256,27 +255,25 @@ def _advise_on_limit(joint: Joint, context: CheckContext) -> None:
 def _advise_on_zero_limits(joints: Iterable[Joint], context: CheckContext) -> None:
     """Report, once, joints that are allowed no effort or no velocity."""
     found = [
-        (joint, attributes)
+        (joint, joint.limit, attributes)
         for joint in joints
         if joint.limit is not None and not is_fixed(joint) and joint.type != FLOATING
         and (attributes := [n for n in ("effort", "velocity") if joint.limit.number(n) == 0])
     ]  # fmt: skip
-    if not found:
-        return
-    joint, attributes = found[0]
-    assert joint.limit is not None
-    what = "limit" if len(attributes) == 1 else "limits"
-    context.outermost = joint.element
-    context.warn(
-        "zero-limit",
-        f"the {' and '.join(attributes)} {what} of joint '{joint.name}' "
-        f"{'is' if len(attributes) == 1 else 'are'} 0, so it cannot be moved",
-        joint.limit.element,
-        attribute=attributes[0],
-        hint="planners and simulators use it literally; write the limit of the motor",
-        notes=counted([each.name for each, _ in found[1:]], "joint", "has such a limit"),
-    )
-    context.outermost = None
+    for group in context.apart("zero-limit", found, lambda each: (each[1].element, each[2][0])):
+        joint, limit, attributes = group[0]
+        what = "limit" if len(attributes) == 1 else "limits"
+        context.outermost = joint.element
+        context.warn(
+            "zero-limit",
+            f"the {' and '.join(attributes)} {what} of joint '{joint.name}' "
+            f"{'is' if len(attributes) == 1 else 'are'} 0, so it cannot be moved",
+            limit.element,
+            attribute=attributes[0],
+            hint="planners and simulators use it literally; write the limit of the motor",
+            notes=counted([each.name for each, *_ in group[1:]], "joint", "has such a limit"),
+        )
+        context.outermost = None
 
 
 def _advise_on_pose(pose: Pose, owner: Element, context: CheckContext) -> None:

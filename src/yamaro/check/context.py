@@ -2,19 +2,21 @@
 
 from __future__ import annotations
 
-from ..diagnostics import ERROR, INHERITED, WARNING, Diagnostic, suggest
+from ..diagnostics import ACCEPTED, ERROR, INHERITED, WARNING, Diagnostic, suggest
 from ..model.values import NumberReader, attribute_text
 from ..xml.tree import Element
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Collection, Sequence
+    from collections.abc import Callable, Collection, Sequence
+    from typing import TypeVar
 
     from ..diagnostics import Frame, Reporter
     from ..fixes import Fix
     from ..model.schema import Field
     from ..source import Span
 
+    T = TypeVar("T")
     Children = dict[str, Element]
     """The first child element of each name; parsers of URDF read no other where one is meant."""
 
@@ -187,6 +189,35 @@ class CheckContext:
             (attribute, missing),
         )
 
+    def apart(
+        self, code: str, found: Sequence[T], place: Callable[[T], tuple[Element, str | None]]
+    ) -> list[list[T]]:
+        """Return what has one fault in the groups to report: what comments accept stands alone.
+
+        Args:
+            code: the code of the fault.
+            found: what has it.
+            place: gives the element and the attribute that it is reported at.
+        """
+        groups: list[list[T]] = []
+        rest = []
+        for each in found:
+            element, attribute = place(each)
+            if self._is_accepted(code, place_of(element, attribute), self._trace_of(element)):
+                groups.append([each])
+            else:
+                rest.append(each)
+        return [*groups, rest] if rest else groups
+
+    @staticmethod
+    def _is_accepted(code: str, span: Span, trace: Frame | None) -> bool:
+        """Return whether a comment in a file accepts a finding; see `allowances.py`."""
+        if not span.source.has_remarks and trace is None:
+            return False
+        from ..allowances import is_accepted
+
+        return is_accepted(code, span, trace)
+
     def _trace_of(self, element: Element) -> Frame | None:
         """Return the calls and includes that led to an element at the place that is looked at."""
         if element.trace is not INHERITED:
@@ -210,7 +241,10 @@ class CheckContext:
     def _note(self, diagnostic: Diagnostic, about: tuple[str | None, str | None]) -> None:
         """Note a finding; what is wrong at the same place for the same reason counts as one."""
         self.count += 1
-        key = (diagnostic.code, diagnostic.span.key(), *about)
+        key: tuple[object, ...] = (diagnostic.code, diagnostic.span.key(), *about)
+        if self._is_accepted(diagnostic.code, diagnostic.span, diagnostic.trace):
+            diagnostic.severity = ACCEPTED
+            key = (*key, diagnostic.trace)
         found = self._found[self.stage].setdefault(key, Finding())
         found.count += 1
         if found.diagnostic is None:

@@ -20,18 +20,17 @@ def advise_on_leftovers(root: Element, context: CheckContext) -> None:
     Parsers take them for names and texts. In YAML they are reported where they are read.
     """
     found = list(_leftovers(root))
-    if not found:
-        return
-    element, attribute, text = found[0]
-    more = len(found) - 1
-    context.warn(
-        "leftover-expression",
-        f"'{text.strip()}' was not evaluated",
-        element,
-        attribute=attribute,
-        hint="only xacro evaluates it: rename the file to .xacro, or write its value",
-        notes=[f"{more} more {'are' if more > 1 else 'is'} in the file"] if more else (),
-    )
+    for group in context.apart("leftover-expression", found, lambda each: each[:2]):
+        element, attribute, text = group[0]
+        more = len(group) - 1
+        context.warn(
+            "leftover-expression",
+            f"'{text.strip()}' was not evaluated",
+            element,
+            attribute=attribute,
+            hint="only xacro evaluates it: rename the file to .xacro, or write its value",
+            notes=[f"{more} more {'are' if more > 1 else 'is'} in the file"] if more else (),
+        )
 
 
 def _leftovers(root: Element) -> Iterator[tuple[Element, str | None, str]]:

@@ -8,11 +8,12 @@ from .tree import is_fixed
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Mapping
+    from collections.abc import Mapping, Sequence
 
     from ..model.joint import Joint, Limit, Mimic
     from ..model.link import Link
     from ..model.robot import Robot
+    from ..xml.tree import Element
     from .tree import Tree
 
     Joints = Mapping[str, Joint]
@@ -23,7 +24,8 @@ ROUNDING = 1e-6
 
 def advise_on_motion(robot: Robot, tree: Tree, context: CheckContext) -> None:
     """Report limits that say something else than they seem to, and links without mass that move."""
-    zeros, soft = _Several(), _Several()
+    zeros: list[_Found] = []
+    soft: list[_Found] = []
     home = robot.states.get("home")
     for joint in tree.joints.values():
         context.outermost = joint.element
@@ -32,8 +34,10 @@ def advise_on_motion(robot: Robot, tree: Tree, context: CheckContext) -> None:
             continue
         lower, upper = bounds
         is_placed = home is not None and joint.name in home.positions
-        if joint.mimic is None and not is_placed and not lower - ROUNDING <= 0 <= upper + ROUNDING:
-            zeros.add(joint, "lower" if lower > 0 else "upper", bounds)
+        has_zero = lower - ROUNDING <= 0 <= upper + ROUNDING
+        if joint.mimic is None and joint.limit is not None and not is_placed and not has_zero:
+            attribute = "lower" if lower > 0 else "upper"
+            zeros.append(_Found(joint, joint.limit.element, attribute, bounds))
         _find_soft_limits(joint, bounds, soft)
     context.outermost = None
     _advise_on_zeros(zeros, context)
@@ -41,21 +45,27 @@ def advise_on_motion(robot: Robot, tree: Tree, context: CheckContext) -> None:
     _advise_on_massless(tree.links, tree.joints, context)
 
 
-class _Several:
-    """Joints with one fault, which is reported at the first: its joint, attribute and bounds."""
+class _Found:
+    """What one joint has of a fault that several may have."""
 
-    __slots__ = ("first", "names")
+    __slots__ = ("attribute", "bounds", "element", "joint")
 
-    def __init__(self) -> None:
-        self.first: tuple[Joint, str, tuple[float, float]] | None = None
-        self.names: list[str] = []
+    def __init__(
+        self, joint: Joint, element: Element, attribute: str, bounds: tuple[float, float]
+    ) -> None:
+        self.joint = joint
+        self.element = element
+        self.attribute = attribute
+        self.bounds = bounds
 
-    def add(self, joint: Joint, attribute: str, bounds: tuple[float, float]) -> None:
-        """Note a joint."""
-        if self.first is None:
-            self.first = (joint, attribute, bounds)
-        elif joint.name not in self.names and joint is not self.first[0]:
-            self.names.append(joint.name)
+    def place(self) -> tuple[Element, str]:
+        return self.element, self.attribute
+
+
+def _others(group: Sequence[_Found]) -> list[str]:
+    """Return the names of the joints of a group, without the first."""
+    names = dict.fromkeys(each.joint.name for each in group)
+    return list(names)[1:]
 
 
 def _advise_on_joint(
@@ -171,52 +181,54 @@ def _advise_on_continuous(name: str, limit: Limit, context: CheckContext) -> Non
         )
 
 
-def _advise_on_zeros(found: _Several, context: CheckContext) -> None:
+def _advise_on_zeros(found: Sequence[_Found], context: CheckContext) -> None:
     """Report, once, ranges without 0: viewers, planners and simulators start there."""
-    if found.first is None:
-        return
-    joint, attribute, (lower, upper) = found.first
-    assert joint.limit is not None
-    context.outermost = joint.element
-    context.warn(
-        "zero-outside-limits",
-        f"joint '{joint.name}' goes from {shown(lower)} to {shown(upper)}, which excludes 0",
-        joint.limit.element,
-        attribute=attribute,
-        hint="most programs start with all joints at 0; write a state `home` with a position for "
-        "it, or include 0 in the range with another origin",
-        notes=counted(found.names, "joint", "has such a range"),
-    )
-    context.outermost = None
+    for group in context.apart("zero-outside-limits", found, _Found.place):
+        first = group[0]
+        lower, upper = first.bounds
+        context.outermost = first.joint.element
+        context.warn(
+            "zero-outside-limits",
+            f"joint '{first.joint.name}' goes from {shown(lower)} to {shown(upper)}, which "
+            "excludes 0",
+            first.element,
+            attribute=first.attribute,
+            hint="most programs start with all joints at 0; write a state `home` with a position "
+            "for it, or include 0 in the range with another origin",
+            notes=counted(_others(group), "joint", "has such a range"),
+        )
+        context.outermost = None
 
 
-def _find_soft_limits(joint: Joint, bounds: tuple[float, float], found: _Several) -> None:
+def _find_soft_limits(joint: Joint, bounds: tuple[float, float], found: list[_Found]) -> None:
     """Note soft limits beyond the limits: the safety controller then never acts."""
     safety = joint.safety_controller
     for attribute in ("soft_lower_limit", "soft_upper_limit"):
         soft = safety.number(attribute) if safety is not None else None
-        if soft is not None and soft != 0 and not bounds[0] <= soft <= bounds[1]:
-            found.add(joint, attribute, bounds)
+        if safety is None or soft is None or soft == 0:
+            continue
+        if not bounds[0] <= soft <= bounds[1]:
+            found.append(_Found(joint, safety.element, attribute, bounds))
 
 
-def _advise_on_soft_limits(found: _Several, context: CheckContext) -> None:
+def _advise_on_soft_limits(found: Sequence[_Found], context: CheckContext) -> None:
     """Report, once, soft limits beyond the limits."""
-    if found.first is None:
-        return
-    joint, attribute, (lower, upper) = found.first
-    safety = joint.safety_controller
-    assert safety is not None
-    context.outermost = joint.element
-    context.warn(
-        "soft-limit-outside",
-        f"'{attribute}' of joint '{joint.name}' is {shown(safety.number(attribute) or 0.0)}, "
-        f"outside of its limits {shown(lower)} to {shown(upper)}",
-        safety.element,
-        attribute=attribute,
-        hint="soft limits must be between 'lower' and 'upper'",
-        notes=counted(found.names, "joint", "has such soft limits"),
-    )
-    context.outermost = None
+    for group in context.apart("soft-limit-outside", found, _Found.place):
+        first = group[0]
+        lower, upper = first.bounds
+        soft = first.joint.safety_controller
+        value = soft.number(first.attribute) if soft is not None else None
+        context.outermost = first.joint.element
+        context.warn(
+            "soft-limit-outside",
+            f"'{first.attribute}' of joint '{first.joint.name}' is {shown(value or 0.0)}, outside "
+            f"of its limits {shown(lower)} to {shown(upper)}",
+            first.element,
+            attribute=first.attribute,
+            hint="soft limits must be between 'lower' and 'upper'",
+            notes=counted(_others(group), "joint", "has such soft limits"),
+        )
+        context.outermost = None
 
 
 # --- links that move and weigh nothing --------------------------------------------------------
@@ -233,19 +245,21 @@ def _advise_on_massless(links: Mapping[str, Link], joints: Joints, context: Chec
         for joint in joints.values()
         if not is_fixed(joint) and joint.child in links and joint.child not in heavy
     ]
-    if not moved:
-        return
-    joint = moved[0]
-    more = len(moved) - 1
-    context.warn(
-        "massless-moving",
-        f"link '{joint.child}' is moved by joint '{joint.name}', but has no mass",
-        links[joint.child].element,
-        attribute="name",
-        hint="add a mass and a shape, or an inertial: without it, MuJoCo "
-        "rejects the robot and Gazebo ignores the link",
-        notes=[f"{more} more moving link{'s have' if more > 1 else ' has'} none"] if more else (),
-    )
+    code = "massless-moving"
+    for group in context.apart(code, moved, lambda each: (links[each.child].element, "name")):
+        joint = group[0]
+        more = len(group) - 1
+        context.warn(
+            code,
+            f"link '{joint.child}' is moved by joint '{joint.name}', but has no mass",
+            links[joint.child].element,
+            attribute="name",
+            hint="add a mass and a shape, or an inertial: without it, MuJoCo "
+            "rejects the robot and Gazebo ignores the link",
+            notes=[f"{more} more moving link{'s have' if more > 1 else ' has'} none"]
+            if more
+            else (),
+        )
 
 
 def _heavy_bodies(links: Mapping[str, Link], joints: Joints) -> set[str]:

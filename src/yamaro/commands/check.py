@@ -89,11 +89,11 @@ def _checked(
     from ..tools.reports.findings import Checked
 
     allowed = read_adjustment(arguments).allowed
-    found = find_in_file(arguments, streams, texts=texts, look=look)
+    found, accepted = find_in_file(arguments, streams, texts=texts, look=look)
     is_fine = all(each.severity != ERROR and each.code in allowed for each in found)
     path = arguments.words[0]
     absolute = "" if path == STANDARD_INPUT else os.path.abspath(path)
-    return Checked(display_name(arguments), absolute, found, is_fine=is_fine)
+    return Checked(display_name(arguments), absolute, found, is_fine=is_fine, accepted=accepted)
 
 
 def _say(files: Sequence[Checked], arguments: Arguments, streams: Streams) -> int:

@@ -104,8 +104,10 @@ def find_in_file(
     *,
     texts: Mapping[str, str] | None = None,
     look: Callable[[Build], Sequence[Diagnostic]] | None = None,
-) -> list[Diagnostic]:
+) -> tuple[list[Diagnostic], Sequence[Diagnostic]]:
     """Build the file and return all that is to be said of it, with the advice of `check`.
+
+    What comments in the files accept is returned apart.
 
     Args:
         arguments: the command line, with one file.
@@ -128,11 +130,18 @@ def find_in_file(
             loader=None if texts is None else _overlay(arguments, policy, texts),
         )  # fmt: skip
     except YamaroError as error:
-        return error.diagnostics
+        return error.diagnostics, error.accepted
     finally:
         if cancel is not None:
             cancel()
-    return build.warnings if look is None else [*build.warnings, *look(build)]
+    if look is None:
+        return build.warnings, build.accepted
+    from ..allowances import accept, set_aside
+
+    found = [*build.warnings, *look(build)]
+    accept(found)
+    accepted = set_aside(found)
+    return found, [*build.accepted, *accepted]
 
 
 def _overlay(arguments: Arguments, policy: Policy, texts: Mapping[str, str]) -> FileLoader:

@@ -308,6 +308,13 @@ OPTIONS = {
             short="q",
             help_in={"fmt": "do not name the files", "sweep": "show errors only: no summary"},
         ),
+        Option(
+            "verbose",
+            "show each place of what an output format cannot hold, instead of a line for a kind",
+            ("build", "check", "watch", "why"),
+            short="v",
+            excludes=("quiet",),
+        ),
         Option("strict", "treat warnings as errors", BUILDING),
         Option(
             "allow",
@@ -317,6 +324,11 @@ OPTIONS = {
             wants="the code of a message",
             is_repeatable=True,
             completes="codes",
+            help_in={
+                "check": "show messages with that code, but do not fail because of them: "
+                "zero-limit; a comment in the file, '# yamaro: allow zero-limit', accepts the "
+                "findings of a line, or at the head of the file all, and hides them"
+            },
         ),
         Option(
             "deny",

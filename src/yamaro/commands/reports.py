@@ -17,17 +17,30 @@ if TYPE_CHECKING:
 
 
 def show(diagnostics: Sequence[Diagnostic], arguments: Arguments, streams: Streams) -> None:
-    """Write diagnostics to standard error; a quiet build keeps its warnings to itself."""
-    from ..diagnostics import ERROR
+    """Write diagnostics to standard error; a quiet build keeps its warnings to itself.
+
+    What an output format cannot hold has one line, unless all is to be shown.
+    """
+    from ..diagnostics import ERROR, WARNING
 
     if streams.quiet and arguments.command != "check":
         diagnostics = [one for one in diagnostics if one.severity == ERROR]
     if not diagnostics:
         return
-    from ..rendering import render_all
+    from ..codes import LOSSES
+    from ..rendering import render_all, render_in_line
 
     color = has_color(arguments, is_terminal=streams.is_terminal())
-    streams.say("\n\n".join(render_all(diagnostics, color=color)), colored=color)
+    lines = []
+    if not arguments.has("verbose"):
+        lines = [one for one in diagnostics if one.code in LOSSES and one.severity == WARNING]
+    shown = [one for one in diagnostics if one not in lines] if lines else diagnostics
+    texts = render_all(shown, color=color)
+    if lines:
+        texts.append("\n".join(render_in_line(one, color=color) for one in lines))
+    streams.say("\n\n".join(texts), colored=color)
+    if lines:
+        streams.say("-v shows each place; a comment `# yamaro: allow CODE` there accepts it")
     if arguments.command == "check":
         errors = sum(one.severity == ERROR for one in diagnostics)
         counts = [(errors, "error"), (len(diagnostics) - errors, "warning")]

@@ -11,7 +11,7 @@ from __future__ import annotations
 import os
 from itertools import pairwise
 
-from ..diagnostics import ERROR, FRAME_KINDS, WARNING, Diagnostic, Frame, YamaroError
+from ..diagnostics import ACCEPTED, ERROR, FRAME_KINDS, WARNING, Diagnostic, Frame, YamaroError
 from ..fixes import Edit, Fix
 from ..policy import Limits
 from ..source import STANDARD_INPUT_NAME, Reading, RecordedSpan, Source, Span
@@ -393,7 +393,7 @@ class _Unpacker:
 
     def diagnostic(self, data: bytes) -> Diagnostic:
         severity, code, message, place, hints, notes, trace, fix = unpack(data)
-        if severity not in (ERROR.encode(), WARNING.encode()):
+        if severity.decode() not in (ERROR, WARNING, ACCEPTED):
             raise ValueError("there is no such severity")
         return Diagnostic(
             _read_code(code),

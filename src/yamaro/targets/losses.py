@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ..diagnostics import WARNING, Diagnostic
+from ..diagnostics import ACCEPTED, WARNING, Diagnostic
 from .output import APPROXIMATED, LOST, RENAMED, Loss
 from .writers import TITLES
 
@@ -16,13 +16,21 @@ KINDS = (LOST, APPROXIMATED, RENAMED)
 def diagnostics_of(losses: Iterable[Loss], format: str) -> list[Diagnostic]:
     """Return a warning for all losses of one kind and one `what`, at the place of the first.
 
-    The places of the others are its notes.
+    The places of the others are its notes. Those that comments accept are apart.
     """
-    groups: dict[tuple[str, str, str], list[Loss]] = {}
+    groups: dict[tuple[str, str, str, bool], list[Loss]] = {}
     for loss in losses:
         how = "" if loss.kind == RENAMED else loss.how
-        groups.setdefault((loss.kind, loss.what, how), []).append(loss)
-    return [_diagnostic(group, format) for group in groups.values()]
+        is_fine = loss.span.source.has_remarks or loss.trace is not None
+        if is_fine:
+            from ..allowances import is_accepted
+
+            is_fine = is_accepted(code_of(loss.kind, format), loss.span, loss.trace)
+        groups.setdefault((loss.kind, loss.what, how, is_fine), []).append(loss)
+    return [
+        _diagnostic(group, format, ACCEPTED if is_fine else WARNING)
+        for (*_, is_fine), group in groups.items()
+    ]
 
 
 def code_of(kind: str, format: str) -> str:
@@ -30,7 +38,7 @@ def code_of(kind: str, format: str) -> str:
     return f"{kind}-in-{format}"
 
 
-def _diagnostic(group: Sequence[Loss], format: str) -> Diagnostic:
+def _diagnostic(group: Sequence[Loss], format: str, severity: str) -> Diagnostic:
     first = group[0]
     return Diagnostic(
         code_of(first.kind, format),
@@ -38,7 +46,7 @@ def _diagnostic(group: Sequence[Loss], format: str) -> Diagnostic:
         first.span,
         hint=next((loss.hint for loss in group if loss.hint), None),
         notes=[f"also {_named(loss)}, at {loss.span.place()}" for loss in group[1:]],
-        severity=WARNING,
+        severity=severity,
         trace=first.trace,
     )
 

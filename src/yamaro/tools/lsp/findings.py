@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 
+from ...allowances import is_accepted
 from ...codes import help_uri
 from ...diagnostics import ERROR, Diagnostic
 from ...fixes import Edit, Fix
@@ -26,6 +27,7 @@ _UNNECESSARY, _DEPRECATED = 1, 2
 _TAGS = {
     "unused-geometry": _UNNECESSARY,
     "ignored-limit": _UNNECESSARY,
+    "unused-allow": _UNNECESSARY,
     "unread-variable": _UNNECESSARY,
     "xacro-deprecated": _DEPRECATED,
 }
@@ -49,7 +51,12 @@ def diagnostics_of(workspace: Workspace, path: str) -> list[Diagnostic]:
             moved = _moved(diagnostic, text)
             if moved is not None:
                 found.append(moved)
-    return _once(found)
+    return _once(each for each in found if each.severity == ERROR or not _is_accepted(each))
+
+
+def _is_accepted(diagnostic: Diagnostic) -> bool:
+    """Return whether a comment accepts a warning; errors that may be accepted are so in builds."""
+    return is_accepted(diagnostic.code, diagnostic.span, diagnostic.trace)
 
 
 def settled(result: Result) -> list[Diagnostic]:

@@ -26,6 +26,7 @@ def json_report(files: Sequence[Checked]) -> str:
         "version": VERSION,
         "files": [{"file": relative(each.path) or each.name, "ok": each.is_fine} for each in files],
         "diagnostics": [_diagnostic(each) for _, each in each_once(files)],
+        "accepted": [_diagnostic(each) for _, each in each_once(files, are_accepted=True)],
     }
     return json.dumps(document, ensure_ascii=False, indent=2) + "\n"
 

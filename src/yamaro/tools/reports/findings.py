@@ -20,25 +20,38 @@ class Checked:
         name: what it is called in messages.
         path: its absolute path; "" for standard input.
         diagnostics: what was found, in the files that it includes too.
+        accepted: what was found and is accepted by comments in the files.
         is_fine: whether nothing was found but warnings that are allowed.
     """
 
-    __slots__ = ("diagnostics", "is_fine", "name", "path")
+    __slots__ = ("accepted", "diagnostics", "is_fine", "name", "path")
 
     def __init__(
-        self, name: str, path: str, diagnostics: Sequence[Diagnostic], *, is_fine: bool
+        self,
+        name: str,
+        path: str,
+        diagnostics: Sequence[Diagnostic],
+        *,
+        is_fine: bool,
+        accepted: Sequence[Diagnostic] = (),
     ) -> None:
         self.name = name
         self.path = path
         self.diagnostics = diagnostics
+        self.accepted = accepted
         self.is_fine = is_fine
 
 
-def each_once(files: Sequence[Checked]) -> Iterator[tuple[Checked, Diagnostic]]:
-    """Give each finding once, with the first file that led to it; several may include a file."""
+def each_once(
+    files: Sequence[Checked], *, are_accepted: bool = False
+) -> Iterator[tuple[Checked, Diagnostic]]:
+    """Give each finding once, with the first file that led to it; several may include a file.
+
+    With `are_accepted` those are given that comments accept, in place of the others.
+    """
     seen: set[object] = set()
     for checked in files:
-        for diagnostic in checked.diagnostics:
+        for diagnostic in checked.accepted if are_accepted else checked.diagnostics:
             key = (diagnostic.code, diagnostic.message, diagnostic.span.key())
             if key not in seen:
                 seen.add(key)

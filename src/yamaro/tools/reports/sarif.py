@@ -9,7 +9,9 @@ import hashlib
 import json
 import re
 
+from ...allowances import allowing
 from ...codes import HOME, help_uri
+from ...diagnostics import ACCEPTED, WARNING
 from .data import steps_of
 from .findings import each_once, file_uri, message_of, region_of, relative, uri_of
 
@@ -30,7 +32,7 @@ ROOT = "%SRCROOT%"
 
 def sarif_report(files: Sequence[Checked], version: str) -> str:
     """Return what was found as a SARIF document."""
-    found = list(each_once(files))
+    found = [*each_once(files), *each_once(files, are_accepted=True)]
     codes = list(dict.fromkeys(diagnostic.code for _, diagnostic in found))
     prints = _Fingerprints()
     driver = {
@@ -77,11 +79,16 @@ def _result(
     result: dict[str, Any] = {
         "ruleId": diagnostic.code,
         "ruleIndex": index,
-        "level": diagnostic.severity,
+        "level": WARNING if diagnostic.severity == ACCEPTED else diagnostic.severity,
         "message": {"text": message_of(diagnostic)},
         "locations": [_location(diagnostic.span) or _whole(checked)],
         "partialFingerprints": {"yamaro/v1": prints.of(diagnostic)},
     }
+    if diagnostic.severity == ACCEPTED:
+        comments = allowing(diagnostic.code, diagnostic.span, diagnostic.trace)
+        result["suppressions"] = [
+            {"kind": "inSource", "location": _location(each.span)} for each in comments
+        ]
     flow = [_location(step.span, step.name) for step in steps_of(diagnostic.trace)]
     steps = [location for location in reversed(flow) if location is not None]
     if steps:
