@@ -1,4 +1,4 @@
-"""What parsers of URDF refuse is an error, and nothing is an error that all of them read."""
+"""What urdfdom refuses is an error, and an error is what two of three programs refuse."""
 
 from __future__ import annotations
 
@@ -17,13 +17,16 @@ from yamaro.model.schema import VERSIONS
 from yamaro.model.sdf_schema import CAMERA, NOISE, SURFACE
 
 ROBOTS = [robot for group in ("tree", "joints", "links") for robot in bad_robots(group)]
-READ_BY_ALL = (
-    "empty link name",  # by itself; as a parent or child urdfdom takes it for a missing name
-    "empty joint name",
-    "mimic missing joint",  # these are refused by ros2_control
-    "mimic of a link",
-    "mimic in a circle",
+WARNINGS = (
+    "no link",  # files that print or compute are files too
+    "no link but a material",
 )
+"""What urdfdom refuses, and is a warning."""
+ERRORS = (
+    "cycle off the root",  # urdfdom and pinocchio drop the links in it without a word
+    "cycle with a tail",
+)
+"""What one program alone refuses, and is an error."""
 
 
 def is_error(robot: BadRobot) -> bool:
@@ -49,7 +52,7 @@ def test_what_urdfdom_refuses_is_an_error(robot: BadRobot, tmp_path: Path) -> No
         if urdfdom_refuses(sound, tmp_path):
             pytest.skip(f"this urdfdom does not know version {version} of URDF")
     if urdfdom_refuses(robot.text, tmp_path):
-        assert is_error(robot)
+        assert is_error(robot) != (robot.name in WARNINGS)
 
 
 def refuses(read_robot: Callable[[], object]) -> bool:
@@ -62,21 +65,21 @@ def refuses(read_robot: Callable[[], object]) -> bool:
 
 
 @pytest.mark.parametrize(
-    "robot", [r for r in ROBOTS if is_error(r) and r.name not in READ_BY_ALL], ids=lambda r: r.name
+    "robot", [r for r in ROBOTS if is_error(r) and r.name not in ERRORS], ids=lambda r: r.name
 )
-def test_an_error_is_what_some_parser_refuses(robot: BadRobot, tmp_path: Path) -> None:
+def test_an_error_is_what_two_of_three_programs_refuse(robot: BadRobot, tmp_path: Path) -> None:
     # A mass that moves, as MuJoCo wants it; it stands where none of the faults is.
     text = robot.text.replace(
         '<link name="b"/>',
         '<link name="b"><inertial><mass value="1"/>'
         '<inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial></link>',
     )
-    assert (
-        not oracles.CheckUrdf(text).accepts
-        or refuses(lambda: oracles.load_yourdfpy(text, tmp_path))
-        or refuses(lambda: oracles.load_pinocchio(text))
-        or refuses(lambda: oracles.load_mujoco(text))
-    )
+    # pinocchio reads with urdfdom: what that reports and leaves out is missing in both.
+    count = 0 if oracles.CheckUrdf(text).accepts else 2
+    if not count:
+        count += refuses(lambda: oracles.load_pinocchio(text))
+    count += refuses(lambda: oracles.load_mujoco(text))
+    assert count >= 2
 
 
 # --- libsdformat --------------------------------------------------------------------------------

@@ -122,7 +122,7 @@ def _check_robot(robot: Robot, context: CheckContext) -> str:
     if name is not None:
         check_spelling(root, name, context)
     if not robot.all_links and not is_semantic(root):
-        context.error(
+        context.warn(
             "no-link",
             "the robot has no link, so parsers reject it",
             root,

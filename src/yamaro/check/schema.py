@@ -80,6 +80,8 @@ REMEDIES = {
     "parent": "add `parent/link=base:`",
     "child": "add `child/link=arm:`",
 }
+FORGIVEN = ("axis", "color", "inertial")
+"""Elements that may lack something: at most one of urdfdom, pinocchio and MuJoCo rejects them."""
 GAZEBO_ONLY = frozenset(
     ("gravity", "implicitSpringDamper", "kd", "kinematic", "kp", "mu", "mu1", "mu2")
 ) | {"provideFeedback", "selfCollide", "self_collide", "surface", "turnGravityOff"}
@@ -180,6 +182,20 @@ def _check_own_origin(origin: Element, joint: Element, context: CheckContext) ->
     context.stage = SCHEMA
 
 
+def _teller(name: str, context: CheckContext) -> Callable[..., None]:
+    """Return what reports a value of an attribute that is not what it should be.
+
+    It is a warning if urdfdom and pinocchio do not read the attribute, so that only MuJoCo can
+    reject the robot.
+    """
+    is_unread = (
+        name == "reference_position"
+        or (name == "quat_xyzw" and context.version == "1.0")
+        or (name in OF_1_2 and context.version != "1.2")
+    )
+    return context.warn if is_unread else context.error
+
+
 # --- attributes -------------------------------------------------------------------------------
 
 
@@ -239,7 +255,8 @@ def _report_not_a_number(
     else:
         message = f"{where} holds '{fault.item}', which is not a number"
         hint = _hint_for_word(fault.item, text)
-    context.error("not-a-number", message, element, attribute=name, hint=hint)
+    tell = _teller(name, context)
+    tell("not-a-number", message, element, attribute=name, hint=hint)
 
 
 def _hint_for_word(item: str, text: str) -> str:
@@ -268,7 +285,8 @@ def _report_count(
         hint = f"write {rule.count} numbers: {rule.parts}"
     if name == "rgba" and count == 3:
         hint = f"add the opacity as the fourth number: {text} 1"
-    context.error(
+    tell = context.warn if element.name == "color" else _teller(name, context)
+    tell(
         "wrong-count",
         f"'{name}' of '{element.name}' in {label(owner)} needs {wanted}, but has {found}",
         element,
@@ -331,9 +349,8 @@ def _report_missing_attribute(
         subject = label(owner) if name != "name" else f"a {element.name}"
     if element.name == "robot":
         subject = "the robot"
-    context.error(
-        "missing-attribute", f"{subject} has no '{name}'", element, missing=name, hint=hint
-    )
+    tell = context.warn if element.name in FORGIVEN else context.error
+    tell("missing-attribute", f"{subject} has no '{name}'", element, missing=name, hint=hint)
 
 
 def _check_unknown_attribute(
@@ -403,7 +420,8 @@ def _report_missing_child(
     name: str, element: Element, owner: Element, context: CheckContext
 ) -> None:
     subject = _holder(element, owner)
-    context.error(
+    tell = context.warn if element.name in FORGIVEN else context.error
+    tell(
         "missing-element",
         f"{subject} has no '{name}'",
         element,

@@ -142,8 +142,7 @@ def check_spelling(element: Element, name: str, context: CheckContext) -> None:
         message = f"the {element.name} name '{name}' contains white space"
     else:
         message = f"the {element.name} name '{name}' contains invisible characters"
-    tell = context.warn if name or element.name == "robot" else context.error
-    tell(
+    context.warn(
         "bad-name",
         message,
         element,
@@ -363,7 +362,7 @@ def _check_mimics(robot: Robot, tree: Tree, context: CheckContext) -> None:
         if master not in tree.joints:
             span = mimic.element.value_span("joint")
             hint, fix = near_name(span, master, tree, "_joint", context)
-            context.error(
+            context.warn(
                 "unknown-mimic",
                 f"joint '{name}' mimics '{master}', which is not a joint of the robot",
                 mimic.element,
@@ -388,11 +387,10 @@ def _report_mimic_circle(circle: list[str], tree: Tree, context: CheckContext) -
     else:
         way = [*circle[:MAX_PATH_SHOWN], circle[0]]
         message = f"joints mimic one another in a cycle: {' → '.join(way)}"
-    context.error(
+    context.warn(
         "mimic-cycle",
         message,
         joint.inner("mimic") or joint.element,
         attribute="joint",
         hint=hint,
-        among=[tree.joints[name].element for name in circle],
     )

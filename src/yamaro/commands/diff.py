@@ -106,6 +106,7 @@ def _side(index: int, origin: Origin, arguments: Arguments, policy: Policy) -> S
             policy=policy,
             packages=origin.packages(read_packages(arguments)),
             command_line=[*arguments.assignments, *own],
+            deny=_NO_ROBOT if arguments.has("git") else (),
             on_message=_ignore,
         )
     except UsageError as error:

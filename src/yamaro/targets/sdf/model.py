@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ...diagnostics import YamaroError, failure
+from ...diagnostics import YamaroError
 from ...model.joint import FIXED, FLOATING
 from ...model.kinematics import WORLD
 from ...model.pose import IDENTITY
@@ -68,13 +68,6 @@ class _Model:
     def output(self) -> Output:
         """Return the document."""
         robot = self._robot
-        if not self._members:
-            raise failure(
-                "no-link",
-                "the robot has no link but 'world', and SDF has no model without one",
-                robot.span,
-                hint="add a link with a mass",
-            )
         if self._inertias.errors:
             raise YamaroError(self._inertias.errors)
         parts: list[Tag | Element] = []
@@ -88,6 +81,9 @@ class _Model:
         parts += [self._loop(loop) for loop in robot.loops.values()]
         parts += self._blocks.model
         parts += self._raw.robot
+        if not self._members and not any(each.name == "static" for each in parts):
+            # SDFormat has a model without links only if it is static.
+            parts.insert(0, Tag("static", "true"))
         self._losses += self._raw.left()
         self._losses += self._blocks.left(self._members)
         self._blocks.lose_without_home(self._members)
