@@ -319,10 +319,17 @@ def test_files_with_errors_do_not_show_the_robot_of_other_files(page: Playground
 def test_it_can_be_used_on_a_phone(page: Playground) -> None:
     page.resize(390, 800)
     try:
+        page.start()  # with the robot, and a way to its text
+        width = "document.getElementById('viewer').getBoundingClientRect().width"
+        assert page.run(width) == 390
         page.choose("quadruped")
         assert page.run("document.documentElement.scrollWidth") <= 390
-        page.press("#sides [data-side=robot]")
-        assert page.run("document.getElementById('viewer').getBoundingClientRect().width") == 390
+        viewer = "document.getElementById('viewer').contentWindow.yamaro"
+        page.wait_for(f"{viewer}?.robot?.name === 'quadruped'")
+        assert page.run(f"{viewer}.stage.sees({viewer}.robot.outermostPoints())")
+        page.press("#sides [data-side=edit]")
+        assert page.run(width) == 0
+        assert page.run("document.getElementById('editor').getBoundingClientRect().width") > 380
     finally:
         page.resize(1280, 800)
 

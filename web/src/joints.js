@@ -22,9 +22,13 @@ export class Joints {
     byId("joint-reset").onclick = () => this.reset();
   }
 
-  /** Show the joints of a robot at rest; `restore` moves those that the user has moved. */
-  setRobot(robot, size) {
+  /**
+   * Show the joints of a robot at rest; `restore` moves those that the user has moved.
+   * @param {object} home the positions of joints by name in the state `home`, if there is one
+   */
+  setRobot(robot, size, home = {}) {
     this.robot = robot;
+    this.home = home;
     this.rows.clear();
     for (const joint of robot.joints.values()) {
       if (joint.jointType !== "fixed") this.rows.set(joint.name, this.rowOf(joint, size));
@@ -41,7 +45,7 @@ export class Joints {
   /** Put all joints to rest; what the user has set is not forgotten. */
   rest() {
     for (const { joint, parts } of this.rows.values()) {
-      if (!joint.mimicJoint) this.robot.setJoint(joint.name, parts.map(restOf));
+      if (!joint.mimicJoint) this.robot.setJoint(joint.name, parts.map(({ rest }) => rest));
     }
     this.showValues();
   }
@@ -51,7 +55,7 @@ export class Joints {
     for (const { joint, parts } of this.rows.values()) {
       const wanted = this.positions.get(joint.name);
       if (!wanted || joint.mimicJoint) continue;
-      const values = parts.map((part, index) => clamp(wanted[index] ?? restOf(part), part));
+      const values = parts.map((part, index) => clamp(wanted[index] ?? part.rest, part));
       this.robot.setJoint(joint.name, values);
     }
     this.showValues();
@@ -59,7 +63,10 @@ export class Joints {
 
   rowOf(joint, size) {
     const child = childOf(joint.urdfNode, "child").getAttribute("link");
-    const parts = partsOf(joint, size).map((part) => ({ ...part, ...this.inputsOf(joint, part) }));
+    const parts = partsOf(joint, size, homeOf(this.home, joint.name)).map((part) => ({
+      ...part,
+      ...this.inputsOf(joint, part),
+    }));
     const isFollower = Boolean(joint.mimicJoint);
     const element = h(
       "div.joint-row",
@@ -101,7 +108,7 @@ export class Joints {
       max: String(part.upper),
       step: String((part.upper - part.lower) / STEPS || 1),
       oninput: () => this.move(joint, part.index, Number(slider.value)),
-      ondblclick: () => this.move(joint, part.index, restOf(part)),
+      ondblclick: () => this.move(joint, part.index, part.rest),
     });
     slider.setAttribute("aria-label", `${joint.name} ${part.label}`.trim());
     const field = h("input.number", {
@@ -134,11 +141,11 @@ export class Joints {
     this.told.onMove();
   }
 
-  /** Return the joints with one position that follow no other: their names, positions, rest. */
+  /** Return the joints with one position that follow no other: name, position, rest, zero. */
   simple() {
     return [...this.rows.values()]
       .filter(({ joint, parts }) => !joint.mimicJoint && parts.length === 1)
-      .map(({ joint, parts }) => ({ name: joint.name, value: joint.jointValue[0], rest: restOf(parts[0]) }));
+      .map(({ joint, parts: [{ rest, zero }] }) => ({ name: joint.name, value: joint.jointValue[0], rest, zero }));
   }
 
   /** Move several joints; `isKept` also for robots that are built later. */
@@ -190,8 +197,11 @@ export class Joints {
   }
 }
 
-/** Return what of a joint can be moved: label, range and unit of each degree of freedom. */
-function partsOf(joint, size) {
+/**
+ * Return what of a joint can be moved: label, range and unit of each degree of freedom, and where it
+ * stands without a state (`zero`) and at first (`rest`): in the state `home`, if that names it.
+ */
+function partsOf(joint, size, home) {
   const turn = { lower: -Math.PI, upper: Math.PI, isAngle: true, unit: "°", isFree: true };
   const slide = { lower: -2 * size, upper: 2 * size, isAngle: false, unit: "m", isFree: true };
   const { lower, upper } = joint.limit;
@@ -202,7 +212,8 @@ function partsOf(joint, size) {
       range = turn;
     } else if (joint.jointType === "revolute") range = { ...turn, lower, upper, isFree: false };
     else if (joint.jointType === "prismatic") range = { ...slide, lower, upper, isFree: false };
-    return { label, index, ...range };
+    const zero = zeroOf(range);
+    return { label, index, ...range, zero, rest: names.length === 1 ? (home ?? zero) : zero };
   });
 }
 
@@ -210,8 +221,16 @@ function partsOf(joint, size) {
  * Return where a part stands by itself: at 0, or in the middle of limits that exclude 0, as in
  * `yamaro picture` and ROS's joint_state_publisher.
  */
-const restOf = ({ lower, upper }) =>
+const zeroOf = ({ lower, upper }) =>
   upper >= lower && (lower > 0 || upper < 0) ? (lower + upper) / 2 : 0;
+
+/** Return the positions of joints by name in a state; those that it does not name are at 0. */
+export function inState(joints, state = {}) {
+  return new Map(joints.map(({ name, zero }) => [name, Object.hasOwn(state, name) ? state[name] : zero]));
+}
+
+/** Return a position of a state, or undefined; names may be those of an object's own, too. */
+const homeOf = (home, name) => (Object.hasOwn(home, name) ? home[name] : undefined);
 
 const clamp = (value, { lower, upper }) =>
   upper >= lower ? Math.min(Math.max(value, lower), upper) : value;

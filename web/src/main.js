@@ -121,17 +121,19 @@ async function build(description, version) {
     next.dispose();
     return;
   }
-  const isOther = robot === null || state.file !== shownFile;
+  const isOther = robot === null || state.file !== shownFile || isUnlike(robot, next);
   shownFile = state.file;
   robot?.dispose();
   robot = next;
   tree.setRobot(robot);
-  joints.setRobot(robot, sizeOf(robot));
+  joints.setRobot(robot, sizeOf(robot), description.states?.home);
   const bounds = robot.bounds();
   robot.addMarks(sizeOf(robot));
   stage.setRobot(robot, bounds);
   for (const kind of KINDS) robot.setShown(kind, shown[kind]);
-  if (isOther) stage.look("iso", robot.outermostPoints());
+  const points = robot.outermostPoints();
+  if (isOther) stage.look("iso", points);
+  else if (!stage.isMoved && !stage.sees(points)) stage.look(stage.view, points);
   joints.restore();
   poses.setRobot(robot);
   between.setRobot(robot);
@@ -141,6 +143,12 @@ async function build(description, version) {
   byId("cell").textContent = `grid ${cellText(stage.cell)}`;
   select(!isOther && robot.links.has(selection.link) ? selection.link : null, selection.shape);
   stage.drawNow();
+}
+
+/** Return whether less than half of the links of two robots have the same names: it is another one. */
+function isUnlike({ links }, { links: others }) {
+  const common = [...links.keys()].filter((name) => others.has(name)).length;
+  return 2 * common < Math.max(links.size, others.size);
 }
 
 /** Return half of the diagonal of the box around a robot, in m. */

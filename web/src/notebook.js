@@ -3,7 +3,7 @@
 import { Cache } from "three";
 import { byId, h, show } from "./dom.js";
 import { holdFiles } from "./files.js";
-import { Joints } from "./joints.js";
+import { Joints, inState } from "./joints.js";
 import { Robot } from "./robot.js";
 import { Stage } from "./stage.js";
 
@@ -74,19 +74,17 @@ function toggle(kind) {
   stage.draw();
 }
 
-/** Move the joints to a named state; those that it does not name are at rest. */
+/** Move the joints to a named state; those that it does not name are at 0. */
 function takeState(positions) {
   joints.reset();
-  for (const [name, value] of Object.entries(positions)) {
-    const joint = robot.joints.get(name);
-    if (joint && joints.rows.has(name) && !joint.mimicJoint) joints.move(joint, 0, value);
-  }
+  joints.place(inState(joints.simple(), positions), { isKept: true });
 }
 
 function showStates(states) {
   const names = Object.keys(states);
   const options = names.map((name) => h("option", { value: name }, name));
   byId("states").append(h("option", { value: "" }, "State …"), ...options);
+  if (states.home) byId("states").value = "home"; // in which the robot is shown at first
   byId("states").onchange = (event) => event.target.value && takeState(states[event.target.value]);
   show(byId("states"), names.length > 0);
 }
@@ -133,7 +131,7 @@ async function start() {
   await next.ready;
   robot = next;
   const sizeOf = () => robot.bounds().getSize(stage.camera.position.clone()).length() / 2;
-  joints.setRobot(robot, sizeOf());
+  joints.setRobot(robot, sizeOf(), states.home);
   robot.addMarks(sizeOf());
   stage.setRobot(robot, robot.bounds());
   for (const kind of KINDS) robot.setShown(kind, shown[kind]);

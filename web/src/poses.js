@@ -2,10 +2,13 @@
 
 import { copy } from "./copying.js";
 import { byId, h, show } from "./dom.js";
+import { inState } from "./joints.js";
 
 const DURATION = 300; // milliseconds in which a state is taken
 const DIGITS = 6;
 const INITIAL = "";
+const HOME = "=home"; // the state that is the initial pose of a robot that has it
+const ZERO = "zero";
 const CHANGED = "changed";
 
 export class Poses {
@@ -42,9 +45,11 @@ export class Poses {
   setRobot(robot) {
     this.states = new Map(Object.entries(robot.description.states ?? {}));
     const options = [...this.states.keys()].map((name) => h("option", { value: `=${name}` }, name));
+    this.initial = this.states.has("home") ? HOME : INITIAL;
     this.menu.replaceChildren(
-      h("option", { value: INITIAL }, "initial pose"),
+      ...(this.initial === INITIAL ? [h("option", { value: INITIAL }, "initial pose")] : []),
       ...options,
+      ...(this.initial === HOME ? [h("option", { value: ZERO }, "all joints at 0")] : []),
       h("option", { value: CHANGED, hidden: true, disabled: true }, "changed"),
     );
     this.showChosen();
@@ -55,12 +60,9 @@ export class Poses {
     return this.told.joints.simple();
   }
 
-  /** Return the position of each joint in a state; those that it does not name are at rest. */
+  /** Return the position of each joint in a state; those that it does not name are at 0. */
   positionsIn(chosen) {
-    const state = this.states.get(chosen.slice(1)) ?? {};
-    return new Map(
-      this.freeJoints().map(({ name, rest }) => [name, Object.hasOwn(state, name) ? state[name] : rest]),
-    );
+    return inState(this.freeJoints(), this.states.get(chosen.slice(1)));
   }
 
   /** Move all joints to a state, unless another is chosen meanwhile. */
@@ -77,10 +79,10 @@ export class Poses {
       const isThere = time === 1;
       this.told.joints.place(
         new Map([...goals].map(([name, goal]) => [name, isThere ? goal : starts.get(name) + share * (goal - starts.get(name))])),
-        { isKept: isThere && chosen !== INITIAL },
+        { isKept: isThere && chosen !== this.initial },
       );
       if (!isThere) requestAnimationFrame(step);
-      else if (chosen === INITIAL) this.told.joints.reset(); // those of several positions too
+      else if (chosen === this.initial) this.told.joints.reset(); // those of several positions too
     };
     step();
   }
@@ -92,7 +94,7 @@ export class Poses {
       const goals = this.positionsIn(chosen);
       return joints.every(({ name, value }) => Math.abs(goals.get(name) - value) < 1e-9);
     };
-    const all = [INITIAL, ...[...this.states.keys()].map((name) => `=${name}`)];
+    const all = [this.initial, ...[...this.states.keys()].map((name) => `=${name}`), ZERO];
     if (all.includes(this.menu.value) && isIn(this.menu.value)) return;
     this.menu.value = all.find(isIn) ?? CHANGED;
   }

@@ -38,6 +38,7 @@ export class Stage {
     this.controls.enableDamping = false;
     this.controls.zoomToCursor = true;
     this.controls.addEventListener("change", () => this.draw());
+    this.controls.addEventListener("start", () => (this.isMoved = true)); // by the user
     this.holder = new THREE.Group();
     this.scene.add(this.holder);
     this.draw = oncePerFrame(() => this.drawNow());
@@ -136,14 +137,29 @@ export class Stage {
     }
   }
 
-  /** Look at points in the world from one of the `VIEWS`, from as far as shows all of them. */
+  /**
+   * Look at points in the world from one of the `VIEWS`, from as far as shows all of them, also
+   * when the page gets another size, until the user moves the camera.
+   */
   look(view, points) {
+    this.view = view;
+    this.points = points;
+    this.isMoved = false;
     const { position, target } = fitted(view, points, this.camera.aspect);
     this.controls.target.copy(target);
     this.camera.position.copy(position);
     if (view === "top") this.camera.position.x -= 1e-4 * position.distanceTo(target); // x points up
     this.controls.update();
     this.draw();
+  }
+
+  /** Return whether points in the world are in the picture. */
+  sees(points) {
+    this.camera.updateMatrixWorld();
+    return points.every((point) => {
+      const { x, y } = point.clone().project(this.camera);
+      return Math.abs(x) <= 1 && Math.abs(y) <= 1;
+    });
   }
 
   resize() {
@@ -153,6 +169,7 @@ export class Stage {
     this.renderer.setSize(width, height, false);
     this.camera.aspect = width / height;
     this.camera.updateProjectionMatrix();
+    if (this.points && !this.isMoved) this.look(this.view, this.points);
     this.drawNow();
   }
 

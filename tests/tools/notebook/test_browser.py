@@ -79,6 +79,19 @@ def test_named_states_move_the_joints(
     assert browser.run("yamaro.robot.joints.get('cloth_joint').angle") == pytest.approx(1.25)
 
 
+def test_the_robot_is_shown_in_its_state_home(browser: Browser, page_of: PageOf) -> None:
+    states = "  home: {cloth_joint: 0.75}\n  away: {}\n"
+    browser.show(page_of(yamaro.build("flag.yaml", text=FLAG + states)))
+    angle = "yamaro.robot.joints.get('cloth_joint').angle"
+    assert browser.run(angle) == 0.75
+    assert browser.run("document.getElementById('states').value") == "home"
+    browser.run(
+        "(() => { const s = document.getElementById('states'); s.value = 'away';"
+        " s.dispatchEvent(new Event('change')); })()"
+    )
+    assert browser.run(angle) == 0
+
+
 @pytest.mark.parametrize("policy", ["", OF_VS_CODE], ids=["plain", "as in VS Code"])
 def test_the_frame_shows_it_as_a_robot_that_was_not_built(
     flag: yamaro.Build, browser: Browser, policy: str

@@ -80,6 +80,43 @@ def test_a_state_of_the_robot_is_chosen_from_a_menu(lamp: Page) -> None:
     assert lamp.run(names) == ["initial pose", "low"]
 
 
+def test_the_robot_is_shown_in_its_state_home_at_first(lamp: Page) -> None:
+    names = "[...document.querySelectorAll('#states option:not([hidden])')].map(o => o.text)"
+    chosen = "document.getElementById('states').selectedOptions[0].text"
+    lamp.save(LAMP + "states: {home: {left_joint: 0.5}, up: {right_joint: -1.1}}\n")
+    assert lamp.run(names) == ["home", "up", "all joints at 0"]
+    assert (value_of(lamp, "left_joint"), value_of(lamp, "right_joint")) == (0.5, 0)
+    assert lamp.run(chosen) == "home"
+    lamp.run("yamaro.setJoint('left_joint', 0.1)")
+    assert lamp.run(chosen) == "changed"
+    lamp.press("#joint-reset")
+    assert value_of(lamp, "left_joint") == 0.5
+    choose(lamp, "#states", "=up")  # which does not name the other joint
+    lamp.wait_for("yamaro.robot.joints.get('right_joint').angle === -1.1")
+    assert value_of(lamp, "left_joint") == 0
+    choose(lamp, "#states", "zero")
+    lamp.wait_for("yamaro.robot.joints.get('right_joint').angle === 0")
+    choose(lamp, "#states", "=home")
+    lamp.wait_for("yamaro.robot.joints.get('left_joint').angle === 0.5")
+    lamp.save(LAMP + "states: {home: {left_joint: -0.5}}\n")
+    assert value_of(lamp, "left_joint") == -0.5  # the new home: the user has moved nothing
+
+
+def test_the_camera_shows_all_of_another_robot_and_stays_with_the_same_one(lamp: Page) -> None:
+    sees = "yamaro.stage.sees(yamaro.robot.outermostPoints())"
+    camera = "yamaro.stage.camera.position.toArray()"
+    lamp.save(LAMP.replace("height: 0.4", "height: 4"))
+    assert lamp.run(sees)  # the user has not moved the camera
+    lamp.run("yamaro.stage.isMoved = true; yamaro.stage.camera.position.multiplyScalar(0.5)")
+    moved = lamp.run(camera)
+    lamp.save(LAMP.replace("height: 0.4", "height: 8"))
+    assert lamp.run(camera) == moved
+    assert not lamp.run(sees)
+    tower = "{name: tower, link: {geometry: box, scale: 9 9 90, visual: }}"
+    lamp.save(f"robot: tower\nmodel:\n- part: {tower}\n")
+    assert lamp.run(sees)
+
+
 def test_a_pose_is_copied_as_yaml_that_gives_the_same_pose(lamp: Page, copied: Any) -> None:
     lamp.run("yamaro.setJoint('left_joint', 0.7123456789)")
     lamp.press("#pose-copy")

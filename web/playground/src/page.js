@@ -344,9 +344,7 @@ async function openFirst() {
 
 window.addEventListener("hashchange", () => void openFirst());
 setStatus("starting");
-showSide("edit");
-showPane("robot");
-showSide("edit");
+showPane("robot"); // on a small screen too: what this is about, with the way to its text above
 void openFirst();
 
 // For tests and for the curious.
