@@ -34,11 +34,7 @@ def advise_on_leftovers(root: Element, context: CheckContext) -> None:
 
 
 def _leftovers(root: Element) -> Iterator[tuple[Element, str | None, str]]:
-    pending = [root]
-    while pending:
-        element = pending.pop()
-        children = [child for child in element.children if isinstance(child, Element)]
-        pending += reversed(children)
+    for element in root.iter():
         if not element.span.source.is_xml:
             continue
         for name in element.attributes:

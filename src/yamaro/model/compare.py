@@ -176,10 +176,7 @@ def without_repeated(children: list[Element]) -> list[Element]:
 def prefixes_in(root: Element) -> set[str]:
     """Return the prefixes of XML that names in a document have."""
     prefixes: set[str] = set()
-    pending = [root]
-    while pending:
-        element = pending.pop()
-        pending += element.elements()
+    for element in root.iter():
         names = [name for name in element.attributes if not name.startswith("xmlns:")]
         prefixes.update(name.partition(":")[0] for name in (element.name, *names) if ":" in name)
     return prefixes

@@ -48,16 +48,13 @@ def is_named_xacro(source: Source) -> bool:
 def is_xacro(root: Element) -> bool:
     """Return whether a document has xacro's tags, or declares them and has xacro's expressions."""
     declares = "xmlns:xacro" in root.attributes
-    pending = [root]
-    while pending:
-        element = pending.pop()
+    for element in root.iter():
         if element.name.startswith("xacro:"):
             return True
         if declares:
             values = [*map(str, element.attributes.values()), element.text()]
             if any("${" in value or "$(" in value for value in values):
                 return True
-        pending += element.elements()
     return False
 
 
@@ -150,13 +147,10 @@ def declare_prefixes(root: Element, content: list[Node]) -> None:
 def _prefixes_in(element: Element) -> list[str]:
     """Return the prefixes of the names in an element, each once."""
     found: dict[str, None] = {}
-    pending = [element]
-    while pending:
-        inner = pending.pop()
+    for inner in element.iter():
         for name in (inner.name, *inner.attributes):
             if ":" in name:
                 found[name.partition(":")[0]] = None
-        pending += inner.elements()
     return list(found)
 
 
@@ -165,17 +159,13 @@ def _tidy(root: Element, trace: Frame = INHERITED) -> None:
 
     CDATA sections become plain text, which the writer knows.
     """
-    pending = [root]
-    while pending:
-        element = pending.pop()
+    for element in root.iter():
         element.trace = trace
-        inner = [child for child in element.children if isinstance(child, Element)]
-        if inner or element is root:
+        if element is root or element.elements():
             element.children = [child for child in element.children if not _is_space(child)]
         for index, child in enumerate(element.children):
             if type(child) is CData:
                 element.children[index] = Text(child.value, child.span)
-        pending += inner
 
 
 def _is_space(node: Node) -> bool:

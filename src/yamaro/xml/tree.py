@@ -11,7 +11,7 @@ from .values import format_value
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Iterator
     from typing import Any, Protocol
 
     from .forms import Form
@@ -163,6 +163,19 @@ class Element:
     def elements(self) -> list[Element]:
         """Return the child elements, without text and comments."""
         return [child for child in self.children if isinstance(child, Element)]
+
+    def iter(self) -> Iterator[Element]:
+        """Yield it and all elements in it, in the order of the document.
+
+        What is done to the children of an element that was yielded is seen by the walk.
+        """
+        pending = [self]
+        while pending:
+            element = pending.pop()
+            yield element
+            children = element.children
+            if children:
+                pending += [each for each in reversed(children) if isinstance(each, Element)]
 
     def text(self) -> str:
         """Return the text children joined, as it would be written, unescaped."""

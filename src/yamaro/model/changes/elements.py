@@ -95,14 +95,11 @@ def _with_first_names(elements: list[Element], comparing: Comparing) -> list[Ele
 def _copy(element: Element) -> Element:
     """Return a copy of a tree, with texts of its own, which may be changed."""
     copy = unshared(element)
-    pending = [copy]
-    while pending:
-        each = pending.pop()
+    for each in copy.iter():
         each.children = [
             Text(child.value, child.span) if isinstance(child, Text) else child
             for child in each.children
         ]
-        pending += each.elements()
     return copy
 
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import islice
+
 from ...source import Reading, RecordedSpan, Span
 from ...xml.tree import Element, Text
 from ...xml.values import format_value
@@ -33,18 +35,12 @@ class Values:
             if reading.span is not None:
                 at = (reading.span.source.path, reading.span.start, reading.name)
                 self.set.setdefault(at, {}).setdefault(reading.value)
-        pending = [root] if root is not None else []
-        count = 0
-        while pending and count < MOST_ELEMENTS:
-            element = pending.pop()
-            count += 1
+        for element in islice(root.iter(), MOST_ELEMENTS) if root is not None else ():
             for name, value in element.attributes.items():
                 if value is not None:
                     self._note(element.value_span(name), value)
             for child in element.children:
-                if isinstance(child, Element):
-                    pending.append(child)
-                elif isinstance(child, Text):
+                if isinstance(child, Text):
                     self._note(child.span, child.value)
 
     def _note(self, span: Span, value: object) -> None:

@@ -21,12 +21,8 @@ _REFERRING = {("parent", "link"), ("child", "link"), ("mimic", "joint"), ("gazeb
 
 
 def elements_in(root: Element | None) -> Iterator[Element]:
-    """Yield all elements of a tree, in order."""
-    pending = [root] if root is not None else []
-    while pending:
-        element = pending.pop()
-        yield element
-        pending.extend(reversed(element.elements()))
+    """Return all elements of a tree, in order; none of a file that could not be read."""
+    return iter(()) if root is None else root.iter()
 
 
 def written_paths(text: Text) -> list[tuple[str, Span]]:

@@ -94,13 +94,10 @@ class Owners:
 
 def _places_in(owner: Link | Joint) -> Iterator[tuple[Span, Frame | None]]:
     """Yield the place of each element and attribute in a link or joint, with what led there."""
-    pending = [owner.element]
-    while pending:
-        element = pending.pop()
+    for element in owner.element.iter():
         trace = owner.trace if element.trace is INHERITED else element.trace
         yield element.span, trace
         for attribute in element.attributes:
             span = element.value_span(attribute)
             if span is not element.span:
                 yield span, trace
-        pending += element.elements()
