@@ -5,10 +5,12 @@ from __future__ import annotations
 import ast
 import re
 from pathlib import Path
+from urllib.parse import urlsplit
+from urllib.request import url2pathname
 
 import pytest
 
-from yamaro.codes import ADJUSTABLE
+from yamaro.codes import ADJUSTABLE, help_text, help_uri
 
 REPOSITORY = Path(__file__).parents[1]
 LISTING = REPOSITORY / "docs" / "diagnostics.md"
@@ -107,6 +109,24 @@ def test_no_code_is_listed_twice() -> None:
 def test_codes_are_found_in_the_source() -> None:
     # These two stand in modules that no language change will touch.
     assert {"control-character", "undeclared-prefix"} <= codes_in_source()
+
+
+def test_the_address_of_each_code_leads_to_its_heading() -> None:
+    codes = codes_listed()
+    assert len(codes) > 250
+    for code in codes:
+        address, _, heading = str(help_uri(code)).partition("#")
+        assert heading == code
+        page = Path(url2pathname(urlsplit(address).path))
+        assert f"\n### `{heading}`\n" in page.read_text(encoding="utf-8")
+        assert help_text(code)
+    assert help_uri("no-such-code") is None
+    assert help_text("no-such-code") is None
+
+
+def test_what_a_report_says_of_a_code_has_no_links_that_lead_nowhere() -> None:
+    texts = [help_text(code) or "" for code in codes_listed()]
+    assert [text for text in texts if re.search(r"\]\((?!https?:)", text)] == []
 
 
 # --- codes that can be allowed and denied -----------------------------------------------------

@@ -1,6 +1,8 @@
-"""The codes of diagnostics: whose severity can be chosen, and where they are described."""
+"""The codes of diagnostics: whose severity can be chosen, and how they are described."""
 
 from __future__ import annotations
+
+from functools import cache
 
 from .diagnostics import suggest
 from .terminal import shortened
@@ -67,6 +69,37 @@ def fault_of_codes(allowed: Collection[str], denied: Collection[str]) -> str | N
     return None
 
 
-def help_uri(code: str) -> str:
-    """Return the address at which a diagnostic is described, under the heading of its code."""
-    return f"{HOME}#{code}"
+@cache
+def _page() -> tuple[str, dict[str, str]]:
+    """Return the address of the page that describes the codes, and its section of each.
+
+    The page is in the wheel; in a working copy, it is the one in `docs/`. It lies on this machine,
+    so that it describes this version, and opens without a network.
+    """
+    import re
+    from pathlib import Path
+
+    package = Path(__file__).parent
+    for path in (package / "diagnostics.md", package.parents[1] / "docs" / "diagnostics.md"):
+        try:
+            text = path.read_text(encoding="utf-8")
+        except OSError:
+            continue
+        parts = re.split(r"^### `([a-z0-9.-]+)`\n|^## .*\n", text, flags=re.MULTILINE)
+        sections = {code: part for code, part in zip(parts[1::2], parts[2::2], strict=True) if code}
+        return path.as_uri(), sections
+    return "", {}
+
+
+def help_uri(code: str) -> str | None:
+    """Return the address of the heading on this machine that describes a code, None without one."""
+    address, sections = _page()
+    return f"{address}#{code}" if code in sections else None
+
+
+def help_text(code: str) -> str | None:
+    """Return what the page says of a code, as Markdown without links; None if it says nothing."""
+    import re
+
+    # Links lead from the page to its neighbours, and nowhere from where the text is shown alone.
+    return re.sub(r"\[([^\]\n]+)\]\([^)\s]+\)", r"\1", _page()[1].get(code, "")).strip() or None

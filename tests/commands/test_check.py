@@ -193,9 +193,8 @@ def test_extensions_are_checked_at_the_users_own_lines(capsys: pytest.CaptureFix
     assert capsys.readouterr().err == ""
 
 
-def test_a_file_that_is_missing_is_wrong_usage(capsys: pytest.CaptureFixture[str]) -> None:
-    write(GOOD, "good.yaml")
-    status, _, err = outcome(capsys, "good.yaml", "missing.yaml")
+def test_one_file_that_is_missing_is_wrong_usage(capsys: pytest.CaptureFixture[str]) -> None:
+    status, _, err = outcome(capsys, "missing.yaml")
     assert status == 2
     assert "cannot read 'missing.yaml'" in err
 
@@ -320,6 +319,32 @@ def test_fingerprints_stay_when_lines_are_added_above_and_differ_for_equal_lines
     assert len(set(fingerprints)) == 2
 
 
+@pytest.mark.parametrize("form", ["json", "sarif", "github", "junit", "text"])
+@pytest.mark.parametrize("missing", ["missing.yaml", "missing.urdf", "missing.srdf", "a-folder"])
+def test_a_file_that_is_missing_is_a_finding_and_the_others_are_checked(
+    capsys: pytest.CaptureFixture[str], form: str, missing: str
+) -> None:
+    write(BAD, "bad.yaml")
+    write(GOOD, "good.yaml")
+    Path("a-folder").mkdir()
+    status, out, err = outcome(capsys, "--format", form, missing, "good.yaml", "bad.yaml")
+    assert status == 1
+    reported = err if form == "text" else out
+    reason = "it is a folder" if missing == "a-folder" else "the file does not exist"
+    assert f"the file cannot be read: {reason}" in reported
+    assert reported.index("cannot be read") < reported.rindex("bad.yaml")
+    if form == "json":
+        report = json.loads(out)
+        assert [each["ok"] for each in report["files"]] == [False, True, False]
+        first, *others = report["diagnostics"]
+        assert (first["code"], first["file"]) == ("missing-file", missing)
+        assert {each["file"] for each in others} == {"bad.yaml"}
+    if form == "sarif":
+        first, *_ = json.loads(out)["runs"][0]["results"]
+        place = first["locations"][0]["physicalLocation"]["artifactLocation"]
+        assert (first["ruleId"], place["uri"]) == ("missing-file", missing)
+
+
 def test_sarif_has_the_fix_and_the_way(capsys: pytest.CaptureFixture[str]) -> None:
     write("functions:\n  Leg(side):\n    note: $(sied)\nmodel:\n  Leg: 1\n", "leg.yaml")
     write("robot: r\nmodel:\n  include: leg.yaml\n", "robot.yaml")
@@ -332,7 +357,10 @@ def test_sarif_has_the_fix_and_the_way(capsys: pytest.CaptureFixture[str]) -> No
     assert lines == [3, 5, 3]  # the include, the call, the place
     (change,) = result["fixes"][0]["artifactChanges"]
     assert change["replacements"][0]["insertedContent"] == {"text": "side"}
-    assert [rule["id"] for rule in run["tool"]["driver"]["rules"]] == ["undefined-name"]
+    (rule,) = run["tool"]["driver"]["rules"]
+    assert rule["id"] == "undefined-name"
+    assert "import or function of Python of this name" in rule["help"]["markdown"]
+    assert "helpUri" not in rule  # nothing that is not on this machine describes it
     assert run["columnKind"] == "unicodeCodePoints"
 
 

@@ -89,11 +89,33 @@ def _checked(
     from ..tools.reports.findings import Checked
 
     allowed = read_adjustment(arguments).allowed
-    found, accepted = find_in_file(arguments, streams, texts=texts, look=look)
+    try:
+        found, accepted = find_in_file(arguments, streams, texts=texts, look=look)
+    except WrongUsage:
+        found, accepted = [_unreadable(arguments)], ()
     is_fine = all(each.severity != ERROR and each.code in allowed for each in found)
     path = arguments.words[0]
     absolute = "" if path == STANDARD_INPUT else os.path.abspath(path)
     return Checked(display_name(arguments), absolute, found, is_fine=is_fine, accepted=accepted)
+
+
+def _unreadable(arguments: Arguments) -> Diagnostic:
+    """Return the finding that a file cannot be read; raise the current exception if it can.
+
+    One file that is missing shall not keep the others from being checked.
+    """
+    from ..diagnostics import failure_of_all
+    from ..files.loader import FileLoader, LoadError
+
+    path = arguments.words[0]
+    if not path or path == STANDARD_INPUT:
+        raise
+    try:
+        FileLoader(make_policy(arguments).limits).read(os.path.abspath(path))
+    except LoadError as error:
+        message, name = f"the file cannot be read: {error}", display_name(arguments)
+        return failure_of_all(error.code, message, name, error.hint).diagnostics[0]
+    raise
 
 
 def _say(files: Sequence[Checked], arguments: Arguments, streams: Streams) -> int:

@@ -10,6 +10,7 @@ import pytest
 
 from tests.tools.lsp.client import UTF_32, Client
 from tests.waiting import PATIENCE
+from yamaro.codes import help_uri
 
 ROBOT = """robot: rover
 variables:
@@ -96,6 +97,8 @@ def test_an_error_appears_at_the_change_and_goes_with_it(tmp_path):
         client.change(uri, 2, [{"text": broken}])
         client.wait_for_codes(uri, ["python-syntax"])
         assert client.versions[uri] == 2
+        (found,) = client.diagnostics[uri]
+        assert found["codeDescription"] == {"href": help_uri("python-syntax")}
         client.change(uri, 3, [{"text": ROBOT}])
         client.wait_for(lambda: client.versions[uri] == 3 and client.codes(uri) == [])
 

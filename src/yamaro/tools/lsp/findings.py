@@ -160,10 +160,12 @@ def diagnostic_json(workspace: Workspace, diagnostic: Diagnostic, path: str) -> 
         "range": workspace.range(span),
         "severity": severity,
         "code": diagnostic.code,
-        "codeDescription": {"href": help_uri(diagnostic.code)},
         "source": "yamaro",
         "message": _message(diagnostic),
     }
+    described = help_uri(diagnostic.code)
+    if described is not None:
+        result["codeDescription"] = {"href": described}
     related = _related(workspace, diagnostic)
     if related:
         result["relatedInformation"] = related

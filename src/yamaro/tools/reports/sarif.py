@@ -10,7 +10,7 @@ import json
 import re
 
 from ...allowances import allowing
-from ...codes import HOME, help_uri
+from ...codes import HOME, help_text
 from ...diagnostics import ACCEPTED, WARNING
 from .data import steps_of
 from .findings import each_once, file_uri, message_of, region_of, relative, uri_of
@@ -59,13 +59,17 @@ def sarif_report(files: Sequence[Checked], version: str) -> str:
 def _rule(code: str) -> dict[str, Any]:
     words = code.replace("-", " ")
     name = "".join(word.capitalize() for word in re.split(r"[-.]", code))
+    help = {"text": f"docs/diagnostics.md of Yamaro describes '{code}', and how to fix it."}
+    described = help_text(code)
+    if described is not None:
+        # The page itself is on this machine, and not where the report is read: no `helpUri`.
+        help["markdown"] = described
     return {
         "id": code,
         "name": name,
         "shortDescription": {"text": f"{words[:1].upper()}{words[1:]}."},
         "fullDescription": {"text": f"The diagnostic '{code}' of Yamaro."},
-        "help": {"text": f"docs/diagnostics.md of Yamaro describes '{code}', and how to fix it."},
-        "helpUri": help_uri(code),
+        "help": help,
     }
 
 
