@@ -16,7 +16,7 @@ from tests.tools.view.conftest import Viewer
 pytestmark = pytest.mark.slow
 
 AXE = ROOT / "web" / "site" / "node_modules" / "axe-core" / "axe.min.js"
-PAGES = ("index.html", "tutorial.html", "api.html", "gallery.html", "performance.html")
+PAGES = ("index.html", "tutorial.html", "api.html", "gallery.html", "diagnostics.html")
 LOOKS = ((1280, "light"), (390, "dark"))
 VIOLATIONS = """axe.run({resultTypes: ['violations']}).then(({violations}) => violations.flatMap(
   ({id, nodes}) => nodes.slice(0, 5).map(({target, failureSummary}) =>

@@ -13,6 +13,9 @@ sys.path.insert(0, str(ROOT / "web" / "site"))
 import links  # noqa: E402
 import stage  # noqa: E402
 
+from tests.site.conftest import Site  # noqa: E402
+from tests.test_links import anchors  # noqa: E402
+
 
 @pytest.fixture(scope="module")
 def pages(tmp_path_factory: pytest.TempPathFactory) -> Path:
@@ -22,9 +25,52 @@ def pages(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def test_every_page_is_in_the_menu_once(pages: Path) -> None:
-    menu = (ROOT / "mkdocs.yml").read_text(encoding="utf-8").partition("\nnav:")[2]
-    named = re.findall(r"^ *- (\S+\.md)$", menu, re.MULTILINE)
-    assert sorted(named) == sorted(path.name for path in pages.glob("*.md"))
+    menu = (pages.parent / "mkdocs.yml").read_text(encoding="utf-8").partition("\nnav:")[2]
+    named = re.findall(r"^ *- (?:\"[^\"]+\": )?(\S+\.md)$", menu, re.MULTILINE)
+    assert sorted([*named, "architecture.md"]) == sorted(path.name for path in pages.glob("*.md"))
+
+
+@pytest.mark.parametrize("name", stage.SPLIT)
+def test_each_anchor_of_a_document_leads_to_the_chapter_that_has_it(pages: Path, name: str) -> None:
+    first = (pages / name).read_text(encoding="utf-8")
+    listed = re.findall(r"\]\(([\w-]+\.md)#([\w-]+)\)", first.partition('class="chapters"')[2])
+    wanted = anchors(ROOT / "docs" / name)
+    assert {anchor for _, anchor in listed} == wanted - anchors(pages / name)
+    assert len(listed) == len(wanted) - 1  # no two headings have one anchor; the title has none
+    for page, anchor in listed:
+        assert anchor in anchors(pages / page)
+
+
+@pytest.mark.parametrize("name", stage.SPLIT)
+def test_chapters_hold_all_that_the_document_has(pages: Path, name: str) -> None:
+    def plain(text: str) -> list[str]:
+        return [line.lstrip("# ") for line in text.splitlines() if line and "](" not in line]
+
+    whole = plain(stage.Stage(pages).converted(ROOT / "docs" / name))
+    parts = [pages / name, *pages.glob(f"{Path(name).stem}-*.md")]
+    found = [line for part in parts for line in plain(part.read_text(encoding="utf-8"))]
+    assert set(whole) - set(found) == set()
+    assert len(parts) > 10
+
+
+def test_links_to_a_chapter_name_its_page(tmp_path: Path) -> None:
+    page = ROOT / "docs" / "language.md"
+    place = stage.Stage(tmp_path)
+    for path, link, expected in (
+        (page, "#shapes", "language-part-a-joint-and-a-link.md#shapes"),
+        (page, "cli.md#trust", "cli.md#trust"),
+        (ROOT / "docs" / "cli.md", "diagnostics.md#advice", "diagnostics-advice.md#advice"),
+        (
+            ROOT / "CHANGELOG.md",
+            "docs/language.md#poses",
+            "language-part-a-joint-and-a-link.md#poses",
+        ),
+        (ROOT / "docs" / "cli.md", "language.md", "language.md"),
+        (ROOT / "docs" / "cli.md", "#trust", "#trust"),
+    ):
+        found = stage.LINK.search(f"[x]({link})")
+        assert found is not None
+        assert place._link(path, found) == expected
 
 
 def test_links_lead_to_pages_of_the_site_or_to_files_that_are_brought_along(pages: Path) -> None:
@@ -73,3 +119,22 @@ def test_a_link_that_leads_nowhere_is_found(tmp_path: Path) -> None:
 def test_the_site_is_built_strictly(built: str) -> None:
     assert "all links lead somewhere" in built
     assert (ROOT / "build" / "site" / "playground" / "pyodide" / "pyodide.asm.wasm").exists()
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("old", "new"),
+    [
+        ("language.html#shapes", "language-part-a-joint-and-a-link.html#shapes"),
+        (
+            "diagnostics.html#undefined-name",
+            "diagnostics-expressions-and-python.html#undefined-name",
+        ),
+        ("sweep-metrics.html#stable", "sweeps.html#stable"),
+    ],
+)
+def test_an_old_anchor_leads_on(site: Site, old: str, new: str) -> None:
+    site.show(old, 1280, "light")
+    site.wait_for(f"location.href.endsWith('/{new}')")
+    anchor = new.partition("#")[2]
+    site.wait_for(f"document.getElementById('{anchor}')?.getBoundingClientRect().top < 200")

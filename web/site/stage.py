@@ -3,7 +3,8 @@
     python web/site/stage.py FOLDER
 
 Pages stay as they are, but for what the site spells in another way: links that lead out of docs/,
-and the words behind the language of a fenced example, which are for the tests.
+and the words behind the language of a fenced example, which are for the tests. The longest get a
+page for each chapter. The configuration of the site is put beside the folder, with their menu.
 """
 
 from __future__ import annotations
@@ -12,6 +13,8 @@ import re
 import shutil
 import sys
 from pathlib import Path
+
+from chapters import Book
 
 ROOT = Path(__file__).resolve().parents[2]
 DOCS = ROOT / "docs"
@@ -25,6 +28,18 @@ PAGES = {
     "ARCHITECTURE.md": "architecture.md",
 }
 """Pages that have another name on the site than in the repository."""
+MOVED = {"sweep-metrics.html": "sweeps.html"}
+"""Pages that there were, and what has their headings now."""
+SPLIT = ("language.md", "diagnostics.md")
+"""Documents with a page for each chapter."""
+REDIRECT = """\
+<!DOCTYPE html>
+<html lang="en">
+<title>Moved to {page}</title>
+<script>location.replace("{page}" + location.hash);</script>
+<a href="{page}">This page has moved.</a>
+</html>
+"""
 LINK = re.compile(r"""(?:(?<=\]\()|(?<=src="))([^)"\s#]+)?(#[^)"\s]*)?(?=[)"])""")
 FENCE = re.compile(r"^(?P<indent> *)(?P<fence>`{3,})(?P<info>[^`\n]*)$")
 FILE = re.compile(r"\bfile=(\S+)")
@@ -39,9 +54,21 @@ def main(target: Path) -> None:
         if page.suffix in (".png", ".svg"):
             shutil.copy(page, target / page.name)
     stage = Stage(target)
+    menu = (ROOT / "mkdocs.yml").read_text(encoding="utf-8")
+    menu = menu.replace("build/site-pages", target.name).replace("build/site", "site")
     for page in sorted(DOCS.glob("*.md")):
         name = PAGES.get(f"docs/{page.name}", page.name)
-        stage.write(name, stage.converted(page))
+        text = stage.converted(page)
+        if name not in SPLIT:
+            stage.write(name, text)
+            continue
+        book = Book(name, text)
+        for part, text in book.pages().items():
+            stage.write(part, text)
+        menu = re.sub(rf"^( *)- {name}$", book.menu, menu, flags=re.M)
+    for old, new in MOVED.items():
+        stage.write(old, REDIRECT.format(page=new))
+    (target.parent / "mkdocs.yml").write_text(menu, encoding="utf-8")
     for name in ("CHANGELOG.md", "CONTRIBUTING.md", "SECURITY.md", "ARCHITECTURE.md"):
         stage.write(PAGES[name], stage.converted(ROOT / name))
     stage.write(
@@ -55,6 +82,10 @@ class Stage:
 
     def __init__(self, target: Path) -> None:
         self._target = target
+        self._chapters = {
+            DOCS / name: Book(name, (DOCS / name).read_text(encoding="utf-8")).places()
+            for name in SPLIT
+        }
 
     def write(self, name: str, text: str) -> None:
         """Write a page."""
@@ -78,9 +109,14 @@ class Stage:
 
     def _link(self, page: Path, found: re.Match[str]) -> str:
         path, anchor = found[1] or "", found[2] or ""
-        if not path or "://" in path or path.startswith("mailto:"):
+        if "://" in path or path.startswith("mailto:"):
             return f"{path}{anchor}"
-        meant = (page.parent / path).resolve()
+        meant = (page.parent / path).resolve() if path else page
+        chapter = self._chapters.get(meant, {}).get(anchor[1:])
+        if chapter is not None:
+            return f"{chapter}{anchor}"
+        if not path:
+            return anchor
         if not meant.exists():  # made when the site is built
             return f"{path}{anchor}"
         name = meant.relative_to(ROOT).as_posix()

@@ -17,3 +17,14 @@ function mend() {
 new MutationObserver(mend).observe(document.body, { childList: true, subtree: true });
 window.addEventListener("resize", mend);
 mend();
+
+/** Go on to the chapter that has a place, from the page that had all chapters. */
+function goOn() {
+  if (!location.hash || document.getElementById(decodeURIComponent(location.hash.slice(1)))) return;
+  for (const link of document.querySelectorAll(".chapters a")) {
+    if (link.hash === location.hash) return location.replace(link.href);
+  }
+}
+
+window.addEventListener("hashchange", goOn);
+goOn();
