@@ -5,7 +5,7 @@ There is one type for everything Yamaro has to say about an input, and one rende
 
 from __future__ import annotations
 
-from .source import Source, Span
+from .source import Public, Source, Span
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -25,7 +25,7 @@ MAX_SUGGESTED_LETTERS = 255
 """The longest word that a suggestion is looked for: file names are no longer."""
 
 
-class Frame:
+class Frame(Public):
     """One step of the way to a place: a function call or an include, and where it was written."""
 
     __slots__ = ("home", "kind", "name", "parent", "places", "span")
@@ -77,10 +77,11 @@ class Meant(str):
         return hint
 
 
-class Diagnostic:
+class Diagnostic(Public):
     """One thing to report about an input."""
 
     __slots__ = ("code", "fix", "hint", "message", "notes", "severity", "span", "trace")
+    _internal = frozenset(("copy",))
 
     def __init__(
         self,

@@ -6,6 +6,8 @@ confines; safe code is a part of Python that has no effects. The limits hold in 
 
 from __future__ import annotations
 
+from .source import Public
+
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping, Sequence
@@ -59,7 +61,7 @@ _RANGE = (1, 1 << 50)
 """Of all other limits."""
 
 
-class Limits:
+class Limits(Public):
     """How much one conversion may use; a number for each, 0 where there is none.
 
     Attributes:
@@ -137,7 +139,7 @@ class Limits:
         return f"--limit {shown(name)}=… sets another limit{unit}"
 
 
-class Policy:
+class Policy(Public):
     """How far a file is trusted: the mode, the limits, the time, and what it may read.
 
     Attributes:
@@ -159,6 +161,9 @@ class Policy:
         "limits",
         "mode",
         "timeout",
+    )
+    _internal = frozenset(
+        ("fallback", "is_abandoned", "is_confined", "is_safe", "is_trusted", "looking")
     )
 
     def __init__(

@@ -29,6 +29,7 @@ from .request import RelativePaths, Request
 from .runtime.collector import RareCollection
 from .runtime.library import Library, rules_of
 from .sandbox.deep_stack import run_on_deep_stack
+from .source import Public
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -60,7 +61,7 @@ if TYPE_CHECKING:
     Say = Callable[[str], None]
 
 
-class Program:
+class Program(Public):
     """A file that can be converted again and again, with other variables.
 
     It and the files it includes are read and parsed once, when they are first needed, as are the
@@ -79,6 +80,7 @@ class Program:
         "_source",
         "_text",
     )
+    _internal = frozenset(("compile", "parse", "request", "xml_and_warnings"))
 
     def __init__(
         self,
@@ -107,6 +109,9 @@ class Program:
         )
         self._source: Source | None = None
         self._in_jail: Program | None = None  # the same file, once safe mode has refused it
+
+    def __repr__(self) -> str:
+        return f"<Program {self._path!r}>"
 
     def _reach_of(self, loader: Loader | None) -> Reach | None:
         """Return what may be read: that of the loader, which packages that are named add to."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from .source import Public
 from .xml.tree import unshared
 
 TYPE_CHECKING = False
@@ -38,7 +39,7 @@ class Finished:
         self.notes = notes
 
 
-class Build:
+class Build(Public):
     """A finished robot or other document.
 
     Attributes:
@@ -77,6 +78,9 @@ class Build:
         "refused",
         "warnings",
     )
+    _internal = frozenset((
+        "encoded", "finder", "noted", "notes", "pieces", "refused", "robot_tree", "root_name",
+    ))  # fmt: skip
 
     def __init__(
         self,
@@ -185,6 +189,12 @@ class Build:
                 self._robot = read_robot(self._tree(), notes=self.notes, whole=True)
             self._robot.finder = self.finder
         return self._robot
+
+    def __repr__(self) -> str:
+        source = f" of {self.files[0]}" if self.files else ""
+        count = len(self.warnings)
+        warnings = f", {count} warning{'' if count == 1 else 's'}" if count else ""
+        return f"<Build{source}: {self.format}{warnings}>"
 
     def _repr_html_(self) -> str:
         """Return what a notebook shows: the robot in 3D, or the text of another document."""

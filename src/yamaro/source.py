@@ -2,6 +2,8 @@
 
 A span is a pair of character offsets, the end exclusive. Line and column are worked out only when
 a diagnostic is shown, so carrying a span costs next to nothing.
+
+Objects that programs get are `Public`, and their `repr` ends with that place.
 """
 
 from __future__ import annotations
@@ -24,7 +26,50 @@ YAML_ENDINGS = (".yaml", ".yml")
 """Endings of the names of files that hold YAML, though it may begin with `<`, as in `<arm>:`."""
 
 
-class Source:
+_LONGEST = 60
+"""Characters of a value in a `repr`."""
+
+
+class Public:
+    """An object that programs get: `dir()` lists what it offers them, and `repr` says what it is.
+
+    Attributes:
+        _internal: the attributes of a class that only Yamaro itself uses.
+    """
+
+    __slots__ = ()
+
+    _internal: frozenset[str] = frozenset()
+
+    def __dir__(self) -> list[str]:
+        hidden = {name for kind in type(self).__mro__ for name in vars(kind).get("_internal", ())}
+        return [
+            name
+            for name in object.__dir__(self)
+            if name not in hidden and (name[0] != "_" or name[:2] == name[-2:] == "__")
+        ]
+
+    def __repr__(self) -> str:
+        """Return the class, the values that can be said in a word or two, and the place."""
+        values: dict[str, str] = {}
+        for kind in type(self).__mro__:
+            for name in vars(kind).get("__slots__", ()):
+                value = getattr(self, name, None) if name[0] != "_" else None
+                if isinstance(value, (bool, int, float, str, tuple)) and value not in ("", ()):
+                    values.setdefault(name, repr(value))
+        hidden = {name for kind in type(self).__mro__ for name in vars(kind).get("_internal", ())}
+        said = [
+            f"{name}={text}"
+            for name, text in sorted(values.items(), key=lambda pair: pair[0] != "name")
+            if name not in hidden and len(text) <= _LONGEST and " object at 0x" not in text
+        ]
+        span = getattr(self, "span", None)
+        if span is not None:
+            said.append(f"at {span.place()}")
+        return f"<{' '.join([type(self).__name__, *said])}>"
+
+
+class Source(Public):
     """The text of one file, with the name it is shown under.
 
     Attributes:

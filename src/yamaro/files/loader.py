@@ -6,7 +6,7 @@ import os
 
 from ..diagnostics import failure
 from ..policy import Limits
-from ..source import Source, Span
+from ..source import Public, Source, Span
 from .regular import open_regular
 
 TYPE_CHECKING = False
@@ -41,7 +41,7 @@ class LoadError(Exception):
         self.hint = hint
 
 
-class FileLoader:
+class FileLoader(Public):
     """Reads files from the disk.
 
     Attributes:
@@ -49,6 +49,7 @@ class FileLoader:
         reach: where files may lie; anywhere if it is None.
     """
 
+    _internal = frozenset(("limits", "reach"))
     limits = Limits()  # for a subclass that does without our __init__
     reach: Reach | None = None
 
@@ -111,13 +112,18 @@ def check_size(size: int, limits: Limits) -> None:
         )
 
 
-class MemoryLoader:
+class MemoryLoader(Public):
     """Reads files from a mapping of absolute paths to texts; for tests and programs."""
 
     __slots__ = ("files",)
+    _internal = frozenset(("files",))
 
     def __init__(self, files: Mapping[str, str]) -> None:
         self.files = dict(files)
+
+    def __repr__(self) -> str:
+        count = len(self.files)
+        return f"<MemoryLoader of {count} file{'' if count == 1 else 's'}>"
 
     def read(self, path: str) -> bytes:
         """Return a file's content; raise LoadError if there is none."""

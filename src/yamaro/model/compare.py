@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from ..source import Public
 from ..xml.tree import Element, Text
 from ..xml.values import format_value
 from .values import values_of
@@ -16,7 +17,7 @@ POSE = ("xyz", "rpy")
 ZEROS = "0 0 0"
 
 
-class Difference:
+class Difference(Public):
     """Something that two robots do not share.
 
     Attributes:
@@ -32,6 +33,9 @@ class Difference:
 
     def __str__(self) -> str:
         return f"{', '.join(self.path)}: {self.message}"
+
+    def __repr__(self) -> str:
+        return f"<Difference {self}>"
 
 
 def compare(

@@ -112,6 +112,8 @@ class Surface(Noted):
         if self.friction2 is None:
             self.friction2 = self.friction
 
+    _internal = frozenset(("values",))
+
     def values(self) -> tuple[float | None, ...]:
         """Return friction, friction2, restitution, stiffness and damping."""
         return (self.friction, self.friction2, self.restitution, self.stiffness, self.damping)
@@ -134,6 +136,8 @@ class State(Noted):
         self._places: dict[str, Span] = {}
         self.merge(element)
 
+    _internal = frozenset(("merge",))
+
     def merge(self, element: Element) -> None:
         """Take the positions of another note of the same state; they win."""
         for child in element.elements():
@@ -141,6 +145,9 @@ class State(Noted):
             if name is not None and position is not None:
                 self.positions[name] = position
                 self._places[name] = child.value_span("value")
+
+    def __repr__(self) -> str:
+        return f"<State '{self.name}': {self.positions}>"
 
     def span_of(self, attribute: str) -> Span:
         """Return where the position of a joint is written, or else the state."""

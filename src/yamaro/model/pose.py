@@ -8,6 +8,8 @@ from __future__ import annotations
 
 from math import atan2, cos, hypot, sin, sqrt
 
+from ..source import Public
+
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from ..source import Span
@@ -165,7 +167,7 @@ def quaternion_from_rotation(rotation: Rotation) -> tuple[float, float, float, f
     return (w / length, x / length, y / length, z / length)
 
 
-class Pose:
+class Pose(Public):
     """T_parent_child: takes a point given in the child's frame to the parent's.
 
     Attributes:
@@ -175,6 +177,7 @@ class Pose:
     """
 
     __slots__ = ("element", "position", "rotation")
+    _internal = frozenset(("element",))
 
     def __init__(
         self, rotation: Rotation = UNTURNED, position: Vector = ZERO, element: Element | None = None

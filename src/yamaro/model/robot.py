@@ -22,6 +22,7 @@ from __future__ import annotations
 
 from math import fsum
 
+from ..source import Public
 from .joint import FIXED
 from .values import Written, attribute_text
 
@@ -62,7 +63,7 @@ NAMING = "naming"
 """The name of a note that says what the joints and links of parts are called."""
 
 
-class Frame:
+class Frame(Public):
     """A named pose in a link. In URDF it is an empty link on a fixed joint.
 
     Attributes:
@@ -105,6 +106,10 @@ class Robot(Written):
         "_recognizes",
         "all_joints", "all_links", "finder", "joints", "links", "name", "own_materials", "version",
     )  # fmt: skip
+    _internal = frozenset((
+        "all_joints", "all_links", "finder", "name_patterns", "need_joint", "need_link", "noted",
+        "own_materials", "raw", "visuals",
+    ))  # fmt: skip
 
     def __init__(
         self,

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from math import tau
 
+from ..source import Public
 from .pose import IDENTITY, Pose, rotation_from_rpy
 from .schema import SENSORS, WHOLE
 from .values import Written, attribute_text, read_numbers
@@ -21,7 +22,7 @@ CAMERAS = ("camera", "depth_camera")
 _FULL_CIRCLE_TOLERANCE = 1e-9
 
 
-class Lidar:
+class Lidar(Public):
     """What a lidar sees: rays in rows, about the z axis of its frame.
 
     Attributes:
@@ -70,7 +71,7 @@ def _is_circle(angle: float) -> bool:
     return abs(angle - tau) <= _FULL_CIRCLE_TOLERANCE
 
 
-class Camera:
+class Camera(Public):
     """What a camera sees along the x axis of its frame.
 
     Attributes:
@@ -89,7 +90,7 @@ class Camera:
         _take(self, element, "camera")
 
 
-class Ranger:
+class Ranger(Public):
     """What a sensor of one distance sees along the x axis of its frame.
 
     Attributes:
@@ -132,6 +133,7 @@ class Sensor(Written):
         "details", "frame", "joint", "link", "name", "noise", "noises", "pose", "rate", "topic",
         "trace", "type", "written_name",
     )  # fmt: skip
+    _internal = frozenset(("written_name",))
 
     def __init__(self, element: Element, trace: Step | None) -> None:
         self.element = element

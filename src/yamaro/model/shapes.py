@@ -12,6 +12,7 @@ from __future__ import annotations
 
 from math import hypot, pi
 
+from ..source import Public
 from .pose import ZERO
 
 TYPE_CHECKING = False
@@ -30,7 +31,7 @@ NEGLIGIBLE = 1e-12
 UNSCALED: Vector = (1.0, 1.0, 1.0)
 
 
-class _Shape:
+class _Shape(Public):
     """What the shapes have in common.
 
     Attributes:
@@ -43,6 +44,9 @@ class _Shape:
     """
 
     __slots__ = ("element",)
+    _internal = frozenset(
+        ("attributes", "center", "element", "example", "radius_around", "since", "sizes")
+    )
 
     kind: str
     attributes: tuple[str, ...]

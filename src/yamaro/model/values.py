@@ -5,6 +5,7 @@ from __future__ import annotations
 from math import inf, isfinite, nan
 
 from ..diagnostics import INHERITED
+from ..source import Public
 from ..xml.tree import Element
 from ..xml.values import LONGEST_ROW_REMEMBERED, format_value, remember
 
@@ -131,7 +132,7 @@ def child_named(element: Element, name: str) -> Element | None:
     return None
 
 
-class Written:
+class Written(Public):
     """Something of a robot that is written in a file.
 
     Attributes:
@@ -139,6 +140,7 @@ class Written:
     """
 
     __slots__ = ("element",)
+    _internal = frozenset(("element", "inner", "number", "read_rest", "trace_in", "written"))
 
     element: Element
 

@@ -6,7 +6,7 @@ Values stay Python objects (or the text as it was spelled) until they are writte
 from __future__ import annotations
 
 from ..diagnostics import INHERITED, Frame
-from ..source import Span
+from ..source import Public, Span
 from .values import format_value
 
 TYPE_CHECKING = False
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
             """Return the place of an attribute's value, or None where there is none."""
 
 
-class Text:
+class Text(Public):
     """Text between tags; `value` is the spelling as written, or what an expression gave."""
 
     __slots__ = ("span", "value")
@@ -33,7 +33,7 @@ class Text:
         self.span = span
 
 
-class Comment:
+class Comment(Public):
     """An XML comment."""
 
     __slots__ = ("span", "text")

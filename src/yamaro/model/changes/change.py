@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from ...source import Public
+
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from ...source import Span
@@ -11,7 +13,7 @@ if TYPE_CHECKING:
 ADDED, REMOVED, CHANGED, RENAMED = "added", "removed", "changed", "renamed"
 
 
-class Moved:
+class Moved(Public):
     """The links that are elsewhere because of one changed joint.
 
     Attributes:
@@ -35,7 +37,7 @@ class Moved:
         self.is_at_zero = is_at_zero
 
 
-class Change:
+class Change(Public):
     """Something that differs between two robots.
 
     Attributes:
@@ -100,7 +102,7 @@ class Change:
         return f"<{self.kind} {self.of} '{self.name}'{new}{what}{values}>"
 
 
-class Changes:
+class Changes(Public):
     """What changed from one robot to another.
 
     Attributes:

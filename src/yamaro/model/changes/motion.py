@@ -6,6 +6,7 @@ positions too: the same ones each time, within the limits of the joints.
 
 from __future__ import annotations
 
+from ...source import Public
 from ..joint import FLOATING, PLANAR, SINGLE
 from ..kinematics import link_poses
 from ..pose import IDENTITY, Pose, rotation_from_rpy
@@ -34,7 +35,7 @@ KINEMATIC = ("type", "parent", "child", "origin", "axis", "mimic")
 Poses = dict[str, Pose]
 
 
-class Motion:
+class Motion(Public):
     """Whether the links that two robots have in common move the same.
 
     Attributes:

@@ -6,6 +6,7 @@ import os
 
 from ...arguments import UsageError
 from ...policy import Policy
+from ...source import Public
 from .engines import engine_of
 from .folder import SweepFolder
 from .kept import kept_models
@@ -29,7 +30,7 @@ if TYPE_CHECKING:
     from .showing import Shown
 
 
-class Sweep:
+class Sweep(Public):
     """A sweep that was run, or the one in a folder.
 
     Attributes:

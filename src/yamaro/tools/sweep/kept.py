@@ -6,6 +6,7 @@ import os
 import tarfile
 
 from ...arguments import UsageError
+from ...source import Public
 from .builder import ASSETS, MODELS, ends_of
 from .folder import read_plan_data
 from .models import shard_name
@@ -19,7 +20,7 @@ SCENE = "mjcf.scene.xml"
 """What the name of a scene ends in."""
 
 
-class KeptModel:
+class KeptModel(Public):
     """A model that a sweep has kept.
 
     Attributes:

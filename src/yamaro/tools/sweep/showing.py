@@ -6,6 +6,7 @@ import os
 
 from ...arguments import UsageError
 from ...diagnostics import YamaroError, failure_of_all
+from ...source import Public
 from .builder import Builder, file_hash
 from .conditions import Condition
 from .folder import read_plan_data
@@ -17,7 +18,7 @@ if TYPE_CHECKING:
     from ...result import Build
 
 
-class Shown:
+class Shown(Public):
     """A variant that was built again.
 
     Attributes:

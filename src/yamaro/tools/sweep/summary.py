@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from ...source import Public
 from .rows import FAILED, OK, REJECTED
 from .table import parts_of, results_in
 
@@ -14,7 +15,7 @@ MOST_GROUPS = 10
 """Groups of failures that are shown."""
 
 
-class Group:
+class Group(Public):
     """Variants that failed with the same code at the same place.
 
     Attributes:
@@ -35,7 +36,7 @@ class Group:
         self.message = message
 
 
-class Summary:
+class Summary(Public):
     """What a sweep came to.
 
     Attributes:
