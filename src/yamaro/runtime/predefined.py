@@ -14,6 +14,7 @@ from ..syntax.names import FACTORS
 from ..syntax.nodes import Constant, DictValue, ListValue
 from ..syntax.values import parse_value
 from ..yaml.reader import read
+from ..yaml.scalars import type_plain
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -135,8 +136,15 @@ class Helpers:
         )
 
     def env(self, name: str, default: Any = _REQUIRED) -> Any:
-        """Return an environment variable, or the default if there is one."""
-        value = os.environ.get(name, default)
+        """Return an environment variable, or the default if there is one.
+
+        With a default that is a number or truth value, such a text is read as one.
+        """
+        value: Any = os.environ.get(name)
+        if value is None:
+            value = default
+        elif value and isinstance(default, (bool, int, float)):
+            value = type_plain(value)
         if value is _REQUIRED:
             raise InputFault(
                 "unset-environment",

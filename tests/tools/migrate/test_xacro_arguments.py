@@ -83,9 +83,17 @@ def test_a_given_argument_that_is_not_declared_is_declared(tmp_path: Path) -> No
 
 @pytest.mark.parametrize(
     ("name", "value"),
-    [("", ""), ("TEST_ON", "1"), ("TEST_FLAG", "true"), ("TEST_LENGTH", "2"), ("TEST_AT", "1 2 3")],
+    [
+        ("", ""),
+        *(("TEST_ON", value) for value in ("1", "0.2", "true", "False", "2")),
+        *(("TEST_FLAG", value) for value in ("true", "1", "7")),
+        *(("TEST_LENGTH", value) for value in ("2", "1e-1")),
+        ("TEST_AT", "1 2 3"),
+        *(("TEST_KIND", value) for value in ("side", "3")),
+        *(("TEST_MORE", value) for value in ("", "0.5", "4")),
+    ],
 )
-def test_a_variable_of_the_environment_is_what_its_default_is(
+def test_a_variable_of_the_environment_is_read_as_xacro_reads_its_text(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path, name: str, value: str
 ) -> None:
     xacro = pytest.importorskip("xacro")
@@ -95,8 +103,13 @@ def test_a_variable_of_the_environment_is_what_its_default_is(
         <xacro:property name="on" value="$(optenv TEST_ON 0)"/>
         <xacro:property name="length" value="$(optenv TEST_LENGTH 0.5)"/>
         <xacro:property name="at" value="$(optenv TEST_AT 0 0 0)"/>
+        <xacro:property name="kind" value="$(optenv TEST_KIND front)"/>
+        <xacro:property name="more" value="$(optenv TEST_MORE)"/>
         <xacro:arg name="flag" default="$(optenv TEST_FLAG false)"/>
         <xacro:if value="${on}"><link name="on"/></xacro:if>
+        <xacro:if value="$(optenv TEST_FLAG 0)"><link name="on_${on}_${kind}"/></xacro:if>
+        <xacro:if value="${$(optenv TEST_LENGTH 1) > 1}"><link name="long"/></xacro:if>
+        <xacro:if value="${more != ''}"><link name="more"><a>${more * 2}</a></link></xacro:if>
         <xacro:if value="$(arg flag)"><link name="flag"/></xacro:if>
         <link name="base">
           <visual>
@@ -106,7 +119,9 @@ def test_a_variable_of_the_environment_is_what_its_default_is(
         </link>
         """,
     )
-    assert "length: $(float(env('TEST_LENGTH', '0.5')))" in files["r.yaml"]
+    assert "length: $(env('TEST_LENGTH', 0.5))" in files["r.yaml"]
+    assert "kind: $(env('TEST_KIND', 'front'))" in files["r.yaml"]
+    assert "more: $(env('TEST_MORE', 0) if env('TEST_MORE', '') else '')" in files["r.yaml"]
     assert "at: $(env('TEST_AT', '0 0 0'))" in files["r.yaml"]
     if name:
         monkeypatch.setenv(name, value)

@@ -167,3 +167,49 @@ def test_a_macro_of_a_file_that_a_macro_includes_reads_a_property_of_that_macro(
         tmp_path, {"r.xacro": argument + outer + "<xacro:outer/>", "f.xacro": leaf}, "g:=7"
     )
     assert "size/child: $(g)" in made.files["r.yaml"]
+
+
+def test_a_block_keeps_the_values_of_who_calls_though_the_macro_has_variables_of_these_names(
+    tmp_path: Path,
+) -> None:
+    inner = """<xacro:macro name="inner" params="name size:=9 **content">
+        <link name="${name}"><s>${size}</s><xacro:insert_block name="content"/></link>
+        </xacro:macro>"""
+    outer = """<xacro:macro name="outer" params="prefix *origin **content">
+        <xacro:property name="name" value="${prefix}_o"/>
+        <xacro:inner name="${name}"><c><a>${prefix}</a><xacro:insert_block name="origin"/>
+        <xacro:insert_block name="content"/></c></xacro:inner></xacro:macro>"""
+    call = """<xacro:outer prefix="x"><origin xyz="0 0 ${size}" n="${name}"/>
+        <content><b>${name} ${size} $(arg prefix)</b></content></xacro:outer>"""
+    start = """<xacro:arg name="prefix" default="top"/>
+        <xacro:property name="size" value="3"/><xacro:property name="name" value="n"/>"""
+    later = f'<xacro:property name="size" value="4"/>{call.replace("x", "y", 1)}'
+    later = later.replace("<yacro", "<xacro", 1)
+    made = holds(tmp_path, {"r.xacro": start + inner + outer + call + later}, "prefix:=q")
+    assert "outer_size: $(size)" in made.files["r.yaml"]
+
+
+def test_a_block_needs_no_other_name_for_what_is_passed_under_its_own(tmp_path: Path) -> None:
+    holder = """<xacro:macro name="holder" params="side *origin">
+        <link name="${side}"><xacro:insert_block name="origin"/></link></xacro:macro>"""
+    around = arm('<xacro:holder side="${side}"><o n="${side}"/></xacro:holder>')
+    made = holds(tmp_path, {"r.xacro": holder + around + LEFT})
+    assert "outer_" not in made.files["r.yaml"]
+
+
+def test_lists_of_data_are_copied_where_macros_take_from_them(tmp_path: Path) -> None:
+    macro = """<xacro:macro name="each" params="items kind"><xacro:if value="${items}">
+        <xacro:property name="one" value="${items.pop(0)}"/><link name="${kind}_${one}"/>
+        <xacro:each items="${items}" kind="${kind}"/></xacro:if></xacro:macro>"""
+    main = """<xacro:property name="data" value="${xacro.load_yaml('d.yaml')}"/>
+        <xacro:each items="${data['wheels']}" kind="a"/>
+        <xacro:property name="mine" value="${data['wheels']}"/>
+        <xacro:each items="${mine}" kind="b"/><n>${len(mine)} ${len(data['wheels'])}</n>"""
+    holds(tmp_path, {"r.xacro": macro + main, "d.yaml": "wheels: [left, right]\n"})
+
+
+def test_a_parameter_that_is_no_name_is_left_out(tmp_path: Path) -> None:
+    made = holds(
+        tmp_path, {"r.xacro": '<xacro:macro name="pi" params="3.14"/><link name="a${1}"/>'}
+    )
+    assert "3.14" not in made.files["r.yaml"]

@@ -134,6 +134,21 @@ class Callees:
             below |= free - self.passed_to(other, macro) if isinstance(other, str) else free
         return below & reads.own
 
+    def names_around_blocks(self, macro: Macro) -> set[str]:
+        """Return the names that a macro, or one it passes its blocks on to, has around them."""
+        names: set[str] = set()
+        pending, known = [macro], {macro}
+        while pending:
+            own = pending.pop()
+            names |= self._reads[own].own | defined_in(own.element, nested=True)
+            for element in walk(own.element):
+                called = self._program.macro_called(element)
+                is_passed = any(inner.name == "xacro:insert_block" for inner in walk(element))
+                if called is not None and is_passed and called not in known:
+                    known.add(called)
+                    pending.append(called)
+        return names
+
     def passed_to(self, path: str, macro: Macro) -> set[str]:
         """Return the parameters of a macro that its includes of a file pass as variables.
 

@@ -7,9 +7,11 @@ from ....xml.tree import Comment, Element
 from ....xml.values import format_value
 from ..document import Body, Entry
 from ..elements import add_loose, comments_at_ends
-from .names import camel
+from .arguments import arguments_in
+from .names import camel, defined_in, used_in
 from .parts import is_statement
 from .python import CannotMigrate
+from .surroundings import body_of_last, names_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -39,7 +41,7 @@ def write_call(writer: FileWriter, node: Element, body: Body) -> None:
         return
     arguments = Body(in_braces=True)
     for key, value in node.attributes.items():
-        arguments.add(key, writer.translator.value(format_value(value)))
+        arguments.add(key, writer.translator.value(format_value(value), key))
     if macro is not None:
         writer.placing.note(macro.name, writer.here.holder)
     if macro is None:
@@ -48,7 +50,9 @@ def write_call(writer: FileWriter, node: Element, body: Body) -> None:
         return
     _add_forwarded(writer, node, macro, arguments)
     if macro.blocks():
-        _add_blocks(writer, node, macro, arguments)
+        renamed = _keep_own(writer, node, macro, body)
+        with writer.at(writer.here.renaming(renamed)):
+            _add_blocks(writer, node, macro, arguments)
         contents = [entry.value for entry in arguments if isinstance(entry.value, Body)]
         arguments.in_braces = all(content.in_braces for content in contents)
     namespace = name.rpartition(".")[0]
@@ -56,6 +60,43 @@ def write_call(writer: FileWriter, node: Element, body: Body) -> None:
         raise CannotMigrate(f"the namespace '{namespace}' is made in another file")
     function = f"{namespace}.{macro.function}" if namespace else macro.function
     body.add(function, arguments or None)
+
+
+def _keep_own(writer: FileWriter, node: Element, macro: Macro, body: Body) -> dict[str, str]:
+    """Return other names for variables in the blocks of a call, and declare these above it.
+
+    To xacro, a block has the values of who calls. To the language, the variables of the macro that
+    inserts it come first. So a variable whose name that macro uses for something else is renamed.
+    """
+    blocks = [child for child in node.children if isinstance(child, Element)]
+    read = {
+        writer.variable(name): f"${{{name}}}"
+        for block in blocks
+        for name in used_in(block) - defined_in(block)
+        if not writer.is_namespace(name)
+    } | {
+        writer.argument_name(name): f"$(arg {name})"
+        for block in blocks
+        for name in arguments_in(block)
+    }
+    given = {key: format_value(value).strip() for key, value in node.attributes.items()}
+    forwarded = {own.name for own in macro.parameters if own.is_forwarded} - given.keys()
+    renamed = {
+        name: f"outer_{name}"
+        for name in sorted(read.keys() & writer.callees.names_around_blocks(macro))
+        if given.get(name) != read[name] and name not in forwarded
+    }
+    if not renamed:
+        return {}
+    remark, body.remark = body.remark, ""
+    variables = body_of_last(body, "variables")
+    if names_of(variables) & {*renamed, *renamed.values()}:
+        variables = Body()
+        body.add("variables", variables)
+    for name, other in renamed.items():
+        variables.add(other, f"$({name})")
+    body.remark = remark
+    return renamed
 
 
 def _call_unknown(writer: FileWriter, node: Element, name: str) -> None:
@@ -78,7 +119,7 @@ def _add_forwarded(writer: FileWriter, node: Element, macro: Macro, arguments: B
         if own.is_forwarded and is_seen:
             arguments.add(own.name, f"$({own.name})")
         elif own.default is not None and macro.is_default_of_caller(own):
-            arguments.add(own.name, writer.translator.value(own.default))
+            arguments.add(own.name, writer.translator.value(own.default, own.name))
 
 
 def _add_blocks(writer: FileWriter, node: Element, macro: Macro, arguments: Body) -> None:
@@ -202,7 +243,7 @@ def _call_computed(writer: FileWriter, node: Element, given: str, body: Body) ->
     arguments = Body(in_braces=True)
     for key, value in node.attributes.items():
         if key != "macro":
-            arguments.add(key, writer.translator.value(format_value(value)))
+            arguments.add(key, writer.translator.value(format_value(value), key))
     body.add(f"$({names!r}[{writer.translator.joined(given)}])", arguments or None)
 
 

@@ -44,7 +44,7 @@ def write_argument(writer: FileWriter, node: Element, body: Body) -> None:
         return
     hidden = writer.program.hidden
     own = writer.variable(name)
-    default = writer.translator.value(format_value(node.attributes["default"]))
+    default = writer.translator.value(format_value(node.attributes["default"]), name)
     value = Body(in_braces=True)
     if name not in hidden.everywhere:
         value.add(f"{own}/global", default)
@@ -93,7 +93,7 @@ def write_property(writer: FileWriter, node: Element, body: Body) -> None:
         ):
             raise CannotMigrate(f"the property '{name}' may have a value already")
     scope = _scope(writer, name, given.get("scope", ""))
-    value = writer.translator.value(text)
+    value = writer.translator.value(text, name)
     remark, body.remark = body.remark, ""
     variables = body_of_last(body, "variables")
     if name in names_of(variables):
@@ -228,7 +228,7 @@ def _inputs(writer: FileWriter, macro: Macro) -> list[str]:
 
 
 def _default(writer: FileWriter, own: Parameter) -> str:
-    value = writer.translator.value(own.default or "")
+    value = writer.translator.value(own.default or "", own.name)
     if value == "":
         return "''"
     outside = without_expressions(value)

@@ -67,7 +67,8 @@ def _arguments(writer: FileWriter) -> Body:
         try:
             default = argument.default
             is_python = writer.program.is_python(name)
-            value = f"$({default.strip()})" if is_python else writer.translator.value(default)
+            translated = writer.translator.value
+            value = f"$({default.strip()})" if is_python else translated(default, name)
             if name in writer.program.spelled:
                 value = Quoted(default)
         except CannotMigrate as error:

@@ -27,9 +27,11 @@ class Macro:
         """Read its name and parameters."""
         self.element = element
         self.name = format_value(element.attributes.get("name")).removeprefix("xacro:")
-        self.parameters: list[Parameter] = parse_parameters(
-            format_value(element.attributes.get("params", ""))
-        )
+        self.parameters: list[Parameter] = [
+            own
+            for own in parse_parameters(format_value(element.attributes.get("params", "")))
+            if not own.name[:1].isdigit()  # nothing can read it, and no call can give it
+        ]
         self.file = file
         self.function = function
         self.from_caller: set[str] = set()

@@ -11,6 +11,7 @@ from ..elements import walk
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    import ast
     from collections.abc import Container, Iterator
 
 
@@ -77,3 +78,38 @@ def names_in(text: str) -> set[str]:
 def common_folder(paths: list[str]) -> str:
     """Return the deepest folder that holds all of the files."""
     return os.path.commonpath([os.path.dirname(path) for path in paths])
+
+
+def computed_with(root: Element) -> set[str]:
+    """Return the names that conditions are made of, or that expressions take for more than texts.
+
+    A name that stands alone in an expression, or is compared with a text, is not.
+    """
+    import ast
+
+    names: set[str] = set()
+    for element in walk(root):
+        is_condition = element.name in ("xacro:if", "xacro:unless")
+        for text in (*map(format_value, element.attributes.values()), element.text()):
+            if is_condition:
+                names.update(re.findall(r"\$\(arg\s+([\w-]+)\s*\)", text))
+            for expression in re.findall(r"\$\{([^}]*)\}", text):
+                try:
+                    tree = ast.parse(re.sub(r"\$\([^)]*\)", "0", expression).strip(), mode="eval")
+                except (SyntaxError, ValueError):
+                    continue
+                if is_condition or not isinstance(tree.body, ast.Name):
+                    names |= _names_computed_with(tree.body)
+    return names
+
+
+def _names_computed_with(node: ast.AST) -> set[str]:
+    import ast
+
+    if isinstance(node, ast.Name):
+        return {node.id}
+    if isinstance(node, ast.Compare):
+        sides = [node.left, *node.comparators]
+        if any(isinstance(own, ast.Constant) and isinstance(own.value, str) for own in sides):
+            return set()
+    return set().union(*map(_names_computed_with, ast.iter_child_nodes(node)))

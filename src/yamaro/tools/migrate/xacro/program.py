@@ -17,7 +17,7 @@ from .arguments import HiddenArguments, arguments_in, arguments_of, is_property_
 from .callers import Callers, names_of_callers
 from .known_numbers import known_numbers
 from .macros import Argument, Macro
-from .names import camel, defined_in, outside_expressions, texts_in, used_in
+from .names import camel, computed_with, defined_in, outside_expressions, texts_in, used_in
 from .namespaces import Namespaces
 from .passing import Passing
 from .readers import Readers
@@ -31,6 +31,7 @@ if TYPE_CHECKING:
     from ....source import Source
     from ....xacro.host import Host
 
+_CHANGE = re.compile(r"\.(?:pop|append|insert|remove|extend|clear|sort|reverse)\(")
 _NAME = re.compile(r"[A-Za-z_]\w*")
 
 
@@ -56,6 +57,8 @@ class XacroProgram:
         assigned_globally: those of them that are set for all files.
         included_by_macros: the files that macros include: their properties are the macros' own.
         hidden: the arguments that something of the same name hides.
+        computed: the names that conditions or expressions take for more than texts.
+        copied: the expressions that give a list out of data, if there are lists that change.
         has_computed_calls: whether it calls macros whose names are computed.
         known_numbers: the numbers that names always have.
         result: what the robot expands to.
@@ -121,6 +124,10 @@ class XacroProgram:
         self.truth_texts = python.truth_texts - python.other_texts
         self.numbers = {text: kind for text, kind in python.numbers.items() if kind != "text"}
         self.floats = python.floats
+        changes = any(_CHANGE.search(text) for text in python.evaluated)
+        self.copied = (
+            {own for own in python.lists if own[-1:] == "]" or "." in own} if changes else set()
+        )
         self._others = python.others
 
     def _gather_names(self) -> None:
@@ -143,6 +150,7 @@ class XacroProgram:
         self._number_versions()
         self.at_top = set().union(*map(defined_in, self.roots.values()))
         self.read = set().union(*map(used_in, self.roots.values()))
+        self.computed = set().union(*map(computed_with, self.roots.values()))
 
     def _find_truths(self) -> None:
         """Find the arguments and expressions that may be true or false."""
@@ -465,7 +473,7 @@ class XacroProgram:
         """Return if an expression gives a truth value or list, or may, if it was not reached."""
         own = expression.strip()
         if own in self._evaluated:
-            return own in self.truths
+            return own in self.truths or own in self._maybe_truths.flags
         return self._maybe_truths.may_give(own)
 
     def is_number(self, expression: str) -> bool:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import re
 
 from ....runtime.predefined import CONSTANTS
@@ -46,6 +45,8 @@ class Translator:
         long_floats: the expressions that give floats which are rounded where they are written.
         spelled: the arguments that keep the spelling of their numbers, with what these are.
         is_typed_argument: decides which arguments are not always texts.
+        copied: the expressions that give a list which is to be a copy.
+        computed: the names that are more than texts, if their texts allow it.
     """
 
     def __init__(
@@ -76,6 +77,8 @@ class Translator:
         self._truth_texts = truth_texts
         self.data_folder = ""
         self.long_floats: Collection[str] = ()
+        self.computed: Collection[str] = ()
+        self.copied: Collection[str] = ()
         self.spelled: Mapping[str, str] = {}
         self.is_typed_argument: Callable[[str], bool] = lambda name: False
         self.is_number: Callable[[str], bool] = lambda text: False
@@ -110,8 +113,13 @@ class Translator:
                 pieces.append(f"$({python})")
         return "".join(pieces)
 
-    def value(self, text: str) -> str:
-        """Return the value of a variable or argument, which is a number if its text is one."""
+    def value(self, text: str, name: str = "") -> str:
+        """Return the value of a variable or argument, which is a number if its text is one.
+
+        Args:
+            text: the value in xacro.
+            name: of the variable or argument.
+        """
         if len(text) > 1 and text[0] == text[-1] == "'" and "$" in text:
             return self._quoted(text[1:-1])
         template = _parsed(text)
@@ -119,6 +127,8 @@ class Translator:
             own = template.parts[0].text
             kind = self._numbers.get(own.strip())
             python = without_parentheses(self.expression(own))
+            if own.strip() in self.copied:
+                kind = "list"
             if kind:
                 return f"$({kind}({python}))"
             return python if is_plain_number(python) else f"$({python})"
@@ -130,7 +140,7 @@ class Translator:
             kind = self.spelled.get(own.removeprefix("arg").strip())
             if kind:
                 return f"$({kind}({self._command(own)}))"
-            return self._typed_environment(own) or self.text(text)
+            return self._environment(own, always=name in self.computed) or self.text(text)
         return self.text(text)
 
     def _quoted(self, text: str) -> str:
@@ -143,17 +153,18 @@ class Translator:
             return self.text(text)
         return f"$({self._as_text(self.argument(name))})"
 
-    def _typed_environment(self, content: str) -> str | None:
-        """Return a variable of the environment as what its default is: a number or truth value."""
+    def _environment(self, content: str, *, always: bool) -> str | None:
+        """Return a variable of the environment as xacro reads its text.
+
+        Args:
+            content: what is in the parentheses.
+            always: whether a number may be meant though the default is a text.
+        """
         command, *words = content.split()
-        if command != "optenv" or len(words) != 2 or "$" in content:
+        if command not in ("env", "optenv") or not words or "$" in content:
             return None
-        python = self._command(content)
-        meant = guess_value(words[1])
-        if isinstance(meant, bool):
-            return f"$({python}.lower() in ('true', '1'))"
-        kind = {int: "int", float: "float"}.get(type(meant))
-        return f"$({kind}({python}))" if kind else None
+        python = _environment(words)
+        return f"$({python})" if always or " if " not in python else None
 
     def condition(self, text: str) -> str:
         """Return a condition as Python."""
@@ -166,8 +177,10 @@ class Translator:
         (part,) = template.parts
         assert not isinstance(part, str)
         if isinstance(part, Substitution):
-            python = self._command(part.text)
-            return f"{python}.lower() in ('true', '1')" if python.startswith("env(") else python
+            is_variable = part.text.startswith(("env ", "optenv "))
+            if is_variable and "$" not in part.text:
+                return _environment(part.text.split()[1:])
+            return self._command(part.text)
         python = without_parentheses(self.expression(part.text))
         if part.text.strip() in self._truth_texts:
             return f"str({python}).lower() in ('true', '1')"
@@ -313,8 +326,8 @@ class Translator:
                 python = self._command(found["command"])
             if quote:
                 out.append(f"{quote} + {self._as_text(python)} + {quote}")
-            elif python.startswith("env("):
-                out.append(_bare_environment(python, found["command"].split()))
+            elif python.startswith("env(") and "$" not in found["command"]:
+                out.append(_bare_environment(found["command"].split()[1:]))
             else:
                 out.append(python)
         out.append(text[position:])
@@ -446,11 +459,23 @@ def _without_empty(text: str) -> str:
     return text
 
 
-def _bare_environment(python: str, words: list[str]) -> str:
-    """Return a variable of the environment that is in an expression without quotes.
+def _environment(words: Sequence[str]) -> str:
+    """Return a variable of the environment, which is a number or truth value if its text is one.
 
-    xacro puts its text there, so a number is one: it is taken for what it is now, or by default.
+    Args:
+        words: its name, and the default.
     """
-    text = os.environ.get(words[1], " ".join(words[2:]))
-    kind = {int: "int", float: "float"}.get(type(guess_value(text)))
-    return f"{kind}({python})" if kind else python
+    name, default = words[0], " ".join(words[1:])
+    meant = guess_value(default)
+    if not isinstance(meant, str):
+        return f"env({name!r}, {str(meant).lower() if isinstance(meant, bool) else repr(meant)})"
+    is_there, other = f"env({name!r}, '')", f"env({name!r}, {default!r})"
+    if not default:
+        other = "''"
+    return f"env({name!r}, 0) if {is_there} else {other}"
+
+
+def _bare_environment(words: Sequence[str]) -> str:
+    """Return a variable of the environment that is in an expression without quotes."""
+    python = _environment(words)
+    return f"({python})" if " if " in python else python

@@ -14,6 +14,7 @@ from ....xacro.expansion import Expansion
 from ....xacro.literals import guess_value
 from ....xacro.python import Python
 from ....xacro.scope import Lazy, Scope
+from ....xacro.yaml_values import YamlList
 from ....xml.values import format_number
 
 TYPE_CHECKING = False
@@ -273,12 +274,14 @@ class WatchedPython(Python):
         truth_texts, other_texts: those that gave a text that xacro takes for a truth value, and
             those that gave another.
         structures: those that gave no text, number or truth value, but a list or a dict.
+        lists: those that gave a list out of data, of which xacro makes a copy each time.
         no_texts: those that gave something else than a text.
     """
 
     __slots__ = (
         "evaluated",
         "floats",
+        "lists",
         "long_floats",
         "no_texts",
         "numbers",
@@ -300,6 +303,7 @@ class WatchedPython(Python):
         self.truth_texts: set[str] = set()
         self.other_texts: set[str] = set()
         self.structures: set[str] = set()
+        self.lists: set[str] = set()
         self.no_texts: set[str] = set()
 
     def evaluate(self, text: str, names: dict[str, Any]) -> Any:
@@ -310,6 +314,8 @@ class WatchedPython(Python):
             self.others.add(text.strip())
         if not isinstance(value, (str, int, float)):
             self.structures.add(text.strip())
+        if isinstance(value, YamlList):
+            self.lists.add(text.strip())
         if not isinstance(value, str):
             self.no_texts.add(text.strip())
         if isinstance(value, (bool, list, tuple)):

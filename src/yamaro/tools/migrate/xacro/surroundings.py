@@ -26,6 +26,7 @@ class Surroundings:
         is_in_element: whether it is in an element, where nothing is a part.
         place: what writes the elements that end up in a part.
         holder: the part, macro or block whose elements these are, where it is known.
+        renamed: the variables that are read by another name here.
         hides: the arguments whose names mean something else here.
         visible: the names that are visible.
         read: the names that are read here.
@@ -39,6 +40,7 @@ class Surroundings:
         self.is_in_element = program.result.name != "robot"
         self.place: Write | None = None
         self.holder: Content | None = None
+        self.renamed: dict[str, str] = {}
         self.hides: set[str] = set()
         self.visible = program.at_top
         self.read = program.read
@@ -53,6 +55,12 @@ class Surroundings:
         inner = copy(self)
         inner.place, inner.is_in_element = place, is_in_element
         inner.holder = holder if place is not None else None
+        return inner
+
+    def renaming(self, names: dict[str, str]) -> Surroundings:
+        """Return the same where variables are read by other names."""
+        inner = copy(self)
+        inner.renamed = self.renamed | names
         return inner
 
     def below_top(self) -> Surroundings:

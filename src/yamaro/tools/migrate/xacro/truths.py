@@ -5,6 +5,8 @@ In a text, xacro writes such a value as Python does, `True`, and the language as
 
 from __future__ import annotations
 
+import re
+
 from ....xacro.literals import guess_value
 from ....xacro.parameters import parse_parameters
 from ....xml.tree import Element
@@ -17,17 +19,22 @@ if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator
 
 
+_FLAG = re.compile(r"\$\(optenv\s+\w+\s+(?:0|1|true|false|True|False)\s*\)")
+
+
 class Truths:
     """Knows the names that may have a truth value, anywhere in a robot.
 
     Attributes:
         names: those of properties and parameters.
+        flags: those of them that the environment may set, where another number is usual.
     """
 
     def __init__(self, roots: Iterable[Element], arguments: Iterable[str]) -> None:
         """Look at all that gives a name a value; `arguments` are those that are true or false."""
         self._arguments = {f"$(arg {name})" for name in arguments}
         self.names: set[str] = set()
+        self.flags: set[str] = set()
         given = [pair for root in roots for pair in _given_in(root)]
         count = -1
         while len(self.names) > count:
@@ -39,6 +46,9 @@ class Truths:
         is_truth = isinstance(guess_value(text), bool) or text in self._arguments
         if not is_truth and text.startswith("${") and text.find("}") == len(text) - 1:
             is_truth = self.may_give(text[2:-1])
+        if _FLAG.fullmatch(text) or (text[:2] == "${" and text[2:-1].strip() in self.flags):
+            self.flags.add(name)
+            is_truth = True
         if is_truth:
             self.names.add(name)
         return is_truth

@@ -105,6 +105,8 @@ class FileWriter(ElementWriter):
         self.translator.is_text = program.is_text
         self.translator.data_folder = self._data_folder()
         self.translator.long_floats = program.runs.python.long_floats
+        self.translator.computed = program.computed
+        self.translator.copied = program.copied
         self.translator.spelled = program.spelled
         self.translator.is_typed_argument = program.is_typed_argument
 
@@ -137,12 +139,15 @@ class FileWriter(ElementWriter):
 
     def variable(self, name: str) -> str:
         """Return the name of the variable that a property or argument becomes."""
-        return name if is_identifier(name) else name.replace("-", "_")
+        own = name if is_identifier(name) else name.replace("-", "_")
+        return self.here.renamed.get(own, own)
 
     def argument_name(self, name: str) -> str:
         """Return the variable of an argument, which something else of its name may hide here."""
-        own = self.variable(name)
-        return f"arg_{own}" if name in self.here.hides else own
+        if name not in self.here.hides:
+            return self.variable(name)
+        own = f"arg_{name.replace('-', '_')}"
+        return self.here.renamed.get(own, own)
 
     def lose(self, span: Span, why: str, hint: str = "the sources have a comment there") -> None:
         """Note that something could not be carried over."""
