@@ -10,6 +10,7 @@ import pytest
 from tests.tools.migrate.migrating import migrated as migrated_urdf
 from tests.tools.migrate.migrating import model_of
 from tests.tools.migrate.test_xacro_migration import migrated
+from yamaro.api import build
 
 
 def test_a_unit_behind_a_property_stays_in_its_line(tmp_path: Path) -> None:
@@ -207,3 +208,39 @@ def test_links_and_joints_that_move_take_their_comments_along(tmp_path: Path) ->
             joint: {type: fixed, parent: base}  # is stiff
         - part: {name: b, joint: {type: fixed, parent: a_link}}  # the hand the wrist
         """)
+
+
+def test_what_accepts_findings_stays_in_its_line_however_long_that_gets(tmp_path: Path) -> None:
+    made = migrated(
+        tmp_path,
+        """\
+        <link name="base"/>
+        <joint name="elbow" type="revolute">
+          <parent link="base"/>
+          <child link="arm"/>
+          <axis xyz="0 0 1"/>
+          <limit lower="0.1" upper="1" effort="0" velocity="1"/> <!-- no motor --> \
+<!-- yamaro: allow zero-limit, zero-outside-limits (it is not built in yet) -->
+        </joint>
+        <link name="arm"> <!-- yamaro: allow massless-moving -->
+        </link>
+        """,
+    )
+    accepts = "# yamaro: allow zero-limit, zero-outside-limits (it is not built in yet)\n"
+    assert f"effort: 0, velocity: 1}}  # no motor {accepts}" in made["r.yaml"]
+    assert "part:  # yamaro: allow massless-moving\n" in made["r.yaml"]
+    assert build("r.yaml", text=made["r.yaml"], advice=True).warnings == []
+
+
+def test_a_comment_in_a_link_that_holds_nothing_else_stays() -> None:
+    text = migrated_urdf(
+        """\
+        <robot name="r">
+          <link name="base"/>
+          <joint name="fix" type="fixed"><parent link="base"/><child link="tool"/></joint>
+          <link name="tool">  <!-- where the gripper is -->
+          </link>
+        </robot>
+        """
+    )
+    assert "  # where the gripper is\n" in text

@@ -128,7 +128,10 @@ class PartWriter:
         if joint is not None:
             entries.insert(0 if joint_first else len(entries), self._joint_entry(joint))
         body.entries += entries
-        return Entry("part", body)
+        part = Entry("part", body)
+        if is_empty and not others:
+            note_comments(link, part)
+        return part
 
     def pose_entries(self, owner: Element, origin: Element | None) -> list[Entry] | None:
         """Return the entries that give an origin, or None if an element has to give it."""

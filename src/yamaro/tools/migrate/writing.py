@@ -66,6 +66,8 @@ def _write_entries(body: Body, margin: str, out: list[str], *, key: str | None =
     _write_comment(body.remark, inner, out)
 
 
+ACCEPTS = "yamaro: allow"
+"""Begins a comment that accepts findings."""
 _OF_MODELS = frozenset(("part", "include", "functions", "variables"))
 """Statements of a body in which each thing has an item of its own, if it is a list."""
 
@@ -98,7 +100,9 @@ def _write_entry(entry: Entry, head: str, margin: str, out: list[str]) -> None:
         ending = spaced(entry.value.opening, ending)
     above = head.removesuffix("- ")
     _write_comment("\n".join(remarks), above, out)
-    if ending and takes_comment and len(lines[0]) + len(ending) + 4 <= WIDTH:
+    if ACCEPTS in ending:  # what it accepts is in its line
+        lines[0 if takes_comment else -1] += f"  # {ending.replace(f' {ACCEPTS}', f' # {ACCEPTS}')}"
+    elif ending and takes_comment and len(lines[0]) + len(ending) + 4 <= WIDTH:
         lines[0] += f"  # {ending}"
     else:
         _write_comment(ending, above, out)
