@@ -34,16 +34,19 @@ One walk over the elements finds what belongs to several stages.
 
 
 class Finding:
-    """A diagnostic, and how often the same came up."""
+    """A diagnostic, how often the same came up, and in which lines of its file."""
 
-    __slots__ = ("count", "diagnostic")
+    __slots__ = ("count", "diagnostic", "lines")
 
     def __init__(self) -> None:
         """Start with nothing found."""
         self.count = 0
         self.diagnostic: Diagnostic | None = None
+        self.lines: dict[int, None] = {}
 
 
+MOST_LINES = 12
+"""Lines that a note lists."""
 KEY_CODES = ("unknown-key", "misplaced-key")
 STRAY_CODES = ("unknown-element", "unknown-attribute")
 """What a stray key of a part becomes; where the key is reported, this is not reported again."""
@@ -128,6 +131,7 @@ class CheckContext:
         hint: str | None = None,
         notes: Sequence[str] = (),
         fix: Fix | None = None,
+        alike: str | None = None,
     ) -> None:
         """Note a finding at an attribute's value, or at the element when none is named.
 
@@ -135,6 +139,7 @@ class CheckContext:
 
         A line in a loop or a function makes many elements; what is wrong with them for the same
         reason is reported once. `missing` names what is not there, where that is the fault.
+        In a file of XML that is taken as it is, all that has the same `alike` is reported once.
         """
         self._note(
             Diagnostic(
@@ -153,6 +158,7 @@ class CheckContext:
                 fix=fix,
             ),
             (attribute, missing),
+            alike=alike,
         )
 
     def error(
@@ -238,15 +244,26 @@ class CheckContext:
                         pending += inner.elements()
         return self._around.get(id(element), self.root)
 
-    def _note(self, diagnostic: Diagnostic, about: tuple[str | None, str | None]) -> None:
+    def _note(
+        self,
+        diagnostic: Diagnostic,
+        about: tuple[str | None, str | None],
+        *,
+        alike: str | None = None,
+    ) -> None:
         """Note a finding; what is wrong at the same place for the same reason counts as one."""
         self.count += 1
         key: tuple[object, ...] = (diagnostic.code, diagnostic.span.key(), *about)
+        is_one = alike is not None and diagnostic.span.source.is_xml
+        if is_one:
+            key = (diagnostic.code, diagnostic.span.source.path, alike)
         if self._is_accepted(diagnostic.code, diagnostic.span, diagnostic.trace):
             diagnostic.severity = ACCEPTED
             key = (*key, diagnostic.trace)
         found = self._found[self.stage].setdefault(key, Finding())
         found.count += 1
+        if is_one:
+            found.lines[diagnostic.span.location()[0]] = None
         if found.diagnostic is None:
             found.diagnostic = diagnostic
         elif diagnostic.severity == ERROR:
@@ -261,7 +278,14 @@ class CheckContext:
                 continue
             if diagnostic.code in STRAY_CODES and diagnostic.span.key() in told:
                 continue
-            if found.count > 1:
+            if len(found.lines) > 1:
+                _, *others = map(str, found.lines)
+                listed = ", ".join(others[:MOST_LINES]) + (
+                    ", …" if len(others) > MOST_LINES else ""
+                )
+                line = "line" if len(others) == 1 else "lines"
+                diagnostic.notes += (f"{len(others)} more like this: {line} {listed}",)
+            elif found.count > 1:
                 diagnostic.notes += (f"{found.count} elements made here have this fault",)
             self.reporter.add(diagnostic)
 

@@ -38,6 +38,23 @@ KINDS = ("system", "actuator", "sensor")
 PARTS = ("hardware", "joint", "sensor", "gpio", "transmission", "properties")
 INTERFACES = ("command_interface", "state_interface")
 INTERFACE_NAMES = ("position", "velocity", "effort", "acceleration", "jerk", "torque", "force")
+PLUGINS = (
+    *(f"{package}_components/GenericSystem" for package in ("mock", "fake")),
+    *(f"gz_ros2_control/{name}" for name in ("GazeboSimSystem", "GazeboMimicSystem")),
+    *("gazebo_ros2_control/GazeboSystem", "ign_ros2_control/IgnitionSystem"),
+    *("mujoco_ros2_control/MujocoSystem", "topic_based_ros2_control/TopicBasedSystem"),
+    *("dynamixel_hardware/DynamixelHardware", "ur_robot_driver/URPositionHardwareInterface"),
+)
+"""Hardware that many robots have: a name near to one of these is misspelt."""
+ATTRIBUTES = {
+    "ros2_control": ("name", "type", "rw_rate", "is_async", "thread_priority"),
+    "joint": ("name", "mimic", "role"),
+    "command_interface": ("name", "data_type", "size"),
+    "state_interface": ("name", "data_type", "size"),
+    "param": ("name",),
+}
+OF_INTERFACES = ("min", "max", "initial_value")
+"""What an interface has as a `<param>`, and not as an attribute or element."""
 COMPONENT_PARTS = (*INTERFACES, "param", "limits")
 TRANSMISSIONS = {
     f"transmission_interface/{kind}Transmission": count
@@ -47,6 +64,11 @@ TRANSMISSIONS = {
     )
 }
 """The known transmissions, and how many joints and actuators each has."""
+OF_TRANSMISSIONS = (
+    *("hardwareInterface", "mechanicalReduction", "mechanical_reduction", "role", "offset"),
+    *("compensator", "gap_joint", "passive_joint"),
+)
+"""What a joint or an actuator of a transmission can hold."""
 HARDWARE = tuple(
     f"hardware_interface/{kind}Interface"
     for kind in (
@@ -86,6 +108,7 @@ def check_ros2_control(blocks: Iterable[Element], tree: Tree, context: CheckCont
                 own = f"'{attribute}' of {where}"
                 truths = ("true", "false")
                 check_value(block, rule, own, context, attribute=attribute, truths=truths)
+        _check_attributes(block, where, context)
         _check_parts(block, where, context)
         _check_hardware(block, where, context)
         _check_components(block, kind, tree, commanded, context)
@@ -93,6 +116,29 @@ def check_ros2_control(blocks: Iterable[Element], tree: Tree, context: CheckCont
         for transmission in children(block, "transmission"):
             _check_own_transmission(transmission, declared, context)
     context.outermost = None
+
+
+def _check_attributes(element: Element, where: str, context: CheckContext) -> None:
+    """Report attributes that are misspelt, or that belong in a `<param>`."""
+    known = ATTRIBUTES[element.name]
+    for attribute in element.attributes:
+        near = next((each for each in known if is_near(attribute, each)), None)
+        is_param = attribute in OF_INTERFACES and "interface" in element.name
+        if attribute in known or not (near or is_param):
+            continue
+        from ..fixes import respelling
+
+        context.warn(
+            "unknown-attribute",
+            f"'{attribute}' has no meaning in {where}; ros2_control ignores it",
+            element,
+            attribute=attribute,
+            is_of_name=True,
+            hint=f"did you mean '{near}'?"
+            if near
+            else f'write <param name="{attribute}">…</param> in it',
+            fix=(near and respelling(element.name_span(attribute), attribute, near)) or None,
+        )
 
 
 def _check_parts(block: Element, where: str, context: CheckContext) -> None:
@@ -161,7 +207,9 @@ def _check_plugin(holder: Element, where: str, context: CheckContext) -> str:
             f"{where} {state}; {REFUSES}",
             plugin or holder,
             missing="plugin",
-            hint="add `plugin: mock_components/GenericSystem`, or that of the hardware"
+            hint=f"write its class as text: <plugin>{named(plugin)}</plugin>"
+            if plugin is not None and "/" in named(plugin)
+            else "add `plugin: mock_components/GenericSystem`, or that of the hardware"
             if holder.name == "hardware"
             else "add `plugin: transmission_interface/SimpleTransmission`",
         )
@@ -173,6 +221,19 @@ def _check_plugin(holder: Element, where: str, context: CheckContext) -> str:
             span=content_span(plugin),
             hint="write the name that the package exports, as in mock_components/GenericSystem",
         )
+    elif holder.name == "hardware" and name not in PLUGINS:
+        meant = [each for each in PLUGINS if each.endswith(f"/{name}") or is_near(name, each)]
+        if meant:
+            from ..fixes import respelling
+
+            context.warn(
+                "unknown-type",
+                f"the plugin of {where} is '{name}', which no package exports",
+                plugin,
+                span=content_span(plugin),
+                hint=f"did you mean '{meant[0]}'?",
+                fix=respelling(content_span(plugin), name, meant[0]),
+            )
     return name
 
 
@@ -227,40 +288,48 @@ def _check_components(
 
 def _check_commanded(part: Element, name: str, commanded: set[str], context: CheckContext) -> None:
     """Report what two blocks command; within a block, names are reported alone."""
-    names = {named(each) for each in children(part, "command_interface")} - {""}
-    own = {f"{name}/{each}" for each in names if name}
-    again = sorted(own & commanded)
+    own: set[str] = set()
+    for interface in children(part, "command_interface"):
+        commands = f"{name}/{named(interface)}"
+        if name and named(interface) and commands in commanded:
+            context.warn(
+                "repeated-name",
+                f"two ros2_control blocks command '{commands}'; {REFUSES}",
+                interface,
+                attribute="name",
+                hint="command it in one of them",
+            )
+        own.add(commands)
     commanded |= own
-    if again:
-        context.warn(
-            "repeated-name",
-            f"two ros2_control blocks command '{again[0]}'; {REFUSES}",
-            part,
-            attribute="name",
-            hint="command it in one of them",
-        )
 
 
 def _check_component(
     part: Element, where: str, kind: str, context: CheckContext, *, may_be_empty: bool
 ) -> None:
     params = _check_params(part, where, context)
+    _check_mimic_params(params, where, context)
+    if part.name == "joint":
+        _check_attributes(part, where, context)
     names = {interface: Names(f"{interface}s of {where}", REFUSES) for interface in INTERFACES}
     count = 0
     for child in part.elements():
         own = names.get(child.name)
         if own is None:
-            _check_spelling(child, where, context)
+            count += _check_spelling(child, COMPONENT_PARTS, where, context)
             continue
         count += 1
         own.add(child, context)
         _check_interface(child, part, where, context)
-        if kind == "sensor" and child.name == "command_interface":
+        if child.name == "command_interface" and "sensor" in (kind, part.name):
+            is_block = kind == "sensor"
+            place = " in a block for a sensor" if is_block else ", but cannot be commanded"
             context.warn(
                 "unknown-element",
-                f"{where} has a command interface in a block for a sensor; ros2_control ignores it",
+                f"{where} has a command interface{place}; ros2_control ignores it",
                 child,
-                hint="write `type=system` on the block, or remove it",
+                hint="write `type=system` on the block, or remove it"
+                if is_block
+                else "write a gpio in place of the sensor, or a state_interface",
             )
     if not count and not may_be_empty and (part.name != "joint" or not params):
         context.warn(
@@ -272,18 +341,36 @@ def _check_component(
         )
 
 
-def _check_spelling(child: Element, where: str, context: CheckContext) -> None:
-    near = next((known for known in COMPONENT_PARTS if is_near(child.name, known)), None)
-    if child.name not in COMPONENT_PARTS and near is not None:
-        from ..fixes import respelling
+def _check_spelling(
+    child: Element,
+    known: Iterable[str],
+    where: str,
+    context: CheckContext,
+    *,
+    reader: str = "ros2_control",
+) -> bool:
+    """Report an element that is misspelt, and return whether it is."""
+    near = next((each for each in known if is_near(child.name, each)), None)
+    if child.name in known or near is None:
+        return False
+    from ..fixes import respelling
 
-        context.warn(
-            "unknown-element",
-            f"'{child.name}' of {where} has no meaning; ros2_control ignores it",
-            child,
-            hint=f"did you mean '{near}'?",
-            fix=respelling(child.span, child.name, near),
-        )
+    context.warn(
+        "unknown-element",
+        f"'{child.name}' of {where} has no meaning; {reader} ignores it",
+        child,
+        hint=f"did you mean '{near}'?",
+        fix=respelling(child.span, child.name, near),
+    )
+    return True
+
+
+def _check_mimic_params(params: dict[str, Element], where: str, context: CheckContext) -> None:
+    """Check the numbers with which a joint follows another, where ROS 2 before Jazzy reads them."""
+    if "mimic" in params:
+        for key in ("multiplier", "offset"):
+            if key in params:
+                check_value(params[key], ANY, f"'{key}' of {where}", context)
 
 
 def _check_interface(interface: Element, part: Element, where: str, context: CheckContext) -> None:
@@ -299,9 +386,10 @@ def _check_interface(interface: Element, part: Element, where: str, context: Che
         )  # fmt: skip
     own = f"the {interface.name} '{name}' of {where}" if name else own
     params = _check_params(interface, own, context)
+    _check_attributes(interface, own, context)
     for child in interface.elements():
         if child.name not in ("param", "limits"):
-            is_param = child.name in ("min", "max", "initial_value")
+            is_param = child.name in OF_INTERFACES
             context.warn(
                 "unknown-element",
                 f"'{child.name}' has no meaning in {own}; ros2_control ignores it",
@@ -484,6 +572,8 @@ def check_transmissions(
         for part in (*joints, *actuators):
             own = f"the {part.name} '{named(part)}' of {where}"
             check_required(part, ("name",), own, skips, context)
+            for child in part.elements():
+                _check_spelling(child, OF_TRANSMISSIONS, own, context, reader="ros_control")
             _check_reductions(part, ("mechanicalReduction", "mechanical_reduction"), own, context)
             _check_offset(part, own, context)
         if is_old:
@@ -557,7 +647,7 @@ def _check_hardware_interfaces(
     """Check that a joint of a transmission says through which interfaces it is driven."""
     own = f"the joint '{named(joint)}' of {where}"
     interfaces = [each for each in children(joint, "hardwareInterface") if content(each)]
-    if not interfaces:
+    if not interfaces and not any(is_near(e.name, "hardwareInterface") for e in joint.elements()):
         context.warn(
             "missing-element",
             f"{own} has no 'hardwareInterface'; {skips}",

@@ -10,6 +10,7 @@ from ..model.noting import content, content_span, inside
 from ..model.sdf_schema import (
     ANY,
     AT_LEAST_ONE,
+    CONTENTS,
     LENIENT,
     LIDARS,
     MATERIALS,
@@ -265,10 +266,26 @@ def _check_sensor(sensor: Element, reference: str, tree: Tree, context: CheckCon
             sensor,
             hint="only force_torque sensors are on joints; refer to a link",
         )
+    elif kind == "force_torque" and reference in tree.links and reference not in tree.joints:
+        context.warn(
+            "unknown-reference",
+            f"{where} is on '{reference}', which is a link, so it measures nothing",
+            sensor,
+            hint="a force_torque sensor is on a joint; refer to the joint",
+        )
 
 
 def _check_contents(sensor: Element, kind: str, where: str, context: CheckContext) -> None:
-    """Report what a sensor measures nothing without."""
+    """Report what a sensor measures nothing without, and what is for another type of sensor."""
+    for child in sensor.elements():
+        kinds = CONTENTS.get(child.name, ())
+        if kinds and kind in SENSOR_TYPES and kind not in kinds and kind != "custom":
+            context.warn(
+                "unknown-element",
+                f"'{child.name}' has no meaning in {where}, whose type is {kind}",
+                child,
+                hint=f"it is for sensors of the type {kinds[0]}",
+            )
     missing = None
     if kind in LIDARS:
         rays = child_named(sensor, "lidar") or child_named(sensor, "ray")

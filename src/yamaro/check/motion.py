@@ -26,9 +26,11 @@ def advise_on_motion(robot: Robot, tree: Tree, context: CheckContext) -> None:
     """Report limits that say something else than they seem to, and links without mass that move."""
     zeros: list[_Found] = []
     soft: list[_Found] = []
+    endless: list[_Found] = []
     home = robot.states.get("home")
     for joint in tree.joints.values():
         context.outermost = joint.element
+        _find_ignored_limits(joint, endless)
         bounds = _advise_on_joint(joint, tree.joints, context)
         if bounds is None:
             continue
@@ -40,6 +42,7 @@ def advise_on_motion(robot: Robot, tree: Tree, context: CheckContext) -> None:
             zeros.append(_Found(joint, joint.limit.element, attribute, bounds))
         _find_soft_limits(joint, bounds, soft)
     context.outermost = None
+    _advise_on_ignored_limits(endless, context)
     _advise_on_zeros(zeros, context)
     _advise_on_soft_limits(soft, context)
     _advise_on_massless(tree.links, tree.joints, context)
@@ -76,8 +79,6 @@ def _advise_on_joint(
     limit = joint.limit
     if limit is None:
         return None
-    if joint.type == CONTINUOUS:
-        _advise_on_continuous(joint.name, limit, context)
     if joint.type not in LIMITED:
         return None
     lower, upper = _bound(limit, "lower"), _bound(limit, "upper")
@@ -168,17 +169,30 @@ def _bound(limit: Limit, attribute: str) -> float | None:
     return 0.0 if limit.written(attribute) is None else limit.number(attribute)
 
 
-def _advise_on_continuous(name: str, limit: Limit, context: CheckContext) -> None:
-    """Report bounds of a joint without any: parsers ignore them, simulators do not stop it."""
-    given = [each for each in ("lower", "upper") if limit.number(each)]
-    if given:
+def _find_ignored_limits(joint: Joint, found: list[_Found]) -> None:
+    """Note bounds of a joint without any: parsers ignore them, simulators do not stop it."""
+    limit = joint.limit
+    if joint.type != CONTINUOUS or limit is None:
+        return
+    attribute = next((each for each in ("lower", "upper") if limit.number(each)), None)
+    if attribute is not None:
+        found.append(_Found(joint, limit.element, attribute, (0.0, 0.0)))
+
+
+def _advise_on_ignored_limits(found: Sequence[_Found], context: CheckContext) -> None:
+    """Report, once, bounds of continuous joints."""
+    for group in context.apart("ignored-limit", found, _Found.place):
+        first = group[0]
+        context.outermost = first.joint.element
         context.warn(
             "ignored-limit",
-            f"joint '{name}' is continuous, so '{given[0]}' is ignored",
-            limit.element,
-            attribute=given[0],
+            f"joint '{first.joint.name}' is continuous, so '{first.attribute}' is ignored",
+            first.element,
+            attribute=first.attribute,
             hint="make it revolute if it has limits; a continuous joint rotates without limits",
+            notes=counted(_others(group), "joint", "has such a limit"),
         )
+        context.outermost = None
 
 
 def _advise_on_zeros(found: Sequence[_Found], context: CheckContext) -> None:

@@ -379,6 +379,7 @@ def _check_unknown_attribute(
         is_of_name=True,
         hint=hint,
         fix=fix,
+        alike=None if fix else f"{element.name} {name}",
     )
 
 
@@ -452,9 +453,12 @@ def _check_unknown_child(
     is_needed = child.name in rule.required and element.attributes.get(child.name) is None
     if element.name == "geometry":
         is_needed = names.isdisjoint(SHAPE_WORDS)
-    tell = context.error if is_needed else context.warn
     hint, fix = _hint_for_stray(child, element, names, rule)
-    tell("unknown-element", message, child, hint=hint, fix=fix)
+    if is_needed:
+        context.error("unknown-element", message, child, hint=hint, fix=fix)
+    else:
+        alike = None if fix else f"{element.name} {child.name}"
+        context.warn("unknown-element", message, child, hint=hint, fix=fix, alike=alike)
 
 
 def _hint_for_stray(

@@ -164,6 +164,18 @@ SENSOR_TYPES = (
     *("thermal_camera", "wide_angle_camera", "wideanglecamera"),
     *("wireless_receiver", "wireless_transmitter"),
 )
+CONTENTS = {
+    **{kind: (kind,) for kind in ("air_pressure", "altimeter", "contact", "force_torque", "imu")},
+    **{kind: (kind,) for kind in ("logical_camera", "magnetometer", "sonar")},
+    **dict.fromkeys(("gps", "navsat"), ("gps", "navsat")),
+    **dict.fromkeys(("lidar", "ray"), ("lidar", "gpu_lidar", "ray", "gpu_ray")),
+    "camera": (
+        *("boundingbox", "boundingbox_camera", "camera", "depth", "depth_camera", "multicamera"),
+        *("rgbd", "rgbd_camera", "segmentation", "segmentation_camera", "thermal"),
+        *("thermal_camera", "wide_angle_camera", "wideanglecamera", "custom"),
+    ),
+}
+"""The types of sensors that an element in a sensor is for."""
 LIDARS = ("lidar", "gpu_lidar", "ray", "gpu_ray")
 """The types of sensors that are nothing without `<lidar>` or `<ray>`."""
 
