@@ -243,7 +243,10 @@ def _block(argument: Argument, node: FunctionNode, files: Files) -> Body:
         if isinstance(argument.node, SequenceNode) and any(
             isinstance(item, MappingNode) for item in argument.node.items
         ):
-            parse_body(argument.node, f"the block {argument.name}", files.late.context)
+            context = files.late.context
+            parse_body(argument.node, f"the block {argument.name}", context)
+            if context.errors:
+                raise YamaroError(context.errors)
         raise _bad_call(
             "not-a-body",
             f"the block '{argument.name}' needs a body, not a value",

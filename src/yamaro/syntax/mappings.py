@@ -24,6 +24,8 @@ Pairs = list[tuple[ScalarNode, "YamlNode"]]
 def pairs_of(node: YamlNode, what: str, context: ParseContext) -> Pairs:
     """Return the pairs of a mapping, a list of mappings, or nothing at all.
 
+    A list with an item that is something else gives the pairs of the others; the error is kept.
+
     Raises:
         YamaroError: it is something else.
     """
@@ -41,17 +43,22 @@ def pairs_of(node: YamlNode, what: str, context: ParseContext) -> Pairs:
             fix=_fix_of_text(node),
         )
     pairs: Pairs = []
+    fault: YamaroError | None = None
     for item in node.items:
         if isinstance(item, MappingNode):
             pairs.extend(item.pairs)
-        else:
-            raise failure(
+        elif fault is None:
+            fault = failure(
                 "not-a-body",
                 f"in {what}, each item of the list must be an entry such as `name: value`",
                 item.span(),
                 hint=item_hint(item),
                 fix=_fix_of_text(item) if isinstance(item, ScalarNode) else None,
             )
+    if fault is not None:
+        if not pairs:
+            raise fault
+        context.keep(fault)  # the others are looked at, and an editor knows what they declare
     return pairs
 
 

@@ -211,6 +211,40 @@ def test_completion_knows_where_it_is(client, tmp_path, text, offered, not_offer
     assert not set(not_offered) & set(found)
 
 
+SPACED = "model:\n- include: {path: leg.yaml, namespace: Legs}\n"
+
+
+@pytest.mark.parametrize(
+    ("text", "offered", "not_offered"),
+    [
+        ("model:\n- include: leg.yaml\n- |", ["Leg", "Foot"], ["Own"]),
+        ("model:\n- include: leg.yaml\n- L|\n- gazebo:\n", ["Leg"], []),
+        ("model:\n- |\n- include: {path: leg.yaml}\n", ["Leg"], []),
+        ("model:\n  include: leg.yaml\n  L|", ["Leg"], []),
+        ("model:\n- include: leg.yaml\n- part:\n    link:\n    - |", ["Leg"], []),
+        ("model:\n- if true:\n  - include: leg.yaml\n  - |", ["Leg"], []),
+        ("functions:\n  All():\n  - include: leg.yaml\n  - |\nmodel:\n- All:\n", ["Leg"], []),
+        ("model:\n- include: leg.yaml\n- Leg: |", ["side"], []),
+        (SPACED + "- |", ["Legs.Leg", "Legs.Foot", "Foot"], ["Leg"]),
+        (SPACED + "- Legs.|", ["Leg", "Foot"], ["part", "Own"]),
+        (SPACED + "- Legs.L|", ["Leg"], ["part"]),
+        (SPACED + "- Legs.Leg:\n    |", ["side"], []),
+    ],
+)
+def test_functions_of_included_files_are_offered_where_they_can_be_called(
+    client, tmp_path, text, offered, not_offered
+):
+    (tmp_path / "leg.yaml").write_text(
+        "functions:\n"
+        "  Leg/parent: {input: side, body: {print: x}}\n"
+        "  Foot/global: {input: size, body: {print: x}}\n"
+        "  Own: {body: {print: x}}\n"
+    )
+    found = _complete(client, tmp_path / "arm.yaml", text)
+    assert set(offered) <= set(found)
+    assert not set(not_offered) & set(found)
+
+
 def test_packages_that_pip_has_installed_are_known(tmp_path):
     """They are offered, with their files, and a build takes what they bring."""
     part = "model:\n- link/name=wheel:\n"

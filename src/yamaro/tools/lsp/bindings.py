@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ...syntax.nodes import LOCAL, CallNode, IncludeNode
+from ...syntax.nodes import LOCAL, PARENT, CallNode, IncludeNode
 from .names import (
     ARGUMENT,
     BLOCK,
@@ -198,6 +198,27 @@ class Program:
                 if file is not None:
                     yield file
 
+    def in_namespaces(self, text: Text) -> Iterator[tuple[str, Place]]:
+        """Yield what includes of a file put into namespaces, each with its namespace."""
+        for include in text.names.includes:
+            space = include.node.namespace
+            file = self._file(self._included(text, include.node))
+            if file is None or not isinstance(space, str):
+                continue  # without a namespace, or with one that is computed
+            for each in file.names.declarations:
+                if each.scope != LOCAL and each.kind not in (IMPORTED, NAMESPACE):
+                    yield space, Place(file, declaration=each, use=None)
+
+    def is_only_in_namespaces(self, file: Text) -> bool:
+        """Return whether each include of a file puts what comes back into a namespace."""
+        spaces = [
+            include.node.namespace
+            for text in self.texts
+            for include in text.names.includes
+            if include.path is not None and self._workspace.resolve(text, include.path) == file.path
+        ]
+        return bool(spaces) and all(spaces)
+
     # --- between files ----------------------------------------------------------------------
 
     def _included(self, text: Text, node: IncludeNode) -> str:
@@ -321,8 +342,9 @@ def visible_names(program: Program, text: Text, context: Context) -> Sequence[Pl
                 found.setdefault((each.name, each.kind in CALLED), place)
         inner = inner.parent
     for other in program.texts:
+        is_apart = other is not text and program.is_only_in_namespaces(other)
         for each in other.names.declarations:
-            if each.scope != LOCAL:
+            if each.scope != LOCAL and not (is_apart and each.scope == PARENT):
                 place = Place(other, declaration=each, use=None)
                 found.setdefault((each.name, each.kind in CALLED), place)
     return list(found.values())

@@ -139,6 +139,12 @@ class Completion:
 
     def _keys(self, place: Place, cursor: Cursor) -> None:
         items = self._items
+        qualified = re.search(r"(\w+)\.\w*$", self._line)
+        if qualified is not None:
+            for space, function in self._program().in_namespaces(self._text):
+                if space == qualified[1]:
+                    items.add_function(function)
+            return
         present = {word_of(key.text) for key, _ in cursor.mapping.pairs} if cursor.mapping else ()
         if place.name == "call":
             self._arguments(place.call, present)
@@ -169,10 +175,13 @@ class Completion:
         return Program(self._workspace, self._text.path)
 
     def _functions(self) -> None:
+        """Offer the functions that can be called, those of namespaces by their whole name."""
         program = self._program()
         context = self._text.names.context_at(self._offset)
         for place in visible_names(program, self._text, context):
             self._items.add_function(place)
+        for space, place in program.in_namespaces(self._text):
+            self._items.add_function(place, space=space)
 
     def _arguments(self, call: str, present: object) -> None:
         program = self._program()

@@ -180,8 +180,8 @@ class Items:
         detail = f"{declared.kind}{scope}"
         self.add(declared.name, _VARIABLE, detail=detail, rank=rank)
 
-    def add_function(self, place: NamePlace) -> None:
-        """Add a function that can be called, with its parameters."""
+    def add_function(self, place: NamePlace, *, space: str = "") -> None:
+        """Add a function that can be called, with its parameters; `space` is its namespace."""
         declared = place.declaration
         if declared is None or declared.kind not in CALLED:
             return
@@ -191,12 +191,13 @@ class Items:
             return
         names = [each for each in node.parameters if not each.is_block]
         inner = ", ".join(f"${{{index}:{each.name}}}" for index, each in enumerate(names, 1))
+        name = f"{space}.{declared.name}" if space else declared.name
         self.add(
-            declared.name,
+            name,
             _FUNCTION,
-            text=self._key(declared.name),
+            text=self._key(name),
             detail=node.signature(),
-            snippet=f"{declared.name}: {inner}$0",
+            snippet=f"{name}: {inner}$0",
             rank="3",
         )
 
