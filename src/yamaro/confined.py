@@ -30,6 +30,8 @@ if TYPE_CHECKING:
 GRACE = 2.0
 """Seconds that a conversion in a jail has to report that its time is over, before it is ended."""
 
+SCENE = "scene.xml"
+"""The one file beside a document that is not in `assets/`."""
 MOST_WANTED = 100
 """Packages that a conversion in a jail may want at once."""
 
@@ -214,6 +216,14 @@ def _first_output(outcome: Outcome, targets: Sequence[Target]) -> Build:
     return first
 
 
+def _is_file_name(name: str, format: str) -> bool:
+    from .targets.output import is_file_stem
+    from .targets.writers import ENDINGS
+
+    ending = ENDINGS[format]
+    return name.endswith(ending) and is_file_stem(name.removesuffix(ending))
+
+
 def _build_of_document(document: Document, target: Target, outcome: Outcome) -> Build:
     from .result import Build
     from .sandbox.jail import JailAnswerBroken
@@ -226,8 +236,10 @@ def _build_of_document(document: Document, target: Target, outcome: Outcome) -> 
         raise JailAnswerBroken(f"its answer is malformed: {error}") from None
     if target.file_name is not None:
         document.file_name = target.file_name
-    elif not document.file_name or "/" in document.file_name:
+    elif not _is_file_name(document.file_name, target.format):
         raise JailAnswerBroken("the answer does not name its file")
+    if not all(name == SCENE or name.startswith("assets/") for name in document.assets or ()):
+        raise JailAnswerBroken("the answer holds a file of another name")
     build = Build(
         lambda: outcome.meshes,
         finished=document.robot if has_own else outcome.root,

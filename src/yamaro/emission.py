@@ -20,7 +20,7 @@ from .pipeline import explain, interpreter_for
 from .request import Target
 from .result import Build
 from .targets.losses import diagnostics_of
-from .targets.output import Wanted
+from .targets.output import Wanted, is_file_stem
 from .targets.writers import BASES, ENDINGS, SDF_VERSIONS, URDF_ONLY, write_target
 from .terminal import shortened
 from .xml.writer import write_pieces
@@ -40,8 +40,6 @@ if TYPE_CHECKING:
 
     Say = Callable[[str], None]
 
-MOST_LETTERS = 100
-"""Letters of a robot's name that is a file's."""
 SIMULATORS = ("mjcf", "sdf", "usd")
 """The formats that say whether the root is fixed in the world."""
 TELLTALES = frozenset(("target", "eval", "exec", "globals", "locals", "vars"))
@@ -273,7 +271,7 @@ def _written(run: _Run, target: Target, request: Request) -> Build:
     root, document, text = run.root, None, ""
     file_name = target.file_name
     if file_name is None:
-        file_name = stem_for(robot, request.stem) + ENDINGS[target.format]
+        file_name = file_name_for(robot, target.format, request.stem)
     losses: Sequence[Loss]
     assets: Mapping[str, bytes] | None = None
     if target.format == "urdf" or robot is None:
@@ -304,11 +302,14 @@ def _written(run: _Run, target: Target, request: Request) -> Build:
     return build
 
 
-def stem_for(robot: Robot | None, stem: str) -> str:
-    """Return the name of a robot's files without the ending: its own, or else that of its file."""
+def file_name_for(robot: Robot | None, format: str, stem: str) -> str:
+    """Return what a robot's file in a folder is called: by its name, or else as its source is."""
     name = "" if robot is None else robot.name
-    fits = name and not name.startswith(".") and name.isprintable() and len(name) <= MOST_LETTERS
-    return name if fits and not {"/", "\\", ":"} & set(name) else stem
+    if not is_file_stem(name):
+        name = stem if is_file_stem(stem) else "robot"
+    if format == "mjcf" and name.casefold() == "scene":  # the file beside it has that name
+        name += "_robot"
+    return name + ENDINGS[format]
 
 
 def _wanted(robot: Robot, target: Target, stem: str, file_name: str) -> Wanted:

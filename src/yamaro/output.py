@@ -152,6 +152,15 @@ def is_input(path: str, inputs: Iterable[str]) -> bool:
     return False
 
 
+def leads_out(path: str, folder: str) -> bool:
+    """Return whether links on the way to a path in a folder lead out of that folder."""
+    top = os.path.realpath(folder)
+    try:
+        return os.path.commonpath([top, os.path.realpath(path)]) != top
+    except ValueError:  # another drive
+        return True
+
+
 def write_all(descriptor: int, chunks: Iterable[bytes]) -> None:
     """Write all chunks to a file descriptor; raise OSError if that cannot be done."""
     for chunk in chunks:

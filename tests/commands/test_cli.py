@@ -207,6 +207,60 @@ def test_named_pipe_is_read_like_standard_input() -> None:
     assert run("/dev/stdin", input=PLAIN.encode()).stdout.decode() == PLAIN_XML
 
 
+@pytest.mark.parametrize(
+    "command",
+    [
+        "pipe.yaml",
+        "--safe --timeout 100 pipe.yaml",
+        "--jail pipe.yaml",
+        "check pipe.yaml",
+        "check link.urdf",
+        "check --fix pipe.yaml",
+        "tree pipe.yaml",
+        "args pipe.yaml",
+        "why pipe.yaml base",
+        "diff pipe.yaml pipe.yaml",
+        "migrate pipe.yaml",
+        "fmt pipe.yaml",
+        "fmt --check pipe.yaml",
+        "watch pipe.yaml -o x.urdf",
+        "sweep pipe.yaml -o runs",
+    ],
+)
+def test_a_pipe_that_nothing_writes_to_is_not_waited_for(
+    command: str, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr("yamaro.files.regular.PATIENCE", 0.01)
+    os.mkfifo("pipe.yaml")
+    os.symlink("pipe.yaml", "link.urdf")
+    status, out, err = outcome(capsys, *command.split())
+    assert (status in (1, 2), out) == (True, "")
+    assert "a named pipe that nothing writes to" in err or "not a regular file" in err
+
+
+def test_folders_are_searched_for_regular_files_only(capsys: pytest.CaptureFixture[str]) -> None:
+    Path("robots").mkdir()
+    os.mkfifo("robots/a.urdf.yaml")
+    os.mkfifo("robots/a.test.yaml")
+    for command in ("fmt", "test"):
+        assert outcome(capsys, command, "robots")[0] == 2
+
+
+@pytest.mark.parametrize("name", ["-", "/dev/stdin", "pipe.yaml"])
+def test_a_writer_that_does_not_write_is_waited_for_as_long_as_the_time_out(name: str) -> None:
+    os.mkfifo("pipe.yaml")
+    writer = os.open("pipe.yaml", os.O_RDWR)  # it never writes
+    try:
+        result = subprocess.run(
+            [sys.executable, "-m", "yamaro", "--safe", "--timeout", "0.1", name],
+            stdin=writer, capture_output=True, check=False,
+        )  # fmt: skip
+    finally:
+        os.close(writer)
+    assert result.returncode == 1
+    assert b"error[limit-time]: timed out: this takes more than 0.1 s" in result.stderr
+
+
 def test_standard_input_may_be_a_python_stream(
     capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -117,6 +117,71 @@ def test_a_file_that_was_not_generated_is_kept() -> None:
     assert "include" in Path("out/scene.xml").read_text()
 
 
+@pytest.mark.parametrize(
+    ("name", "file"),
+    [("package", "package.xml"), ("model", "model.sdf"), ("arm", "arm.urdf"), ("a", "a.usda")],
+)
+def test_the_name_of_a_robot_does_not_choose_a_file_to_replace(
+    name: str, file: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    Path("robot.yaml").write_text(ROBOT.replace("arm", name))
+    Path(file).write_text("mine")
+    command = ["robot.yaml", "--to", "urdf,mjcf,sdf,usd", "-o", "./"]
+    assert main(command) == 2
+    assert f"'{file}' exists and does not say that Yamaro has generated it" in (
+        capsys.readouterr().err
+    )
+    assert (files_in("."), Path(file).read_text()) == (sorted([file, "robot.yaml"]), "mine")
+    Path(file).unlink()
+    for _ in range(2):
+        assert main(command) == 0
+        assert MARK in Path(file).read_text().split("\n")[1]
+
+
+def test_a_link_out_of_the_output_folder_is_not_followed(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    Path("away").mkdir()
+    Path("out").mkdir()
+    old = f"<!-- {MARK} -->"
+    for link, target in (("arm.sdf", "old"), ("scene.xml", "scene"), ("assets", "")):
+        Path("away", target or "x").write_text(old)
+        Path("out", link).symlink_to(Path("..", "away", target))
+        assert main(["robot.yaml", "--to", "mjcf,sdf", "-o", "out"]) == 2
+        assert "links lead out of the output folder" in capsys.readouterr().err
+        Path("out", link).unlink()
+    assert files_in("out") == []
+    assert {Path("away", each).read_text() for each in files_in("away")} == {old}
+    Path("out/arm.sdf").symlink_to("../nowhere")
+    assert main(["robot.yaml", "--to", "sdf", "-o", "out/"]) == 2
+    assert not Path("nowhere").exists()
+
+
+@pytest.mark.parametrize("name", ["scene", "Scene"])
+def test_a_robot_named_scene_has_its_scene(name: str) -> None:
+    Path("robot.yaml").write_text(ROBOT.replace("arm", name))
+    assert main(["robot.yaml", "--to", "mjcf", "-o", "out/"]) == 0
+    assert files_in("out") == sorted(["assets/arm-12.stl", f"{name}_robot.xml", "scene.xml"])
+    assert f"file='{name}_robot.xml'" in Path("out/scene.xml").read_text()
+
+
+def test_a_robot_that_is_written_to_scene_xml_has_no_scene(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    assert main(["robot.yaml", "--to", "mjcf", "-o", "scene.xml"]) == 0
+    assert "note: no scene is written: 'scene.xml' is the robot" in capsys.readouterr().err
+    assert "<mjcf" in Path("scene.xml").read_text()
+
+
+@pytest.mark.parametrize(
+    "name", ["con", "NUL", "com1.left", "lpt²", "-rf", ".bashrc", "a/b", "a\\b", "a:b", "ä" * 101]
+)
+def test_a_name_that_no_file_can_have_everywhere_is_not_that_of_the_output(name: str) -> None:
+    Path("robot.yaml").write_text(ROBOT.replace("robot: arm", f"robot: '{name}'"))
+    assert main(["-q", "robot.yaml", "--to", "sdf", "-o", "out/"]) == 0
+    assert [each for each in files_in("out") if each.endswith(".sdf")] == ["robot.sdf"]
+
+
 def test_another_file_in_the_place_of_a_mesh_is_an_error(
     capsys: pytest.CaptureFixture[str],
 ) -> None:
@@ -131,10 +196,10 @@ def test_no_document_is_replaced_if_one_of_them_cannot_be_written(
     capsys: pytest.CaptureFixture[str],
 ) -> None:
     Path("out/arm.xml").mkdir(parents=True)
-    Path("out/arm.sdf").write_text("old")
+    Path("out/arm.sdf").write_text(f"<!-- {MARK} --> old")
     assert main(["robot.yaml", "--to", "sdf,mjcf", "-o", "out", "--meshes=none"]) == 1
     assert "cannot write" in capsys.readouterr().err
-    assert Path("out/arm.sdf").read_text() == "old"
+    assert Path("out/arm.sdf").read_text().endswith("old")
     assert files_in("out") == ["arm.sdf"]
 
 

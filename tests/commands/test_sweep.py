@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+import json
 import os
 import subprocess
 import sys
@@ -128,6 +129,55 @@ def test_a_study_with_an_error_shows_its_place(capsys: pytest.CaptureFixture[str
 
 
 SLOW = LEG + "- process: |\n    import time\n    time.sleep(0.05)\n"
+
+
+@pytest.mark.parametrize("mode", ["--safe", "--jail"])
+def test_a_study_does_not_name_what_runs_when_it_is_not_trusted(
+    mode: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    Path("evil.py").write_text("open('RAN', 'w').close()\ndef f(): return {'x': 1}\n")
+    Path("st.yaml").write_text(
+        "sweep: {robot: leg.yaml, vary: {legs: 4..5}, samples: 2, evaluate: evil.py:f}"
+    )
+    status, _, err = outcome(capsys, "sweep", mode, "st.yaml", "-o", "runs")
+    assert status == 1
+    assert "error[unsafe-code]: the study evaluates with 'evil.py:f', which no mode confines" in err
+    assert "st.yaml:1:" in err
+    assert not Path("RAN").exists()
+    assert not Path("runs").exists()
+    named = ("--evaluate", "evil.py:f", "--engine", "local:1")
+    assert outcome(capsys, "sweep", mode, "st.yaml", "-o", "runs", *named)[0] == 0
+    assert Path("RAN").exists()
+
+
+def test_show_only_looks_at_the_robot_that_a_folder_names(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    code = "import: [os]\n", "robot: $(os.system('touch RAN') or 'leg')\n"
+    Path("leg.yaml").write_text(LEG.replace("robot: leg\n", "".join(code)))
+    sweep = ("sweep", "leg.yaml", "legs=4..5", "thigh:=20cm", "--engine", "local:1", "-o", "runs/")
+    assert outcome(capsys, *sweep)[0] == 0
+    Path("RAN").unlink()
+    for mode in ([], ["--safe"], ["--jail"]):
+        outcome(capsys, "sweep", "show", "runs", "0", *mode)
+        assert not Path("RAN").exists()
+    assert outcome(capsys, "sweep", "show", "runs", "0", "--trust")[0] == 0
+    assert Path("RAN").exists()
+
+
+@pytest.mark.parametrize(
+    ("key", "value"), [("samples", "x"), ("seed", "x"), ("fixed", [1]), ("keep", 1), ("axes", [])]
+)
+def test_a_plan_that_was_changed_by_hand_is_an_error(
+    key: str, value: object, capsys: pytest.CaptureFixture[str]
+) -> None:
+    sweep = ("sweep", "leg.yaml", "legs=4..5", "thigh:=20cm", "--engine", "local:1", "-o", "runs/")
+    assert outcome(capsys, *sweep)[0] == 0
+    plan = json.loads(Path("runs/study.json").read_text())
+    Path("runs/study.json").write_text(json.dumps({**plan, key: value}))
+    status, _, err = outcome(capsys, "sweep", "show", "runs", "0")
+    assert status == 1
+    assert f"'study.json' is malformed: '{key}' is not of type" in err
 
 
 @pytest.mark.slow

@@ -401,6 +401,45 @@ def test_golden_files_are_written_and_compared_by_meaning(
     assert Robot.from_urdf(golden).mass == 3.5
 
 
+@pytest.mark.parametrize(
+    ("name", "reason"),
+    [
+        ("away/arm.urdf", "links lead out"),
+        ("away/new.urdf", "links lead out"),
+        ("link.urdf", "links lead out"),
+        ("dangling.urdf", "links lead out"),
+        (".bashrc", "hidden part"),
+        ("sub/.git/config", "hidden part"),
+        ("arm.yaml", "one of the input files"),
+        ("arm.test.yaml", "one of the input files"),
+        ("hard.urdf", "one of the input files"),
+        ("package.xml", "something else than a <robot>"),
+        ("notes.txt", "something else than a <robot>"),
+    ],
+)
+def test_accepting_writes_golden_files_below_the_folder_only(
+    name: str, reason: str, folder: Path, tmp_path_factory: pytest.TempPathFactory,
+    capsys: pytest.CaptureFixture[str],
+) -> None:  # fmt: skip
+    away = tmp_path_factory.mktemp("away")
+    (away / "arm.urdf").write_text("<robot name='theirs'/>")
+    os.symlink(away, "away")
+    os.symlink(away / "arm.urdf", "link.urdf")
+    os.symlink(away / "nowhere", "dangling.urdf")
+    os.link("arm.yaml", "hard.urdf")
+    Path("package.xml").write_text("<package/>")
+    Path("notes.txt").write_text("notes")
+    write(f"robot: arm.yaml\nurdf: {name}\n")
+    before = {path: path.read_text() for path in folder.rglob("*") if path.is_file()}
+    status, _, err = run(capsys, "--accept")
+    assert status == 1
+    assert f"'{name}' cannot be written: " in err
+    assert reason in err
+    assert {path: path.read_text() for path in folder.rglob("*") if path.is_file()} == before
+    assert [path.name for path in away.iterdir()] == ["arm.urdf"]
+    assert (away / "arm.urdf").read_text() == "<robot name='theirs'/>"
+
+
 def test_golden_files_of_other_xml(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
     Path("world.yaml").write_text("world:\n- light/name=sun:\n")
     write("robot: world.yaml\nxml: world.xml\n")

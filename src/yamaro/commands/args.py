@@ -42,7 +42,7 @@ def _listing(arguments: Arguments) -> Listing:
     packages = read_packages(arguments)
     reach = reach_of(path, policy, packages)
     loader = FileLoader(policy.limits, reach)
-    source = read_main(path, read_pipe(path, policy.limits), Library(loader))
+    source = read_main(path, read_pipe(path, policy), Library(loader))
     finder = finder_for(path, reach, packages)
     return listing_of(source, loader=loader, packages=finder, limits=policy.limits)
 

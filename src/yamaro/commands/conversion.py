@@ -14,7 +14,7 @@ from ..streams import XML
 from .delivery import deliver, deliver_assets, refuse_overwriting
 from .reports import display_name, sayer, show
 from .settings import make_policy, output_of, read_adjustment, read_packages, targets_of
-from .usage import DONE, INPUT_ERROR, WrongUsage
+from .usage import DONE, INPUT_ERROR, WrongUsage, quote
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
     from ..diagnostics import Diagnostic
     from ..files.loader import FileLoader, Loader
-    from ..policy import Limits, Policy
+    from ..policy import Policy
     from ..program import Program
     from ..result import Build
     from ..streams import Streams
@@ -218,7 +218,7 @@ def _program(arguments: Arguments, policy: Policy, loader: Loader | None) -> Pro
 
     return Program(
         arguments.words[0],
-        text=read_pipe(arguments.words[0], policy.limits),
+        text=read_pipe(arguments.words[0], policy),
         policy=policy,
         loader=loader,
         packages=read_packages(arguments),
@@ -272,11 +272,18 @@ def _build(
 # --- what can be read only once -------------------------------------------------------------
 
 
-def read_pipe(path: str, limits: Limits) -> str | None:
+def read_pipe(path: str, policy: Policy) -> str | None:
     """Return the text of standard input or of a named pipe, None for what can be read by name."""
     from ..files.loader import LoadError, check_size, decode
 
-    data = read_bytes(path, limits.file + 1)
+    limits = policy.limits
+    try:
+        data = read_bytes(path, limits.file + 1, policy.timeout)
+    except TimeoutError:
+        from ..confined import time_is_over
+
+        name = STANDARD_INPUT_NAME if path == STANDARD_INPUT else path
+        raise time_is_over(name, policy) from None
     if data is None:
         return None
     if path == STANDARD_INPUT:
@@ -292,20 +299,41 @@ def read_pipe(path: str, limits: Limits) -> str | None:
     return decode(data, name=name, path=absolute).text
 
 
-def read_bytes(path: str, most: int) -> bytes | None:
-    """Return `most` bytes of standard input or a pipe, None for what can be read by name."""
+def read_bytes(path: str, most: int, seconds: float | None = None) -> bytes | None:
+    """Return `most` bytes of standard input or a pipe, None for what can be read by name.
+
+    Raises:
+        TimeoutError: it takes more than `seconds`.
+        WrongUsage: it cannot be read.
+    """
+    from ..files import regular
+
     if path == STANDARD_INPUT:
         if sys.stdin is None:
             raise WrongUsage("standard input is closed")
         buffer = getattr(sys.stdin, "buffer", None)
         try:
+            descriptor = _descriptor_of(buffer)
+            if seconds is not None and os.name != "nt" and descriptor is not None:
+                return regular.read_within(descriptor, most, seconds)
             return sys.stdin.read(most).encode() if buffer is None else buffer.read(most)
+        except TimeoutError:
+            raise
         except OSError as error:
             raise WrongUsage(f"cannot read standard input: {error.strerror}") from None
     try:
-        if os.stat(path).st_mode & 0o170000 != 0o010000:
-            return None
-        with open(path, "rb") as file:
-            return file.read(most)
-    except OSError:
+        return regular.read_pipe(path, most, seconds)
+    except TimeoutError:
+        raise
+    except (OSError, ValueError) as error:
+        if isinstance(error, OSError) and error.errno == regular.UNOPENED:
+            raise WrongUsage(f"cannot read {quote(path)}: {error.strerror}") from None
+        return None  # the loader says why
+
+
+def _descriptor_of(stream: object) -> int | None:
+    """Return the descriptor of a stream, or None for one of Python's own."""
+    try:
+        return stream.fileno()  # type: ignore[attr-defined, no-any-return]
+    except (AttributeError, OSError, ValueError):
         return None

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 
 from ..files.regular import read_start
-from ..output import STANDARD_OUTPUT, is_input, write_file
+from ..output import STANDARD_OUTPUT, is_input, leads_out, write_file
 from ..streams import XML, NotForTerminal
 from .usage import DONE, INPUT_ERROR, WrongUsage, quote
 
@@ -86,6 +86,7 @@ def deliver_assets(
         name = os.fspath(error.filename or "a mesh")
         streams.say(f"yamaro: error: cannot copy {quote(name)}: {error.strerror or error}")
         return INPUT_ERROR
+    refuse_leading_out(folder, new)
     return deliver_files(new, streams)
 
 
@@ -96,6 +97,14 @@ def is_written(path: str, data: bytes) -> bool:
     if os.path.isfile(path) and read_start(path, len(data) + 1) == data:
         return True
     raise FileExistsError(17, "another file has that name", path)
+
+
+def refuse_leading_out(folder: str, paths: Iterable[str]) -> None:
+    """Refuse to write what a file has named through links that lead out of the output folder."""
+    for path in paths:
+        if leads_out(path, folder or os.curdir):
+            name = quote(os.path.relpath(path))
+            raise WrongUsage(f"refusing to write {name}: links lead out of the output folder there")
 
 
 def refuse_overwriting(arguments: Arguments, inputs: Callable[[], Sequence[str]]) -> None:

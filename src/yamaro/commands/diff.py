@@ -102,7 +102,7 @@ def _side(index: int, origin: Origin, arguments: Arguments, policy: Policy) -> S
     try:
         build = api.build(
             origin.path,
-            text=read_pipe(origin.path, policy.limits),
+            text=read_pipe(origin.path, policy),
             policy=policy,
             packages=origin.packages(read_packages(arguments)),
             command_line=[*arguments.assignments, *own],

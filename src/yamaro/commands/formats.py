@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import os
 
+from ..files.regular import read_start
 from ..output import is_input, write_files
 from ..targets.assets import FOLDER
 from ..targets.output import MARK
 from ..targets.writers import ENDINGS, TITLES
 from ..tools.tree import counted
-from .delivery import deliver, goes_to_standard_output, is_written
+from .delivery import deliver, goes_to_standard_output, is_written, refuse_leading_out
 from .usage import DONE, INPUT_ERROR, WrongUsage, near, quote
 
 TYPE_CHECKING = False
@@ -112,19 +113,23 @@ def deliver_formats(
 
     `chunks` are the document for standard output.
     Nothing is written before it is known that each file may be: no file that was read is replaced,
-    nor one in `assets/` of other content, nor one beside a document that Yamaro has not generated.
+    nor one in `assets/` of other content. What Yamaro has not generated is never replaced by a file
+    that the robot names: those beside a document, and in a folder the documents too, which say
+    that they were generated.
     """
     if goes_to_standard_output(arguments):
         _refuse_assets(build)
         return deliver(chunks, arguments, streams)
     builds = list(build.outputs.values())
     formats = [each.format for each in builds]
-    if is_folder(arguments, formats):
+    has_folder = is_folder(arguments, formats)
+    if has_folder:
         folder = arguments.output_path
-        documents = {os.path.join(folder, each.file_name): each for each in builds}
+        named = {os.path.join(folder, each.file_name): each for each in builds}
     else:
         folder = os.path.dirname(arguments.output_path)
-        documents = {arguments.output_path: build}
+        named = {arguments.output_path: build}
+    documents = {path: b"".join(each.encoded()) for path, each in named.items()}
     try:
         files = _beside(builds, folder)
     except OSError as error:
@@ -136,8 +141,24 @@ def deliver_formats(
         if path not in files or not _is_same(path, files[path]):
             if is_input(path, inputs):
                 raise WrongUsage(f"the output {quote(path)} is one of the input files")
+    if has_folder:
+        for path, document in documents.items():
+            is_mine = not _may_replace(path) and not _is_same(path, document)
+            if is_mine and not os.path.isdir(path):
+                raise WrongUsage(
+                    f"{quote(os.path.relpath(path))} exists and does not say that Yamaro has "
+                    "generated it: remove it, choose another folder, or name one file with -o"
+                )
+        documents = {path: marked(document) for path, document in documents.items()}
+    names = {path.casefold() for path in documents}  # which may be one file on some systems
+    for path in [each for each in files if each.casefold() in names]:
+        streams.say(
+            f"yamaro: note: no scene is written: {quote(os.path.relpath(path))} is the robot"
+        )
+        del files[path]
     new = {path: data for path, data in files.items() if not _is_same(path, data)}
-    new |= {path: b"".join(each.encoded()) for path, each in documents.items()}
+    refuse_leading_out(folder, [*new, *(documents if has_folder else ())])
+    new |= documents
     try:
         write_files(new)
     except OSError as error:
@@ -176,10 +197,14 @@ def _may_replace(path: str) -> bool:
     """Return whether there is no file, or one that says it was generated."""
     if not os.path.lexists(path):
         return True
-    if not os.path.isfile(path):
-        return False
-    with open(path, "rb") as file:
-        return MARK.encode() in file.read(START)
+    return os.path.isfile(path) and MARK.encode() in read_start(path, START)
+
+
+def marked(document: bytes) -> bytes:
+    """Return a document that says in a comment, after its first line, that it was generated."""
+    first, end, rest = document.partition(b"\n")
+    comment = f"# {MARK}\n" if first.startswith(b"#") else f"<!-- {MARK} -->\n"
+    return first + end + comment.encode() + rest
 
 
 def summary_of(build: Build, arguments: Arguments) -> str:

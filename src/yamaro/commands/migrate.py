@@ -10,6 +10,7 @@ from .delivery import (
     deliver,
     deliver_files,
     goes_to_standard_output,
+    refuse_leading_out,
     refuse_overwriting,
     refuse_replacing,
 )
@@ -99,6 +100,7 @@ def _deliver(result: Result, arguments: Arguments, streams: Streams) -> int:
     is_printed = goes_to_standard_output(arguments)
     if "" in result.files and not is_printed and _is_folder(arguments.output_path):
         path = _file_in_folder(arguments)
+        refuse_leading_out(arguments.output_path, [path])
         refuse_replacing(arguments, [path])
         status = deliver_files({path: result.files[""].encode()}, streams)
         end = f"; {os.path.relpath(path)}"
@@ -112,6 +114,7 @@ def _deliver(result: Result, arguments: Arguments, streams: Streams) -> int:
     else:
         folder = arguments.output_path
         files = {os.path.join(folder, path): text.encode() for path, text in result.files.items()}
+        refuse_leading_out(folder, files)
         refuse_replacing(arguments, list(files))
         show(result.diagnostics, arguments, streams)
         status = deliver_files(files, streams)

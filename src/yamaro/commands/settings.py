@@ -18,8 +18,12 @@ MOST_SECONDS = 1e9
 """The longest time-out, some thirty years: what the system's clocks can count."""
 
 
-def make_policy(arguments: Arguments) -> Policy:
+def make_policy(arguments: Arguments, *, looks: bool = False) -> Policy:
     """Return how far the file is trusted.
+
+    Args:
+        arguments: the command line.
+        looks: whether the file is only looked at, though the command runs others.
 
     Raises:
         WrongUsage: a limit or the time-out makes no sense.
@@ -28,7 +32,7 @@ def make_policy(arguments: Arguments) -> Policy:
 
     modes = {"trust": TRUSTED, "jail": JAIL, "safe": SAFE}
     mode = next((modes[name] for name in modes if arguments.has(name)), None)
-    looks = mode is None and COMMANDS[arguments.command].looks
+    looks = mode is None and (looks or COMMANDS[arguments.command].looks)
     allowed = arguments.lists.get("allow-path", [])
     if allowed and not looks and mode in (None, TRUSTED):
         raise WrongUsage("'--allow-path' needs --jail or --safe")

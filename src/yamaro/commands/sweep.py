@@ -13,6 +13,7 @@ from .usage import DONE, INPUT_ERROR, WrongUsage, near, quote
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from ..policy import Policy
     from ..streams import Streams
     from ..tools.sweep.plan import Plan
     from ..tools.sweep.running import Status
@@ -28,14 +29,14 @@ def run(arguments: Arguments, streams: Streams) -> int:
     from ..diagnostics import YamaroError
 
     arguments.resolve_output()
-    policy = make_policy(arguments)
+    policy = make_policy(arguments, looks=arguments.words[0] in (SHOW, PLOT))
     if not policy.is_trusted:
         streams.silence_libraries()
     try:
         if arguments.words[0] == SHOW:
-            return _show(arguments, streams)
+            return _show(arguments, streams, policy)
         if arguments.words[0] == PLOT:
-            return _plot(arguments, streams)
+            return _plot(arguments, streams, policy)
         return _sweep(arguments, streams)
     except YamaroError as error:
         show(error.diagnostics, arguments, streams)
@@ -205,7 +206,7 @@ def _number(arguments: Arguments, option: str, least: int) -> int | None:
 # --- a plot ---
 
 
-def _plot(arguments: Arguments, streams: Streams) -> int:
+def _plot(arguments: Arguments, streams: Streams, policy: Policy) -> int:
     """Write the plot of a sweep; return the exit status."""
     from ..tools.sweep.axis_reading import words_in
     from ..tools.sweep.plot.command import plot
@@ -225,7 +226,7 @@ def _plot(arguments: Arguments, streams: Streams) -> int:
         up=[word for text in lists.get("y", ()) for word in words_in(text)],
         metric=arguments.options.get("metric"),
         minimize=arguments.has("minimize"),
-        policy=make_policy(arguments),
+        policy=policy,
     )
     if not streams.quiet:
         for remark in plotted.remarks:
@@ -236,7 +237,7 @@ def _plot(arguments: Arguments, streams: Streams) -> int:
 # --- one variant ---
 
 
-def _show(arguments: Arguments, streams: Streams) -> int:
+def _show(arguments: Arguments, streams: Streams, policy: Policy) -> int:
     """Write the document of a variant; return the exit status."""
     from ..tools.sweep.showing import show as build_again
 
@@ -246,7 +247,7 @@ def _show(arguments: Arguments, streams: Streams) -> int:
     if arguments.assignments:
         raise WrongUsage("a variant has its own arguments, and takes no 'name:=value'")
     folder, index = words[0], int(words[1])
-    shown = build_again(folder, index, make_policy(arguments))
+    shown = build_again(folder, index, policy)
     outputs = shown.build.outputs or {shown.build.format: shown.build}
     formats = formats_in(arguments) or list(outputs)[:1]
     if len(formats) > 1 or formats[0] not in outputs:

@@ -21,5 +21,6 @@ def files_below(folder: str, endings: tuple[str, ...]) -> Iterator[str]:
             name for name in folders if name[0] != "." and name not in SKIPPED_FOLDERS
         )
         for name in sorted(names):
-            if name.endswith(endings):
-                yield os.path.normpath(os.path.join(inner, name))
+            path = os.path.normpath(os.path.join(inner, name))
+            if name.endswith(endings) and os.path.isfile(path):  # no pipe, socket or device
+                yield path

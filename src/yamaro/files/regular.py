@@ -18,8 +18,14 @@ _FLAGS = os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0)
 _TYPE = 0o170000
 _FOLDER = 0o040000
 _REGULAR = 0o100000
+_PIPE = 0o010000
 _DEVICES = (0o020000, 0o060000)
 _OTHER = "it is not a regular file"
+UNOPENED = errno.ENXIO
+"""The number of the error for a named pipe that nothing writes to."""
+PATIENCE = 2.0
+"""Seconds to wait for a program to open a named pipe, such as one that was just started."""
+_STEP = 0.02
 
 
 class _Unblocked(FileIO):
@@ -60,6 +66,73 @@ def open_regular(path: str) -> BufferedReader:
     except BaseException:
         os.close(descriptor)
         raise
+
+
+def read_pipe(path: str, most: int, seconds: float | None) -> bytes | None:
+    """Return what is written to a named pipe, or None for what is not a pipe.
+
+    A pipe that nothing writes to is not waited for, as it may lie in a folder from anywhere.
+
+    Args:
+        path: the pipe; or what a shell hands over for `<(command)`.
+        most: the bytes after which reading ends.
+        seconds: how long a program that has opened it may take, by default any time.
+
+    Raises:
+        TimeoutError: it takes longer.
+        OSError: it cannot be read, or nothing has opened it to write to it.
+    """
+    if os.name == "nt" or os.stat(path).st_mode & _TYPE != _PIPE:
+        return None
+    descriptor = os.open(path, _FLAGS)
+    try:
+        if os.fstat(descriptor).st_mode & _TYPE != _PIPE:
+            raise OSError(errno.EINVAL, _OTHER)
+        return read_within(descriptor, most, seconds, patience=PATIENCE)
+    finally:
+        os.close(descriptor)
+
+
+def read_within(
+    descriptor: int, most: int, seconds: float | None, *, patience: float = 0.0
+) -> bytes:
+    """Return the bytes of a descriptor up to its end, at most `most`, within some seconds.
+
+    `patience` is how long a pipe is waited for that nothing has opened to write to it.
+
+    Raises:
+        TimeoutError: it takes longer.
+        OSError: it cannot be read, or nothing has opened it.
+    """
+    import select
+    from time import monotonic
+
+    start = monotonic()
+    poll = select.poll()
+    poll.register(descriptor, select.POLLIN)
+    found = bytearray()
+    is_opened = not patience
+    while len(found) < most:
+        left = None if seconds is None else start + seconds - monotonic()
+        if left is not None and left <= 0:
+            raise TimeoutError
+        wait = left if is_opened else _STEP
+        events = poll.poll(None if wait is None else wait * 1000)
+        if not events and is_opened:
+            continue
+        try:
+            data = os.read(descriptor, min(1 << 20, most - len(found)))
+        except BlockingIOError:  # it is open, and nothing has been written yet
+            is_opened = True
+            continue
+        if data:
+            found += data
+            is_opened = True
+        elif is_opened or events:
+            break
+        elif monotonic() - start > patience:
+            raise OSError(UNOPENED, "it is a named pipe that nothing writes to")
+    return bytes(found)
 
 
 def read_start(path: str, most: int) -> bytes:

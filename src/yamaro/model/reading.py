@@ -48,10 +48,11 @@ def read_file(path: str | os.PathLike[str]) -> Robot:
     """Return the robot of a URDF file; see `Robot.from_urdf`."""
     import os
 
+    from ..files.regular import open_regular
     from ..xml.reader import decode_xml, read_xml
 
     path = os.fspath(path)
-    with open(path, "rb") as file:
+    with open_regular(path) as file:
         data = file.read()
     source = decode_xml(data, name=path, path=os.path.abspath(path))
     return read_robot(read_xml(source).root)

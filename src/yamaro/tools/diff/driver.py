@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import os
 
+from ...files.regular import open_regular
 from .git import GitError
 
 TYPE_CHECKING = False
@@ -90,7 +91,7 @@ def _lines(path: str) -> list[str] | None:
     if path == NO_FILE:
         return []
     try:
-        with open(path, encoding="utf-8", newline="") as file:
-            return file.read().splitlines(keepends=True)
+        with open_regular(path) as file:
+            return file.read().decode().splitlines(keepends=True)
     except (OSError, UnicodeDecodeError):
         return None

@@ -189,6 +189,7 @@ def override(
         study.metrics = [Written(word) for word in metrics]
     if evaluate is not None:
         study.evaluate, study.folder = evaluate, os.getcwd()
+        study.places.pop("evaluate", None)
     if models is not None:
         study.models = models
 

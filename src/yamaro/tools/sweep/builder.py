@@ -6,6 +6,7 @@ import hashlib
 import os
 
 from ...diagnostics import YamaroError
+from ...files.regular import open_regular
 from ...program import Program
 from .plan import Space
 from .rows import ENDED, FAULT, OUT_OF_MEMORY, REJECTED, Row, first_error
@@ -179,7 +180,7 @@ def ends_of(formats: list[str]) -> list[str]:
 def file_hash(path: str) -> str:
     """Return the SHA-256 of a file, or "" if it cannot be read."""
     try:
-        with open(path, "rb") as file:
+        with open_regular(path) as file:
             return hashlib.sha256(file.read()).hexdigest()
     except OSError:
         return ""

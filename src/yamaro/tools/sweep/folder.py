@@ -11,6 +11,7 @@ import os
 
 from ...arguments import UsageError
 from ...diagnostics import failure_of_all
+from ...files.regular import open_regular
 from ...output import write_file
 from .builder import MODELS, file_hash
 from .models import missing_assets, shard_name
@@ -174,7 +175,7 @@ def read_plan_data(path: str, shown: str) -> dict[str, Any]:
         YamaroError: it cannot be read.
     """
     try:
-        with open(os.path.join(path, STUDY), encoding="utf-8") as file:
+        with open_regular(os.path.join(path, STUDY)) as file:
             data = json.load(file)
         if not isinstance(data, dict) or data.get("form") != FORM:
             raise ValueError("it is of another version of Yamaro")

@@ -7,6 +7,7 @@ from inspect import Parameter, signature
 from math import isfinite
 
 from ...diagnostics import Frame, YamaroError, did_you_mean, failure
+from ...files.regular import open_regular
 from ...runtime.modules import LocalModules
 from ...source import Source, Span
 from ...terminal import shortened
@@ -87,7 +88,7 @@ class Hook:
 
         codes = {}
         for path in self._files:
-            with open(path, "rb") as file:
+            with open_regular(path) as file:
                 codes[os.path.relpath(path, folder)] = sha256(file.read()).hexdigest()
         path = os.path.relpath(self._path, folder)
         return {"function": f"{path}:{self._name}", "files": dict(sorted(codes.items()))}
@@ -228,8 +229,8 @@ class Hook:
     def _line(self, path: str, line: int) -> Span:
         """Return a line of a file of the user's, without the space around it."""
         try:
-            with open(path, encoding="utf-8", errors="replace") as file:
-                text = file.read()
+            with open_regular(path) as file:
+                text = file.read().decode("utf-8", "replace")
         except OSError:
             text = ""
         folder = os.path.dirname(self._path)

@@ -6,6 +6,7 @@ import os
 import tarfile
 
 from ...arguments import UsageError
+from ...files.regular import open_regular
 from ...source import Public
 from .builder import ASSETS, MODELS, ends_of
 from .folder import read_plan_data
@@ -63,7 +64,8 @@ def kept_models(
     models = os.path.join(folder, MODELS)
     assets = _read_assets(models)
     for number in part_paths(folder):
-        with tarfile.open(os.path.join(models, shard_name(number))) as shard:
+        path = os.path.join(models, shard_name(number))
+        with open_regular(path) as file, tarfile.open(fileobj=file, mode="r:") as shard:
             yield from _models_in(shard, end, assets, has_scene=has_scene)
 
 
@@ -77,7 +79,8 @@ def _models_in(
         if ending not in (end, SCENE):
             continue
         file = shard.extractfile(member)
-        assert file is not None, "shards hold files only"
+        if file is None:
+            continue
         text = file.read().decode()
         if ending == end:
             robot = text
@@ -95,7 +98,7 @@ def _read_assets(models: str) -> dict[str, bytes]:
     for folder, _, names in os.walk(os.path.join(models, ASSETS)):
         for name in sorted(names):
             path = os.path.join(folder, name)
-            with open(path, "rb") as file:
+            with open_regular(path) as file:
                 found[os.path.relpath(path, models).replace(os.sep, "/")] = file.read()
     return found
 

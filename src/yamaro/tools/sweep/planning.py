@@ -11,6 +11,7 @@ from ...main_file import finder_for, reach_of, read_main
 from ...runtime.library import Library
 from ...syntax.argument_types import PATH
 from ...targets.writers import ENDINGS
+from ...terminal import shortened
 from ..declared_arguments import ARGUMENTS, Declared, listing_of
 from .axes import Axis, Choices
 from .axis_reading import axis_of_data, axis_of_text, has_axis, passed_value, takes_text
@@ -304,6 +305,14 @@ def _settle_evaluation(plan: Plan, study: Study) -> None:
     """Set how variants are evaluated; raise YamaroError if that makes no sense."""
     if not study.metrics and not study.evaluate:
         return
+    span = study.places.get("evaluate")
+    if study.evaluate and span is not None and not plan.policy.is_trusted:
+        raise failure(
+            "unsafe-code",
+            f"the study evaluates with '{shortened(study.evaluate)}', which no mode confines",
+            span,
+            hint=f"if you trust it, name it yourself: --evaluate {shortened(study.evaluate)}",
+        )
     from .evaluation import Evaluation
 
     words = [metric.data for metric in study.metrics]
@@ -313,7 +322,7 @@ def _settle_evaluation(plan: Plan, study: Study) -> None:
         study.evaluate,
         study.folder,
         spans=[span for span in spans if span is not None] if all(spans) else None,
-        hook_span=study.places.get("evaluate"),
+        hook_span=span,
     )
     if study.evaluate:
         path = os.path.abspath(os.path.join(study.folder, study.evaluate.rpartition(":")[0]))

@@ -18,6 +18,10 @@ if TYPE_CHECKING:
     from ...result import Build
 
 
+_KINDS = {"axes": dict, "fixed": dict, "keep": list, "method": str, "samples": int, "seed": int}
+"""What is in a plan that is read from an untrusted folder."""
+
+
 class Shown(Public):
     """A variant that was built again.
 
@@ -52,11 +56,14 @@ def plan_in(folder: str, policy: Policy) -> Plan:
         return os.path.normpath(os.path.join(os.path.abspath(folder), relative))
 
     try:
+        for name, kind in _KINDS.items():
+            if type(data[name]) is not kind:
+                raise TypeError(f"'{name}' is not of type {kind.__name__}")
         axes = [axis_of(name, each) for name, each in data["axes"].items()]
         plan = Plan(path_of(data["robot"]), axes, policy)
         plan.method, plan.seed, plan.samples = data["method"], data["seed"], data["samples"]
         plan.fixed = data["fixed"]
-        plan.conditions = [Condition(text) for text in data["keep"]]
+        plan.conditions = [Condition(str(text)) for text in data["keep"]]
         plan.formats = data["hashed"] if data["formats"] or data["hashed"] != ["urdf"] else []
         plan.models, plan.strict = data["models"], data["strict"]
         plan.packages = {name: path_of(path) for name, path in data["packages"].items()}

@@ -9,7 +9,9 @@ import csv
 import io
 import json
 import os
+from io import TextIOWrapper
 
+from ...files.regular import open_regular
 from .axes import ANY, BOOLEAN, INTEGER, NUMBER, TEXT
 from .methods import import_extra
 
@@ -220,7 +222,7 @@ def parts_of(folder: str, names: Sequence[str] = ()) -> Iterator[dict[str, list[
 
 
 def _read_csv(path: str, names: Sequence[str]) -> dict[str, list[Any]]:
-    with open(path, encoding="utf-8", newline="") as file:
+    with open_regular(path) as data, TextIOWrapper(data, encoding="utf-8", newline="") as file:
         reader = csv.reader(file)
         header = next(reader)
         columns: dict[str, list[Any]] = {name: [] for name in header}

@@ -6,7 +6,7 @@ import os
 
 from ...diagnostics import Diagnostic, YamaroError, failure
 from ...files.regular import open_regular
-from ...output import write_file
+from ...output import is_input, leads_out, write_file
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -42,6 +42,7 @@ def compare_with_golden(
     if lines is not None and not lines:
         return [], ""
     if accepts:
+        _check_replaceable(path, old, build, golden, folder)
         _write(path, build, name, span)
         return [], os.path.normpath(os.path.join(os.path.dirname(span.source.name), name))
     if lines is None:
@@ -50,6 +51,40 @@ def compare_with_golden(
         message, notes = f"the output differs from '{name}'", lines
     hint = "if the output is right, --accept writes the file"
     return failure("output-differs", message, span, hint=hint, notes=notes).diagnostics, ""
+
+
+def _check_replaceable(
+    path: str, old: str | None, build: Build, golden: tuple[str, Span], folder: str
+) -> None:
+    """Raise YamaroError unless a file that a test names may be written.
+
+    That are files below the folder of the test, not hidden ones, and in the place of another file
+    only where that holds what is compared with: XML with the same root, and nothing that was read.
+    """
+    name, span = golden
+    reason = ""
+    if leads_out(path, folder):
+        reason = "links lead out of the folder of the test file there"
+    elif any(part.startswith(".") for part in os.path.normpath(name).split(os.sep)):
+        reason = "its path has a hidden part"
+    elif is_input(path, [*build.files, *build.meshes, span.source.path]):
+        reason = "it is one of the input files"
+    elif old is not None and old.strip() and _root_of(old) != build.root_name:
+        reason = f"it holds something else than a <{build.root_name}>"
+    if reason:
+        message = f"'{name}' cannot be written: {reason}"
+        raise failure("output-differs", message, span, hint="remove it, or choose another name")
+
+
+def _root_of(text: str) -> str:
+    """Return the name of the root of XML, or "" for other text."""
+    from ...source import Source
+    from ...xml.reader import read_xml
+
+    try:
+        return read_xml(Source(text, name="")).root.name
+    except YamaroError:
+        return ""
 
 
 def _write(path: str, build: Build, name: str, span: Span) -> None:
