@@ -83,6 +83,53 @@ def test_the_action_writes_a_report_and_checks_the_style(robots: Path) -> None:
     assert report["runs"][0]["results"] == []
 
 
+def test_what_a_checked_file_prints_or_holds_is_no_command_to_the_runner(robots: Path) -> None:
+    (robots / "robots" / "print.urdf.yaml").write_text(
+        "robot: r\nprint: '::stop-commands::x'\nmodel:\n- link/name=a:\n"
+        '- print: "x\\n\\t::error::y\\r::add-mask::a ##[error]z"\n'
+        "- print: '##[add-mask]a'\n"
+        "- process: |\n    print(':', end='')\n    print(':error::x')\n"
+        '- "$(1)##[error]x\\n::error::y":\n'
+    )
+    for name in ("good", "print"):
+        result = run_action(
+            robots, files=f"robots/{name}.urdf.yaml", sarif="x.sarif", arguments="--trust"
+        )
+        lines = (result.stdout + result.stderr).splitlines()
+        obeyed = [line for line in lines if line.lstrip().startswith("::") or "##[" in line]
+        findings = [line for line in obeyed if line.startswith("::error file=robots/print")]
+        assert obeyed == findings
+        assert len(findings) == (name == "print")
+
+
+def test_a_difference_of_style_is_shown_while_the_runner_obeys_nothing(robots: Path) -> None:
+    text = "robot:   r\nmodel:\n- link/name=a:\n- text: |\n    a\n ::error::x\n# ::error::x\n"
+    (robots / "messy.yaml").write_text(text)
+    lines = run_action(robots, files="messy.yaml", fmt="true").stdout.splitlines()
+    first = next(at for at, line in enumerate(lines) if line.startswith("::stop-commands::"))
+    token = lines[first].removeprefix("::stop-commands::")
+    assert len(token) == 64
+    assert lines[-1] == f"::{token}::"
+
+
+def test_the_action_installs_with_pip_of_python_and_not_of_the_checkout(tmp_path: Path) -> None:
+    step = next(
+        each for each in read("action.yml")["runs"]["steps"] if "pip" in each.get("run", "")
+    )
+    assert step["working-directory"] == "${{ runner.temp }}"
+    (tmp_path / "pip.py").write_text("open('RAN', 'w')")
+    command = step["run"].replace("install", "--version").split("--quiet")[0]
+    assert "--version" in command
+    environment = {**os.environ, "PYTHONPATH": str(tmp_path)}
+    path = f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}"
+    result = subprocess.run(
+        ["bash", "-c", command], cwd=tmp_path, env={**environment, "PATH": path}, check=False,
+        capture_output=True, text=True,
+    )  # fmt: skip
+    assert result.stdout.startswith("pip ")
+    assert not (tmp_path / "RAN").exists()
+
+
 def test_the_action_refuses_to_check_nothing(robots: Path) -> None:
     result = run_action(robots, files="nothing/*.yaml")
     assert (result.returncode, result.stdout[:9]) == (2, "::error::")

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import io
+import json
 import logging
 import os
 import subprocess
 import sys
 import unicodedata
+import xml.etree.ElementTree as ET
 from pathlib import Path
 
 import pytest
@@ -338,3 +340,49 @@ def test_libraries_are_silent_while_an_untrusted_file_is_read(tmp_path: Path) ->
     )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, check=True)
     assert (done.stdout, done.stderr) == (b"result\n", b"printed \\x1b\nsaid \\x1b\n")
+
+
+@pytest.mark.parametrize(
+    ("pieces", "shown"),
+    [
+        (["::error::x"], ":\\x3aerror::x"),
+        (["a\n \t::error::x"], "a\n \t:\\x3aerror::x"),
+        ([":", ":error::x"], ":\\x3aerror::x"),
+        (["  ", "::error::x"], "  :\\x3aerror::x"),
+        (["a", "::error::x"], "a::error::x"),
+        (["a ##[error]x"], "a ##\\x5berror]x"),
+        (["###", "[error]x"], "###\\x5berror]x"),
+        (["##vs", "o[task]", "##[a]"], "##vso\\x5btask]##\\x5ba]"),
+        (["::", ":", "a::b"], ":\\x3a:a::b"),
+        (["x" * 1000 + "##", "[error]"], "x" * 1000 + "##\\x5berror]"),
+        (["a::b", "\n", "::c"], "a::b\n:\\x3ac"),
+        (["# text # [x] C++::f"], "# text # [x] C++::f"),
+    ],
+)
+def test_a_log_holds_no_commands_to_runners_of_ci(
+    pieces: list[str], shown: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    streams = Streams(quiet=False)
+    streams.divert()
+    try:
+        for piece in pieces:
+            sys.stdout.write(piece)
+    finally:
+        streams.restore()
+    assert capsys.readouterr().err == shown
+
+
+@pytest.mark.parametrize("form", ["json", "sarif", "junit"])
+def test_a_report_holds_no_commands_to_runners_of_ci(
+    form: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = tmp_path / "robot.yaml"
+    path.write_text("robot: r\nmodel:\n- \"$('##[error]')x##[b]\\n::error::y\":\n")
+    assert main(["check", str(path), "--format", form]) == 1
+    out = capsys.readouterr().out
+    assert "##[" not in out
+    assert not [line for line in out.splitlines() if line.lstrip().startswith("::")]
+    if form != "junit":
+        assert "##[error]" in json.dumps(json.loads(out))
+    else:
+        assert "##[error]" in "".join(ET.fromstring(out).itertext())

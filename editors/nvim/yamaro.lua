@@ -19,5 +19,7 @@ vim.filetype.add({
   },
 })
 vim.treesitter.language.register('yaml', 'yamaro')
-vim.lsp.config('yamaro', { cmd = { 'yamaro', 'lsp' }, filetypes = { 'yamaro' }, root_markers = { '.git' } })
+vim.env.NoDefaultCurrentDirectoryInExePath = '1' -- Windows would start a yamaro.exe of the working directory
+local yamaro = vim.fn.exepath('yamaro')
+vim.lsp.config('yamaro', { cmd = { yamaro ~= '' and yamaro or 'yamaro', 'lsp' }, filetypes = { 'yamaro' }, root_markers = { '.git' } })
 vim.lsp.enable('yamaro')

@@ -1,8 +1,9 @@
 """The command's standard streams: the one place that all its output passes.
 
 Standard output is kept for the result alone. All that is said to people goes to standard error
-with what controls a terminal escaped, wherever it comes from: messages, file names, what a program
-prints, the logs of libraries. A result is escaped only if standard output is a terminal.
+with what controls a terminal or a runner of CI escaped, wherever it comes from: messages, file
+names, what a program prints, the logs of libraries. A result is escaped only if standard output is
+a terminal.
 """
 
 from __future__ import annotations
@@ -22,6 +23,10 @@ XML, NAMES, BINARY = "xml", "names", "binary"
 XML, and is escaped in names of files; binary data is not for terminals."""
 
 
+MOST_KEPT = 200
+"""Characters of a line that is written in pieces which are kept."""
+
+
 class NotForTerminal(Exception):
     """A result that no terminal can show was to be written to one."""
 
@@ -36,7 +41,7 @@ class Streams:
         kept: what has to live as long as the streams do.
     """
 
-    __slots__ = ("_err", "_null", "_out", "kept", "quiet")
+    __slots__ = ("_err", "_line", "_null", "_out", "kept", "quiet")
 
     owns_process = False
     """Whether the process is there for this command alone."""
@@ -47,6 +52,7 @@ class Streams:
         self._out: TextIO | None = sys.stdout
         self._err: TextIO | None = sys.stderr
         self._null: TextIO | None = None
+        self._line = ""
         self.kept: list[object] = []
 
     def divert(self) -> None:
@@ -102,7 +108,10 @@ class Streams:
         encoding = self.result_encoding()
         for chunk in chunks:
             if isinstance(chunk, str):
-                yield _harmless(chunk, colored=True).encode(encoding, "backslashreplace")
+                text = _harmless(chunk, colored=True)
+                if not is_terminal:
+                    text = _unobeyed(text)
+                yield text.encode(encoding, "backslashreplace")
             elif not is_terminal:
                 yield chunk
             elif form == XML:
@@ -135,10 +144,21 @@ class Streams:
         """Write text over the line of the terminal in which the cursor is; "" clears it."""
         self._put(f"\r\x1b[K{_harmless(text)}")
 
+    def _logged(self, text: str) -> str:
+        """Return text for standard error that is no command to what reads a log of it."""
+        if self.is_terminal():
+            return text
+        shown = _unobeyed(text, self._line)
+        self._line = (self._line + text)[(self._line + text).rfind("\n") + 1 :]
+        if len(self._line) > MOST_KEPT:
+            self._line = f"… {self._line[-MOST_KEPT // 2 :]}"
+        return shown
+
     def _put(self, text: str) -> None:
         """Write text, which is escaped already, to standard error."""
         if self._err is None:
             return
+        text = self._logged(text)
         try:
             self._err.write(_encodable(text, self._err))
             self._err.flush()
@@ -223,6 +243,7 @@ class ProcessStreams(Streams):
         """Write text, which is escaped already, to standard error."""
         if self._err is None:
             return
+        text = self._logged(text)
         try:
             if not self.quiet:
                 self._err.flush()
@@ -267,6 +288,12 @@ def _harmless(text: str, *, colored: bool = False) -> str:
     from .terminal import harmless
 
     return harmless(text, colored=colored)
+
+
+def _unobeyed(text: str, line: str = "") -> str:
+    from .terminal import unobeyed
+
+    return unobeyed(text, line)
 
 
 def _decoded(chunk: bytes) -> str:

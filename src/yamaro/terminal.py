@@ -53,6 +53,30 @@ def harmless_xml(text: str) -> str:
     return "\n".join(map(_harmless_xml_line, text.split("\n")))
 
 
+def unobeyed(text: str, line: str = "") -> str:
+    """Return lines of text in which nothing is a command to what runs jobs of CI.
+
+    GitHub's runner obeys lines that begin with `::` after any space, and `##[` anywhere; others
+    obey `##vso[` and `##teamcity[`. The last character of these is escaped.
+
+    Args:
+        text: the text.
+        line: what is in its first line already.
+    """
+    both = line + text
+    if "::" not in both and "##" not in both:
+        return text
+    import re
+
+    pieces, at = [], len(line)
+    for found in re.finditer(r"^[^\S\n]*::|##\w*\[", both, re.MULTILINE):
+        last = found.end() - 1
+        if last >= at:  # else it has been written, escaped
+            pieces += [both[at:last], _escape(both[last])]
+            at = last + 1
+    return "".join(pieces) + both[at:]
+
+
 def width(text: str) -> int:
     """Return how many terminal cells a printable text takes, a tab counted as one."""
     if text.isascii():

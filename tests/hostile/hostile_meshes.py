@@ -103,9 +103,11 @@ def model(objects: str, *items: str, head: str = "") -> str:
     )
 
 
-def threemf(text: str, others: dict[str, bytes] | None = None) -> bytes:
+def threemf(
+    text: str, others: dict[str, bytes] | None = None, method: int = zipfile.ZIP_DEFLATED
+) -> bytes:
     data = io.BytesIO()
-    with zipfile.ZipFile(data, "w", zipfile.ZIP_DEFLATED) as archive:
+    with zipfile.ZipFile(data, "w", method) as archive:
         archive.writestr("3D/3dmodel.model", text)
         for name, content in (others or {}).items():
             archive.writestr(name, content)
@@ -132,6 +134,8 @@ refuse("components in a circle.3mf",
 refuse("an object built often.3mf", threemf(model("", *["1"] * 20_000)), "10,000 bodies")
 refuse("gigabytes in an archive.3mf", with_size(OK_3MF, 1 << 30), "unpacked it is larger")
 refuse("a size that lies.3mf", with_size(OK_3MF, 10), "not a ZIP archive")
+refuse("another compression.3mf", threemf(model("", "1"), method=zipfile.ZIP_BZIP2),
+       "in a way that 3MF does not have")  # fmt: skip
 refuse("thousands of files.3mf", threemf(model("", "1"), {f"{i}": b"" for i in range(2_000)}),
        "1,000 files")  # fmt: skip
 refuse("a document type.3mf", threemf(model("", "1", head="<!DOCTYPE m>")), DOCTYPE)

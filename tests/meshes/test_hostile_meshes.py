@@ -2,13 +2,18 @@
 
 from __future__ import annotations
 
+import json
 import os
+import struct
 import subprocess
 import sys
+import tracemalloc
 from pathlib import Path
+from zlib import crc32
 
 import pytest
 
+from tests.counting import calls_of
 from tests.hostile.hostile_meshes import (
     HARMLESS,
     HOSTILE,
@@ -18,11 +23,14 @@ from tests.hostile.hostile_meshes import (
     TEXTURED_OBJ,
     TEXTURES,
     gltf,
+    model,
     textured_gltf,
+    threemf,
 )
 from yamaro.files.readable import Reach
 from yamaro.meshes.answers import read_packed, unpacked
 from yamaro.meshes.formats import MeshFileError
+from yamaro.meshes.library import read_bodies
 from yamaro.meshes.surfaces import MeshSurfaces
 from yamaro.meshes.triangles import read_mesh
 
@@ -72,6 +80,36 @@ def test_a_mesh_near_the_hostile_ones_is_read(name: str, data: bytes, folder: Pa
     (folder / name).write_bytes(data)
     (surface,) = surfaces(folder / name)
     assert len(surface.triangles) == 1
+
+
+def test_an_archive_is_unpacked_no_further_than_it_says() -> None:
+    text = model("", "1").encode()
+    data = bytearray(threemf((text + b" " * (200 << 20)).decode()))
+    for mark, at in ((b"PK\1\2", 16), (b"PK\3\4", 14)):  # the checksum is that of the beginning
+        place = data.rindex(mark) + at
+        data[place : place + 4] = struct.pack("<I", crc32(text))
+        data[place + 8 : place + 12] = struct.pack("<I", len(text))
+    read_bodies(OK_3MF, "3mf", "", None)  # what has to be imported is, then
+    tracemalloc.start()
+    try:
+        (body,) = read_bodies(bytes(data), "3mf", "", None)
+        assert tracemalloc.get_traced_memory()[1] < 20 << 20
+    finally:
+        tracemalloc.stop()
+    assert len(body.triangles) == 1
+
+
+def test_bodies_in_a_chain_are_placed_in_linear_time() -> None:
+    def calls(count: int) -> int:
+        nodes = [{"mesh": 0, "children": [i + 1]} for i in range(count)] + [{"mesh": 0}]
+        document = json.loads(gltf())
+        document |= {"nodes": nodes, "scenes": [{"nodes": [0]}]}
+        data = json.dumps(document).encode()
+        assert len(read_bodies(data, "gltf", "x.gltf", None)) == count + 1
+        return calls_of(lambda: read_bodies(data, "gltf", "x.gltf", None))
+
+    few, many = calls(20), calls(200)
+    assert many < 11 * few
 
 
 @pytest.mark.parametrize("name", TEXTURES)

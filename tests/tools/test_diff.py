@@ -481,3 +481,46 @@ def test_git_diff_goes_on_where_a_robot_has_errors(repository: Path) -> None:
     assert "-</robot>\n" in done.stdout
     assert "2 → 3 rad/s" in done.stdout
     assert "yamaro diff: a.urdf is compared as text: " in done.stderr
+
+
+@needs_git
+@pytest.mark.skipif(os.name == "nt", reason="the programs are scripts of a shell")
+def test_a_repository_starts_no_programs(
+    repository: Path, capsys: pytest.CaptureFixture[str], tmp_path_factory: pytest.TempPathFactory
+) -> None:
+    for text in (ARM, changed(('mass value="', 'mass value="1'))):
+        Path("arm.urdf").write_text(text)
+        Path(".gitattributes").write_text("*.urdf diff=evil filter=evil\n")
+        commit()
+    ran = tmp_path_factory.mktemp("ran")
+    evil = ran / "evil.sh"
+    evil.write_text(f"#!/bin/sh\necho $0 $@ >> {ran}/RAN\nexit 1\n")
+    evil.chmod(0o755)
+    for hook in ("post-index-change", "pre-auto-gc", "reference-transaction", "fsmonitor-watchman"):
+        shutil.copy(evil, repository / ".git" / "hooks" / hook)
+    for name in (
+        *("core.fsmonitor", "core.sshCommand", "core.gitProxy", "core.askPass", "core.pager"),
+        *("core.editor", "diff.external", "diff.evil.command", "diff.evil.textconv", "gpg.program"),
+        *("filter.evil.smudge", "filter.evil.clean", "filter.evil.process", "alias.ls-tree"),
+        *("alias.cat-file", "credential.helper", "pager.rev-list", "remote.origin.uploadpack"),
+        *("core.alternateRefsCommand", "uploadpack.packObjectsHook", "sequence.editor"),
+    ):
+        git("config", name, f"{evil}")
+    for name, value in (
+        ("core.fsmonitorHookVersion", "2"),
+        ("remote.origin.url", str(repository)),
+        ("remote.origin.promisor", "true"),
+        ("remote.origin.partialclonefilter", "blob:none"),
+        ("extensions.partialClone", "origin"),
+        ("core.repositoryformatversion", "1"),
+    ):
+        git("config", name, value)
+    (ran / "RAN").unlink(missing_ok=True)
+    status, _, err = outcome(capsys, "HEAD~:arm.urdf", "arm.urdf")
+    assert status == 1, err
+    assert outcome(capsys, ":arm.urdf", "HEAD~:arm.urdf")[0] == 1
+    blob = git("rev-parse", "HEAD~:arm.urdf").strip()
+    (repository / ".git" / "objects" / blob[:2] / blob[2:]).unlink()
+    (ran / "RAN").unlink(missing_ok=True)
+    assert outcome(capsys, "HEAD~:arm.urdf", "arm.urdf")[0] == 2  # and it is not fetched
+    assert not (ran / "RAN").exists()

@@ -4,6 +4,7 @@ const path = require("node:path");
 const { execFile } = require("node:child_process");
 const vscode = require("vscode");
 const { LanguageClient } = require("vscode-languageclient/node");
+const { findProgram } = require("./command.js");
 const { RobotView } = require("./view.js");
 
 const IS_ROBOT = /^(robot|model)\s*[:/]/m;
@@ -16,20 +17,26 @@ let output;
 
 const settings = () => vscode.workspace.getConfiguration("yamaro");
 
-/** Return the yamaro command: the setting, the workspace's own if it is trusted, or that on PATH. */
+/** Return the path of yamaro: the setting, the workspace's own if it is trusted, or that on PATH. */
 function command() {
   const set = settings().get("path");
-  if (set) return set;
+  if (set) return found(set);
   if (vscode.workspace.isTrusted) {
     const inside = process.platform === "win32" ? ["Scripts", "yamaro.exe"] : ["bin", "yamaro"];
     for (const folder of vscode.workspace.workspaceFolders ?? []) {
       for (const environment of [".venv", "venv"]) {
-        const found = path.join(folder.uri.fsPath, environment, ...inside);
-        if (existsSync(found)) return found;
+        const own = path.join(folder.uri.fsPath, environment, ...inside);
+        if (existsSync(own)) return own;
       }
     }
   }
-  return "yamaro";
+  return found("yamaro");
+}
+
+function found(name) {
+  const program = findProgram(name);
+  if (!program) throw new Error(`'${name}' is not on PATH`);
+  return program;
 }
 
 function options() {
@@ -44,10 +51,29 @@ function options() {
 }
 
 async function start() {
-  client = new LanguageClient(
+  try {
+    client = clientOf(command());
+    await client.start();
+  } catch (error) {
+    output.appendLine(String(error));
+    const install = "Install in a Terminal";
+    const name = settings().get("path") || "yamaro";
+    const answer = await vscode.window.showErrorMessage(`yamaro cannot be started: '${name}'`, install, "Settings");
+    if (answer === install) {
+      const terminal = vscode.window.createTerminal("yamaro");
+      terminal.show();
+      terminal.sendText("pip install yamaro", false);
+    } else if (answer === "Settings") {
+      await vscode.commands.executeCommand("workbench.action.openSettings", "yamaro.path");
+    }
+  }
+}
+
+function clientOf(program) {
+  return new LanguageClient(
     "yamaro",
     "Yamaro",
-    { command: command(), args: ["lsp"], options: {} },
+    { command: program, args: ["lsp"], options: {} },
     {
       documentSelector: [
         { scheme: "file", language: "yamaro" },
@@ -61,20 +87,6 @@ async function start() {
       },
     },
   );
-  try {
-    await client.start();
-  } catch (error) {
-    output.appendLine(String(error));
-    const install = "Install in a Terminal";
-    const answer = await vscode.window.showErrorMessage(`yamaro cannot be started: '${command()}'`, install, "Settings");
-    if (answer === install) {
-      const terminal = vscode.window.createTerminal("yamaro");
-      terminal.show();
-      terminal.sendText("pip install yamaro", false);
-    } else if (answer === "Settings") {
-      await vscode.commands.executeCommand("workbench.action.openSettings", "yamaro.path");
-    }
-  }
 }
 
 async function restart() {

@@ -19,7 +19,9 @@ MOST_PLACED = 10_000
 """Bodies that a file may place, each as often as it is placed."""
 MOST_BYTES_PLACED = 512 << 20
 """Bytes of the descriptions of those bodies, each counted as often as it is placed."""
-MOST_CORNERS_SORTED = 200_000_000
+BODY = 5_000
+"""Corners whose reading takes as long as making a body of them."""
+MOST_CORNERS_SORTED = 100_000_000
 """Corners of an OBJ, times its materials."""
 MOST_NAMES = 256
 """Other files that a mesh or material may name."""
@@ -126,7 +128,9 @@ def _inside(body: Body, known: dict[str, list[Body]]) -> list[Body]:
 def _check_obj(data: bytes) -> list[str]:
     """Return the names after `mtllib`."""
     materials = _lines_after(data, b"usemtl", MOST_PLACED)
-    if len(materials) * data.count(b"v ") > MOST_CORNERS_SORTED:  # the library sorts them for each
+    # The library sorts the corners for each, and makes a body of it.
+    work = len(materials) * (data.count(b"v ") + BODY)
+    if len(materials) >= MOST_PLACED or work > MOST_CORNERS_SORTED:
         raise MeshFileError("it has too many materials")
     names = _lines_after(data, b"mtllib", MOST_NAMES)
     return [name.decode("utf-8", "replace") for name in names]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from .bounds import MOST_NAMES, MOST_PLACED
+from .bounds import BODY, MOST_NAMES, MOST_PLACED
 from .formats import MeshFileError
 
 TYPE_CHECKING = False
@@ -87,7 +87,8 @@ def _check_numbers(document: dict[str, Any]) -> None:
     placed = [node["mesh"] for node in _list(document, "nodes") if "mesh" in node]
     if max(sum(bodies), sum(_index(each, bodies) for each in placed)) > MOST_PLACED:
         raise MeshFileError(f"it places more than {MOST_PLACED:,} bodies")
-    if sum(sizes) + sum(_index(each, sizes) for each in placed) > MOST_NUMBERS:
+    uses = BODY * sum(_index(each, bodies) for each in placed)
+    if uses + sum(sizes) + sum(_index(each, sizes) for each in placed) > MOST_NUMBERS:
         raise MeshFileError("its accessors have too many items")
 
 

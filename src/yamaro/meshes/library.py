@@ -21,10 +21,12 @@ from .formats import (
     IMAGE_FORMATS,
     LARGEST_FILE,
     OBJ,
+    THREEMF,
     MeshFileError,
     MissingLibraryError,
     image_format,
 )
+from .xml_bounds import stored_threemf
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
@@ -97,6 +99,8 @@ def read_bodies(
             import trimesh  # noqa: F401 - that it is missing comes first
 
             check_bounds(data, kind)
+            if kind == THREEMF:
+                data = stored_threemf(data)
             bodies = _read(data, kind, companions, has_colors)
             if refused is not None:
                 refused += companions.refused
@@ -122,7 +126,7 @@ def _read(data: bytes, kind: str, companions: Companions, has_colors: bool) -> l
     factor = _metres(scene)
     bodies: list[Body] = []
     triangles = 0
-    for T_file_body, name in map(scene.graph.get, scene.graph.nodes_geometry):
+    for T_file_body, name in _placed(scene.graph):
         mesh = scene.geometry[name]
         if not isinstance(mesh, trimesh.Trimesh):
             continue
@@ -135,6 +139,25 @@ def _read(data: bytes, kind: str, companions: Companions, has_colors: bool) -> l
         check_corners(body.triangles, len(body.points))
         bodies.append(body)
     return bodies
+
+
+def _placed(graph: Any) -> Iterator[tuple[Floats, str]]:
+    """Yield where geometries are in the file, each with its name.
+
+    As `SceneGraph.get` does, which walks up to the root for each: that is quadratic in a chain.
+    """
+    parents = graph.transforms.parents
+    known: dict[Any, Floats] = {graph.base_frame: np.eye(4)}
+    for node in graph.nodes_geometry:
+        way = []
+        at = node
+        while at not in known:
+            way.append(at)
+            at = parents[at]
+        for each in reversed(way):
+            T_parent_each, _ = graph.get(each, parents[each])
+            known[each] = known[parents[each]] @ T_parent_each
+        yield known[node], graph.transforms.node_data[node]["geometry"]
 
 
 def check_corners(triangles: Whole, count: int) -> None:

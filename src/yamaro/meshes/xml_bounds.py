@@ -11,11 +11,13 @@ from .formats import LARGEST_FILE, MeshFileError
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable
     from typing import Any
+    from zipfile import ZipFile, ZipInfo
 
 DEEPEST = 200
 """Elements in one another."""
+_TOO_LARGE = f"unpacked it is larger than {LARGEST_FILE >> 20} MB"
+_PIECE = 1 << 20
 MOST_ENTRIES = 1_000
 """Files in an archive."""
 _ENCODINGS = frozenset(("utf-8", "utf-16", "us-ascii", "ascii", "iso-8859-1", "windows-1252"))
@@ -173,10 +175,58 @@ def check_collada(data: bytes) -> list[str]:
     return [name for name in dict.fromkeys(reader.names) if name]
 
 
+def _broken() -> tuple[type[Exception], ...]:
+    """Return what is raised for an archive that is broken; zlib and zipfile take time to load."""
+    from zipfile import BadZipFile, LargeZipFile
+    from zlib import error
+
+    unusual = (NotImplementedError, RuntimeError, EOFError, KeyError, ValueError, OSError)
+    return (BadZipFile, LargeZipFile, error, *unusual)
+
+
+def stored_threemf(data: bytes) -> bytes:
+    """Return a 3MF archive with its models and relations, which are not compressed.
+
+    A library unpacks an entry whole, and finds out afterwards that it is larger than it says.
+
+    Raises:
+        MeshFileError: it is broken, or larger than a file may be.
+    """
+    from io import BytesIO
+    from zipfile import ZipFile
+
+    stored, size = BytesIO(), 0
+    try:
+        with ZipFile(BytesIO(data)) as archive, ZipFile(stored, "w") as copy:
+            named = {each.filename: each for each in archive.infolist()}
+            for name, entry in named.items():
+                if name.endswith((".model", ".rels")):
+                    content = _entry(archive, entry)
+                    size += len(content)
+                    if size > LARGEST_FILE:
+                        raise MeshFileError(_TOO_LARGE)
+                    copy.writestr(name, content)
+    except _broken() as error:
+        raise MeshFileError(f"it is not a ZIP archive: {error}") from None
+    return stored.getvalue()
+
+
+def _entry(archive: ZipFile, entry: ZipInfo) -> bytes:
+    """Return the content of an entry, which is unpacked by pieces up to the size it says."""
+    from zipfile import ZIP_DEFLATED, ZIP_STORED
+
+    if entry.compress_type not in (ZIP_STORED, ZIP_DEFLATED):  # others are not unpacked by pieces
+        raise MeshFileError("its archive is compressed in a way that 3MF does not have")
+    if entry.file_size > LARGEST_FILE:
+        raise MeshFileError(_TOO_LARGE)
+    with archive.open(entry) as file:
+        return b"".join(iter(lambda: file.read(_PIECE), b""))
+
+
 def check_threemf(data: bytes) -> list[str]:
     """Raise MeshFileError if a 3MF archive or a model in it is out of bounds."""
     from io import BytesIO
-    from zipfile import BadZipFile, LargeZipFile, ZipFile
+    from zipfile import ZipFile
 
     try:
         with ZipFile(BytesIO(data)) as archive:
@@ -184,19 +234,16 @@ def check_threemf(data: bytes) -> list[str]:
             if len(entries) > MOST_ENTRIES:
                 raise MeshFileError(f"it holds more than {MOST_ENTRIES:,} files")
             if sum(entry.file_size for entry in entries) > LARGEST_FILE:
-                raise MeshFileError(f"unpacked it is larger than {LARGEST_FILE >> 20} MB")
-            read: Callable[[str], bytes] = archive.read
+                raise MeshFileError(_TOO_LARGE)
             models = [each.filename for each in entries if each.filename.endswith(".model")]
             objects: dict[str, list[Body]] = {}
             readers = [_Model(name, objects) for name in dict.fromkeys(models)]
             for name, reader in zip(dict.fromkeys(models), readers, strict=True):
-                reader.read(read(name))
+                reader.read(_entry(archive, archive.getinfo(name)))
             check_placed([reader.build for reader in readers], objects)
             check_placed((each for found in objects.values() for each in found), objects)
-    except (BadZipFile, LargeZipFile, NotImplementedError, RuntimeError, EOFError) as error:
+    except _broken() as error:
         raise MeshFileError(f"it is not a ZIP archive: {error}") from None
-    except (KeyError, ValueError, OSError) as error:
-        raise MeshFileError(f"its archive is broken: {error}") from None
     if not models:
         raise MeshFileError("it holds no model")
     return []

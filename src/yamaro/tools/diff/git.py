@@ -1,8 +1,8 @@
 """Reads files out of git: those of a revision, without touching the working tree.
 
-Git is only asked to list and to give what is stored. It runs no hook and no filter for that, and
-writes nothing. A tree is written to a temporary folder, where includes, packages and meshes are
-found as in a checkout.
+Git is only asked to list and to give what is stored. It runs no hook, no filter and no program that
+the repository's configuration names, and writes nothing. A tree is written to a temporary folder,
+where includes, packages and meshes are found as in a checkout.
 """
 
 from __future__ import annotations
@@ -11,10 +11,26 @@ import os
 import subprocess
 import tempfile
 
+from ...files.programs import find_program
+
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import IO
 
+_SETTINGS = (
+    "core.fsmonitor=false",
+    f"core.hooksPath={os.devnull}",
+    "core.sshCommand=false",
+    "core.askPass=",
+    "core.gitProxy=",
+    "credential.helper=",
+    "diff.external=",
+    "gc.auto=0",
+    "maintenance.auto=false",
+    "protocol.allow=never",
+    "safe.bareRepository=explicit",
+)
+"""What overrides the configuration of a repository, which may name programs to run."""
 MOST_BYTES = 2 << 30
 """The bytes that the files of one revision may have."""
 _FILE, _PROGRAM, _LINK = "100644", "100755", "120000"
@@ -57,14 +73,13 @@ class Repository:
         """Return what git writes; raise GitError if it fails."""
         try:
             done = subprocess.run(
-                ["git", "-C", self._folder, "--no-optional-locks", "--literal-pathspecs", *words],
+                _git(self._folder, *words),
                 input=data,
                 stdin=subprocess.DEVNULL if data is None else None,
                 capture_output=True,
                 check=False,
+                env=_environment(),
             )
-        except FileNotFoundError:
-            raise GitError("git is not installed") from None
         except (OSError, ValueError) as error:
             raise GitError(f"git cannot be run: {error}") from None
         if done.returncode:
@@ -157,6 +172,21 @@ class Repository:
             _make_link(target, path, folder)
 
 
+def _git(folder: str, *words: str) -> list[str]:
+    """Return a command of git; raise GitError if that is not installed."""
+    program = find_program("git")
+    if program is None:
+        raise GitError("git is not installed")
+    settings = [word for each in _SETTINGS for word in ("-c", each)]
+    options = ("--no-pager", "--no-optional-locks", "--literal-pathspecs")
+    return [program, "-C", folder, *options, *settings, *words]
+
+
+def _environment() -> dict[str, str]:
+    """Return variables with which git fetches nothing that is missing: that may start programs."""
+    return {**os.environ, "GIT_ALLOW_PROTOCOL": "none", "GIT_NO_LAZY_FETCH": "1"}
+
+
 class _Blobs:
     """Gives the content of files, from one process of git."""
 
@@ -166,10 +196,11 @@ class _Blobs:
 
     def __enter__(self) -> _Blobs:
         self._process = subprocess.Popen(
-            ["git", "-C", self._folder, "cat-file", "--batch"],
+            _git(self._folder, "cat-file", "--batch"),
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
             stderr=subprocess.DEVNULL,
+            env=_environment(),
         )
         return self
 

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import os
 import shlex
-import shutil
 import subprocess
+
+from ...files.programs import find_program
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -71,10 +72,14 @@ class Editor:
 
     def open(self, path: str, line: int, column: int) -> None:
         """Open a place, and do not wait for the editor; raise OSError if it cannot be started."""
+        program, *rest = self.words(path, line, column)
+        found = find_program(program)
+        if found is None:
+            raise FileNotFoundError(2, os.strerror(2), program)
         self._running = [each for each in self._running if each.poll() is None]
         self._running.append(
             subprocess.Popen(
-                self.words(path, line, column),
+                [found, *rest],
                 stdin=subprocess.DEVNULL,
                 stdout=subprocess.DEVNULL,
                 stderr=subprocess.DEVNULL,
@@ -107,7 +112,7 @@ def find_editor(command: str | None, environ: Mapping[str, str]) -> Editor | Non
         if words and _program(words[0]) in _PLACE_FORMS and _has_window(words):
             return Editor(words)
     for name in SEARCHED:
-        if shutil.which(name, path=environ.get("PATH")):
+        if find_program(name, environ.get("PATH", "")):
             return Editor([name])
     return None
 
