@@ -145,7 +145,7 @@ class Streams:
         self._put(f"\r\x1b[K{_harmless(text)}")
 
     def _logged(self, text: str) -> str:
-        """Return text for standard error that is no command to what reads a log of it."""
+        """Return text for standard error that is not a command to what reads a log of it."""
         if self.is_terminal():
             return text
         shown = _unobeyed(text, self._line)
