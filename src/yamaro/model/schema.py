@@ -518,9 +518,16 @@ def joint_type_meant(word: str) -> str | None:
     return OTHER_JOINT_TYPES.get(word.lower()) or suggest(word, JOINT_TYPES)
 
 
+_SEVERAL_AXES = {"ball": "three", "spherical": "three", "universal": "two"}
+"""Joints about several axes, of which URDF has none, and the number of the axes."""
+
+
 def joint_type_hint(word: str) -> str:
     """Return the hint for `word`, which is not a type of joint: which type may be meant."""
     other = OTHER_JOINT_TYPES.get(word.lower())
     if other is not None:
         return f"URDF calls it '{other}'"
+    axes = _SEVERAL_AXES.get(word.lower())
+    if axes is not None:
+        return f"URDF has no such joint: chain {axes} revolute joints at one point"
     return did_you_mean(word, JOINT_TYPES) or f"the types are {', '.join(JOINT_TYPES)}"
