@@ -15,8 +15,8 @@ from tests.xacro.xacro_host import MemoryHost
 from yamaro.diagnostics import Reporter, YamaroError
 from yamaro.source import Source
 from yamaro.xacro.expansion import expand
-from yamaro.xacro.literals import guess_value, is_property_name
-from yamaro.xacro.parameters import parse_parameters
+from yamaro.xacro.statements import parse_parameters
+from yamaro.xacro.templates import guess_value, is_property_name
 from yamaro.xml.tree import Element
 
 xacro: Any = pytest.importorskip("xacro")

@@ -14,8 +14,8 @@ from yamaro.policy import Limits
 from yamaro.rendering import trace_lines
 from yamaro.sandbox.deep_stack import run_on_deep_stack
 from yamaro.source import Source
+from yamaro.xacro.evaluator import Python
 from yamaro.xacro.expansion import expand
-from yamaro.xacro.python import Python
 from yamaro.xml.tree import Element
 from yamaro.xml.writer import write
 

@@ -4,11 +4,9 @@ from __future__ import annotations
 
 from ..diagnostics import Meant, YamaroError, did_you_mean, failure, suggest
 from ..xml.tree import Element
-from .definitions import assign
-from .namespaces import lift_prefixes
-from .scope import Macro, Macros, Scope
-from .site import Site
+from .scope import Macro, Macros, Scope, Site, assign
 from .statements import PREFIX
+from .tidying import lift_prefixes
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -16,8 +14,8 @@ if TYPE_CHECKING:
 
     from ..xml.tree import Node
     from .expansion import Expansion
-    from .parameters import Parameter
     from .places import XacroPlace
+    from .statements import Parameter
 
 
 def call_macro(expansion: Expansion, node: Element, site: Site) -> None:

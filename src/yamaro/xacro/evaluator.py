@@ -2,28 +2,57 @@
 
 from __future__ import annotations
 
+import builtins
+import math
 import os
 import re
+from keyword import iskeyword
 
 from ..diagnostics import Frame, InputFault, YamaroError, did_you_mean, failure
 from ..source import Span
+from ..syntax.powers import compile_bounded
+from ..yaml.builder import UNITS
 from .faults import Fault, add_trace
-from .literals import guess_value
 from .places import XacroPlace
-from .scope import Lazy, Scope
-from .substitutions import substitute
-from .symbols import predefined
-from .templates import Expression, Substitution, Template, parse_template
+from .scope import Lazy, Names, Scope
+from .templates import Expression, Substitution, Template, guess_value, parse_template, substitute
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Mapping
-    from typing import Any, NoReturn
+    from collections.abc import Callable, Iterator, Mapping
+    from types import CodeType
+    from typing import Any, NoReturn, Protocol
 
     from ..diagnostics import Reporter
     from ..fixes import Fix
+    from ..policy import Limits
     from .host import Host
-    from .python import Python
+    from .templates import EvalNames
+
+    class Actions(Protocol):
+        """What the functions of the namespace `xacro` do."""
+
+        def load_yaml(self, filename: str) -> Any:
+            """Return what a YAML file holds."""
+
+        def abs_filename(self, filename: str) -> str:
+            """Return a path that is relative to the file being read."""
+
+        def argument(self, name: str) -> str:
+            """Return an argument of the file."""
+
+        def tell(self, kind: str, text: str) -> None:
+            """Show a message, a warning or an error."""
+
+        def tell_location(self) -> None:
+            """Show which macros and files led here."""
+
+        def give_up(self, text: str) -> Any:
+            """Raise an error."""
+
+        def tell_deprecated(self, name: str, replacement: str) -> None:
+            """Warn of a name that is going out of use."""
+
 
 MOST_NOTES = 6
 """How many uses of properties by other properties an error shows."""
@@ -255,8 +284,6 @@ class XacroEvaluator:
         """Return what a YAML file holds."""
         from yaml import YAMLError
 
-        from .yaml_values import parse_yaml
-
         path = self.abs_filename(filename)
         source = self.host.read(path, self._here())
         try:
@@ -335,3 +362,239 @@ def _described(error: Exception) -> str:
         text = ""
     kind = type(error).__name__
     return f"{text} ({kind})" if text else kind
+
+
+# --- evaluates Python in xacro files: the only module that calls `eval` for them --------------
+
+
+_TRUTHS = ("True", "False")  # words of Python and predefined names alike
+
+
+class Python:
+    """Evaluates expressions, each of which is compiled once."""
+
+    __slots__ = ("_codes", "_limits")
+
+    def __init__(self, limits: Limits) -> None:
+        self._limits = limits
+        self._codes: dict[str, str | CodeType] = {}
+
+    def evaluate(self, text: str, names: dict[str, Any]) -> Any:
+        """Return the value of an expression; `names` has no `__builtins__` but its own.
+
+        Raises:
+            Fault: the text uses names that begin with `__`.
+            Exception: whatever Python raises.
+        """
+        code = self._codes.get(text)
+        if code is None:
+            code = self._codes[text] = self._compile(text)
+        if type(code) is str:
+            try:
+                return names[code]
+            except KeyError:
+                raise NameError(f"name '{code}' is not defined", name=code) from None
+        return eval(code, names)
+
+    def evaluate_in(self, text: str, names: EvalNames) -> Any:
+        """Return the value of what follows `$(eval`; raises what `evaluate` raises."""
+        if "__" in text:
+            at = text.find("__")
+            raise Fault(
+                "xacro-unsafe",
+                "what follows $(eval must not have '__' in it",
+                start=at,
+                end=at + 2,
+            )
+        code = compile_bounded(text, "<expression>", "eval", self._limits)
+        return eval(code, {"__builtins__": {}}, names)  # type: ignore[arg-type]
+
+    def _compile(self, text: str) -> str | CodeType:
+        """Return code, or the name that is all of the expression."""
+        stripped = text.strip()
+        if is_plain_name(stripped):
+            return stripped
+        code = compile_bounded(stripped, "<expression>", "eval", self._limits)
+        for name in _names_in(code):
+            if name.startswith("__"):
+                start = max(text.find(name), 0)
+                raise Fault(
+                    "xacro-unsafe",
+                    f"'{name}' begins with '__', which xacro does not allow",
+                    start=start,
+                    end=start + len(name),
+                )
+        return code
+
+
+def is_plain_name(text: str) -> bool:
+    """Return whether an expression is a name, and no word of Python."""
+    if not text.isidentifier() or not text.isascii() or text.startswith("__"):
+        return False
+    return text in _TRUTHS or not iskeyword(text)
+
+
+def _names_in(code: CodeType) -> Iterator[str]:
+    """Return the names that code uses, with that of the functions in it."""
+    yield from code.co_names
+    for constant in code.co_consts:
+        if isinstance(constant, type(code)):
+            yield from _names_in(constant)
+
+
+# --- the names that every expression of a xacro file sees -------------------------------------
+
+
+_EVERYWHERE = (
+    "list dict map len str float int bool True False min max round".split()  # in xacro's order
+)
+_IN_PYTHON = (
+    "abs all any complex divmod enumerate filter frozenset hash isinstance issubclass ord repr "
+    "reversed slice set sum tuple type vars zip sorted range"
+).split()
+_DEPRECATED = ("sorted", "range")
+
+
+def predefined(actions: Actions) -> dict[str, Any]:
+    """Return the names, most of them in the namespaces math, python and xacro as well."""
+    mathematics = {name: value for name, value in vars(math).items() if name[0] != "_"}
+    python: dict[str, Any] = {
+        name: getattr(builtins, name, None) for name in _EVERYWHERE + _IN_PYTHON
+    }
+    python["True"], python["False"] = True, False
+    own = _functions(actions)
+    names: dict[str, Any] = {"__builtins__": {}}
+    names.update({name: python[name] for name in _EVERYWHERE})
+    names.update(mathematics)
+    for name in _DEPRECATED:
+        names[name] = _deprecated(python[name], name, f"python.{name}", actions)
+    for name in ("load_yaml", "abs_filename", "dotify"):
+        names[name] = _deprecated(own[name], name, f"xacro.{name}", actions)
+    names.update(math=Names(mathematics), python=Names(python), xacro=Names(own))
+    return names
+
+
+def _deprecated(
+    function: Callable[..., Any], name: str, replacement: str, actions: Actions
+) -> Callable[..., Any]:
+    def call(*args: Any, **keywords: Any) -> Any:
+        actions.tell_deprecated(name, replacement)
+        return function(*args, **keywords)
+
+    return call
+
+
+def _functions(actions: Actions) -> dict[str, Any]:
+    def teller(kind: str, with_location: bool) -> Callable[..., str]:
+        def tell(*args: Any, print_location: bool = with_location, **_style: Any) -> str:
+            actions.tell(kind, " ".join(map(str, args)))
+            if print_location:
+                actions.tell_location()
+            return ""
+
+        return tell
+
+    def print_location() -> str:
+        actions.tell_location()
+        return ""
+
+    def fatal(*args: Any) -> Any:
+        return actions.give_up(" ".join(map(str, args)))
+
+    return {
+        "load_yaml": actions.load_yaml,
+        "abs_filename": actions.abs_filename,
+        "arg": actions.argument,
+        "dotify": YamlDict,
+        "tokenize": tokenize,
+        "message": teller("message", False),
+        "warning": teller("warning", True),
+        "error": teller("error", True),
+        "print_location": print_location,
+        "fatal": fatal,
+    }
+
+
+def tokenize(s: str, sep: str = ",; ", skip_empty: bool = True) -> list[str]:
+    """Return a text split at each of the characters `sep`; the names are those of xacro."""
+    import re
+
+    words = re.split(f"[{sep}]", s)
+    return [word for word in words if word] if skip_empty else words
+
+
+# --- yaml values ------------------------------------------------------------------------------
+
+
+class YamlList(list["Any"]):
+    """A list that gives out lists and dicts as `with_dots` returns them."""
+
+    __slots__ = ()
+
+    def __getitem__(self, index: Any) -> Any:
+        return with_dots(list.__getitem__(self, index))
+
+    def __iter__(self) -> Iterator[Any]:
+        return map(with_dots, list.__iter__(self))
+
+
+class YamlDict(dict["Any", "Any"]):
+    """A dict whose values can be read as attributes."""
+
+    __slots__ = ()
+
+    def __getattr__(self, key: str) -> Any:
+        return self[key]
+
+    def __getitem__(self, key: Any) -> Any:
+        try:
+            return with_dots(dict.__getitem__(self, key))
+        except KeyError:
+            raise AttributeError(f"the YAML dictionary has no key '{key}'") from None
+
+
+def with_dots(value: Any) -> Any:
+    """Return a list or dict as one that can be read with dots; all else as it is."""
+    if isinstance(value, dict):
+        return YamlDict(value)
+    if isinstance(value, list):
+        return YamlList(value)
+    return value
+
+
+def parse_yaml(text: str, evaluate: Callable[[str], Any]) -> Any:
+    """Return what a YAML file holds.
+
+    Args:
+        text: its content.
+        evaluate: returns the value of an expression, for numbers with a unit.
+
+    Raises:
+        yaml.YAMLError: the text is not YAML.
+        Exception: whatever `evaluate` raises.
+    """
+    import yaml
+
+    quick: Any = getattr(yaml, "CSafeLoader", None)
+    if quick is not None:
+        try:
+            return with_dots(_load(text, quick, evaluate))
+        except yaml.YAMLError:
+            pass  # what libyaml does not read, or says worse
+    return with_dots(_load(text, yaml.SafeLoader, evaluate))
+
+
+def _load(text: str, base: Any, evaluate: Callable[[str], Any]) -> Any:
+    def convert(loader: Any, node: Any) -> float:
+        return float(evaluate(loader.construct_scalar(node))) * UNITS[node.tag]
+
+    class Loader(base):  # type: ignore[misc]  # constructors are kept by class
+        pass
+
+    for tag in UNITS:
+        Loader.add_constructor(tag, convert)
+    loader = Loader(text)
+    try:
+        return loader.get_single_data()
+    finally:
+        loader.dispose()

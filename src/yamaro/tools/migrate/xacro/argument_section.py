@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 
 from ....runtime.predefined import CONSTANTS
-from ....xacro.literals import guess_value
+from ....xacro.templates import guess_value
 from ....yaml.scalars import type_plain
 from ..document import RECORD_WIDTH, Body, Entry, Quoted, Row, pieces_of
 from .passing_on import pass_on

@@ -11,9 +11,8 @@ import re
 
 from ....diagnostics import YamaroError
 from ....xacro.faults import Fault
-from ....xacro.literals import guess_value
-from ....xacro.parameters import parse_parameters
-from ....xacro.templates import Expression, Substitution, parse_template
+from ....xacro.statements import parse_parameters
+from ....xacro.templates import Expression, Substitution, guess_value, parse_template
 from ....xml.tree import Element
 from ....xml.values import format_value
 from ..elements import walk

@@ -27,7 +27,7 @@ SCOPES = {"global": "/global", "parent": "/parent"}
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from ....xacro.parameters import Parameter
+    from ....xacro.statements import Parameter
     from .writer import FileWriter
 
 

@@ -11,7 +11,7 @@ import os
 
 from ....files.packages import manifest_name
 from ....syntax.names import is_identifier
-from ....xacro.parameters import parse_parameters
+from ....xacro.statements import parse_parameters
 from ....xml.tree import Element
 from ....xml.values import format_value
 from ..elements import walk

@@ -41,7 +41,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from ....xacro.parameters import Parameter
+    from ....xacro.statements import Parameter
     from ....xml.tree import Node
     from .macros import Macro
     from .program import XacroProgram

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ....xacro.parameters import Parameter, parse_parameters
+from ....xacro.statements import Parameter, parse_parameters
 from ....xml.tree import Element
 from ....xml.values import format_value
 from .names import names_in

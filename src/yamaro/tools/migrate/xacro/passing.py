@@ -7,7 +7,7 @@ name, the function gets a parameter of that name, and each call passes it on, as
 from __future__ import annotations
 
 from ....syntax.names import is_identifier
-from ....xacro.parameters import Parameter
+from ....xacro.statements import Parameter
 from ....xml.tree import Element
 from ....xml.values import format_value
 from ..elements import walk

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 
-from ....xacro.literals import guess_value
+from ....xacro.templates import guess_value
 from ....xml.tree import Comment, Element
 from ....xml.values import format_value
 from ..document import spaced

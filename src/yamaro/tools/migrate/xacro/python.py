@@ -6,8 +6,14 @@ import re
 
 from ....runtime.predefined import CONSTANTS
 from ....xacro.faults import Fault
-from ....xacro.literals import guess_value
-from ....xacro.templates import Expression, Part, Substitution, Template, parse_template
+from ....xacro.templates import (
+    Expression,
+    Part,
+    Substitution,
+    Template,
+    guess_value,
+    parse_template,
+)
 from ..document import Quoted, literal
 from .python_texts import Edits, ends_in_minus, is_plain_number, minus, without_parentheses
 

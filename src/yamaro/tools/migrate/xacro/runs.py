@@ -9,12 +9,10 @@ from __future__ import annotations
 import os
 
 from ....diagnostics import Reporter, YamaroError
-from ....xacro.evaluator import XacroEvaluator
+from ....xacro.evaluator import Python, XacroEvaluator, YamlList
 from ....xacro.expansion import Expansion
-from ....xacro.literals import guess_value
-from ....xacro.python import Python
 from ....xacro.scope import Lazy, Scope
-from ....xacro.yaml_values import YamlList
+from ....xacro.templates import guess_value
 from ....xml.values import format_number
 
 TYPE_CHECKING = False

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import ast
 
-from ....xacro.literals import guess_value
+from ....xacro.templates import guess_value
 
 _COMPARED: dict[type[ast.cmpop], str] = {
     ast.Lt: "<",

@@ -10,7 +10,7 @@ import os
 import re
 from collections import Counter
 
-from ....xacro.literals import guess_value
+from ....xacro.templates import guess_value
 from ..document import Body, Entry, Row, pieces_of
 
 TYPE_CHECKING = False

@@ -7,8 +7,8 @@ from __future__ import annotations
 
 import re
 
-from ....xacro.literals import guess_value
-from ....xacro.parameters import parse_parameters
+from ....xacro.statements import parse_parameters
+from ....xacro.templates import guess_value
 from ....xml.tree import Element
 from ....xml.values import format_value
 from ..elements import walk
