@@ -1,6 +1,6 @@
 """Checks for a corpus of public robots that each loss in an output format is reported.
 
-    python bench/losses.py [FORMAT ...] [--corpus CORPUS] [--only REGEX] [--show N]
+    python bench/losses.py [FORMAT ...] [--corpus CORPUS] [--only REGEX] [--show N] [--every N]
 
 For each robot and format: (the features of the input) − (those that are read back from the output)
 has to be what is reported as lost, approximated or renamed. Features are things such as a link, a
@@ -148,12 +148,13 @@ def main() -> int:
     parser.add_argument("--corpus", type=Path, default=ROOT.parent / "shared" / "corpus")
     parser.add_argument("--only", default="")
     parser.add_argument("--show", type=int, default=5)
+    parser.add_argument("--every", type=int, default=1, help="takes only each N-th robot")
     wanted = parser.parse_args()
     has_failed = False
     for format in wanted.formats:
         counts: Counter[str] = Counter()
         refused: Counter[str] = Counter()
-        for path in robots(wanted.corpus):
+        for path in list(robots(wanted.corpus))[:: wanted.every]:
             if not re.search(wanted.only, str(path)):
                 continue
             has_failed |= judge(path, format, counts, refused, wanted.show, wanted.corpus)

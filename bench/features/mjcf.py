@@ -23,6 +23,8 @@ def read(text: str, own: Mapping[str, str]) -> Iterator[Key]:
     """
     root = etree.fromstring(text.encode())
     materials = {each.get("name"): each for each in root.iterfind("asset/material")}
+    for name in materials:
+        yield ("material", "shape", own.get(name, name))
     yield ("link", "world")
     for body in root.iterfind("worldbody//body"):
         yield from _body(body, own)
@@ -37,6 +39,8 @@ def read(text: str, own: Mapping[str, str]) -> Iterator[Key]:
         yield ("mimic", equality.get("joint1"), equality.get("joint2"), factor, offset)
     for actuator in root.iterfind("actuator/*"):
         yield ("actuated", actuator.get("joint"))
+        command = "effort" if actuator.tag == "motor" else actuator.tag
+        yield ("command", actuator.get("joint"), command)
         if actuator.get("gear") is not None:
             yield ("gear", actuator.get("joint"), float(actuator.get("gear")))
     yield from _sensors(root, own)

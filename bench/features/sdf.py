@@ -8,6 +8,16 @@ from lxml import etree
 
 from .feature import Key, plain
 
+SENSORS = frozenset(
+    """
+    air_pressure air_speed altimeter boundingbox boundingbox_camera camera contact custom depth
+    depth_camera force_torque gps gpu_lidar gpu_ray imu lidar logical_camera magnetometer
+    multicamera navsat ray rgbd rgbd_camera rfid rfidtag segmentation segmentation_camera sonar
+    thermal thermal_camera wideanglecamera wide_angle_camera wireless_receiver wireless_transmitter
+    """.split()
+)
+"""The types of sensors that libsdformat knows; it refuses a file with others. Source: Sensor.cc."""
+
 
 def read(text: str, own: Mapping[str, str]) -> Iterator[Key]:
     """Yield the features of an SDF, with the names in the robot.
@@ -51,7 +61,8 @@ def _link(link: etree._Element, name: str, own: Mapping[str, str]) -> Iterator[K
 
 def _sensor(sensor: etree._Element, own: Mapping[str, str]) -> Iterator[Key]:
     name = own.get(sensor.get("name", ""), sensor.get("name", ""))
-    yield ("sensor", name)
+    if sensor.get("type") in SENSORS:
+        yield ("sensor", name)
     for inner in sensor.iterdescendants():
         if inner.tag == "plugin":
             yield ("plugin", inner.get("filename", ""))

@@ -57,6 +57,13 @@ FOR_LUMPING = {
 """What is only about how Gazebo reads URDF."""
 
 
+INTERFACES = {
+    "PositionJointInterface": "position", "VelocityJointInterface": "velocity",
+    "EffortJointInterface": "effort",
+}  # fmt: skip
+"""The interfaces of ros_control that command a joint. Source: joint_command_interface.h."""
+
+
 class Node:
     """An element with its place."""
 
@@ -154,15 +161,28 @@ def read(text: str, *, has_meshes: bool) -> list[Feature]:
         for key, node in _features(root, has_meshes=has_meshes)
         if has_meshes or key[1] != "mesh"
     ]
+    known: set[str] = set()
+    for feature in list(found):  # a material of several shapes counts once
+        if feature.key[0] == "material":
+            name = str(feature.key[2])
+            if name in known:
+                found.remove(feature)
+            known.add(name)
     return found + list(_attributes(root, text))
 
 
 def _more_places(key: Key, node: Node) -> frozenset[int]:
     """Return the offsets in an element at which something may be said of a feature."""
+    if key[0] == "material":
+        own = node.first("texture")
+        inner = own.value_place("filename") if own is not None else frozenset()
+        return node.inner() | node.value_place("name") | inner
     if key[0] in WHOLE:
         return node.inner()
     if key[0] == "texture":
         return node.value_place("filename")
+    if key[0] == "gazebo":
+        return node.value_place("value")
     if key[0] == "range":
         return node.value_place("lower") | node.value_place("upper")
     return node.value_place(str(key[0])) if node.name in ("limit", "dynamics") else frozenset()
@@ -278,6 +298,12 @@ def _shape(node: Node, materials: dict[str, Node]) -> Iterator[tuple[Key, Node]]
     meant = materials.get(material.get("name"), material)
     color, texture = meant.first("color"), meant.first("texture")
     is_mesh = "mesh" if shape.name == "mesh" else "shape"
+    if (
+        meant.get("name")
+        and (has_volume or is_mesh == "mesh")
+        and (color is not None or texture is not None)
+    ):
+        yield ("material", is_mesh, meant.get("name")), meant
     if color is not None and len(color.get("rgba").split()) == 4:
         yield ("color", is_mesh, *map(float, color.get("rgba").split())), material
     if texture is not None:
@@ -349,6 +375,8 @@ def _actuated(node: Node, known: set[str]) -> Iterator[tuple[Key, Node]]:
     before = len(known)
     for joint in (each for each in node.children if each.name == "joint"):
         name = joint.get("name")
+        if name not in known:
+            yield from _commands(node, joint)
         is_driven = node.name == "transmission" or joint.first("command_interface") is not None
         if is_driven and name not in known:
             known.add(name)
@@ -356,6 +384,26 @@ def _actuated(node: Node, known: set[str]) -> Iterator[tuple[Key, Node]]:
             yield from _gear(node, name)
     if node.name == "transmission" and len(known) == before:
         yield ("transmission", node.get("name")), node
+
+
+def _commands(owner: Node, joint: Node) -> Iterator[tuple[Key, Node]]:
+    """Yield what is commanded of a joint; older transmissions say it in their actuators."""
+    name = joint.get("name")
+    if owner.name == "ros2_control":
+        for each in joint.children:
+            if each.name == "command_interface":
+                yield ("command", name, each.get("name")), each
+        return
+    actuators = [each for each in owner.children if each.name == "actuator"]
+    found = [
+        [each for each in place.children if each.name == "hardwareInterface"]
+        for place in (joint, *actuators)
+    ]
+    commands = dict.fromkeys(
+        INTERFACES.get(each.text.strip().rpartition("/")[2])
+        for each in next((each for each in found if each), ())
+    )
+    yield from ((("command", name, each), joint) for each in commands if each)
 
 
 def _gear(transmission: Node, joint: str) -> Iterator[tuple[Key, Node]]:

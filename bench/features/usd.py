@@ -31,6 +31,8 @@ def read(text: str, own: Mapping[str, str]) -> Iterator[Key]:
         name = own.get(prim.GetName(), prim.GetName())
         if prim.IsA(UsdPhysics.Joint):
             yield from _joint(prim, name, own)
+        elif prim.IsA(UsdShade.Material):
+            yield ("material", "shape", name)
         elif prim.IsA(UsdGeom.Camera):
             yield ("sensor", name)
             for each in ("horizontal_fov", "near", "far", "pose", "always_on"):
@@ -68,6 +70,8 @@ def _joint(prim: Usd.Prim, name: str, own: Mapping[str, str]) -> Iterator[Key]:
         return
     if drive.GetStiffnessAttr().Get() or drive.GetDampingAttr().Get():
         yield ("actuated", name)  # by its position or by its speed
+        command = "position" if drive.GetStiffnessAttr().Get() else "velocity"
+        yield ("command", name, command)
     effort = drive.GetMaxForceAttr().Get()
     if isfinite(effort):
         yield ("effort", name, effort)

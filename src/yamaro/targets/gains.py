@@ -1,10 +1,10 @@
-"""Gains for actuators that are given none: stiff enough to carry the robot's weight."""
+"""Gains for actuators that are given none, by effort limit, carried weight and moved inertia."""
 
 from __future__ import annotations
 
 from math import hypot, isfinite, sqrt
 
-from ..model.joint import FLOATING, PLANAR, PRISMATIC, SINGLE
+from ..model.joint import FLOATING, PLANAR, PRISMATIC, SINGLE, UNLIMITED
 from ..model.kinematics import from_the_roots, link_poses
 from ..model.pose import multiply, rotate, transposed
 
@@ -25,10 +25,18 @@ GRAVITY = 9.81
 """In m/s²."""
 SAG = 0.01
 """How far the weight may move a joint, as part of its range; of 1 rad or 1 m without limits."""
-SLOWEST, FASTEST = 10.0, 1.5 / TIME_STEP
+STRAIN = 0.1
+"""How far a joint is from where it should be when its actuator gives its greatest effort, as part
+of its range; of 1 rad or 1 m without limits. With less, large steps would overshoot: a critically
+damped joint of stiffness k that starts and stops at its greatest effort T overshoots in steps
+longer than 16 T / k."""
+SLOWEST, FASTEST = 50.0, 1.5 / TIME_STEP
 """The least and the greatest natural frequency of a joint with its load, in rad/s. With critical
 damping, which MuJoCo integrates implicitly, it would have to be below 4.8 / TIME_STEP: the roots of
 λ²(1 + 2a) − λ(2 + 2a − a²) + 1, with the step a, are then inside of the unit circle."""
+BRISK = 1 / TIME_STEP
+"""The greatest frequency of a joint whose effort asks for the stiffness, in rad/s: small enough
+that steps in which it gives its greatest effort do not overshoot because of the time step."""
 COUPLED = 0.5 / TIME_STEP
 """The greatest frequency of a joint that others follow: as fast as the equalities are, whose
 stiffness is by the lighter one of two joints."""
@@ -116,15 +124,22 @@ class Gains:
     def of_position(self, joint: Joint) -> float:
         """Return the stiffness of a joint, in N·m/rad or N/m; see `_inertia_and_weight`.
 
-        At most `SAG` of the joint's range gives way under the weight of what it carries: of all
-        above it, and for a robot that stands on its joints of the whole robot. The load with this
-        stiffness swings at least with `SLOWEST` and at most with `FASTEST`. Where other joints
-        follow, what the joint moves itself swings at most with `COUPLED`.
+        It is the greatest of three. The joint gives its greatest effort at a distance of `STRAIN`,
+        unless the load then swings faster than with `BRISK`. At most `SAG` of the joint's range
+        gives way under the weight of what it carries: of all above it, and for a robot that stands
+        on its joints of the whole robot. The load swings at least with `SLOWEST`: weight on the
+        axis, such as that of a flange or a turntable, asks for nothing.
+
+        But the load swings at most with `FASTEST`, and where other joints follow, what the joint
+        moves itself at most with `COUPLED`.
         """
         inertia, weight = self._inertia_and_weight(joint)
         low, high = joint.range if joint.lower is not None else (0.0, 1.0)
         room = min(max(high - low, 1e-3), 1.0)
-        wanted = max(weight / (SAG * room), inertia * SLOWEST * SLOWEST)
+        effort = joint.limit.effort if joint.limit is not None else None
+        effort = effort if effort is not None and 0 < effort < UNLIMITED else 0.0
+        by_effort = min(effort / (STRAIN * room), inertia * BRISK * BRISK)
+        wanted = max(by_effort, weight / (SAG * room), inertia * SLOWEST * SLOWEST)
         most = inertia * FASTEST * FASTEST
         if joint.name in self._followers:
             most = min(most, self._own(joint)[0] * COUPLED * COUPLED)

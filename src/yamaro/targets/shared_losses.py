@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from ..model.joint import SINGLE, UNLIMITED
 from ..model.sensors import CAMERAS, Ranger
+from .gains import EFFORT, VELOCITY
 from .output import APPROXIMATED, LOST, RENAMED, Loss
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Collection, Container
 
-    from ..model.extras import Noted
+    from ..model.extras import Actuator, Noted
     from ..model.joint import Joint
     from ..model.robot import Robot
     from ..model.sensors import Sensor
@@ -142,6 +143,29 @@ def _lost_in(
     span = part.span_of(attribute) if attribute else part.span
     owner = f"joint '{joint.name}'"
     return Loss(LOST, what, owner, span, trace=part.trace_in(joint), hint=hint)
+
+
+# --- actuators ----------------------------------------------------------------------------------
+
+
+def lost_of_actuator(actuator: Actuator) -> list[Loss]:
+    """Return what a format loses whose actuators take one command each, with the gains of that.
+
+    The gains of a velocity actuator are one number, `kp` or else `kd`; an effort actuator has none.
+    """
+    lost = []
+    if set(actuator.commands) - {actuator.command}:
+        lost.append(("further commands of actuators", "command"))
+    gains = [name for name in ("kp", "kd") if getattr(actuator, name) is not None]
+    if actuator.command == EFFORT:
+        lost += [("gains of effort actuators", name) for name in gains]
+    elif actuator.command == VELOCITY:
+        lost += [("second gains of velocity actuators", name) for name in gains[1:]]
+    owner, trace = f"joint '{actuator.joint}'", actuator.trace
+    return [
+        Loss(LOST, what, owner, actuator.span_of(attribute), trace=trace)
+        for what, attribute in lost
+    ]
 
 
 # --- sensors ------------------------------------------------------------------------------------

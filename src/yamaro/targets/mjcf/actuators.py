@@ -7,6 +7,7 @@ from math import inf
 from ...model.joint import SINGLE
 from ..gains import EFFORT, POSITION, VELOCITY, Gains
 from ..output import LOST
+from ..shared_losses import lost_of_actuator
 from .joints import effort_of, range_of
 from .names import ACTUATOR
 from .writing import Writing, made, number, row
@@ -42,6 +43,7 @@ def _add(writing: Writing, actuator: Actuator, joint: Joint, gains: Gains) -> No
 
     Its control is the position, velocity or effort of the motor: with a gear, not of the joint.
     """
+    writing.losses += lost_of_actuator(actuator)
     gear = actuator.gear or 1.0
     command = actuator.command
     effort = effort_of(joint)

@@ -27,17 +27,20 @@ def surface_attributes(writing: Writing, link: Link, surface: Surface) -> dict[s
     friction = surface.friction
     if friction is not None:
         attributes["friction"] = row((friction, TORSIONAL, ROLLING))
-        if surface.friction2 != friction:
-            _lose(writing, link, surface, LOST, "second coefficients of friction", "")
+    if surface.friction2 != friction:
+        _lose(writing, link, surface, LOST, "second coefficients of friction", "friction2")
     if surface.stiffness is not None or surface.damping is not None:
         how = "accelerations by depth and speed, for the mass of the link"
-        _lose(writing, link, surface, APPROXIMATED, "stiffness and damping of contacts", how)
+        for name in ("stiffness", "damping"):
+            if getattr(surface, name) is not None:
+                _lose(writing, link, surface, APPROXIMATED, f"{name} of contacts", name, how)
         attributes["solref"] = _stiff(writing, link, surface)
         if surface.restitution is not None:
-            _lose(writing, link, surface, LOST, "restitutions of surfaces that are stiff", "")
+            what = "restitutions of surfaces that are stiff"
+            _lose(writing, link, surface, LOST, what, "restitution")
     elif surface.restitution is not None:
         how = "damping of contacts"
-        _lose(writing, link, surface, APPROXIMATED, "restitutions of surfaces", how)
+        _lose(writing, link, surface, APPROXIMATED, "restitutions of surfaces", "restitution", how)
         ratio = damping_ratio(surface.restitution)
         attributes["solref"] = None if ratio == 1 else row((TIME_CONSTANT, ratio))
     return attributes
@@ -77,6 +80,14 @@ def _stiff(writing: Writing, link: Link, surface: Surface) -> str | None:
     return f"-{number(stiffness)} -{number(damping)}"
 
 
-def _lose(writing: Writing, link: Link, surface: Surface, kind: str, what: str, how: str) -> None:
-    owner = f"link '{link.name}'"
-    writing.lose(kind, what, owner, surface.span, trace=surface.trace, how=how)
+def _lose(
+    writing: Writing,
+    link: Link,
+    surface: Surface,
+    kind: str,
+    what: str,
+    attribute: str,
+    how: str = "",
+) -> None:
+    owner, span = f"link '{link.name}'", surface.span_of(attribute)
+    writing.lose(kind, what, owner, span, trace=surface.trace, how=how)

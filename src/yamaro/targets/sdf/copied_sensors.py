@@ -5,10 +5,12 @@ Source: the descriptions of sensors in SDFormat 1.11, sensor.sdf and what that i
 
 from __future__ import annotations
 
+from ...model.sdf_schema import SENSOR_TYPES
+from ...model.values import attribute_text
 from ...xml.tree import Element
-from ...xml.values import format_value
-from ..output import LOST, RENAMED, Loss
+from ..output import APPROXIMATED, LOST, RENAMED, Loss
 from ..tags import Tag, unused
+from .names import fault_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -64,6 +66,10 @@ y: noise
 z: noise
 """
 """What SDFormat 1.9 knows in the elements of a sensor: the element around, and those in it."""
+SINCE_1_11 = frozenset(("air_speed",))
+CUSTOM, OWN_TYPE = "custom", "gz:type"
+"""The type of sensors that SDFormat does not know, and the attribute with their own type.
+Source: its tutorial "Custom elements and attributes"."""
 OPTICAL = "optical_frame_id"
 """Names a frame of a camera, since 1.11."""
 FRAME_IDS = frozenset(("gz_frame_id", "ignition_frame_id", "frame_id"))
@@ -75,9 +81,10 @@ class SensorCopier:
 
     Attributes:
         losses: what SDFormat does not know of them.
+        has_custom: whether one has a type of its own, in an attribute of Gazebo's namespace.
     """
 
-    __slots__ = ("_used", "_version", "_words", "losses")
+    __slots__ = ("_used", "_version", "_words", "has_custom", "losses")
 
     def __init__(self, version: str, losses: list[Loss]) -> None:
         """Start with a version of SDFormat; `losses` takes what it does not know."""
@@ -85,6 +92,7 @@ class SensorCopier:
         self._words = _table()
         self._used: dict[str, set[str]] = {}
         self.losses = losses
+        self.has_custom = False
 
     def copied(self, sensor: Element, body: str, frame: str | None, trace: Step | None) -> Element:
         """Return a sensor.
@@ -95,14 +103,36 @@ class SensorCopier:
             frame: the frame that its pose is in, if it is not that of the body.
             trace: the calls and includes that led to it.
         """
-        name = format_value(sensor.attributes.get("name"))
-        made = sensor.with_children(self._known(sensor, f"sensor '{name}'", trace))
-        new = unused(name, self._used.setdefault(body, set()))
-        if new != name:
-            made.attributes = {**made.attributes, "name": new}
-            what, owner = "sensors of one name in one link", f"sensor '{name}'"
+        written = attribute_text(sensor, "name") or ""
+        name = written or f"{body}_sensor"
+        owner = f"sensor '{name}'"
+        made = sensor.with_children(self._known(sensor, owner, trace))
+        plain = name if fault_of(name) is None else name.replace("::", "_").strip("_")
+        new = unused(plain, self._used.setdefault(body, set()))
+        attributes = {"name": new, **self._type_of(sensor, owner, trace)}
+        made.attributes = {**made.attributes, **attributes}
+        if new != written:
+            what = "sensors of one name in one link"
+            if plain != written:
+                what = "sensors with names that SDFormat does not take"
             self.losses.append(Loss(RENAMED, what, owner, sensor.span, trace=trace, how=new))
         return _placed(made, frame)
+
+    def _type_of(self, sensor: Element, owner: str, trace: Step | None) -> dict[str, str]:
+        """Return the type in SDFormat, if it is another one: that of a custom sensor."""
+        written = attribute_text(sensor, "type") or ""
+        if written in SENSOR_TYPES and (written not in SINCE_1_11 or self._version != "1.9"):
+            return {}
+        what, how = (
+            "sensors of other types than those of SDFormat",
+            f"sensors of the type '{CUSTOM}'",
+        )
+        span = sensor.value_span("type")
+        self.losses.append(Loss(APPROXIMATED, what, owner, span, trace=trace, how=how))
+        if not written:
+            return {"type": CUSTOM}
+        self.has_custom = True
+        return {"type": CUSTOM, OWN_TYPE: written}
 
     def _known(self, element: Element, owner: str, trace: Step | None) -> list[Node]:
         children: list[Node] = []

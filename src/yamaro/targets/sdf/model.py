@@ -11,7 +11,7 @@ from ..foreign_xml import foreign_losses
 from ..inertia import Inertias
 from ..output import APPROXIMATED, Loss, Output
 from ..raw_xml import RawXmlOf
-from ..shared_losses import cones, lost_sections, renamed_sensors
+from ..shared_losses import cones, lost_in_sensor, lost_sections, renamed_sensors
 from ..tags import Tag, row_of
 from .copied_sensors import SensorCopier
 from .gazebo_blocks import GazeboBlocks, physics_of
@@ -31,6 +31,8 @@ if TYPE_CHECKING:
     from ..output import Wanted
 
 MODEL_FRAME = "__model__"
+NAMESPACE = "http://gazebosim.org/schema"
+"""Of what Gazebo adds to SDFormat."""
 
 
 def write(robot: Robot, wanted: Wanted) -> Output:
@@ -91,6 +93,8 @@ class _Model:
         canonical = next((self._names.links[name] for name in self._members), None)
         model = Tag("model", parts, name=robot.name or self._wanted.name, canonical_link=canonical)
         root = Tag("sdf", [model], version=self._version).made(robot.span, None)
+        if self._copier.has_custom:
+            root.attributes["xmlns:gz"] = NAMESPACE
         self._losses += lost_sections(robot, states=True, actuators=True, controls=True)
         return Output(root, self._losses)
 
@@ -185,6 +189,8 @@ class _Model:
 
     def _sensor(self, sensor: Sensor, body: str, home: str | None, collisions: list[str]) -> Tag:
         frame = None if home in (None, body) else self._names.links.get(str(home))
+        if sensor.type == "contact" and sensor.noise:
+            self._losses.append(lost_in_sensor(sensor, "noise of contact sensors", "noise"))
         return sensor_tag(sensor, frame=frame, collisions=collisions, version=self._version)
 
     # --- joints ---

@@ -35,7 +35,7 @@ class Names:
         self._taken: set[str] = set()
         self.links: dict[str, str] = {}
         self.joints: dict[str, str] = {}
-        wanted = {name for name in robot.links if _fault_of(name) is None}
+        wanted = {name for name in robot.links if fault_of(name) is None}
         for link in robot.links.values():
             if has_world and link.name == WORLD:
                 continue
@@ -50,7 +50,7 @@ class Names:
     def _name(self, kind: str, thing: Link | Joint, wanted: set[str]) -> str:
         """Return the name of a link or joint, and note it if it is another one."""
         name = thing.name
-        reason = _fault_of(name)
+        reason = fault_of(name)
         if reason is None and name not in self._taken:
             self._taken.add(name)
             return name
@@ -72,7 +72,7 @@ class Names:
         return found
 
 
-def _fault_of(name: str) -> str | None:
+def fault_of(name: str) -> str | None:
     """Return what SDFormat has against a name, or None."""
     if name == WORLD:
         return "with the reserved name 'world'"

@@ -32,7 +32,8 @@ class Shapes:
     """
 
     __slots__ = (
-        "_blocks", "_names", "_robot", "_surfaces", "_used", "_wanted", "collisions", "losses",
+        "_blocks", "_nameless", "_names", "_robot", "_surfaces", "_used", "_wanted", "collisions",
+        "losses",
     )  # fmt: skip
 
     def __init__(
@@ -49,6 +50,7 @@ class Shapes:
         self._blocks = blocks
         self._surfaces = {(each.link, each.index): each for each in robot.surfaces}
         self._used: dict[str, set[str]] = {}
+        self._nameless: set[str] = set()
         self.losses = losses
         self.collisions: dict[str, list[str]] = {}
 
@@ -64,7 +66,7 @@ class Shapes:
                 tags.append(tag)
                 self.collisions.setdefault(link.name, []).append(str(tag.attributes["name"]))
         for visual in link.visuals:
-            tag = self._shape("visual", link, body, visual, frame, self._material(visual))
+            tag = self._shape("visual", link, body, visual, frame, self._material(link, visual))
             if tag is not None:
                 tags.append(tag)
         return tags
@@ -130,11 +132,17 @@ class Shapes:
         scale = [] if shape.scale == (1.0, 1.0, 1.0) else [Tag("scale", row_of(shape.scale))]
         return Tag("mesh", [Tag("uri", uri), *scale])
 
-    def _material(self, visual: Visual) -> list[Tag]:
-        """Return the colour and the texture of a visual."""
+    def _material(self, link: Link, visual: Visual) -> list[Tag]:
+        """Return the colour and the texture of a visual; materials have no names in SDFormat."""
         material = self._robot.material_of(visual)
         if material is None or not material.is_defined:
             return []
+        span, name = material.span_of("name"), material.name
+        is_named = span.key() != material.span.key()  # and not made of a colour
+        if name and is_named and name not in self._nameless:
+            self._nameless.add(name)
+            what, owner, trace = "names of materials", f"material '{name}'", material.trace_in(link)
+            self.losses.append(Loss(LOST, what, owner, span, trace=trace))
         parts = []
         if material.color is not None:
             color = row_of(material.color)

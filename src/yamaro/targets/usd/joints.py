@@ -15,7 +15,7 @@ from ...model.kinematics import WORLD
 from ...model.pose import Pose, multiply, rotation_about, rotation_from_z
 from ..gains import POSITION, VELOCITY, Gains
 from ..output import APPROXIMATED, LOST, Loss
-from ..shared_losses import lost_of_joints
+from ..shared_losses import lost_of_actuator, lost_of_joints
 from .poses import quaternion_of
 from .prims import tag_of
 
@@ -175,7 +175,7 @@ class JointWriter:
             self._lose(joint, actuator, what, kind=APPROXIMATED, how=how)
         if joint.dynamics is not None and damping:
             what, how = "damping values of joints", "the damping of their drives"
-            self._lose(joint, joint.dynamics, what, kind=APPROXIMATED, how=how)
+            self._lose(joint, joint.dynamics, what, "damping", kind=APPROXIMATED, how=how)
         drive = UsdPhysics.DriveAPI.Apply(prim.GetPrim(), "linear" if is_linear else "angular")
         drive.CreateTypeAttr("force")
         if effort is not None:
@@ -197,15 +197,28 @@ class JointWriter:
         """Note what only USD has no place for."""
         dynamics, actuator = joint.dynamics, self._robot.actuators.get(joint.name)
         if dynamics is not None and dynamics.friction and joint.type in SINGLE:
-            self._lose(joint, dynamics, "friction values of joints")
-        if actuator is not None and (actuator.armature or actuator.gear != 1.0):
-            self._lose(joint, actuator, "armatures and gears of actuators")
+            self._lose(joint, dynamics, "friction values of joints", "friction")
+        if actuator is None:
+            return
+        self.losses += lost_of_actuator(actuator)
+        if actuator.armature:
+            self._lose(joint, actuator, "armatures of actuators", "armature")
+        if actuator.gear != 1.0:
+            self._lose(joint, actuator, "gears of actuators", "gear")
 
     def _lose(
-        self, joint: Joint, part: Written, what: str, *, kind: str = LOST, how: str = ""
+        self,
+        joint: Joint,
+        part: Written,
+        what: str,
+        attribute: str = "",
+        *,
+        kind: str = LOST,
+        how: str = "",
     ) -> None:
+        span = part.span_of(attribute) if attribute else part.span
         owner, trace = f"joint '{joint.name}'", part.trace_in(joint)
-        self.losses.append(Loss(kind, what, owner, part.span, trace=trace, how=how))
+        self.losses.append(Loss(kind, what, owner, span, trace=trace, how=how))
 
     def _places_in(self, joint: Joint) -> dict[str, Span]:
         """Return where the values of a joint are written, by their names in USD."""

@@ -40,7 +40,7 @@ class Names:
 
         Args:
             around: the path of the prim around it.
-            kind: what it is made of: `robot`, `link`, `frame`, `joint` or `sensor`.
+            kind: what it is made of: `robot`, `link`, `frame`, `joint`, `sensor` or `material`.
             name: what that is called.
             span: where the name is written.
             trace: the calls and includes that led there.

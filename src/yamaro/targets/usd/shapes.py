@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from typing import TYPE_CHECKING
 
 from pxr import Gf, Sdf, Usd, UsdGeom, UsdPhysics, UsdShade, Vt
@@ -17,8 +18,8 @@ from .poses import place
 if TYPE_CHECKING:
     from ...meshes.surfaces import Surface
     from ...model.extras import Surface as Friction
-    from ...model.link import Link, Visual
-    from ...model.pose import Pose
+    from ...model.link import Link, Material, Visual
+    from ...model.pose import Pose, Vector
     from ...model.robot import Robot
     from ...model.shapes import Mesh, SimpleShape
     from ...source import Span
@@ -52,7 +53,10 @@ class ShapeWriter:
         self._wanted = wanted
         self._names = names
         self._folder = names.new(root, "materials")
-        self._looks: dict[Color, UsdShade.Material] = {}
+        self._root = root
+        self._mesh_folder = ""
+        self._meshes: dict[tuple[str, Vector, int], str] = {}
+        self._looks: dict[tuple[str, Color], UsdShade.Material] = {}
         self._frictions: dict[tuple[float | None, ...], UsdShade.Material] = {}
         self._contents = MeshContents(wanted.paths)
         self._surfaces = {(each.link, each.index): each for each in robot.surfaces}
@@ -80,9 +84,10 @@ class ShapeWriter:
                 span = inner.value_span("filename") if inner is not None else material.span
                 self._lose("textures", f"'{material.texture}' of link '{link.name}'", span, link)
             for prim, own in self._made(link, path, visual, name):
-                chosen = color or own
-                if chosen is not None:
-                    self._bind_look(prim, chosen)
+                if color is not None and material is not None:
+                    self._bind_look(prim, color, link, material)
+                elif own is not None:
+                    self._bind_look(prim, own, link)
 
     def _made(
         self, link: Link, path: str, item: Collision | Visual, name: str
@@ -101,7 +106,7 @@ class ShapeWriter:
             return []
         surfaces = self._surfaces_of(link, shape, item)
         return [
-            (_mesh_prim(self._stage, at, surface, shape, pose), surface.color)
+            (self._mesh(at, shape, index, surface, pose), surface.color)
             for index, surface in enumerate(surfaces)
             for at in [self._path(link, path, item, name, is_first=not index)]
         ]
@@ -145,6 +150,21 @@ class ShapeWriter:
 
     # --- meshes ---
 
+    def _mesh(self, path: str, shape: Mesh, index: int, surface: Surface, pose: Pose) -> Usd.Prim:
+        """Return a mesh; its triangles are in a class, which all shapes of one file share."""
+        key = (shape.filename, shape.scale, index)
+        if key not in self._meshes:
+            if not self._meshes:
+                self._mesh_folder = self._names.new(self._root, "meshes")
+                self._stage.DefinePrim(self._mesh_folder, "Scope")
+            stem = os.path.splitext(shape.filename.replace("\\", "/").rpartition("/")[2])[0]
+            at = self._meshes[key] = self._names.new(self._mesh_folder, stem)
+            _define_mesh(self._stage, at, surface, shape)
+        mesh = UsdGeom.Mesh.Define(self._stage, path)
+        mesh.GetPrim().GetReferences().AddInternalReference(self._meshes[key])
+        place(mesh, pose)
+        return mesh.GetPrim()
+
     def _surfaces_of(self, link: Link, shape: Mesh, item: Collision | Visual) -> list[Surface]:
         """Return the surfaces of a mesh; note what USD does not take of it."""
         span = shape.span or link.span
@@ -173,14 +193,22 @@ class ShapeWriter:
 
     # --- materials ---
 
-    def _bind_look(self, prim: Usd.Prim, color: Color) -> None:
-        material = self._looks.get(color)
+    def _bind_look(
+        self, prim: Usd.Prim, color: Color, link: Link, written: Material | None = None
+    ) -> None:
+        """Show a shape in a colour: that of a material of the robot, or its own."""
+        name = written.name if written is not None else ""
+        material = self._looks.get((name, color))
         if material is None:
-            material = self._looks[color] = self._look(color)
+            path = self._material_path("color") if written is None or not name else ""
+            if not path and written is not None:
+                span, trace = written.span_of("name"), written.trace_in(link)
+                self._stage.DefinePrim(self._folder, "Scope")
+                path = self._names.told(self._folder, "material", name, span, trace)
+            material = self._looks[name, color] = self._look(path, color)
         UsdShade.MaterialBindingAPI.Apply(prim).Bind(material)
 
-    def _look(self, color: Color) -> UsdShade.Material:
-        path = self._material_path("color")
+    def _look(self, path: str, color: Color) -> UsdShade.Material:
         material = UsdShade.Material.Define(self._stage, path)
         shader = UsdShade.Shader.Define(self._stage, f"{path}/surface")
         shader.CreateIdAttr("UsdPreviewSurface")
@@ -210,11 +238,16 @@ class ShapeWriter:
             binding.Bind(material, UsdShade.Tokens.weakerThanDescendants, "physics")
         lost = []
         if surface.friction2 not in (None, surface.friction):
-            lost.append("second coefficients of friction")
-        if surface.stiffness is not None or surface.damping is not None:
-            lost.append("stiffness and damping of contacts")
-        owner = f"link '{surface.link}'"
-        self.losses += [Loss(LOST, what, owner, surface.span, trace=surface.trace) for what in lost]
+            lost.append(("second coefficients of friction", "friction2"))
+        if surface.stiffness is not None:
+            lost.append(("stiffness of contacts", "stiffness"))
+        if surface.damping is not None:
+            lost.append(("damping of contacts", "damping"))
+        owner, trace = f"link '{surface.link}'", surface.trace
+        self.losses += [
+            Loss(LOST, what, owner, surface.span_of(attribute), trace=trace)
+            for what, attribute in lost
+        ]
 
     def _material_path(self, name: str) -> str:
         self._stage.DefinePrim(self._folder, "Scope")
@@ -224,19 +257,24 @@ class ShapeWriter:
         self.losses.append(Loss(LOST, what, owner, span, trace=link.trace))
 
 
-def _mesh_prim(stage: Usd.Stage, path: str, surface: Surface, shape: Mesh, pose: Pose) -> Usd.Prim:
-    """Return a mesh; its scale is in its points, and mirrored triangles are turned round."""
-    mesh = UsdGeom.Mesh.Define(stage, path)
-    points = surface.points * shape.scale
-    triangles = surface.triangles
+def _define_mesh(stage: Usd.Stage, path: str, surface: Surface, shape: Mesh) -> None:
+    """Write a mesh as a class; its scale is in its points, and mirrored triangles are turned.
+
+    Triangles of STL have corners of their own; those at one place become one point.
+    """
+    import numpy as np
+
+    mesh = UsdGeom.Mesh(stage.DefinePrim(path, "Mesh"))
+    mesh.GetPrim().SetSpecifier(Sdf.SpecifierClass)
+    corners = (surface.points * shape.scale).astype("float32")
+    points, indices = np.unique(corners, axis=0, return_inverse=True)
+    triangles = indices.reshape(-1)[surface.triangles]
     x, y, z = shape.scale
     if x * y * z < 0:
         triangles = triangles[:, ::-1]
-    mesh.CreatePointsAttr(Vt.Vec3fArray.FromNumpy(points.astype("float32")))
+    mesh.CreatePointsAttr(Vt.Vec3fArray.FromNumpy(points))
     mesh.CreateFaceVertexIndicesAttr(Vt.IntArray.FromNumpy(triangles.astype("int32").ravel()))
     mesh.CreateFaceVertexCountsAttr([3] * len(triangles))
     mesh.CreateSubdivisionSchemeAttr(UsdGeom.Tokens.none)
     low, high = points.min(axis=0).tolist(), points.max(axis=0).tolist()
     mesh.CreateExtentAttr([Gf.Vec3f(*low), Gf.Vec3f(*high)])
-    place(mesh, pose)
-    return mesh.GetPrim()
