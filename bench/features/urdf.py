@@ -173,7 +173,7 @@ def read(text: str, *, has_meshes: bool) -> list[Feature]:
 
 def _more_places(key: Key, node: Node) -> frozenset[int]:
     """Return the offsets in an element at which something may be said of a feature."""
-    if key[0] == "material":
+    if key[0] == "material" or key[:2] == ("optional", "material"):
         own = node.first("texture")
         inner = own.value_place("filename") if own is not None else frozenset()
         return node.inner() | node.value_place("name") | inner
@@ -206,7 +206,7 @@ def _features(root: Node, *, has_meshes: bool) -> Iterator[tuple[Key, Node]]:
         name = node.get("name")
         if node.name == "link" and name not in links:
             links.add(name)
-            yield from _link(node, {} if name in painted else materials)
+            yield from _link(node, materials, is_painted=name in painted)
         elif node.name == "joint" and name not in joints:
             joints.add(name)
             yield from _joint(node, massive, every)
@@ -254,7 +254,9 @@ def _materials(root: Node) -> dict[str, Node]:
     return found
 
 
-def _link(link: Node, materials: dict[str, Node]) -> Iterator[tuple[Key, Node]]:
+def _link(
+    link: Node, materials: dict[str, Node], *, is_painted: bool
+) -> Iterator[tuple[Key, Node]]:
     name = link.get("name")
     yield ("link", name), link
     mass = _mass(link)
@@ -267,7 +269,7 @@ def _link(link: Node, materials: dict[str, Node]) -> Iterator[tuple[Key, Node]]:
             yield ("inertia without mass", name), inertia
     for node in link.children:
         if node.name in ("visual", "collision"):
-            yield from _shape(node, materials)
+            yield from _shape(node, materials, is_painted=is_painted)
     yield from _unknown(link)
 
 
@@ -277,7 +279,9 @@ def _mass(link: Node) -> Node | None:
     return mass if mass is not None and (mass.number("value") or 0.0) > 0 else None
 
 
-def _shape(node: Node, materials: dict[str, Node]) -> Iterator[tuple[Key, Node]]:
+def _shape(
+    node: Node, materials: dict[str, Node], *, is_painted: bool
+) -> Iterator[tuple[Key, Node]]:
     geometry = node.first("geometry")
     shape = (
         next((each for each in geometry.children if each.name in SHAPES), None)
@@ -293,9 +297,10 @@ def _shape(node: Node, materials: dict[str, Node]) -> Iterator[tuple[Key, Node]]
     material = node.first("material")
     if node.name != "visual" or material is None:
         return
-    if not materials:
-        return
     meant = materials.get(material.get("name"), material)
+    if is_painted:  # by Gazebo, in SDFormat
+        yield ("optional", "material"), meant
+        return
     color, texture = meant.first("color"), meant.first("texture")
     is_mesh = "mesh" if shape.name == "mesh" else "shape"
     if (

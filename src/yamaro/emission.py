@@ -40,6 +40,8 @@ if TYPE_CHECKING:
 
     Say = Callable[[str], None]
 
+BINARY_USD = (".usdc", ".usdz")
+"""The endings of files of USD that are not text, by which OpenUSD knows how to read them."""
 SIMULATORS = ("mjcf", "sdf", "usd")
 """The formats that say whether the root is fixed in the world."""
 TELLTALES = frozenset(("target", "eval", "exec", "globals", "locals", "vars"))
@@ -67,6 +69,13 @@ def targets_of(
         raise UsageError("no output format is named")
     for format in formats:
         _check_choice("output format", format, list(ENDINGS))
+    ending = os.path.splitext(output or "")[1].lower()
+    if "usd" in formats and ending in BINARY_USD:
+        stem = os.path.splitext(_file_name(output) or "")[0]
+        raise UsageError(
+            f"USD is written as text, which '{ending}' files are not: name it {stem}.usda or "
+            f"{stem}.usd; OpenUSD converts it: Usd.Stage.Open('{stem}.usda').Export('{stem}.usdc')"
+        )
     if base is not None:
         _check_choice("base", base, BASES)
     if sdf_version is not None:

@@ -53,6 +53,23 @@ def test_a_urdf_can_be_the_input(capsys: pytest.CaptureFixture[str]) -> None:
     assert '<body name="x"/>' in capsys.readouterr().out
 
 
+@pytest.mark.parametrize("name", ["robot.usdc", "robot.usdz", "ROBOT.USDC"])
+def test_usd_is_not_written_under_the_name_of_a_binary_file(
+    name: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main(["robot.yaml", "--to", "usd", "-o", name]) == 2
+    said = capsys.readouterr().err
+    assert "USD is written as text" in said
+    assert f"name it {name[:5]}.usda or {name[:5]}.usd" in said
+    assert files_in(".") == ["robot.yaml"]
+
+
+@pytest.mark.parametrize("name", ["robot.usda", "robot.usd", "robot.text"])
+def test_usd_is_written_under_any_other_name(name: str) -> None:
+    assert main(["robot.yaml", "--to", "usd", "-o", name]) == 0
+    assert name in files_in(".")
+
+
 def test_a_document_that_needs_files_does_not_go_to_standard_output(
     capsys: pytest.CaptureFixture[str],
 ) -> None:

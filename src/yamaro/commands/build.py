@@ -35,7 +35,10 @@ def run(arguments: Arguments, streams: Streams) -> int:
     return convert_file(arguments, streams, _document, conclude=conclude)
 
 
-ENDINGS = {".sdf": "sdf", ".srdf": "srdf", ".mjcf": "mjcf", ".usd": "usd", ".usda": "usd"}
+ENDINGS = {
+    **{f".{format}": format for format in ("sdf", "srdf", "mjcf")},
+    **dict.fromkeys((".usd", ".usda", ".usdc", ".usdz"), "usd"),
+}
 """The endings that promise another format than URDF."""
 
 

@@ -191,3 +191,73 @@ def test_examples_move_as_in_urdf(path: Path, tmp_path: Path) -> None:
     usd.write_text(yamaro.build(path, target="usd", on_message=lambda line: None).xml())
     assert usd_judges.complaints_of(usd) == []
     assert usd_judges.disagreement(build.xml(), usd, build.robot, positions=20) == ""
+
+
+# --- meshes and materials -----------------------------------------------------------------------
+
+CORNERS = [(0, 0, 0), (0.1, 0, 0), (0, 0.2, 0), (0, 0, 0.3)]
+FACES = [(0, 2, 1), (0, 1, 3), (0, 3, 2), (1, 2, 3)]
+WEDGES = """
+robot: wedges
+base: free
+model:
+- part: {name: base, link: {geometry: box, size: 0.2 0.2 0.1, mass: 1}}
+- for i, scale in [(0, '1 1 1'), (1, '1 1 1'), (2, '2 1 1'), (3, '1 -1 1')]:
+  - part:
+      name: w$(i)
+      joint: {type: fixed, parent: base, xyz: $(i) 0 0}
+      link: {geometry: wedge.stl, scale: $(scale), mass: 0.2, visual: , collision: }
+"""
+
+
+def test_shapes_of_one_mesh_and_scale_share_its_triangles(tmp_path: Path) -> None:
+    import numpy as np
+    from pxr import UsdGeom, UsdPhysics
+
+    facets = "".join(
+        "facet normal 0 0 0\nouter loop\n"
+        + "".join(f"vertex {x} {y} {z}\n" for x, y, z in (CORNERS[each] for each in face))
+        + "endloop\nendfacet\n"
+        for face in FACES
+    )
+    (tmp_path / "wedge.stl").write_text(f"solid wedge\n{facets}endsolid wedge\n")
+    (tmp_path / "robot.yaml").write_text(WEDGES)
+    stage, build = stage_of(WEDGES, tmp_path)
+    assert build.xml().count("point3f[] points") == 3
+    scales = {"w0": (1, 1, 1), "w1": (1, 1, 1), "w2": (2, 1, 1), "w3": (1, -1, 1)}
+    found = 0
+    for prim in stage.Traverse():
+        if not prim.IsA(UsdGeom.Mesh):
+            continue
+        found += 1
+        mesh, scale = UsdGeom.Mesh(prim), np.array(scales[prim.GetName()[:2]])
+        points = np.array(mesh.GetPointsAttr().Get())
+        expected = {tuple(np.round(np.array(corner) * scale, 6)) for corner in CORNERS}
+        assert {tuple(np.round(point.astype(float), 6)) for point in points} == expected
+        assert len(points) == 4
+        corners = points[np.array(mesh.GetFaceVertexIndicesAttr().Get()).reshape(-1, 3)]
+        volume = np.linalg.det(corners).sum() / 6  # positive if all faces look outwards
+        assert volume == pytest.approx(0.1 * 0.2 * 0.3 / 6 * scale[0], rel=1e-5)
+        assert prim.HasAPI(UsdPhysics.CollisionAPI) == ("collision" in prim.GetName())
+    assert found == 8
+
+
+def test_materials_keep_their_names(tmp_path: Path) -> None:
+    from pxr import UsdShade
+
+    text = """
+robot: colours
+model:
+- part: {name: base, link: {geometry: box, size: 1 1 1, mass: 1, visual: {material: {name: carbon_black, color: 0.1 0.1 0.1 1}}}}
+- part: {name: top, joint: {type: fixed, parent: base}, link: {geometry: box, size: 1 1 1, mass: 1, visual: {material: carbon_black}}}
+- part: {name: lid, joint: {type: fixed, parent: base}, link: {geometry: box, size: 1 1 1, mass: 1, visual: {material: {name: Signal red, color: 1 0 0 0.5}}}}
+"""  # noqa: E501
+    stage, build = stage_of(text, tmp_path)
+    names = [each.GetName() for each in stage.Traverse() if each.IsA(UsdShade.Material)]
+    assert names == ["carbon_black", "Signal_red"]
+    renamed = [(each.owner, each.how) for each in build.losses if each.kind == "renamed"]
+    assert renamed == [("material 'Signal red'", "Signal_red")]
+    for link, name in (("base", "carbon_black"), ("top", "carbon_black"), ("lid", "Signal_red")):
+        visual = stage.GetPrimAtPath(f"/colours/{link}_link/{link}_link_visual")
+        bound = UsdShade.MaterialBindingAPI(visual).GetDirectBinding().GetMaterial()
+        assert bound.GetPrim().GetName() == name

@@ -105,7 +105,7 @@ class SensorCopier:
         """
         written = attribute_text(sensor, "name") or ""
         name = written or f"{body}_sensor"
-        owner = f"sensor '{name}'"
+        owner = f"sensor '{name}'" if written else f"sensor in '{body}'"
         made = sensor.with_children(self._known(sensor, owner, trace))
         plain = name if fault_of(name) is None else name.replace("::", "_").strip("_")
         new = unused(plain, self._used.setdefault(body, set()))
