@@ -42,6 +42,8 @@ if TYPE_CHECKING:
 
 BINARY_USD = (".usdc", ".usdz")
 """The endings of files of USD that are not text, by which OpenUSD knows how to read them."""
+BINARY_USD = (".usdc", ".usdz")
+"""The endings of files of USD that are not text, by which OpenUSD knows how to read them."""
 SIMULATORS = ("mjcf", "sdf", "usd")
 """The formats that say whether the root is fixed in the world."""
 TELLTALES = frozenset(("target", "eval", "exec", "globals", "locals", "vars"))

@@ -65,7 +65,9 @@ class Value:
 
 def values() -> Iterator[Value]:
     """Yield the values of the file, except those that say what there is."""
-    pending: list[tuple[yaml.Node, list[str], list[int]]] = [(yaml.compose(TEXT), [], [])]
+    root = yaml.compose(TEXT)
+    assert root is not None
+    pending: list[tuple[yaml.Node, list[str], list[int]]] = [(root, [], [])]
     while pending:
         node, path, keys = pending.pop()
         if isinstance(node, yaml.MappingNode):
