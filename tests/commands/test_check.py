@@ -164,6 +164,11 @@ model:
     assert codes_in(outcome(capsys, "a.yaml")[2], "a.yaml") == ["zero-outside-limits"]
     write(text + "states: {home: {arm: 1}}\n", "a.yaml")
     assert outcome(capsys, "a.yaml") == (0, "a.yaml: ok\n", "")
+    write(text + "states: {home: {arm: 0.5}}\n", "a.yaml")
+    assert outcome(capsys, "a.yaml")[0] == 0
+    write(text + "states: {home: {arm: 0.4}}\n", "a.yaml")
+    status, _, err = outcome(capsys, "a.yaml", "--allow", "state-outside-limit")
+    assert (status, "zero-outside-limits" in codes_in(err, "a.yaml")) == (1, True)
 
 
 def test_extensions_are_checked_at_the_users_own_lines(capsys: pytest.CaptureFixture[str]) -> None:

@@ -55,6 +55,7 @@ ATTRIBUTES = {
 }
 OF_INTERFACES = ("min", "max", "initial_value")
 """What an interface has as a `<param>`, and not as an attribute or element."""
+DATA_TYPES = ("double", "bool", "float32", *(f"{u}int{n}" for u in ("", "u") for n in (8, 16, 32)))
 COMPONENT_PARTS = (*INTERFACES, "param", "limits")
 TRANSMISSIONS = {
     f"transmission_interface/{kind}Transmission": count
@@ -64,6 +65,10 @@ TRANSMISSIONS = {
     )
 }
 """The known transmissions, and how many joints and actuators each has."""
+PARTS_OF_TRANSMISSIONS = (
+    *("type", "joint", "actuator", "mechanicalReduction", "leftActuator", "rightActuator"),
+    *("flexJoint", "rollJoint", "gap_joint", "passive_joint", "robotNamespace"),
+)
 OF_TRANSMISSIONS = (
     *("hardwareInterface", "mechanicalReduction", "mechanical_reduction", "role", "offset"),
     *("compensator", "gap_joint", "passive_joint"),
@@ -222,7 +227,8 @@ def _check_plugin(holder: Element, where: str, context: CheckContext) -> str:
             hint="write the name that the package exports, as in mock_components/GenericSystem",
         )
     elif holder.name == "hardware" and name not in PLUGINS:
-        meant = [each for each in PLUGINS if each.endswith(f"/{name}") or is_near(name, each)]
+        own = name.replace("::", "/")
+        meant = [n for n in PLUGINS if n.endswith(f"/{own}") or n == own or is_near(own, n)]
         if meant:
             from ..fixes import respelling
 
@@ -399,6 +405,12 @@ def _check_interface(interface: Element, part: Element, where: str, context: Che
                 else "it can hold param and limits",
             )
     _check_limits_switch(interface, own, context)
+    kind = (attribute_text(interface, "data_type") or "").strip()
+    if kind not in DATA_TYPES and any(is_near(kind, each) for each in DATA_TYPES):
+        report_word(
+            kind, DATA_TYPES, f"'data_type' of {own}", interface,
+            interface.value_span("data_type"), context, result="which ros2_control does not know",
+        )  # fmt: skip
     if "size" in interface.attributes:
         check_value(interface, AT_LEAST_ONE, f"'size' of {own}", context, attribute="size")
     if (attribute_text(interface, "data_type") or "double") == "double":
@@ -431,6 +443,10 @@ def _check_joint(
         return
     commands = list(children(part, "command_interface"))
     switch = (attribute_text(part, "mimic") or "").strip().lower()
+    if switch:
+        own = f"'mimic' of the joint '{joint.name}'"
+        truths = ("true", "false")
+        check_value(part, TRUE_OR_FALSE, own, context, attribute="mimic", truths=truths)
     if switch == "true" and joint.mimic is None:
         context.warn(
             "bad-value",
@@ -527,7 +543,7 @@ def _check_own_transmission(
         _check_reductions(part, ("mechanical_reduction",), own, context)
         _check_offset(part, own, context)
         wrong = child_named(part, "mechanicalReduction")
-        if wrong is not None:
+        if wrong is not None and _number(content(wrong)) != 1:
             from ..fixes import respelling
 
             context.warn(
@@ -569,6 +585,11 @@ def check_transmissions(
                 _report_fixed(joint, found, "ros_control finds no such joint", context)
         _check_reductions(transmission, ("mechanicalReduction",), where, context)
         actuators = list(children(transmission, "actuator"))
+        misspelt = [
+            child
+            for child in transmission.elements()
+            if _check_spelling(child, PARTS_OF_TRANSMISSIONS, where, context, reader="ros_control")
+        ]
         for part in (*joints, *actuators):
             own = f"the {part.name} '{named(part)}' of {where}"
             check_required(part, ("name",), own, skips, context)
@@ -578,7 +599,7 @@ def check_transmissions(
             _check_offset(part, own, context)
         if is_old:
             continue
-        if not text:
+        if not text and not misspelt:
             context.warn(
                 "missing-element",
                 f"{where} has {'no' if kind is None else 'an empty'} 'type'; {skips}",
@@ -589,7 +610,8 @@ def check_transmissions(
         _check_kind(text, kind, where, context)
         for joint in joints:
             _check_hardware_interfaces(joint, where, skips, context)
-        _check_counts(transmission, text, joints, actuators, where, context)
+        if not misspelt:
+            _check_counts(transmission, text, joints, actuators, where, context)
         if TRANSMISSIONS.get(text) == 2:
             parts = (*joints, *actuators)
             _check_roles([(content(child_named(p, "role")), p) for p in parts], where, context)

@@ -66,6 +66,20 @@ def check_gazebo(blocks: Iterable[Element], tree: Tree, context: CheckContext) -
     sensors: dict[str, Names] = {}
     for block in blocks:
         context.outermost = block
+        misspelt = next((each for each in block.attributes if is_near(each, "reference")), None)
+        if misspelt is not None:
+            from ..fixes import respelling
+
+            context.warn(
+                "unknown-attribute",
+                f"'{misspelt}' of a block for Gazebo has no meaning",
+                block,
+                attribute=misspelt,
+                is_of_name=True,
+                hint="did you mean 'reference'?",
+                fix=respelling(block.name_span(misspelt), misspelt, "reference"),
+            )
+            continue
         reference = (attribute_text(block, "reference") or "").strip()
         if reference and reference not in tree.links and reference not in tree.joints:
             continue  # reported as such

@@ -35,7 +35,8 @@ def advise_on_motion(robot: Robot, tree: Tree, context: CheckContext) -> None:
         if bounds is None:
             continue
         lower, upper = bounds
-        is_placed = home is not None and joint.name in home.positions
+        start = home.positions.get(joint.name) if home is not None else None
+        is_placed = start is not None and lower - ROUNDING <= start <= upper + ROUNDING
         has_zero = lower - ROUNDING <= 0 <= upper + ROUNDING
         if joint.mimic is None and joint.limit is not None and not is_placed and not has_zero:
             attribute = "lower" if lower > 0 else "upper"

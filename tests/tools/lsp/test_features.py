@@ -421,3 +421,24 @@ def test_formatting_gives_what_fmt_gives(client, tmp_path):
     uri = client.open(tmp_path / "broken.yaml", "a: [\n")
     parameters["textDocument"] = {"uri": uri}
     assert "error" in client.ask("textDocument/formatting", parameters)
+
+
+def test_a_finding_is_accepted_by_a_quick_fix_and_obeyed(client, tmp_path):
+    text = (
+        "robot: heavy\nmodel:\n- part:\n    name: base\n"
+        "    link: {geometry: box, size: 1 1 1, mass: 1}\n"
+    )
+    uri, built = _open(client, tmp_path / "arm.yaml", text)
+    client.wait_for_codes(uri, ["root-inertia"])
+    actions = client.request("textDocument/codeAction", {**built, "context": {"diagnostics": []}})
+    assert [each["title"] for each in actions] == ["accept 'root-inertia' here"]
+    edit = actions[0]["edit"]["changes"][uri][0]
+    assert edit["newText"] == "  # yamaro: allow root-inertia"
+    accepted = text.rstrip("\n") + edit["newText"] + "\n"
+    client.change(uri, 2, [{"text": accepted}])
+    client.wait_for_codes(uri, [])
+    unused = accepted.replace("mass: 1", "visual: ")
+    client.change(uri, 3, [{"text": unused}])
+    client.wait_for_codes(uri, ["unused-allow"])
+    actions = client.request("textDocument/codeAction", {**built, "context": {"diagnostics": []}})
+    assert actions[0]["title"] == "remove the comment"
