@@ -42,8 +42,7 @@ draws() { python -c 'from yamaro.tools.picture.window import make_window; make_w
 
 make_venv() {
     "$1" -m venv "$2" >/dev/null 2>&1 && return
-    # Debian keeps the venv module in a package of its own.
-    apt_install python3-venv && "$1" -m venv --clear "$2" >/dev/null && return
+    # Debian keeps the venv module in a package of its own, which scripts/setup-judges installs.
     fail "could not make a virtual environment with '$1 -m venv'; on Debian: apt install python3-venv"
 }
 
