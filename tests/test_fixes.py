@@ -10,9 +10,9 @@ import pytest
 
 from tests.test_cases import case_id, find_cases, read_options
 from yamaro.api import build
-from yamaro.arguments import UsageError
 from yamaro.diagnostics import Diagnostic, YamaroError, did_you_mean
 from yamaro.fixes import Edit, Fix, renumbering, replacement, respelling
+from yamaro.options import UsageError
 from yamaro.policy import Policy
 from yamaro.source import Source, Span
 

@@ -8,8 +8,8 @@ import pytest
 
 import yamaro
 from yamaro import YamaroError, YamaroWarning, build, convert
-from yamaro.arguments import UsageError
 from yamaro.files.loader import MemoryLoader
+from yamaro.options import UsageError
 
 ECHO = "variables: {n: 1}\nout: $(repr(n))\n"
 

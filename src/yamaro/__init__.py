@@ -5,7 +5,6 @@ if TYPE_CHECKING:
     from .api import build as build
     from .api import convert as convert
     from .api import load as load
-    from .arguments import UsageError as UsageError
     from .diagnostics import Diagnostic as Diagnostic
     from .diagnostics import YamaroError as YamaroError
     from .diagnostics import YamaroWarning as YamaroWarning
@@ -14,6 +13,7 @@ if TYPE_CHECKING:
     from .files.loader import MemoryLoader as MemoryLoader
     from .model.pose import Pose as Pose
     from .model.robot import Robot as Robot
+    from .options import UsageError as UsageError
     from .policy import Policy as Policy
     from .program import Program as Program
     from .result import Build as Build
@@ -57,7 +57,7 @@ _MODULES = {
     "Program": "program",
     "Robot": "model.robot",
     "Sweep": "tools.sweep.api",
-    "UsageError": "arguments",
+    "UsageError": "options",
     "YamaroError": "diagnostics",
     "YamaroWarning": "diagnostics",
     "build": "api",

@@ -2,47 +2,25 @@
 
 from __future__ import annotations
 
-from .arguments import UsageError, explains_variables, merged_variables
-from .files.mesh_files import RELATIVE
+import sys
+
+from .options import DEFAULTS, OF_FILES, UsageError, explains_variables, merged_variables
 from .policy import Policy
 from .program import Program, as_built_in, converted
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     import os
-    from collections.abc import Callable, Iterable, Mapping, Sequence
+    from collections.abc import Iterable, Mapping
 
-    from .files.loader import Loader
+    from typing_extensions import Unpack
+
+    from .options import AllOptions
     from .result import Build
 
 
 @explains_variables("variables={{'{name}': {value}}}")
-def build(
-    path: str | os.PathLike[str],
-    *,
-    command_line: Sequence[str] = (),
-    variables: Mapping[str, object] | None = None,
-    text: str | None = None,
-    strict: bool = False,
-    advice: bool = False,
-    on_message: Callable[[str], None] | None = None,
-    loader: Loader | None = None,
-    policy: Policy | None = None,
-    packages: Mapping[str, str] | None = None,
-    has_root: bool = True,
-    output: str | os.PathLike[str] | None = None,
-    meshes: str = RELATIVE,
-    gazebo: bool = False,
-    allow: Iterable[str] = (),
-    deny: Iterable[str] = (),
-    records: bool = False,
-    target: str | Sequence[str] | None = None,
-    base: str | None = None,
-    repair_inertia: bool = False,
-    sdf_version: str | None = None,
-    on_progress: Callable[[float], None] | None = None,
-    partial: bool = False,
-) -> Build:
+def build(path: str | os.PathLike[str], **options: Unpack[AllOptions]) -> Build:
     """Compile a file.
 
     Args:
@@ -87,15 +65,7 @@ def build(
         UsageError: the main file cannot be read, a `name:=value` or the value of another argument
             is malformed, or a code of `allow` or `deny` is unknown or always an error.
     """
-    program = Program(
-        path, text=text, loader=loader, policy=policy, packages=packages, allow=allow, deny=deny
-    )
-    return program.build(
-        command_line=command_line, variables=variables, strict=strict, advice=advice,
-        on_message=on_message, has_root=has_root, output=output, meshes=meshes, gazebo=gazebo,
-        records=records, target=target, base=base, repair_inertia=repair_inertia,
-        sdf_version=sdf_version, on_progress=on_progress, partial=partial,
-    )  # fmt: skip
+    return Program(path, **options).build()
 
 
 def convert(
@@ -135,37 +105,38 @@ def convert(
 
 
 @explains_variables("load(path).convert({name}={value})")
-def load(
-    path: str | os.PathLike[str],
-    *,
-    loader: Loader | None = None,
-    policy: Policy | None = None,
-    packages: Mapping[str, str] | None = None,
-    allow: Iterable[str] = (),
-    deny: Iterable[str] = (),
-) -> Program:
+def load(path: str | os.PathLike[str], **options: Unpack[AllOptions]) -> Program:
     """Return a program that converts a file again and again.
 
     Args:
         path: the main file.
-        loader: gives the text of files; the disk by default.
-        policy: how far the file is trusted; in full by default.
-        packages: folders of ROS packages by name, before those that are found.
-        allow: codes of diagnostics that are warnings in all conversions.
-        deny: codes of diagnostics that are errors in all conversions.
+        options: as `build` takes them, for all conversions. Except for `text`, `loader`, `policy`
+            and `packages`, each can have others.
 
     Raises:
         YamaroError: the main file has errors, which are found without running it.
         OSError: the main file cannot be read.
-        ValueError: a code of `allow` or `deny` is unknown or always an error.
+        ValueError: an option makes no sense, such as a code that cannot be allowed or denied.
     """
     import threading  # noqa: F401 - lets `deep_stack` keep its thread for the next conversion
 
     try:
-        program = Program(
-            path, loader=loader, policy=policy, packages=packages, allow=allow, deny=deny
-        )
+        program = Program(path, **options)
         program.parse()
     except UsageError as error:
         raise as_built_in(error) from None
     return program
+
+
+if "inspect" in sys.modules:  # as in a notebook, which completes the keywords that it finds there
+    from inspect import Parameter, signature
+
+    for _function, _left_out in ((build, ()), (load, ()), (Program.build, OF_FILES)):
+        _first, _ = signature(_function).parameters.values()
+        _keywords = [
+            Parameter(_name, Parameter.KEYWORD_ONLY, default=_default)
+            for _name, _default in DEFAULTS.items()
+            if _name not in _left_out
+        ]
+        _own = signature(_function).replace(parameters=[_first, *_keywords])
+        setattr(_function, "__signature__", _own)  # noqa: B010 - functions are not typed to have it

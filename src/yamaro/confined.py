@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from typing import TypeVar
 
     from .files.readable import Reach
-    from .request import Request, Target
+    from .request import Request
     from .result import Build
     from .sandbox.jail import JailError, JailLimits
     from .sandbox.outcome import Document, Outcome
@@ -173,21 +173,23 @@ def build_of_outcome(outcome: Outcome, request: Request, policy: Policy) -> Buil
     from .result import Build
     from .sandbox.jail import JailError
 
-    if request.targets:
+    formats = request.options.target
+    if formats is not None:
         try:
-            return _first_output(outcome, request.targets)
+            return _first_output(outcome, formats, request)
         except JailError as error:
             raise _failure_of_jail(error, policy, request.source.name) from None
-    paths, root = request.paths, outcome.root
+    root = outcome.root
     if root is not None and root.name == "robot":  # as it was written
         outcome.pieces = run_on_deep_stack(
-            lambda: write_pieces(paths.applied_to(root), policy.limits)
+            lambda: write_pieces(request.paths.applied_to(root), policy.limits)
         )
 
     return Build(
         lambda: outcome.meshes,
+        finder=request.finder,
+        copies=request.copies,
         finished=outcome.root,
-        paths=paths,
         pieces=outcome.pieces,
         warnings=outcome.diagnostics,
         files=outcome.files,
@@ -196,17 +198,17 @@ def build_of_outcome(outcome: Outcome, request: Request, policy: Policy) -> Buil
     )
 
 
-def _first_output(outcome: Outcome, targets: Sequence[Target]) -> Build:
+def _first_output(outcome: Outcome, formats: Sequence[str], request: Request) -> Build:
     """Return the build of the first format that left a jail, with those of all in its `outputs`."""
     from .sandbox.jail import JailAnswerBroken
 
     found = {each.format: each for each in outcome.documents}
-    if found.keys() != {each.format for each in targets} or len(found) < len(outcome.documents):
+    if found.keys() != set(formats) or len(found) < len(outcome.documents):
         raise JailAnswerBroken("the answer holds other formats than were asked for")
     builds = {
-        target.format: _build_of_document(found[target.format], target, outcome)
-        for target in targets
-        if not found[target.format].refusal
+        format: _build_of_document(found[format], outcome, request)
+        for format in formats
+        if not found[format].refusal
     }
     if not builds:
         raise JailAnswerBroken("the answer holds no document")
@@ -224,7 +226,7 @@ def _is_file_name(name: str, format: str) -> bool:
     return name.endswith(ending) and is_file_stem(name.removesuffix(ending))
 
 
-def _build_of_document(document: Document, target: Target, outcome: Outcome) -> Build:
+def _build_of_document(document: Document, outcome: Outcome, request: Request) -> Build:
     from .result import Build
     from .sandbox.jail import JailAnswerBroken
     from .targets.losses import unpacked
@@ -234,27 +236,29 @@ def _build_of_document(document: Document, target: Target, outcome: Outcome) -> 
         losses = unpacked(document.losses)
     except ValueError as error:
         raise JailAnswerBroken(f"its answer is malformed: {error}") from None
-    if target.file_name is not None:
-        document.file_name = target.file_name
-    elif not _is_file_name(document.file_name, target.format):
-        raise JailAnswerBroken("the answer does not name its file")
+    file_name = request.file_name
+    if file_name is None:
+        file_name = document.file_name
+        if not _is_file_name(file_name, document.format):
+            raise JailAnswerBroken("the answer does not name its file")
     if not all(name == SCENE or name.startswith("assets/") for name in document.assets or ()):
         raise JailAnswerBroken("the answer holds a file of another name")
-    build = Build(
+    return Build(
         lambda: outcome.meshes,
+        finder=request.finder,
+        copies=request.copies,
         finished=document.robot if has_own else outcome.root,
-        paths=target.paths,
         pieces=[document.text],
         warnings=outcome.diagnostics,
         files=outcome.files,
         notes=document.notes if has_own else outcome.notes,
-        format=target.format,
+        noted=outcome.noted,
+        format=document.format,
+        file_name=file_name,
         document=document.root,
         losses=losses,
         assets=document.assets,
     )
-    build.file_name = document.file_name
-    return build
 
 
 def run_in_jail(

@@ -1,31 +1,46 @@
-"""The pipeline: read → parse → evaluate → lower → check → emit."""
+"""The pipeline: read → parse → evaluate → lower → check → emit, for every output format.
+
+`request.py` has read the main file. It is parsed when evaluation begins, and each file it includes
+when that is reached. A room is imported when a file needs it: a document without parts loads
+nothing of `robot/`, and URDF without a word about what it cannot hold nothing of `targets/`.
+
+The file is run once for all formats if the run does not depend on the format: if nothing reads
+`target`, and no block for one format is reached. Otherwise it is run for each format; SRDF, which
+belongs to a URDF, uses the run of that.
+"""
 
 from __future__ import annotations
 
-from .diagnostics import Reporter, YamaroError
-from .phases import add_gazebo, check, evaluate, lower
-from .result import Build, Finished
+from .diagnostics import ERROR, Reporter, YamaroError
+from .files.mesh_files import NONE
+from .result import Build
 from .runtime.interpreter import Interpreter
-from .runtime.predefined import TARGET
+from .runtime.predefined import TARGET as URDF
 from .runtime.statements import HANDLERS
+from .runtime.yaml_main import run_yaml_main
+from .xml.tree import Element
 from .xml.writer import write_pieces
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable
+    from collections.abc import Callable, Sequence
 
     from .diagnostics import Diagnostic
+    from .files.mesh_files import MeshFinder
+    from .model.robot import Robot
     from .policy import Policy
     from .request import Request
-    from .runtime.interpreter import Handlers
     from .runtime.library import Library
-    from .xml.tree import Element
+    from .targets.output import Output
+
+    Say = Callable[[str], None]
+
+TELLTALES = frozenset(("target", "eval", "exec", "globals", "locals", "vars"))
+"""The names of which an expression reads one if what it gives may depend on the format."""
 
 
-def compile_request(
-    request: Request, library: Library, policy: Policy, say: Callable[[str], None]
-) -> Build:
-    """Return what is built of a main file, which `main_file.py` has read.
+def run_pipeline(request: Request, library: Library, policy: Policy, say: Say) -> Build:
+    """Return the build of the first format asked for, with those of all formats in its `outputs`.
 
     Args:
         request: the main file, and what was asked for with it.
@@ -34,93 +49,335 @@ def compile_request(
         say: takes the lines that they print.
 
     Raises:
-        YamaroError: the input has errors.
+        YamaroError: the input has errors, or a format cannot be written; it holds the errors of
+            all formats.
     """
-    reporter, finder = request.reporter, request.paths.finder
-    interpreter = interpreter_for(request, library, policy, say)
-    evaluated = evaluate(request, interpreter)
-    document = _lower_check_emit(evaluated, request, interpreter)
-    finished = document.root
-    if finished is not None:
-        request.allow(document.diagnostics)
-    else:
-        explain(document.diagnostics, interpreter)
-    if finished is None or request.adjustment.deny(document.diagnostics):
-        raise YamaroError(document.diagnostics)
-    for diagnostic in document.diagnostics:
-        reporter.add(diagnostic)
-    return Build(
-        lambda: finder.referred_to(finished),
-        finished=finished,
-        notes=document.notes,
-        paths=request.paths,
-        pieces=document.pieces,
-        warnings=reporter.diagnostics,
-        files=list(interpreter.files.read),
-        noted=interpreter.noted.readings() if interpreter.noted is not None else (),
-    )
+    formats = request.options.target
+    if formats is None:
+        return Run(request, library, policy, say).build()
+    said: set[str] = set()
+    runs: dict[str, Run] = {}
+    builds: dict[str, Build] = {}
+    refused: dict[str, str] = {}
+    errors = Reporter()
+    has_failed = False
+    for format in formats:
+        name = URDF if format == "srdf" else format
+        run = runs.get(name) or next((r for r in runs.values() if not r.depends_on_format), None)
+        if run is None:
+            say_once = _unless_said_before(said, say) if len(formats) > 1 else say
+            run = runs[name] = Run(request, library, policy, say_once, target=name)
+        try:
+            builds[format] = run.build(format)
+        except YamaroError as error:
+            if request.options.partial and not run.is_faulty:
+                refused[format] = next(
+                    each.message for each in error.diagnostics if each.severity == ERROR
+                )
+                continue
+            has_failed = True
+            for diagnostic in error.diagnostics:
+                errors.add(diagnostic)
+    if has_failed:
+        raise YamaroError(errors.diagnostics)
+    first = next(iter(builds.values()))
+    first.outputs, first.refused = builds, refused
+    return first
 
 
-def interpreter_for(
-    request: Request,
-    library: Library,
-    policy: Policy,
-    say: Callable[[str], None],
-    *,
-    target: str = TARGET,
+def _unless_said_before(said: set[str], say: Say) -> Say:
+    """Return what leaves out the lines of earlier runs; one that comes twice in a run is new."""
+    earlier = frozenset(said)
+
+    def say_new(line: str) -> None:
+        said.add(line)
+        if line not in earlier:
+            say(line)
+
+    return say_new
+
+
+class Run:
+    """A run of the main file: evaluated, lowered and checked, to be written in output formats.
+
+    Attributes:
+        root: the finished tree; if the run is faulty, the tree that was evaluated.
+        notes: what the robot has that is not an element of it.
+        diagnostics: what was found.
+        is_faulty: whether there is nothing to write.
+    """
+
+    __slots__ = (
+        "_has_files", "_interpreter", "_request", "_robot", "diagnostics", "is_faulty", "notes",
+        "root",
+    )  # fmt: skip
+
+    def __init__(
+        self, request: Request, library: Library, policy: Policy, say: Say, *, target: str = URDF
+    ) -> None:
+        """Run the main file; for the arguments see `run_pipeline`.
+
+        Raises:
+            YamaroError: evaluation ended with an error.
+        """
+        self._request = request
+        self._interpreter = interpreter = _interpreter(request, library, policy, say, target)
+        self.root = evaluate(request, interpreter)
+        self.notes: Sequence[Element] = ()
+        self._robot: Robot | None = None
+        self._has_files = False
+        self.is_faulty = False
+        reporter = Reporter()
+        try:
+            self.root, self.notes = lower(self.root, interpreter, request.finder, reporter)
+            self._robot, self._has_files = check(self.root, self.notes, request, reporter)
+            self.diagnostics = reporter.diagnostics
+        except YamaroError as error:
+            self.is_faulty = True
+            self.diagnostics = [*reporter.diagnostics, *error.diagnostics]
+
+    @property
+    def depends_on_format(self) -> bool:
+        """Return whether the run may give something else for another format."""
+        names = self._interpreter.files.names_read()
+        return self._interpreter.has_raw_blocks or not TELLTALES.isdisjoint(names)
+
+    def build(self, format: str | None = None) -> Build:
+        """Return the build of one format, None for URDF or other XML that nobody asked for by name.
+
+        Raises:
+            YamaroError: the robot has errors, or the format cannot be written.
+        """
+        request, found = self._request, self.diagnostics
+        if format is not None:
+            from .targets.writers import SIMULATORS, assumed_base, found_for
+
+            found = found_for(format, found)
+            if format in SIMULATORS and not request.options.partial and not self.is_faulty:
+                found += assumed_base(self._read_robot(), request.options.base)
+        if self.is_faulty:
+            raise self._failure(found)
+        request.allow(found)
+        if request.adjustment.deny(found):
+            raise YamaroError(found)
+        try:
+            build, told = self._emit(format)
+        except YamaroError as error:
+            raise self._failure([*found, *error.diagnostics]) from None
+        for diagnostic in (*found, *told):
+            request.reporter.add(diagnostic)
+        return build
+
+    def _failure(self, errors: list[Diagnostic]) -> YamaroError:
+        """Return what is raised, which notes where the values come from that are wrong."""
+        from .runtime.origins import add_origins
+
+        for diagnostic in errors:
+            add_origins(diagnostic, self._interpreter.files, self._interpreter.places)
+        return YamaroError(errors)
+
+    def _read_robot(self) -> Robot:
+        """Return the robot; raise YamaroError if the root is not a `<robot>`."""
+        if self._robot is None:
+            from .model.reading import read_robot
+
+            self._robot = read_robot(self.root, notes=self.notes)
+        return self._robot
+
+    def _emit(self, format: str | None) -> tuple[Build, Sequence[Diagnostic]]:
+        """Write the robot in a format; return the build, and what there is to say of it.
+
+        Raises:
+            YamaroError: it cannot be written.
+        """
+        request, interpreter = self._request, self._interpreter
+        finder, is_urdf, file_name = request.finder, format in (None, URDF), ""
+        if format is not None:
+            from .targets.writers import file_name_for
+
+            name = "" if self._robot is None else self._robot.name
+            file_name = request.file_name or ""
+            if request.file_name is None:
+                file_name = file_name_for(name, format, request.stem)
+        output = self._written(format, file_name)
+        document, text = (self.root, "") if output is None else (output.root, output.text)
+        finished = document if is_urdf else self.root
+        if is_urdf and self._has_files:
+            document = request.paths.applied_to(document)
+        noted = interpreter.noted
+        build = Build(
+            lambda: finder.referred_to(finished),
+            finder=finder,
+            copies=request.copies,
+            finished=finished,
+            notes=self.notes,
+            pieces=[text] if text else write_pieces(document, interpreter.limits),
+            warnings=request.reporter.diagnostics,
+            files=list(interpreter.files.read),
+            noted=() if noted is None else noted.readings(),
+            format=format or URDF,
+            file_name=file_name,
+            document=None if is_urdf else document,
+            losses=() if output is None or format is None else output.losses,
+            assets=None if output is None or is_urdf else output.files,
+        )
+        if output is None:
+            return build, ()
+        from .targets.losses import diagnostics_of
+
+        losses = [] if request.options.partial else diagnostics_of(output.losses, build.format)
+        return build, [*output.warnings, *losses]
+
+    def _written(self, format: str | None, file_name: str) -> Output | None:
+        """Return what the writer of a format gives, None for a tree that is written as it is."""
+        request, options = self._request, self._request.options
+        if format is None and not (options.gazebo and self.notes):
+            return None
+        if format == URDF and options.partial and self.root.name != "robot":
+            return None
+        from .model.joint import FIXED
+        from .model.kinematics import base_of
+        from .model.reading import read_robot
+        from .targets.output import Wanted
+        from .targets.writers import write_target
+
+        if format in (None, URDF):  # what is in elements of URDF stays as it is
+            robot = read_robot(self.root, notes=self.notes, recognizes=False)
+        else:
+            robot = self._read_robot()
+        wanted = Wanted(
+            format or URDF,
+            name=request.stem,
+            is_fixed=base_of(robot, options.base)[0] == FIXED,
+            paths=request.paths,
+            is_named=format is not None,
+            has_meshes=options.meshes != NONE,
+            has_gazebo=options.gazebo,
+            repairs_inertia=options.repair_inertia,
+            version=options.sdf_version or "" if format == "sdf" else "",
+            file_name=file_name,
+            progress=options.on_progress,
+        )
+        return write_target(robot, wanted)
+
+
+# --- the phases ---
+
+
+def _interpreter(
+    request: Request, library: Library, policy: Policy, say: Say, target: str
 ) -> Interpreter:
-    """Return what runs the main file; for the other arguments see `compile_request`.
+    handlers, records = HANDLERS, request.options.records
+    if records:
+        from .runtime.recording import RECORDING_HANDLERS, Noted
 
-    Args:
-        request: the main file, and what was asked for with it.
-        library: reads and parses files.
-        policy: how far they are trusted.
-        say: takes the lines that they print.
-        target: the output format that is written.
-    """
+        handlers = RECORDING_HANDLERS
     interpreter = Interpreter(
-        _handlers(request),
+        handlers,
         library=library,
         reporter=request.reporter,
         on_message=say,
         policy=policy,
         packages=request.packages,
-        shares=not request.records,
+        shares=not records,
         target=target,
     )
-    if request.records:
-        from .runtime.recording import Noted
-
+    if records:
         interpreter.noted = Noted(interpreter)
     return interpreter
 
 
-def explain(errors: Iterable[Diagnostic], interpreter: Interpreter) -> None:
-    """Note in errors that are raised where the values come from that are wrong."""
-    from .runtime.origins import add_origins
+def evaluate(request: Request, interpreter: Interpreter) -> Element:
+    """Run the main file, which is parsed then, and each file it includes, when it is reached."""
+    variables, places, reporter = request.variables, request.places, request.reporter
+    is_xacro = False
+    if request.source.is_xml:
+        from .runtime.xml_main import run_xml_main
 
-    for diagnostic in errors:
-        add_origins(diagnostic, interpreter.files, interpreter.places)
-
-
-def _handlers(request: Request) -> Handlers:
-    if not request.records:
-        return HANDLERS
-    from .runtime.recording import RECORDING_HANDLERS
-
-    return RECORDING_HANDLERS
-
-
-def _lower_check_emit(root: Element, request: Request, interpreter: Interpreter) -> Finished:
-    reporter, paths = Reporter(), request.paths
-    try:
-        root, notes = lower(root, interpreter, paths.finder, reporter)
-        if request.has_gazebo and notes:
-            root = add_gazebo(root, notes, reporter)
-        has_files = check(root, paths.finder, reporter, request.wanted_advice(), notes=notes)
-        written = paths.applied_to(root) if has_files else root
-        return Finished(
-            root, write_pieces(written, interpreter.limits), reporter.diagnostics, notes
+        texts = {name: str(text) for name, text in variables.items()}  # they are texts already
+        root, is_xacro = run_xml_main(request.source, interpreter, texts, places, reporter)
+    else:
+        root = run_yaml_main(
+            interpreter, request.source, stem=request.stem, variables=variables, places=places
         )
-    except YamaroError as error:
-        return Finished(None, [], [*reporter.diagnostics, *error.diagnostics])
+    if not is_xacro and (places or interpreter.passed):  # xacro's own rules are another matter
+        from .runtime.unread import warn_of_unread, warn_of_unread_includes
+
+        warn_of_unread(places, interpreter.files, reporter)
+        if interpreter.passed:
+            warn_of_unread_includes(interpreter.passed.values(), interpreter.files, reporter)
+    return root
+
+
+def lower(
+    root: Element, interpreter: Interpreter, finder: MeshFinder, reporter: Reporter
+) -> tuple[Element, Sequence[Element]]:
+    """Return the tree without parts, in which the names of materials do not clash, and its notes.
+
+    A note is what a robot has that is not an element of URDF, such as a sensor.
+    """
+    notes: Sequence[Element] = ()
+    if interpreter.has_parts:
+        from .robot.part import lower as lower_parts
+
+        root, notes = lower_parts(
+            root,
+            reporter=reporter,
+            resolve_mesh=finder.resolve,
+            may_read=finder.allows,
+        )
+    if interpreter.has_blocks:
+        from .robot.raw_blocks import take_raw_blocks
+
+        root, blocks = take_raw_blocks(root)
+        notes = [*notes, *blocks]
+    if interpreter.is_yaml and root.name == "robot":
+        if any(
+            isinstance(child, Element) and (child.name == "material" or child.body is not None)
+            for child in root.children
+        ):
+            from .robot.material_names import settle_materials
+
+            root = settle_materials(root)
+    return root, notes
+
+
+def check(
+    root: Element, notes: Sequence[Element], request: Request, reporter: Reporter
+) -> tuple[Robot | None, bool]:
+    """Check a robot, with the advice asked for; return it, and whether it refers to files.
+
+    Of other XML only the format is checked, and there is None in place of the robot.
+    """
+    if root.name != "robot":
+        if root.span.source.is_xml:
+            from .check.robot import check_format
+
+            check_format(root, reporter)
+        return None, False
+    from .check.robot import check as check_robot
+    from .model.reading import read_robot
+    from .model.values import NumberReader
+
+    finder, wants = request.finder, request.options.wanted_advice()
+    numbers = NumberReader()
+    robot = read_robot(root, notes=notes, numbers=numbers)
+    advisor = None if wants is None else Reporter()
+    has_files = check_robot(
+        root,
+        reporter=reporter,
+        resolve_mesh=finder.resolve,
+        package_fault=finder.package_fault,
+        path_meant=finder.path_meant,
+        advice=advisor,
+        robot=robot,
+        numbers=numbers,
+    )
+    if clashes := finder.package_clashes():
+        from .check.packages import warn_of_clashes
+
+        warn_of_clashes(clashes, root, reporter)
+    for diagnostic in advisor.diagnostics if advisor else ():
+        if wants is not None and wants(diagnostic.code):
+            reporter.add(diagnostic)
+    return robot, has_files

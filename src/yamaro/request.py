@@ -1,20 +1,43 @@
-"""One conversion as it was asked for: what every phase of the pipeline may need to know."""
+"""One build as it was asked for: the main file, its variables, what may be read, the options."""
 
 from __future__ import annotations
 
-from .files.mesh_files import RELATIVE
+import os
+
+from .diagnostics import Reporter, YamaroError, failure_of_all
+from .files.loader import LoadError
+from .files.mesh_files import COPY, RELATIVE, MeshFinder
+from .files.packages import PackageFinder
+from .options import UsageError
+from .runtime.predefined import plain_data
+from .source import (
+    COMMAND_LINE,
+    KEYWORD_ARGUMENT,
+    STANDARD_INPUT,
+    STANDARD_INPUT_NAME,
+    Source,
+    Span,
+    holds_xml,
+)
+from .syntax.context import ParseContext
+from .syntax.names import is_identifier, python_name
+from .syntax.values import parse_inline
+from .xml.values import format_value
+from .yaml.nodes import PLAIN, ScalarNode
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
+    from collections.abc import Callable, Mapping, Sequence
 
-    from .diagnostics import Adjustment, Diagnostic, Reporter
-    from .files.mesh_files import MeshFinder
-    from .files.packages import PackageFinder
-    from .source import Source, Span
+    from .diagnostics import Diagnostic
+    from .files.readable import Reach
+    from .options import Options
+    from .policy import Policy
+    from .runtime.library import Library
     from .targets.assets import Assets
     from .targets.mesh_paths import MeshPaths
-    from .xml.tree import Element
+
+    Run = Callable[[Callable[[], bytes]], bytes]
 
 
 _OF_THIS_MACHINE = (
@@ -23,152 +46,86 @@ _OF_THIS_MACHINE = (
 """The codes of what depends on the files and packages that are installed."""
 
 
-class Target:
-    """An output format that was asked for, and how.
-
-    Attributes:
-        format: one of `FORMATS`.
-        paths: how its document names meshes.
-        has_meshes: whether shapes that are meshes are written.
-        base: `fixed` or `free`, or None to do as the robot says.
-        repairs_inertia: whether inertia that no body can have is balanced.
-        version: of the format, or "" for the default.
-        file_name: what the file of the document is called: "" on standard output, None to call it
-            like the robot.
-        progress: is called with how far long work is, or None.
-    """
-
-    __slots__ = (
-        "base", "file_name", "format", "has_meshes", "paths", "progress", "repairs_inertia",
-        "version",
-    )  # fmt: skip
-
-    def __init__(
-        self,
-        format: str,
-        paths: MeshPaths,
-        *,
-        has_meshes: bool = True,
-        base: str | None = None,
-        repairs_inertia: bool = False,
-        version: str = "",
-        file_name: str | None = "",
-        progress: Callable[[float], None] | None = None,
-    ) -> None:
-        self.format = format
-        self.paths = paths
-        self.has_meshes = has_meshes
-        self.base = base
-        self.repairs_inertia = repairs_inertia
-        self.version = version
-        self.file_name = file_name
-        self.progress = progress
-
-
-class RelativePaths:
-    """Names meshes by paths relative to the folder of the output, if a robot has any.
-
-    Attributes:
-        finder: finds files and packages.
-        assets: no copies.
-    """
-
-    __slots__ = ("_folder", "_is_cached", "_run", "finder")
-
-    assets: Assets | None = None
-
-    def __init__(
-        self,
-        folder: str,
-        finder: MeshFinder,
-        run: Callable[[Callable[[], bytes]], bytes],
-        *,
-        is_cached: bool,
-    ) -> None:
-        """Name files for an output in a folder; see `MeshPaths`."""
-        self.finder = finder
-        self._folder = folder
-        self._run = run
-        self._is_cached = is_cached
-
-    def whole(self) -> MeshPaths:
-        """Return what knows all of it."""
-        from .targets.mesh_paths import MeshPaths
-
-        return MeshPaths(
-            RELATIVE, self._folder, self.finder, run=self._run, is_cached=self._is_cached
-        )
-
-    def applied_to(self, root: Element) -> Element:
-        """Return a robot with these paths; `root` stays as it is."""
-        return self.whole().applied_to(root)
-
-
 class Request:
-    """What is built, with which variables, and where messages go.
+    """What is built, with which variables, and where warnings go.
 
     Attributes:
         source: the main file, as it was read.
         stem: the name of the robot, if the file does not name it.
+        options: what was asked for.
         variables: the variables passed, by name.
         places: where the name of each of them is written.
         packages: finds packages.
-        paths: finds the files of meshes, and how they are named.
+        finder: finds the files of meshes.
         reporter: takes the warnings.
         adjustment: which codes are allowed and denied.
-        has_advice: whether all advice is wanted, and not only that of codes which are denied.
-        has_gazebo: whether sensors and surfaces are written for Gazebo.
-        records: whether places hold which variables were read there; see `RecordedSpan`.
-        targets: the output formats asked for; none for URDF or other XML without a word about
-            what it cannot hold.
-        is_partial: whether formats that cannot be written are left out, and losses not reported.
+        file_name: what the file of the document is called: "" on standard output, None to call it
+            like the robot.
     """
 
     __slots__ = (
-        "adjustment",
-        "has_advice",
-        "has_gazebo",
-        "is_partial",
-        "packages",
-        "paths",
-        "places",
-        "records",
-        "reporter",
-        "source",
-        "stem",
-        "targets",
-        "variables",
-    )
+        "_folder", "_paths", "_run", "adjustment", "file_name", "finder", "options", "packages",
+        "places", "reporter", "source", "stem", "variables",
+    )  # fmt: skip
 
     def __init__(
-        self,
-        source: Source,
-        *,
-        stem: str,
-        variables: dict[str, object],
-        places: dict[str, Span],
-        packages: PackageFinder,
-        paths: MeshPaths | RelativePaths,
-        reporter: Reporter,
-        adjustment: Adjustment,
-        has_advice: bool,
-        has_gazebo: bool = False,
-        records: bool = False,
-        targets: Sequence[Target] = (),
+        self, path: str, source: Source, options: Options, *, reach: Reach | None, run: Run
     ) -> None:
+        """Ask for a build.
+
+        Args:
+            path: that of the main file.
+            source: the main file, as it was read.
+            options: what is asked for.
+            reach: what may be read, or None for anything.
+            run: runs what parses files that others wrote, in a jail if they are not trusted.
+
+        Raises:
+            UsageError: a `name:=value` is malformed, or there is no such way to name meshes.
+        """
         self.source = source
-        self.stem = stem
-        self.variables = variables
-        self.places = places
-        self.packages = packages
-        self.paths = paths
-        self.reporter = reporter
-        self.adjustment = adjustment
-        self.has_advice = has_advice
-        self.has_gazebo = has_gazebo
-        self.records = records
-        self.targets = targets
-        self.is_partial = False
+        self.stem = stem_of(path)
+        self.options = options
+        self.variables, self.places = read_arguments(
+            options.command_line, options.variables, is_xml=source.is_xml
+        )
+        self.packages = finder_for(path, reach, options.packages)
+        start = folder_of(path)
+        self.finder = MeshFinder(self.packages, reach, start=start)
+        self.reporter = Reporter()
+        self.adjustment = options.adjustment
+        self.file_name: str | None = ""
+        self._folder = start
+        if options.output is not None:
+            whole = os.path.abspath(options.output)
+            self.file_name = os.path.basename(options.output) or None
+            self._folder = whole if self.file_name is None else os.path.dirname(whole)
+        self._run = run
+        self._paths = None if options.meshes == RELATIVE else self._name_meshes()
+
+    def _name_meshes(self) -> MeshPaths:
+        from .targets.mesh_paths import MeshPaths
+
+        options = self.options
+        is_cached = options.policy.is_trusted  # others change nothing on the disk
+        try:
+            return MeshPaths(
+                options.meshes, self._folder, self.finder, run=self._run, is_cached=is_cached
+            )
+        except ValueError as error:
+            raise UsageError(str(error)) from None
+
+    @property
+    def paths(self) -> MeshPaths:
+        """Return how the output names meshes, which is made for the few robots that have any."""
+        if self._paths is None:
+            self._paths = self._name_meshes()
+        return self._paths
+
+    @property
+    def copies(self) -> Assets | None:
+        """Return the copies of meshes beside the output, if it refers to such."""
+        return self.paths.assets if self.options.meshes == COPY else None
 
     def allow(self, diagnostics: Sequence[Diagnostic]) -> None:
         """Turn what the command line allows into warnings, and mark what comments accept."""
@@ -180,19 +137,133 @@ class Request:
 
     def looks_for(self, code: str) -> bool:
         """Return whether a finding with a code is reported here wherever there is one."""
-        from .targets.writers import URDF_ONLY
+        from .targets.writers import SIMULATORS, URDF_ONLY
 
-        formats = [target.format for target in self.targets] or ["urdf"]
+        formats = self.options.target or ("urdf",)
         if code in URDF_ONLY:
             return "urdf" in formats
         if code == "base-assumed":
-            return not {"mjcf", "sdf", "usd"}.isdisjoint(formats)
+            return not set(SIMULATORS).isdisjoint(formats)
         if code in _OF_THIS_MACHINE or ".srdf" in self.source.name.lower():
             return False
         return "-in-" not in code or code.partition("-in-")[2] in formats
 
-    def wanted_advice(self) -> Callable[[str], bool] | None:
-        """Return what decides which codes of advice to report, or None if no advice is wanted."""
-        if self.has_advice:
-            return lambda code: True
-        return self.adjustment.denied.__contains__ if self.adjustment.denied else None
+
+def read_main(path: str, text: str | None, library: Library) -> Source:
+    """Return the main file; `text`, if given, is what to take for its content.
+
+    Raises:
+        UsageError: it cannot be read.
+        YamaroError: it may not be read, or is not text.
+    """
+    if text is not None:
+        is_file = path != STANDARD_INPUT
+        name = path if is_file else STANDARD_INPUT_NAME
+        text = text.removeprefix("\ufeff")
+        source = Source(text, name=name, path=os.path.abspath(path) if is_file else "")
+        source.is_xml = holds_xml(path, text)
+        return source
+    if not path:
+        raise UsageError("the file name is empty")
+    try:
+        return library.source(os.path.abspath(path), path)
+    except LoadError as error:
+        if error.hint is not None:
+            raise refusal_of_main(path, error) from None
+        raise UsageError(f"cannot read '{path}': {error}") from error
+
+
+def refusal_of_main(name: str, error: LoadError) -> YamaroError:
+    """Return the error for a main file that is there, and is not to be read."""
+    return failure_of_all(error.code, f"the file cannot be read: {error}", name, error.hint)
+
+
+def folder_of(path: str) -> str:
+    """Return the folder in which relative paths of a file start."""
+    return os.getcwd() if path == STANDARD_INPUT else os.path.dirname(os.path.abspath(path))
+
+
+def stem_of(path: str) -> str:
+    """Return the name of a robot whose file does not name it."""
+    if path == STANDARD_INPUT:
+        return "robot"
+    name = os.path.basename(path)
+    stem = name.partition(".")[0]
+    return stem or "robot"
+
+
+def reach_of(path: str, policy: Policy, packages: Mapping[str, str]) -> Reach | None:
+    """Return what a main file may read, or None for anything."""
+    if policy.is_trusted:
+        return None
+    from .files.readable import Reach, roots_of
+
+    allowed = [*policy.allowed_paths, *packages.values()]
+    return Reach(roots_of(os.path.abspath(path), allowed, PackageFinder()))
+
+
+def finder_for(path: str, reach: Reach | None, given: Mapping[str, str]) -> PackageFinder:
+    """Return what finds packages for a main file, also in a jail that only they can be read in."""
+    finder = PackageFinder(given=given, reach=reach)
+    if reach is not None:
+        finder.around(os.path.dirname(os.path.abspath(path)))
+    return finder
+
+
+def read_arguments(
+    command_line: Sequence[str], variables: Mapping[str, object], *, is_xml: bool
+) -> tuple[dict[str, object], dict[str, Span]]:
+    """Return the variables passed to the main file, and where each name is written.
+
+    Args:
+        command_line: variables as `name:=value`.
+        variables: variables as Python objects; they replace those of the command line.
+        is_xml: the main file is URDF or xacro, whose arguments are texts.
+
+    Raises:
+        UsageError: a `name:=value` is malformed.
+    """
+    if is_xml:
+        values, places = _read_texts(command_line)
+        values.update({name: format_value(value) for name, value in variables.items()})
+    else:
+        values, places = read_command_line(command_line)
+        values.update(variables)
+    for name in variables:
+        places[name] = Span(Source(f"{name}=…", name=KEYWORD_ARGUMENT), 0, len(name))
+    return values, places
+
+
+def read_command_line(arguments: Sequence[str]) -> tuple[dict[str, object], dict[str, Span]]:
+    """Return the variables given as `name:=value`, and where each name stands."""
+    values: dict[str, object] = {}
+    places: dict[str, Span] = {}
+    for argument in arguments:
+        name, separator, _ = argument.partition(":=")
+        if not separator or not is_identifier(name):
+            raise UsageError(f"'{argument}' is not of the form name:=value")
+        source = Source(argument, name=COMMAND_LINE)
+        node = ScalarNode(argument, PLAIN, source, 0, len(argument))
+        reporter = Reporter()
+        try:
+            context = ParseContext(reporter)
+            start = len(name) + 2
+            value = parse_inline(node, start, len(argument), context, is_literal=True)
+            values[python_name(name)] = plain_data(value)
+        except YamaroError as error:
+            raise UsageError(f"'{argument}': {error.diagnostics[0].message}") from None
+        places[python_name(name)] = Span(source, 0, len(name))
+    return values, places
+
+
+def _read_texts(command_line: Sequence[str]) -> tuple[dict[str, object], dict[str, Span]]:
+    """Return the arguments of a xacro file, as they are written, and where each name is."""
+    values: dict[str, object] = {}
+    places: dict[str, Span] = {}
+    for argument in command_line:
+        name, separator, value = argument.partition(":=")
+        if not separator or not name:
+            raise UsageError(f"'{argument}' is not of the form name:=value")
+        values[name] = value
+        places[name] = Span(Source(argument, name=COMMAND_LINE), 0, len(name))
+    return values, places

@@ -10,33 +10,15 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Iterator, Mapping, Sequence
 
     from .diagnostics import Diagnostic
+    from .files.mesh_files import MeshFinder
     from .model.robot import Robot
-    from .request import RelativePaths
     from .source import Reading
-    from .targets.mesh_paths import MeshPaths
+    from .targets.assets import Assets
     from .targets.output import Loss
     from .xml.tree import Element
 
 PIECES_IN_CHUNK = 10_000
 """Pieces of text, of some dozens of characters each, that are written at a time."""
-
-
-class Finished:
-    """What lowering, checking and writing gave: no root if the diagnostics hold errors."""
-
-    __slots__ = ("diagnostics", "notes", "pieces", "root")
-
-    def __init__(
-        self,
-        root: Element | None,
-        pieces: list[str],
-        diagnostics: list[Diagnostic],
-        notes: Sequence[Element] = (),
-    ) -> None:
-        self.root = root
-        self.pieces = pieces
-        self.diagnostics = diagnostics
-        self.notes = notes
 
 
 class Build(Public):
@@ -59,8 +41,8 @@ class Build(Public):
 
     __slots__ = (
         "_assets",
+        "_copies",
         "_document",
-        "_find_assets",
         "_find_meshes",
         "_finished",
         "_robot",
@@ -86,34 +68,38 @@ class Build(Public):
         self,
         find_meshes: Callable[[], list[str]],
         *,
+        finder: MeshFinder,
         finished: Element | None,
-        paths: MeshPaths | RelativePaths,
         pieces: list[str],
         warnings: list[Diagnostic],
         files: list[str],
         notes: Sequence[Element] = (),
         noted: Sequence[Reading] = (),
         format: str = "urdf",
+        file_name: str = "",
         document: Element | None = None,
         losses: Sequence[Loss] = (),
         assets: Mapping[str, bytes] | None = None,
+        copies: Assets | None = None,
     ) -> None:
         """Hold the results of a build.
 
         Args:
             find_meshes: gives the meshes referred to.
+            finder: finds the files of meshes and textures.
             finished: the finished tree, in which an element may be in several places; None if
                 it stayed in a jail.
-            paths: knows where the file of a mesh is, and how it is named.
             pieces: the document, in pieces.
             warnings: what was noticed, in order.
             files: the absolute path of every file read, in order.
             notes: what the robot has that is not an element of the document.
             noted: the values of names where they are declared.
             format: the output format.
+            file_name: what its file is called.
             document: the root of the document, if it is not the finished tree.
             losses: what the format cannot hold as it is.
             assets: what belongs beside the document, if that is known.
+            copies: makes it of the meshes referred to, if that is not known.
         """
         self._find_meshes = find_meshes
         self._root: Element | None = None
@@ -122,15 +108,15 @@ class Build(Public):
         self._assets = assets
         self._robot: Robot | None = None
         self.pieces = pieces
-        self._find_assets = paths.assets
-        self.finder = paths.finder
+        self._copies = copies
+        self.finder = finder
         self.warnings = warnings
         self.accepted: Sequence[Diagnostic] = ()
         self.files = files
         self.notes = notes
         self.noted = noted
         self.format = format
-        self.file_name = ""
+        self.file_name = file_name
         self.losses = losses
         self.outputs: dict[str, Build] = {}
         self.refused: dict[str, str] = {}
@@ -151,7 +137,7 @@ class Build(Public):
         """
         if self._assets is not None:
             return dict(self._assets)
-        return self._find_assets.of(self.meshes) if self._find_assets else {}
+        return self._copies.of(self.meshes) if self._copies else {}
 
     @property
     def root(self) -> Element:

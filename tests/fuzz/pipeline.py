@@ -19,9 +19,9 @@ from lxml import etree
 
 from tests.unshared import unsharing
 from yamaro import api, pipeline
-from yamaro.arguments import UsageError
 from yamaro.diagnostics import YamaroError
 from yamaro.files.loader import LoadError
+from yamaro.options import UsageError
 from yamaro.policy import Policy
 from yamaro.rendering import render
 from yamaro.result import Build

@@ -6,6 +6,7 @@ import pytest
 
 from yamaro import Build, UsageError, YamaroError, build, convert, load
 from yamaro.commands.main import main
+from yamaro.options import Options
 from yamaro.policy import Policy
 from yamaro.sandbox import jail
 from yamaro.source import Source
@@ -245,10 +246,11 @@ def test_a_robot_in_xacro_is_watched(tmp_path: Path) -> None:
     path.write_text(XACRO)
     rebuilder = Rebuilder(
         str(path),
-        policy=Policy(),
-        packages={},
-        command_line=["last:=hand"],
-        on_message=lambda line: None,
+        Options(
+            policy=Policy(),
+            command_line=["last:=hand"],
+            on_message=lambda line: None,
+        ),
     )
     first = rebuilder.build().build
     assert first is not None and '<link name="hand"/>' in first.xml()

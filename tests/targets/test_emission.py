@@ -199,7 +199,7 @@ def test_files_beside_a_document_know_its_name(robot: Path, tmp_path: Path) -> N
 
 @pytest.mark.parametrize(
     ("name", "file_name"),
-    [("a b", "a b.sdf"), ("../x", "main.sdf"), (".x", "main.sdf"), ("x" * 101, "main.sdf")],
+    [("a b", "a b.sdf"), ("../x", "main.sdf"), (".x", "main.sdf"), ("x" * 300, "main.sdf")],
 )
 def test_a_file_is_called_like_the_robot_if_it_can_be(
     tmp_path: Path, name: str, file_name: str

@@ -12,8 +12,8 @@ import shutil
 from collections.abc import Mapping
 
 from yamaro import Policy, YamaroError
-from yamaro.arguments import UsageError
 from yamaro.diagnostics import ERROR, Diagnostic
+from yamaro.options import Options, UsageError
 from yamaro.rendering import render
 from yamaro.source import Span
 from yamaro.targets.losses import diagnostics_of
@@ -60,14 +60,14 @@ class Playground:
         self._session = Session(
             Rebuilder(
                 main,
-                policy=Policy(
-                    "trusted" if is_trusted else "safe",
-                    timeout=SECONDS,
-                    allowed_paths=[self._folder],  # main may be in a folder of it
+                Options(
+                    policy=Policy(
+                        "trusted" if is_trusted else "safe",
+                        timeout=SECONDS,
+                        allowed_paths=[self._folder],  # main may be in a folder of it
+                    ),
+                    on_message=self._print,
                 ),
-                packages={},
-                command_line=[],
-                on_message=self._print,
             ),
             editor="the editor",
         )

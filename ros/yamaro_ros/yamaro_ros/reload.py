@@ -9,6 +9,7 @@ from collections.abc import Callable, Sequence
 from typing import Any, Protocol
 
 from yamaro import UsageError
+from yamaro.options import Options
 from yamaro.tools.rebuilding import Rebuilder
 
 from .robots import MODES, PACKAGES, RobotError, errors_in, policy_for, tell_warnings
@@ -121,11 +122,12 @@ def make_rebuilder(arguments: argparse.Namespace, say: Callable[[str], None]) ->
     """Return what builds the robot."""
     return Rebuilder(
         arguments.file,
-        policy=policy_for(arguments.trust),
-        packages={},
-        command_line=arguments.variables,
-        on_message=say,
-        targets={"meshes": arguments.meshes},
+        Options(
+            policy=policy_for(arguments.trust),
+            command_line=arguments.variables,
+            on_message=say,
+            meshes=arguments.meshes,
+        ),
     )
 
 

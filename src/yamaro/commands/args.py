@@ -17,8 +17,8 @@ if TYPE_CHECKING:
 
 def run(arguments: Arguments, streams: Streams) -> int:
     """Write the listing of the file to standard output; return the exit status."""
-    from ..arguments import UsageError
     from ..diagnostics import YamaroError
+    from ..options import UsageError
 
     if arguments.assignments:
         raise WrongUsage("a list of arguments does not depend on 'name:=value'")
@@ -34,7 +34,7 @@ def run(arguments: Arguments, streams: Streams) -> int:
 
 def _listing(arguments: Arguments) -> Listing:
     from ..files.loader import FileLoader
-    from ..main_file import finder_for, reach_of, read_main
+    from ..request import finder_for, reach_of, read_main
     from ..runtime.library import Library
     from ..tools.declared_arguments import listing_of
 

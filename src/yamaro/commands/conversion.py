@@ -13,7 +13,7 @@ from ..source import STANDARD_INPUT, STANDARD_INPUT_NAME
 from ..streams import XML
 from .delivery import deliver, deliver_assets, refuse_overwriting
 from .reports import display_name, sayer, show
-from .settings import make_policy, output_of, read_adjustment, read_packages, targets_of
+from .settings import make_policy, options_of, read_adjustment, read_packages
 from .usage import DONE, INPUT_ERROR, WrongUsage, quote
 
 TYPE_CHECKING = False
@@ -23,7 +23,6 @@ if TYPE_CHECKING:
     from ..diagnostics import Diagnostic
     from ..files.loader import FileLoader, Loader
     from ..policy import Policy
-    from ..program import Program
     from ..result import Build
     from ..streams import Streams
     from .arguments import Arguments
@@ -146,7 +145,7 @@ def find_in_file(
 
 def _overlay(arguments: Arguments, policy: Policy, texts: Mapping[str, str]) -> FileLoader:
     from ..files.loader import FileLoader, OverlayLoader
-    from ..main_file import reach_of
+    from ..request import reach_of
 
     reach = reach_of(arguments.words[0], policy, read_packages(arguments))
     return OverlayLoader(texts, FileLoader(policy.limits, reach))
@@ -213,20 +212,6 @@ def end_process(
     return process.end_after(seconds, say_why)
 
 
-def _program(arguments: Arguments, policy: Policy, loader: Loader | None) -> Program:
-    from ..program import Program
-
-    return Program(
-        arguments.words[0],
-        text=read_pipe(arguments.words[0], policy),
-        policy=policy,
-        loader=loader,
-        packages=read_packages(arguments),
-        allow=arguments.lists.get("allow", ()),
-        deny=arguments.lists.get("deny", ()),
-    )
-
-
 def _progress(arguments: Arguments, streams: Streams) -> Callable[[float], None] | None:
     """Return what takes how far long work is, which only writing some output formats is."""
     if not arguments.has("to"):
@@ -248,20 +233,26 @@ def _build(
     loader: Loader | None = None,
 ) -> tuple[Build, Iterable[bytes | str]]:
     """Build the file; return the build and what to write."""
-    from ..arguments import UsageError
+    from ..options import UsageError
+    from ..program import Program
 
+    path = arguments.words[0]
+    options = options_of(
+        arguments,
+        policy=policy,
+        text=read_pipe(path, policy),
+        loader=loader,
+        on_message=sayer(streams),
+        on_progress=_progress(arguments, streams),
+        advice=advice,
+        has_root=has_root,
+        records=records,
+    )
     try:
         with warnings.catch_warnings():
             if not sys.warnoptions:  # user code's warnings, unless asked for with -W
                 warnings.simplefilter("ignore")
-            build = _program(arguments, policy, loader).build(
-                command_line=arguments.assignments,
-                strict=arguments.has("strict"),
-                on_message=sayer(streams), on_progress=_progress(arguments, streams),
-                advice=advice, has_root=has_root, records=records,
-                output=output_of(arguments),
-                **targets_of(arguments),
-            )  # fmt: skip
+            build = Program(path, options).build()
             return build, take(build)
     except UsageError as error:
         raise WrongUsage(str(error)) from None
@@ -293,7 +284,7 @@ def read_pipe(path: str, policy: Policy) -> str | None:
     try:
         check_size(len(data), limits)
     except LoadError as error:
-        from ..main_file import refusal_of_main
+        from ..request import refusal_of_main
 
         raise refusal_of_main(name, error) from None
     return decode(data, name=name, path=absolute).text

@@ -91,7 +91,7 @@ def _build(
 def _side(index: int, origin: Origin, arguments: Arguments, policy: Policy) -> Side:
     """Build one side; raise YamaroError for what is wrong with it."""
     from .. import api
-    from ..arguments import UsageError
+    from ..options import UsageError
     from ..tools.diff.sides import Side
     from .conversion import ProgramEnded
 

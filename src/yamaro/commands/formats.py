@@ -17,7 +17,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
-    from ..program import Targets
+    from ..options import AllOptions
     from ..result import Build
     from ..streams import Streams
     from .arguments import Arguments
@@ -39,7 +39,7 @@ def formats_in(arguments: Arguments) -> list[str]:
     return formats
 
 
-def targets_in(arguments: Arguments) -> Targets:
+def targets_in(arguments: Arguments) -> AllOptions:
     """Return what the options ask for.
 
     Raises:
@@ -52,7 +52,7 @@ def targets_in(arguments: Arguments) -> Targets:
         raise WrongUsage("'--to' needs output formats: " + ", ".join(ENDINGS))
     if "sdf" not in formats and arguments.has("sdf-version"):
         raise WrongUsage("'--sdf-version' needs --to sdf")
-    wanted: Targets = {
+    wanted: AllOptions = {
         "target": formats,
         "base": arguments.options.get("base"),
         "repair_inertia": arguments.has("repair-inertia"),
@@ -69,7 +69,7 @@ def targets_in(arguments: Arguments) -> Targets:
     return wanted
 
 
-def _for_why(arguments: Arguments, formats: list[str]) -> Targets:
+def _for_why(arguments: Arguments, formats: list[str]) -> AllOptions:
     """Return all formats whose documents show what is made of something.
 
     Meshes are read only for what is about shapes, since that takes time.
@@ -101,7 +101,7 @@ def is_folder(arguments: Arguments, formats: list[str]) -> bool:
 
 def path_for_build(arguments: Arguments) -> str:
     """Return the path of the output for `yamaro.build`, where that of a folder ends in a slash."""
-    formats = targets_in(arguments)["target"]
+    formats = formats_in(arguments)
     path = arguments.output_path
     return os.path.join(path, "") if is_folder(arguments, formats) else path
 

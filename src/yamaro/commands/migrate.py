@@ -27,8 +27,8 @@ if TYPE_CHECKING:
 
 def run(arguments: Arguments, streams: Streams) -> int:
     """Write the source or sources; return the exit status."""
-    from ..arguments import UsageError
     from ..diagnostics import YamaroError
+    from ..options import UsageError
 
     arguments.resolve_output()
     refuse_overwriting(arguments, lambda: arguments.words)

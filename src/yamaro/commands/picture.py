@@ -34,7 +34,7 @@ def run(arguments: Arguments, streams: Streams) -> int:
 
 def _request(arguments: Arguments) -> Request:
     """Return what to draw; raise WrongUsage if that makes no sense, YamaroError if it cannot be."""
-    from ..arguments import UsageError
+    from ..options import UsageError
     from ..tools.picture.command import check_packages
     from ..tools.picture.request import Request
 

@@ -6,14 +6,13 @@ import sys
 
 from ..source import STANDARD_INPUT
 from .reports import sayer
-from .settings import make_policy, output_of, read_packages, targets_of
+from .settings import make_policy, options_of
 from .usage import DONE, WrongUsage
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from ..policy import Policy
     from ..streams import Streams
     from ..tools.rebuilding import Rebuilder
     from .arguments import Arguments
@@ -36,7 +35,8 @@ def repeat(
     """
     import warnings
 
-    from ..arguments import UsageError
+    from ..options import UsageError
+    from ..tools.rebuilding import Rebuilder
 
     arguments.resolve_output()
     if arguments.words[0] == STANDARD_INPUT:
@@ -52,27 +52,10 @@ def repeat(
         with warnings.catch_warnings():
             if not sys.warnoptions:  # user code's warnings, unless asked for with -W
                 warnings.simplefilter("ignore")
-            run(_rebuilder(arguments, streams, policy, looks=looks))
+            options = options_of(arguments, policy=policy, advice=looks, on_message=sayer(streams))
+            run(Rebuilder(arguments.words[0], options))
     except UsageError as error:
         raise WrongUsage(str(error)) from None
     except KeyboardInterrupt:
         return DONE
     return DONE
-
-
-def _rebuilder(arguments: Arguments, streams: Streams, policy: Policy, *, looks: bool) -> Rebuilder:
-    from ..tools.rebuilding import Rebuilder
-
-    return Rebuilder(
-        arguments.words[0],
-        policy=policy,
-        packages=read_packages(arguments),
-        command_line=arguments.assignments,
-        on_message=sayer(streams),
-        strict=arguments.has("strict"),
-        allow=arguments.lists.get("allow", ()),
-        deny=arguments.lists.get("deny", ()),
-        advice=looks,
-        output=output_of(arguments),
-        targets=targets_of(arguments),
-    )

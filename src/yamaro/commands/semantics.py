@@ -7,10 +7,10 @@ import os
 from ..check.semantics import findings_against
 from ..diagnostics import Reporter, YamaroError
 from ..files.loader import FileLoader, LoadError, decode
-from ..main_file import reach_of
 from ..model.reading import read_robot
 from ..model.schema import is_semantic
 from ..model.values import attribute_text
+from ..request import reach_of
 from ..xml.reader import read_xml
 from .settings import make_policy, read_adjustment, read_packages
 

@@ -9,9 +9,11 @@ from .usage import WrongUsage, near, quote
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from typing_extensions import Unpack
+
     from ..diagnostics import Adjustment
+    from ..options import AllOptions, Options
     from ..policy import Policy
-    from ..program import Targets
     from .arguments import Arguments
 
 MOST_SECONDS = 1e9
@@ -52,13 +54,41 @@ def read_adjustment(arguments: Arguments) -> Adjustment:
     Raises:
         WrongUsage: a code to allow or deny is unknown, or always an error.
     """
-    from ..arguments import UsageError, adjustment_of
+    from ..options import Options, UsageError
 
     lists = arguments.lists
     try:
-        return adjustment_of(
-            lists.get("allow", ()), lists.get("deny", ()), is_strict=arguments.has("strict")
-        )
+        return Options(
+            allow=lists.get("allow", ()), deny=lists.get("deny", ()), strict=arguments.has("strict")
+        ).adjustment
+    except UsageError as error:
+        raise WrongUsage(str(error)) from None
+
+
+def options_of(arguments: Arguments, **others: Unpack[AllOptions]) -> Options:
+    """Return the options of a build of one file.
+
+    Args:
+        arguments: the command line.
+        others: what the command itself asks for.
+
+    Raises:
+        WrongUsage: a value makes no sense, or options do not go together.
+    """
+    from ..options import Options, UsageError
+
+    wanted: AllOptions = {
+        "packages": read_packages(arguments),
+        "command_line": arguments.assignments,
+        "strict": arguments.has("strict"),
+        "allow": arguments.lists.get("allow", ()),
+        "deny": arguments.lists.get("deny", ()),
+        "output": output_of(arguments),
+    }
+    wanted.update(targets_of(arguments))
+    wanted.update(others)
+    try:
+        return Options(**wanted)
     except UsageError as error:
         raise WrongUsage(str(error)) from None
 
@@ -122,8 +152,8 @@ def output_of(arguments: Arguments) -> str | None:
     return arguments.output_path
 
 
-def targets_of(arguments: Arguments) -> Targets:
-    """Return the arguments of `yamaro.build` that say which formats are written, and how.
+def targets_of(arguments: Arguments) -> AllOptions:
+    """Return the options of a build that say which formats are written, and how.
 
     Raises:
         WrongUsage: a format is unknown, or options do not go together.

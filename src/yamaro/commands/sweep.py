@@ -25,8 +25,8 @@ SHOW, PLOT = "show", "plot"
 
 def run(arguments: Arguments, streams: Streams) -> int:
     """Run a sweep, show one of its variants, or plot it; return the exit status."""
-    from ..arguments import UsageError
     from ..diagnostics import YamaroError
+    from ..options import UsageError
 
     arguments.resolve_output()
     policy = make_policy(arguments, looks=arguments.words[0] in (SHOW, PLOT))

@@ -46,7 +46,6 @@ class MeshPaths:
         mode: str,
         folder: str,
         finder: MeshFinder,
-        assets: Assets | None = None,
         *,
         run: Run | None = None,
         is_cached: bool = False,
@@ -58,7 +57,6 @@ class MeshPaths:
                 a package, in the package that each file is in, or no meshes at all.
             folder: where the output is, absolute.
             finder: finds files and packages.
-            assets: the copies, with the mode `COPY`.
             run: see the attribute; None calls it.
             is_cached: see the attribute.
 
@@ -68,8 +66,12 @@ class MeshPaths:
         self.finder = finder
         self._folder = folder
         self._mode = mode
-        self.assets = assets
         self.run: Run = run or (lambda work: work())
+        self.assets: Assets | None = None
+        if mode == COPY:
+            from .assets import Assets
+
+            self.assets = Assets(finder, self.run)
         self.is_cached = is_cached
         self._package = ""
         name = mode.removeprefix(PACKAGE)

@@ -8,6 +8,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping, Sequence
 
+    from ..diagnostics import Diagnostic
     from ..diagnostics import Frame as Step
     from ..source import Span
     from ..xml.tree import Element
@@ -85,7 +86,10 @@ class Wanted:
         name: of the robot, if it has none of its own.
         is_fixed: whether the root of the robot is fixed in the world.
         paths: finds the files of meshes and textures, and says how the document names them.
+        is_named: whether the format was asked for by name; without, URDF is silent about most of
+            what it cannot hold.
         has_meshes: whether shapes that are meshes are written.
+        has_gazebo: whether sensors and surfaces are written into URDF for Gazebo.
         repairs_inertia: whether inertia that no body can have is balanced, and reported.
         version: of the format, or "" for the default.
         file_name: what the file of the document is called, for files beside it that refer to it;
@@ -94,8 +98,8 @@ class Wanted:
     """
 
     __slots__ = (
-        "file_name", "format", "has_meshes", "is_fixed", "name", "paths", "progress",
-        "repairs_inertia", "version",
+        "file_name", "format", "has_gazebo", "has_meshes", "is_fixed", "is_named", "name", "paths",
+        "progress", "repairs_inertia", "version",
     )  # fmt: skip
 
     def __init__(
@@ -105,7 +109,9 @@ class Wanted:
         name: str,
         is_fixed: bool,
         paths: MeshPaths,
+        is_named: bool = True,
         has_meshes: bool = True,
+        has_gazebo: bool = False,
         repairs_inertia: bool = False,
         version: str = "",
         file_name: str = "",
@@ -115,7 +121,9 @@ class Wanted:
         self.name = name
         self.is_fixed = is_fixed
         self.paths = paths
+        self.is_named = is_named
         self.has_meshes = has_meshes
+        self.has_gazebo = has_gazebo
         self.repairs_inertia = repairs_inertia
         self.version = version
         self.file_name = file_name
@@ -135,9 +143,10 @@ class Output:
         files: what belongs beside the document, by paths relative to it. What is in `assets/` is
             named by its content; any other file begins with `MARK` in a comment, so that it may be
             replaced later.
+        warnings: what else there is to say.
     """
 
-    __slots__ = ("files", "losses", "root", "text")
+    __slots__ = ("files", "losses", "root", "text", "warnings")
 
     def __init__(
         self,
@@ -146,8 +155,10 @@ class Output:
         files: Mapping[str, bytes] | None = None,
         *,
         text: str = "",
+        warnings: Sequence[Diagnostic] = (),
     ) -> None:
         self.root = root
+        self.warnings = warnings
         self.text = text
         self.losses = losses
         self.files = files or {}

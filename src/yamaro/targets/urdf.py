@@ -1,8 +1,10 @@
-"""What URDF cannot hold of a robot; said only where URDF was asked for by name."""
+"""URDF, which a robot is in as it is: what is added for Gazebo, and what URDF cannot hold."""
 
 from __future__ import annotations
 
-from .output import APPROXIMATED, LOST, Loss
+from ..diagnostics import Reporter
+from .gazebo import with_gazebo
+from .output import APPROXIMATED, LOST, Loss, Output
 from .shared_losses import cones, lost_sections
 
 TYPE_CHECKING = False
@@ -10,19 +12,26 @@ if TYPE_CHECKING:
     from ..model.extras import Noted
     from ..model.robot import Robot
     from ..model.sensors import Sensor
+    from .output import Wanted
 
 GAZEBO_HINT = "--gazebo also writes it for Gazebo"
 
 
-def losses_of(robot: Robot, has_gazebo: bool) -> list[Loss]:
-    """Return what is lost of a robot in URDF, except for loops, which lowering refuses.
+def write(robot: Robot, wanted: Wanted) -> Output:
+    """Return a robot as URDF, with meshes named as they are in the source.
 
-    Args:
-        robot: the robot.
-        has_gazebo: whether sensors and surfaces are written for Gazebo.
+    Loops are not among the losses, since lowering refuses them. What the robot says to Gazebo in
+    elements of its own is written already, and so is not to be read.
     """
-    losses: list[Loss] = cones(robot) if has_gazebo else []
-    if not has_gazebo:
+    reporter, root = Reporter(), robot.element
+    losses: list[Loss] = []
+    if wanted.has_gazebo:
+        losses = cones(robot)
+        root = with_gazebo(root, robot, reporter)
+    output = Output(root, losses, warnings=reporter.diagnostics)
+    if not wanted.is_named:
+        return output
+    if not wanted.has_gazebo:
         losses += [
             _loss(
                 "sensors",
@@ -48,7 +57,7 @@ def losses_of(robot: Robot, has_gazebo: bool) -> list[Loss]:
     losses += lost_sections(robot, states=True)
     if robot.base is not None and robot.base.type == "free":
         losses.append(_loss("free bases", f"robot '{robot.name}'", robot.base))
-    return losses
+    return output
 
 
 def _loss(

@@ -5,17 +5,16 @@ from __future__ import annotations
 import os
 import time
 
-from ..arguments import UsageError
 from ..diagnostics import ERROR, Diagnostic, YamaroError
+from ..options import UsageError
 from ..program import Program
 from .watching import INTERVAL, FileWatch, surroundings
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Mapping, Sequence
+    from collections.abc import Mapping, Sequence
 
-    from ..policy import Policy
-    from ..program import Targets
+    from ..options import Options
     from ..result import Build
     from ..source import Reading
 
@@ -64,40 +63,15 @@ class Rebuilder:
 
     Attributes:
         path: the main file.
-        policy: how far it is trusted.
-        packages: folders of ROS packages by name.
-        command_line: variables as `name:=value`.
+        options: those of its builds.
         has_root: whether builds have their tree, also those that leave a jail.
     """
 
-    def __init__(
-        self,
-        path: str,
-        *,
-        policy: Policy,
-        packages: Mapping[str, str],
-        command_line: Sequence[str],
-        on_message: Callable[[str], None],
-        strict: bool = False,
-        allow: Sequence[str] = (),
-        deny: Sequence[str] = (),
-        advice: bool = False,
-        output: str | None = None,
-        targets: Targets | None = None,
-    ) -> None:
-        """Name the main file; see `yamaro.build`."""
+    def __init__(self, path: str, options: Options) -> None:
+        """Name the main file."""
         self.path = path
-        self.policy = policy
-        self.packages = packages
-        self.command_line = command_line
-        self._on_message = on_message
-        self._strict = strict
-        self._allow = allow
-        self._deny = deny
-        self._advice = advice
+        self.options = options
         self.has_root = False
-        self._output = output
-        self._targets: Targets = targets or {}
         self._program: Program | None = None
         self._watch = FileWatch()
         self._last: Turn | None = None
@@ -133,18 +107,14 @@ class Rebuilder:
             YamaroError: the robot has errors, or the format cannot hold it.
             UsageError: the main file cannot be read.
         """
-        folder = os.path.join(os.path.dirname(os.path.abspath(self.path)), "")
-        targets: Targets = {**self._targets, "meshes": "copy"}
-        if format is not None:
-            targets["target"] = [format]
         return self._current().build(
-            command_line=self.command_line,
             variables=variables,
-            strict=self._strict,
-            on_message=lambda line: None,
+            advice=False,
+            on_message=_drop,
             has_root=False,
-            output=folder,
-            **targets,
+            output=os.path.join(os.path.dirname(os.path.abspath(self.path)), ""),
+            meshes="copy",
+            target=None if format is None else [format],
         )
 
     def noted(self, variables: Mapping[str, object]) -> Sequence[Reading]:
@@ -154,42 +124,25 @@ class Rebuilder:
             YamaroError: the robot has errors.
             UsageError: the main file cannot be read.
         """
-        return (
-            self._current()
-            .build(
-                command_line=self.command_line,
-                variables=variables,
-                on_message=lambda line: None,
-                has_root=False,
-                records=True,
-            )
-            .noted
+        build = self._current().build(
+            variables=variables,
+            strict=False,
+            advice=False,
+            on_message=_drop,
+            has_root=False,
+            records=True,
         )
+        return build.noted
 
     def _current(self) -> Program:
         """Return the program of the files as they were read last, or are now."""
-        program = self._program or Program(
-            self.path,
-            policy=self.policy,
-            packages=self.packages,
-            allow=self._allow,
-            deny=self._deny,
-        )
+        program = self._program or Program(self.path, self.options)
         self._program = program  # another thread may want it forgotten meanwhile
         return program
 
     def _try(self, variables: Mapping[str, object]) -> Turn:
         try:
-            build = self._current().build(
-                command_line=self.command_line,
-                variables=variables,
-                strict=self._strict,
-                advice=self._advice,
-                on_message=self._on_message,
-                has_root=self.has_root,
-                output=self._output,
-                **self._targets,
-            )
+            build = self._current().build(variables=variables, has_root=self.has_root)
         except YamaroError as error:
             return Turn(None, error.diagnostics)
         return Turn(build, build.warnings)
@@ -221,6 +174,10 @@ class Rebuilder:
             return list(dict.fromkeys([main, *turn.build.files, *turn.build.meshes]))
         told = [path for diagnostic in turn.diagnostics for path in _files_of(diagnostic)]
         return list(dict.fromkeys([main, *self._watch.paths, *told, *surroundings(main)]))
+
+
+def _drop(message: str) -> None:
+    """Take what the file prints."""
 
 
 def _files_of(diagnostic: Diagnostic) -> list[str]:

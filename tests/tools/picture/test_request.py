@@ -7,8 +7,8 @@ import pytest
 
 from tests.model.robots import JOINTS
 from yamaro import Robot, build
-from yamaro.arguments import UsageError
 from yamaro.commands.main import main
+from yamaro.options import UsageError
 from yamaro.tools.picture.motion import moments, swung
 from yamaro.tools.picture.request import Request, read_positions
 

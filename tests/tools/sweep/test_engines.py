@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 
 import yamaro
-from yamaro.arguments import UsageError
+from yamaro.options import UsageError
 from yamaro.policy import Policy
 from yamaro.tools.sweep import engines
 from yamaro.tools.sweep.api import run_sweep

@@ -11,7 +11,7 @@ import pytest
 
 import yamaro
 from tests.consumers.oracles import require_module
-from yamaro.arguments import UsageError
+from yamaro.options import UsageError
 
 ROBOT = """\
 robot: crawler

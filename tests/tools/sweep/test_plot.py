@@ -9,8 +9,8 @@ from typing import Any
 import pytest
 
 from tests.consumers.oracles import require_module
-from yamaro.arguments import UsageError
 from yamaro.commands.main import main
+from yamaro.options import UsageError
 from yamaro.tools.sweep.plot.data import MOST_POINTS, Plotted
 
 HEAD = "id,length,foot,status,code,place,message,mass,speed,steady,constant,sha256_urdf\n"

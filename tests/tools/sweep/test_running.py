@@ -18,7 +18,7 @@ import pytest
 import yamaro
 from tests.consumers.oracles import require_module
 from tests.waiting import PATIENCE, wait_for
-from yamaro.arguments import UsageError
+from yamaro.options import UsageError
 from yamaro.tools.sweep import table
 
 LEG = """\

@@ -9,7 +9,7 @@ from textwrap import dedent
 import pytest
 
 import yamaro
-from yamaro.arguments import UsageError
+from yamaro.options import UsageError
 from yamaro.policy import Policy
 from yamaro.tools.sweep.plan import Plan, Space
 from yamaro.tools.sweep.planning import planned

@@ -11,6 +11,7 @@ import pytest
 from tests.tools.view.conftest import Page
 from tests.tools.view.test_page import Start
 from yamaro import Policy
+from yamaro.options import Options
 from yamaro.policy import JAIL
 from yamaro.tools.rebuilding import Rebuilder
 from yamaro.tools.view.session import Session
@@ -62,10 +63,11 @@ def table(tmp_path: Path) -> Path:
 def session_of(path: Path, mode: str = "trusted", *command_line: str) -> Session:
     rebuilder = Rebuilder(
         str(path),
-        policy=Policy(mode),
-        packages={},
-        command_line=list(command_line),
-        on_message=lambda line: None,
+        Options(
+            policy=Policy(mode),
+            command_line=list(command_line),
+            on_message=lambda line: None,
+        ),
     )
     session = Session(rebuilder, editor=None)
     session.build()

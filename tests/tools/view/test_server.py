@@ -16,6 +16,7 @@ import pytest
 
 from tests.tools.view.conftest import Viewer
 from tests.waiting import PATIENCE, wait_for
+from yamaro.options import Options
 from yamaro.policy import SAFE, TRUSTED, Policy
 from yamaro.tools.rebuilding import Rebuilder
 from yamaro.tools.view import server as serving
@@ -58,11 +59,11 @@ class Served:
         self.path.write_text(ROBOT, encoding="utf-8")
         self.rebuilder = Rebuilder(
             str(self.path),
-            policy=Policy(mode),
-            packages={},
-            command_line=[],
-            on_message=print,
-            advice=True,
+            Options(
+                policy=Policy(mode),
+                on_message=print,
+                advice=True,
+            ),
         )
         self.editor = Recorder()
         self.session = Session(self.rebuilder, editor="recorder")

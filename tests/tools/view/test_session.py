@@ -15,6 +15,7 @@ from tests.files.wheels import install
 from yamaro.api import build
 from yamaro.diagnostics import YamaroError
 from yamaro.files.readable import Reach
+from yamaro.options import Options
 from yamaro.policy import SAFE, Policy
 from yamaro.tools.rebuilding import Rebuilder
 from yamaro.tools.view import command
@@ -325,10 +326,11 @@ def test_the_environment_names_an_editor_and_those_in_the_terminal_are_passed_ov
 def session_of(path: Path, *command_line: str) -> Session:
     rebuilder = Rebuilder(
         str(path),
-        policy=Policy(SAFE),
-        packages={},
-        command_line=command_line,
-        on_message=print,
+        Options(
+            policy=Policy(SAFE),
+            command_line=command_line,
+            on_message=print,
+        ),
     )
     session = Session(rebuilder, editor=None)
     session.build()

@@ -13,7 +13,7 @@ import pytest
 
 from tests.tools.view.conftest import ROOT
 from tests.waiting import PATIENCE, wait_for
-from yamaro.arguments import UsageError
+from yamaro.options import Options, UsageError
 from yamaro.policy import Policy
 from yamaro.tools.rebuilding import Rebuilder, count_told
 from yamaro.tools.watching import FileWatch, surroundings
@@ -85,7 +85,7 @@ def test_the_surroundings_are_the_sources_and_folders_that_are_not_hidden(tmp_pa
 
 
 def rebuilder_of(path: Path) -> Rebuilder:
-    return Rebuilder(str(path), policy=Policy(), packages={}, command_line=[], on_message=print)
+    return Rebuilder(str(path), Options(policy=Policy(), on_message=print))
 
 
 def test_a_build_follows_its_files_and_a_failed_one_its_surroundings(tmp_path: Path) -> None:

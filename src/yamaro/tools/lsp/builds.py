@@ -9,10 +9,10 @@ import os
 import queue
 import threading
 
-from ...arguments import UsageError
 from ...diagnostics import YamaroError
 from ...files.loader import FileLoader, MemoryLoader, OverlayLoader
 from ...files.packages import PackageFinder
+from ...options import UsageError
 from .moves import Move
 
 TYPE_CHECKING = False
@@ -116,8 +116,8 @@ class Job:
         return None if self.is_abandoned else result
 
     def _build(self, settings: Settings, result: Result) -> None:
-        from ...main_file import reach_of
         from ...program import Program
+        from ...request import reach_of
 
         policy = settings.policy(lambda: self.is_abandoned)
         reach = reach_of(self.main, policy, settings.packages)

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import os
 
-from ...arguments import UsageError
 from ...files.loader import FileLoader, LoadError, check_size
-from ...main_file import refusal_of_main
+from ...options import UsageError
 from ...program import Program
+from ...request import refusal_of_main
 from ...source import STANDARD_INPUT, STANDARD_INPUT_NAME
 from ...xml.reader import decode_xml, read_xml
 from .refused import build_allowing, options_to_allow

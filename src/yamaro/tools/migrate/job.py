@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import os
 
-from ...arguments import UsageError
 from ...confined import has_jail, no_jail, run_in_jail, time_is_over
 from ...diagnostics import ERROR, YamaroError
-from ...main_file import finder_for, reach_of
+from ...options import UsageError
 from ...policy import JAIL, SAFE, Policy
+from ...request import finder_for, reach_of
 from ...runtime.xml_includes import is_named_xacro, read_included, xacro_in_safe_mode
 from ...sandbox.deadline import TimeOver, run_within
 from ...sandbox.deep_stack import run_on_deep_stack

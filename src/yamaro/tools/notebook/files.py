@@ -13,11 +13,11 @@ from ...confined import Reader
 from ...diagnostics import YamaroError
 from ...files.mesh_files import MeshFinder
 from ...files.regular import open_regular
-from ...main_file import finder_for, reach_of
 from ...model.link import Visual
 from ...model.shapes import Mesh
 from ...model.values import attribute_text
 from ...policy import SAFE, Policy
+from ...request import finder_for, reach_of
 from ..view.mesh_files import Library, MeshFiles
 
 TYPE_CHECKING = False

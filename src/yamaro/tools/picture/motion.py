@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from math import pi, sin
 
-from ...arguments import UsageError
 from ...model.joint import CONTINUOUS
+from ...options import UsageError
 from .request import EACH_SECONDS, MOST_FRAMES, SWEEP_SECONDS, TURN_SECONDS, find_joint
 from .words import ALL, EACH
 

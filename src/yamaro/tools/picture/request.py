@@ -5,8 +5,8 @@ from __future__ import annotations
 import os
 from math import isfinite
 
-from ...arguments import UsageError
 from ...diagnostics import did_you_mean
+from ...options import UsageError
 from ...terminal import shortened
 from .shapes import LARGEST
 from .words import NAMED_VIEWS, SHOWN, VISUAL

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 
-from ...arguments import UsageError
+from ...options import UsageError
 from ...policy import Policy
 from ...source import Public
 from .engines import engine_of

@@ -258,7 +258,8 @@ def _choices(entry: ArgumentEntry, values: Sequence[object]) -> Choices:
 
 def _split(declared: Declared, text: str) -> list[object]:
     """Return the values that commas separate, each read as on the command line."""
-    from ...arguments import UsageError, read_command_line
+    from ...options import UsageError
+    from ...request import read_command_line
 
     found = []
     for word in words_in(text):

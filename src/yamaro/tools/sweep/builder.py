@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping
 
     from ...diagnostics import Diagnostic
-    from ...request import Request
+    from ...options import AllOptions, Options
     from ...result import Build
     from .plan import Plan
 
@@ -54,10 +54,21 @@ class Builder:
         self._space = Space(plan)
         self._home = os.path.dirname(plan.robot)
         self._models = os.path.join(folder or self._home, MODELS) if plan.models else ""
-        self._program = Program(
-            plan.robot, policy=plan.policy, packages=plan.packages,
-            allow=plan.allow, deny=plan.deny,
-        )  # fmt: skip
+        options: AllOptions = {
+            "policy": plan.policy,
+            "packages": plan.packages,
+            "allow": plan.allow,
+            "deny": plan.deny,
+            "strict": plan.strict,
+            "on_message": _ignore,
+            "has_root": plan.evaluation is not None or plan.has_topologies,
+        }
+        if formats := plan.targets():
+            options["target"] = formats
+            options["base"] = plan.base
+            options["repair_inertia"] = plan.repairs_inertia
+            options["sdf_version"] = plan.sdf_version
+        self._program = Program(plan.robot, **options)
         self._program.parse()
         self._known_assets: set[str] = set()
         self.files: dict[str, str] = {}
@@ -77,10 +88,7 @@ class Builder:
                 return row
             # What is not noted of a build is freed in the thread that made it, which is faster.
             self._program.compile(
-                self._request(index, arguments),
-                lambda build: self._fill(row, build),
-                say=_ignore,
-                has_root=self._plan.evaluation is not None or self._plan.has_topologies,
+                self._options(index, arguments), lambda build: self._fill(row, build)
             )
         except YamaroError as error:
             found = first_error(error.diagnostics)
@@ -106,24 +114,16 @@ class Builder:
         Raises:
             YamaroError: it has errors.
         """
-        return self._program.compile(
-            self._request(index, arguments), lambda build: build, say=_ignore, has_root=has_root
-        )
+        options = self._options(index, arguments).changed(has_root=has_root)
+        return self._program.compile(options, lambda build: build)
 
-    def _request(self, index: int, arguments: Mapping[str, object]) -> Request:
+    def _options(self, index: int, arguments: Mapping[str, object]) -> Options:
         plan = self._plan
-        targets = plan.targets()
-        output = os.path.join(self._models, f"{model_name(index)}.xml") if plan.models else None
-        return self._program.request(
-            variables={**plan.fixed, **arguments},
-            strict=plan.strict,
-            output=output,
-            meshes="copy" if plan.models else "relative",
-            target=targets or None,
-            base=plan.base if targets else None,
-            repair_inertia=plan.repairs_inertia if targets else False,
-            sdf_version=plan.sdf_version if targets else None,
-        )
+        variables = {**plan.fixed, **arguments}
+        if not plan.models:
+            return self._program.options.changed(variables=variables)
+        output = os.path.join(self._models, f"{model_name(index)}.xml")
+        return self._program.options.changed(variables=variables, output=output, meshes="copy")
 
     def _fill(self, row: Row, build: Build) -> None:
         """Note what there is to know of a build; raise what the evaluation raises."""

@@ -5,8 +5,8 @@ from __future__ import annotations
 import os
 from concurrent.futures import Executor, Future, ThreadPoolExecutor
 
-from ...arguments import UsageError
 from ...diagnostics import failure_of_all
+from ...options import UsageError
 from .chunk import stop
 from .methods import import_extra
 

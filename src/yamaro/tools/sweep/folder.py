@@ -9,9 +9,9 @@ from __future__ import annotations
 import json
 import os
 
-from ...arguments import UsageError
 from ...diagnostics import failure_of_all
 from ...files.regular import open_regular
+from ...options import UsageError
 from ...output import write_file
 from .builder import MODELS, file_hash
 from .models import missing_assets, shard_name

@@ -5,8 +5,8 @@ from __future__ import annotations
 import os
 import tarfile
 
-from ...arguments import UsageError
 from ...files.regular import open_regular
+from ...options import UsageError
 from ...source import Public
 from .builder import ASSETS, MODELS, ends_of
 from .folder import read_plan_data

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import os
 
-from ...arguments import UsageError, read_command_line
 from ...diagnostics import InputFault, YamaroError, did_you_mean, failure, failure_of_all
 from ...files.loader import FileLoader
-from ...main_file import finder_for, reach_of, read_main
+from ...options import UsageError
+from ...request import finder_for, reach_of, read_command_line, read_main
 from ...runtime.library import Library
 from ...syntax.argument_types import PATH
 from ...targets.writers import ENDINGS

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import os
 
-from ...arguments import UsageError
 from ...diagnostics import YamaroError, failure_of_all
+from ...options import UsageError
 from ...source import Public
 from .builder import Builder, file_hash
 from .conditions import Condition

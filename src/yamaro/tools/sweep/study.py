@@ -6,7 +6,7 @@ import os
 
 from ...diagnostics import Diagnostic, Reporter, YamaroError, did_you_mean, failure
 from ...files.loader import FileLoader, LoadError, decode
-from ...main_file import refusal_of_main
+from ...request import refusal_of_main
 from ...runtime.predefined import plain_data
 from ...source import holds_xml
 from ...syntax.context import ParseContext, Rules

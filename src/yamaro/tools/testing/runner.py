@@ -5,8 +5,8 @@ from __future__ import annotations
 import os
 from time import perf_counter
 
-from ...arguments import UsageError
 from ...diagnostics import ERROR, Diagnostic, YamaroError, failure
+from ...options import UsageError
 from ...program import Program
 from ...runtime.library import rules_of
 from ...sandbox.deep_stack import run_on_deep_stack

@@ -6,7 +6,7 @@ import os
 import threading
 import time
 
-from ...arguments import UsageError
+from ...options import UsageError
 from ...terminal import shortened
 from ..rebuilding import count_told
 from ..watching import INTERVAL

@@ -7,9 +7,9 @@ import secrets
 import threading
 import zipfile
 
-from ...arguments import UsageError
 from ...confined import FaultInJail
 from ...diagnostics import ERROR, YamaroError
+from ...options import UsageError
 from ...targets.losses import diagnostics_of
 from ...targets.writers import ENDINGS
 from .description import diagnostic_data

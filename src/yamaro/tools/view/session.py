@@ -6,12 +6,12 @@ import json
 import os
 import threading
 
-from ...arguments import UsageError, read_command_line
 from ...confined import Reader
 from ...diagnostics import YamaroError
 from ...files.loader import FileLoader, LoadError, decode
 from ...files.regular import open_regular
-from ...main_file import finder_for, reach_of
+from ...options import UsageError
+from ...request import finder_for, reach_of, read_command_line
 from ...source import Source, holds_xml
 from .description import Description, fault_data
 from .downloads import Downloads
@@ -46,10 +46,10 @@ class Session:
         self._rebuilder = rebuilder
         rebuilder.has_root = True  # the page shows the tree, also of a robot built in a jail
         self._path = rebuilder.path
-        self._reach = reach_of(rebuilder.path, rebuilder.policy, rebuilder.packages)
-        self._loader = FileLoader(rebuilder.policy.limits, self._reach)
+        self._reach = reach_of(rebuilder.path, rebuilder.options.policy, rebuilder.options.packages)
+        self._loader = FileLoader(rebuilder.options.policy.limits, self._reach)
         roots = [] if self._reach is None else self._reach.roots
-        reader = Reader(rebuilder.policy, readable=roots, name=rebuilder.path)
+        reader = Reader(rebuilder.options.policy, readable=roots, name=rebuilder.path)
         self._library = Library(reader, self._reach)
         self._editor = editor
         self.downloads = Downloads(rebuilder)
@@ -127,7 +127,7 @@ class Session:
                 self._path,
                 path=os.path.abspath(self._path),
                 loader=self._loader,
-                packages=finder_for(self._path, self._reach, self._rebuilder.packages),
+                packages=finder_for(self._path, self._reach, self._rebuilder.options.packages),
             )
             self._is_xml = holds_xml(self._path, text)
             self._has_others = not self._is_xml and has_others(
@@ -190,7 +190,7 @@ class Session:
         """Return what the command line sets, where it fits the field."""
         if self._is_xml:
             texts = dict(
-                word.split(":=", 1) for word in self._rebuilder.command_line if ":=" in word
+                word.split(":=", 1) for word in self._rebuilder.options.command_line if ":=" in word
             )
             found = {
                 name: self._fields[name].from_text(text)
@@ -199,7 +199,7 @@ class Session:
             }
             return {name: value for name, value in found.items() if value is not None}
         try:
-            values = read_command_line(self._rebuilder.command_line)[0]
+            values = read_command_line(self._rebuilder.options.command_line)[0]
         except UsageError:
             return {}
         fitting = {}

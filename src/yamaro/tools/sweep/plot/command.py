@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import os
 
-from ....arguments import UsageError
 from ....diagnostics import failure_of_all
+from ....options import UsageError
 from ....terminal import shortened
 from .data import Plotted
 

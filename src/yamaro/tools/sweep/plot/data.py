@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from ....arguments import UsageError
 from ....diagnostics import did_you_mean
+from ....options import UsageError
 from ..folder import read_plan_data
 from ..rows import FAILED, OK, REJECTED
 from ..table import OWN, read_columns, results_in

@@ -1,0 +1,284 @@
+"""The options of a build: one object for all who build, be it a command, Python or a study."""
+
+from __future__ import annotations
+
+import os
+from functools import wraps
+
+from .diagnostics import Adjustment, did_you_mean
+from .files.mesh_files import COPY, RELATIVE
+from .policy import Policy
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterable, Mapping, Sequence
+    from typing import Any, NoReturn, TypedDict, TypeVar
+
+    from typing_extensions import Unpack
+
+    from .files.loader import Loader
+
+    Function = TypeVar("Function", bound=Callable[..., Any])
+
+    class FileOptions(TypedDict, total=False):
+        """The options that say what the files are, and so hold for all builds of a `Program`."""
+
+        text: str | None
+        loader: Loader | None
+        policy: Policy | None
+        packages: Mapping[str, str] | None
+
+    class BuildOptions(TypedDict, total=False):
+        """The options that each build of a `Program` may have of its own."""
+
+        command_line: Sequence[str]
+        variables: Mapping[str, object] | None
+        strict: bool
+        advice: bool
+        on_message: Callable[[str], None] | None
+        has_root: bool
+        output: str | os.PathLike[str] | None
+        meshes: str
+        gazebo: bool
+        allow: Iterable[str]
+        deny: Iterable[str]
+        records: bool
+        target: str | Sequence[str] | None
+        base: str | None
+        repair_inertia: bool
+        sdf_version: str | None
+        on_progress: Callable[[float], None] | None
+        partial: bool
+
+    class AllOptions(FileOptions, BuildOptions, total=False):
+        """The keywords of `yamaro.build`, which says what they mean."""
+
+
+class UsageError(Exception):
+    """The command was used wrongly: the main file is missing, or an argument is malformed."""
+
+
+DEFAULTS: dict[str, object] = {
+    "command_line": (),
+    "variables": None,
+    "text": None,
+    "strict": False,
+    "advice": False,
+    "on_message": None,
+    "loader": None,
+    "policy": None,
+    "packages": None,
+    "has_root": True,
+    "output": None,
+    "meshes": RELATIVE,
+    "gazebo": False,
+    "allow": (),
+    "deny": (),
+    "records": False,
+    "target": None,
+    "base": None,
+    "repair_inertia": False,
+    "sdf_version": None,
+    "on_progress": None,
+    "partial": False,
+}
+"""The keywords of `yamaro.build`, with what they are by default."""
+BINARY_USD = (".usdc", ".usdz")
+"""The endings of files of USD that are not text, by which OpenUSD knows how to read them."""
+OF_FILES = ("text", "loader", "policy", "packages")
+"""Those that hold for all builds of a program, since its files are read once."""
+
+
+def explains_variables(how: str) -> Callable[[Function], Function]:
+    """Let a function that takes options, but is called with variables, say how to pass them.
+
+    Args:
+        how: what to write, where `{name}` is a variable and `{value}` its value.
+    """
+
+    def decorate(function: Function) -> Function:
+        count: int = function.__code__.co_argcount
+
+        @wraps(function)
+        def checked(*positional: Any, **named: Any) -> Any:
+            for name, value in named.items():
+                if name not in DEFAULTS and name not in function.__code__.co_varnames[:count]:
+                    hint = did_you_mean(name, DEFAULTS)
+                    remedy = how.format(name=name, value=repr(value))
+                    raise TypeError(
+                        f"{function.__name__}() has no argument '{name}'; "
+                        + (f"{hint} " if hint else "")
+                        + f"a variable of the file is passed by {remedy}"
+                    )
+            for value in positional[count:]:
+                name, separator, text = str(value).partition(":=")
+                remedy = how.format(name=name if separator else "name", value=text or "…")
+                raise TypeError(
+                    f"{function.__name__}() takes no argument {value!r} here; "
+                    f"a variable of the file is passed by {remedy}"
+                )
+            return function(*positional, **named)
+
+        return checked  # type: ignore[return-value]
+
+    return decorate
+
+
+def merged_variables(variables: object, named: Mapping[str, object]) -> dict[str, object]:
+    """Return the variables of `variables=` and those that are arguments by name, which win."""
+    try:
+        given: Mapping[str, object] = dict(variables or {})  # type: ignore[call-overload]
+    except (TypeError, ValueError):
+        raise TypeError(
+            "variables= takes a dict of variables; pass a variable that is called 'variables' in "
+            "it: variables={'variables': …}"
+        ) from None
+    return {**given, **named}
+
+
+class Options:
+    """What a build is asked for with, complete and checked; it never changes.
+
+    The attributes are the keywords of `yamaro.build`, which says what they mean.
+
+    Attributes:
+        target: the names of output formats, or None for URDF or other XML without a word about
+            what it cannot hold.
+    """
+
+    __slots__ = tuple(DEFAULTS)
+
+    command_line: Sequence[str]
+    variables: Mapping[str, object]
+    text: str | None
+    strict: bool
+    advice: bool
+    on_message: Callable[[str], None] | None
+    loader: Loader | None
+    policy: Policy
+    packages: Mapping[str, str]
+    has_root: bool
+    output: str | None
+    meshes: str
+    gazebo: bool
+    allow: frozenset[str]
+    deny: frozenset[str]
+    records: bool
+    target: tuple[str, ...] | None
+    base: str | None
+    repair_inertia: bool
+    sdf_version: str | None
+    on_progress: Callable[[float], None] | None
+    partial: bool
+
+    def __init__(self, **keywords: Unpack[AllOptions]) -> None:
+        """Check and complete the keywords of `yamaro.build`.
+
+        Raises:
+            TypeError: there is no such keyword.
+            UsageError: a value makes no sense, whatever the file.
+        """
+        values = {**DEFAULTS, **keywords}
+        if len(values) > len(DEFAULTS):
+            name = next(name for name in keywords if name not in DEFAULTS)
+            raise TypeError(f"a build has no option '{name}'")
+        for name, value in values.items():
+            object.__setattr__(self, name, value)
+        complete = {
+            "variables": self.variables or {},
+            "policy": self.policy or Policy(),
+            "packages": dict(self.packages or {}),
+            "output": None if self.output is None else os.fspath(self.output),
+            "allow": _codes(self.allow),
+            "deny": _codes(self.deny),
+            "target": _formats(self.target),
+        }
+        for name, value in complete.items():
+            object.__setattr__(self, name, value)
+        self._check()
+
+    def __setattr__(self, name: str, value: object) -> NoReturn:
+        raise AttributeError(f"options do not change: '{name}' cannot be set")
+
+    def _check(self) -> None:
+        if self.allow or self.deny:
+            from .codes import fault_of_codes
+
+            fault = fault_of_codes(self.allow, self.deny)
+            if fault is not None:
+                raise UsageError(fault)
+        if self.base is not None or self.sdf_version is not None:
+            from .targets.writers import BASES, SDF_VERSIONS
+
+            if self.base is not None:
+                _check_choice("base", self.base, BASES)
+            if self.sdf_version is not None:
+                _check_choice("version of SDF", self.sdf_version, SDF_VERSIONS)
+        ending = os.path.splitext(self.output or "")[1].lower()
+        if "usd" in (self.target or ()) and ending in BINARY_USD:
+            stem = os.path.splitext(os.path.basename(self.output or ""))[0]
+            raise UsageError(
+                f"USD is written as text, which '{ending}' files are not: name it {stem}.usda or "
+                f"{stem}.usd; OpenUSD converts it: "
+                f"Usd.Stage.Open('{stem}.usda').Export('{stem}.usdc')"
+            )
+        if self.meshes == COPY and self.output is None:
+            raise UsageError(
+                "'copy' needs an output file (-o FILE); the meshes are copied beside it"
+            )
+
+    def changed(self, **keywords: Unpack[BuildOptions]) -> Options:
+        """Return these options with others in the place of some.
+
+        Raises:
+            TypeError: there is no such keyword, or it is about files, which are read already.
+            UsageError: a value makes no sense, whatever the file.
+        """
+        if not keywords:
+            return self
+        for name in OF_FILES:
+            if name in keywords:
+                raise TypeError(f"'{name}' holds for all builds of a program: pass it to load()")
+        values = {name: getattr(self, name) for name in DEFAULTS}
+        return Options(**{**values, **keywords})  # type: ignore[typeddict-item]
+
+    @property
+    def adjustment(self) -> Adjustment:
+        """Return which messages are errors."""
+        return Adjustment(self.allow, self.deny, is_strict=self.strict)
+
+    def wanted_advice(self) -> Callable[[str], bool] | None:
+        """Return what decides which codes of advice to report, or None if no advice is wanted."""
+        if self.advice:
+            return lambda code: True
+        return self.deny.__contains__ if self.deny else None
+
+
+def _codes(codes: Iterable[str]) -> frozenset[str]:
+    """Return codes to allow or deny; a lone text is one code."""
+    found = frozenset([codes] if isinstance(codes, str) else codes)
+    for code in found:
+        if not isinstance(code, str):
+            raise UsageError(f"a code to allow or deny must be a text, not {code!r}")
+    return found
+
+
+def _formats(target: str | Sequence[str] | None) -> tuple[str, ...] | None:
+    if target is None:
+        return None
+    from .targets.writers import ENDINGS
+
+    formats = [target] if isinstance(target, str) else list(dict.fromkeys(target))
+    if not formats:
+        raise UsageError("no output format is named")
+    for format in formats:
+        _check_choice("output format", format, list(ENDINGS))
+    return tuple(formats)
+
+
+def _check_choice(what: str, value: str, known: Sequence[str]) -> None:
+    if value not in known:
+        from .terminal import shortened
+
+        listed = did_you_mean(value, known) or "choose one of " + ", ".join(known)
+        raise UsageError(f"'{shortened(value)}' is not a known {what}; {listed}")
