@@ -25,9 +25,9 @@ from yamaro.syntax import keys, python
 from yamaro.xml import forms
 from yamaro.xml import writer as xml_writer
 from yamaro.yaml import brackets
-from yamaro.yaml import characters as yaml_characters
 from yamaro.yaml import nodes as yaml_nodes
-from yamaro.yaml.builder import NodeBuilder
+from yamaro.yaml import recovery as yaml_characters
+from yamaro.yaml.reader import NodeBuilder
 
 SEED = 1
 MORE = 1_000

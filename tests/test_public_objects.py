@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 import yamaro
-from yamaro.yaml.flexidict import FlexiDict
+from yamaro.yaml.nodes import FlexiDict
 
 DOCS = Path(__file__).parents[1] / "docs"
 ROBOT = """

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from .result import Build as Build
     from .tools.sweep.api import Sweep as Sweep
     from .tools.sweep.api import sweep as sweep
-    from .yaml.flexidict import FlexiDict as FlexiDict
+    from .yaml.nodes import FlexiDict as FlexiDict
 
 __version__ = "0.1.0"
 __all__ = [

@@ -22,11 +22,9 @@ from .checks import require_readable, require_sound
 
 MODULES = (
     "yaml/reader.py",
-    "yaml/builder.py",
     "yaml/recovery.py",
     "yaml/comments.py",
     "yaml/nodes.py",
-    "yaml/faults.py",
     "yaml/explanations.py",
 )
 LOADER: Any = getattr(yaml, "CSafeLoader", yaml.SafeLoader)

@@ -35,8 +35,7 @@ from yamaro.safe.runtime import SafeRuntime
 from yamaro.source import Source, Span
 from yamaro.syntax.context import Rules
 from yamaro.syntax.python import PythonCode
-from yamaro.yaml.flexidict import FlexiDict
-from yamaro.yaml.nodes import ScalarNode
+from yamaro.yaml.nodes import FlexiDict, ScalarNode
 
 MEMORY = 3 << 30
 SECRET = "canary-in-the-environment"

@@ -12,8 +12,16 @@ from yamaro.files.loader import MemoryLoader
 from yamaro.source import Source
 from yamaro.syntax.context import ParseContext
 from yamaro.syntax.keys import parse_attributes
-from yamaro.yaml.nodes import DOUBLE, PLAIN, SINGLE, ScalarNode, _align_flow, quoted
-from yamaro.yaml.scalars import is_null, type_plain
+from yamaro.yaml.nodes import (
+    DOUBLE,
+    PLAIN,
+    SINGLE,
+    ScalarNode,
+    _align_flow,
+    is_null,
+    quoted,
+    type_plain,
+)
 
 PYTHON_KNOWS_COLUMNS = sys.version_info >= (3, 11)
 """Whether it is known where in a line of Python a fault is."""

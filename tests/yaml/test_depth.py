@@ -10,11 +10,11 @@ from yamaro.diagnostics import YamaroError
 from yamaro.policy import TRUSTED, Limits
 from yamaro.source import Source
 from yamaro.tools.format.layout import Layout
-from yamaro.yaml.builder import NodeBuilder
 from yamaro.yaml.comments import find_comments
 from yamaro.yaml.libyaml import DeepParser
 from yamaro.yaml.nodes import MappingNode
 from yamaro.yaml.pure import PureParser
+from yamaro.yaml.reader import NodeBuilder
 
 DEPTH = 1500
 TEXTS = {

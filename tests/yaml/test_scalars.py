@@ -15,9 +15,8 @@ from tests.effort import examples
 from yamaro.diagnostics import Reporter, YamaroError
 from yamaro.source import Source
 from yamaro.xml.values import format_number
-from yamaro.yaml.nodes import MappingNode, ScalarNode
+from yamaro.yaml.nodes import MappingNode, ScalarNode, type_plain
 from yamaro.yaml.reader import read
-from yamaro.yaml.scalars import type_plain
 
 # --- types ------------------------------------------------------------------------------------
 

@@ -13,8 +13,8 @@ from ..syntax.context import ParseContext
 from ..syntax.names import FACTORS
 from ..syntax.nodes import Constant, DictValue, ListValue
 from ..syntax.values import parse_value
+from ..yaml.nodes import type_plain
 from ..yaml.reader import read
-from ..yaml.scalars import type_plain
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

@@ -13,7 +13,7 @@ from math import log2
 
 from ..diagnostics import did_you_mean
 from ..namespace import Namespace
-from ..yaml.flexidict import FlexiDict
+from ..yaml.nodes import FlexiDict
 from .limits import RUN_IT, SafetyError, refused
 from .methods import CHANGING, DATA, READING
 from .operators import OperatorGuards

@@ -6,7 +6,7 @@ make texts of any length.
 
 from __future__ import annotations
 
-from ..yaml.flexidict import FlexiDict
+from ..yaml.nodes import FlexiDict
 from .values import OrderedSet
 
 TYPE_CHECKING = False

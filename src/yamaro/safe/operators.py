@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import operator
 
-from ..yaml.flexidict import FlexiDict
+from ..yaml.nodes import FlexiDict
 from .limits import refused
 from .values import CONTAINERS, LIST_ITERATOR, SEQUENCES, SET_LIKE, WHOLE, Meter, OrderedSet
 

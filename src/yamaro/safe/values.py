@@ -12,7 +12,7 @@ from itertools import pairwise
 from operator import index
 
 from ..namespace import Namespace
-from ..yaml.flexidict import FlexiDict
+from ..yaml.nodes import FlexiDict
 from .limits import SafeLimits, SafetyError, refused
 
 TYPE_CHECKING = False

@@ -9,7 +9,7 @@ from __future__ import annotations
 from ..diagnostics import InputFault, did_you_mean
 from ..units import UnknownUnit, fits, name_of, parse_quantity, plural_of, units_of
 from ..xml.values import format_value, is_number, plain_value
-from ..yaml.scalars import type_plain
+from ..yaml.nodes import type_plain
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

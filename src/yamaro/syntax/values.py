@@ -9,9 +9,8 @@ from __future__ import annotations
 from ..diagnostics import failure
 from ..source import Span
 from ..yaml.brackets import find_close
-from ..yaml.nodes import DOUBLE, PLAIN, ScalarNode, SequenceNode
+from ..yaml.nodes import DOUBLE, PLAIN, ScalarNode, SequenceNode, is_null, type_plain
 from ..yaml.reader import read_fragment
-from ..yaml.scalars import is_null, type_plain
 from .context import ParseContext
 from .nodes import Constant, DictValue, ListValue, Value
 from .python import PythonCode, compile_expression, expression_without_dollars

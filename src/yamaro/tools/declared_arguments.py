@@ -10,9 +10,8 @@ from ..syntax.argument_section import arguments_of, is_literal, literal_value, p
 from ..syntax.argument_types import ANY, NUMERIC, ArgumentEntry, checked
 from ..syntax.names import python_name
 from ..syntax.nodes import Value
-from ..yaml.nodes import PLAIN, MappingNode, ScalarNode, SequenceNode
+from ..yaml.nodes import PLAIN, MappingNode, ScalarNode, SequenceNode, type_plain
 from ..yaml.reader import read
-from ..yaml.scalars import type_plain
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

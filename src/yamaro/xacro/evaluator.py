@@ -11,7 +11,7 @@ from keyword import iskeyword
 from ..diagnostics import Frame, InputFault, YamaroError, did_you_mean, failure
 from ..source import Span
 from ..syntax.powers import compile_bounded
-from ..yaml.builder import UNITS
+from ..yaml.reader import UNITS
 from .faults import Fault, add_trace
 from .places import XacroPlace
 from .scope import Lazy, Names, Scope

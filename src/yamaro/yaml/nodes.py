@@ -3,12 +3,71 @@
 from __future__ import annotations
 
 from ..source import Source, Span
-from .flexidict import FlexiDict
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from array import array
-    from collections.abc import Iterator
+    from collections.abc import Iterable, Iterator
+    from typing import Any
+
+
+# --- FlexiDict: an ordered mapping in which a key may stand several times ---------------------
+
+
+class FlexiDict:
+    """A sequence of key-value pairs that can also be asked by key.
+
+    Iterating gives the pairs in order; `d["key"]` is the list of that key's values, `d[2]` the
+    third pair.
+    """
+
+    __slots__ = ("pairs",)
+
+    def __init__(self, pairs: Iterable[tuple[Any, Any]] = ()) -> None:
+        self.pairs: list[tuple[Any, Any]] = list(pairs)
+
+    def add(self, key: Any, value: Any) -> None:
+        """Append a pair, even if the key is there already."""
+        self.pairs.append((key, value))
+
+    def keys(self) -> list[Any]:
+        """Return every different key once, in the order of first appearance."""
+        return list(dict.fromkeys(key for key, _ in self.pairs))
+
+    def __getitem__(self, key: Any) -> Any:
+        """Return the values of a key as a list, or the pair at an integer index.
+
+        Raises:
+            KeyError: no pair has that key.
+            IndexError: there is no pair at that index.
+        """
+        if isinstance(key, int) and not isinstance(key, bool):
+            return self.pairs[key]
+        values = [value for own, value in self.pairs if own == key]
+        if not values:
+            raise KeyError(key)
+        return values
+
+    def __contains__(self, key: object) -> bool:
+        return any(own == key for own, _ in self.pairs)
+
+    def __iter__(self) -> Iterator[tuple[Any, Any]]:
+        return iter(self.pairs)
+
+    def __len__(self) -> int:
+        return len(self.pairs)
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, FlexiDict) and self.pairs == other.pairs
+
+    __hash__ = None  # type: ignore[assignment]
+
+    def __repr__(self) -> str:
+        return f"FlexiDict({self.pairs!r})"
+
+
+# --- nodes ------------------------------------------------------------------------------------
+
 
 PLAIN, SINGLE, DOUBLE, LITERAL, FOLDED = "", "'", '"', "|", ">"
 
@@ -245,3 +304,71 @@ def _spelled_length(raw: str, at: int, style: str) -> int:
     if style == DOUBLE and raw.startswith("\\", at):
         return 2 + {"x": 2, "u": 4, "U": 8}.get(raw[at + 1 : at + 2], 0)
     return 1
+
+
+# --- types plain scalars by the YAML 1.2 core schema ------------------------------------------
+
+
+_CONSTANTS: dict[str, bool | None] = {
+    "": None,
+    "~": None,
+    "null": None,
+    "Null": None,
+    "NULL": None,
+    "true": True,
+    "True": True,
+    "TRUE": True,
+    "false": False,
+    "False": False,
+    "FALSE": False,
+}
+_SPECIAL_FLOATS = {
+    sign + spelling: float(sign + "inf")
+    for sign in ("", "+", "-")
+    for spelling in (".inf", ".Inf", ".INF")
+} | dict.fromkeys((".nan", ".NaN", ".NAN"), float("nan"))
+_FLOAT_CHARACTERS = frozenset("0123456789.eE+-")
+_NUMBER_STARTS = frozenset("0123456789.+-")
+MAX_DIGITS = 4300
+
+
+def is_null(text: str) -> bool:
+    """Return whether a plain scalar is null."""
+    return text in ("", "~", "null", "Null", "NULL")
+
+
+def type_plain(text: str) -> object:
+    """Return the value of a plain scalar: None, bool, int, float, or the text itself.
+
+    Raises:
+        OverflowError: the text is an integer of more digits than Python reads.
+    """
+    if text in _CONSTANTS:
+        return _CONSTANTS[text]
+    if text[0] not in _NUMBER_STARTS:
+        return text
+    return _type_number(text)
+
+
+def _type_number(text: str) -> object:
+    digits = text[1:] if text[0] in "+-" else text
+    if digits.isdigit() and digits.isascii():
+        if len(digits) > MAX_DIGITS:
+            raise OverflowError(text)
+        return int(text)
+    if text.startswith(("0x", "0o")):
+        return _type_based(text)
+    if _FLOAT_CHARACTERS.issuperset(text):
+        try:
+            return float(text)
+        except ValueError:
+            return text
+    return _SPECIAL_FLOATS.get(text, text)
+
+
+def _type_based(text: str) -> object:
+    digits = text[2:]
+    base, allowed = (16, "0123456789abcdefABCDEF") if text[1] == "x" else (8, "01234567")
+    if digits and all(digit in allowed for digit in digits):
+        return int(digits, base)
+    return text

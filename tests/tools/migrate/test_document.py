@@ -19,9 +19,8 @@ from yamaro.tools.migrate.document import (
     literal,
 )
 from yamaro.tools.migrate.writing import write_document
-from yamaro.yaml.nodes import MappingNode, ScalarNode, SequenceNode
+from yamaro.yaml.nodes import MappingNode, ScalarNode, SequenceNode, type_plain
 from yamaro.yaml.reader import read
-from yamaro.yaml.scalars import type_plain
 
 Pairs = list[tuple[str, Any]]
 

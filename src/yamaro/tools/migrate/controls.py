@@ -7,7 +7,7 @@ which the words repeat, are not looked at here.
 from __future__ import annotations
 
 from ...xml.values import format_value
-from ...yaml.scalars import type_plain
+from ...yaml.nodes import type_plain
 from .document import Body, Entry, Quoted
 
 TYPE_CHECKING = False

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ...yaml.scalars import type_plain
+from ...yaml.nodes import type_plain
 from .document import Quoted
 
 _INDICATORS = frozenset("-?:,[]{}#&*!|>'\"%@`")

@@ -11,9 +11,8 @@ from ...runtime.predefined import plain_data
 from ...source import holds_xml
 from ...syntax.context import ParseContext, Rules
 from ...syntax.values import parse_value
-from ...yaml.nodes import PLAIN, MappingNode, ScalarNode, SequenceNode
+from ...yaml.nodes import PLAIN, MappingNode, ScalarNode, SequenceNode, is_null
 from ...yaml.reader import read
-from ...yaml.scalars import is_null
 from .axis_reading import words_in
 from .conditions import Condition
 from .methods import METHODS

@@ -16,9 +16,8 @@ from ...runtime.predefined import plain_data
 from ...syntax.context import ParseContext
 from ...syntax.python import compile_expression
 from ...syntax.values import parse_value
-from ...yaml.nodes import MappingNode, ScalarNode, SequenceNode, quoted
+from ...yaml.nodes import MappingNode, ScalarNode, SequenceNode, is_null, quoted
 from ...yaml.reader import read
-from ...yaml.scalars import is_null
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

@@ -21,9 +21,8 @@ from ...syntax.argument_types import (
     checked,
 )
 from ...syntax.names import python_name
-from ...yaml.nodes import ScalarNode
+from ...yaml.nodes import ScalarNode, type_plain
 from ...yaml.reader import read
-from ...yaml.scalars import type_plain
 from ..declared_arguments import declared_of, pairs_in, plain_value
 from ..xacro_arguments import xacro_arguments
 

@@ -10,7 +10,7 @@ import re
 
 from ....runtime.predefined import CONSTANTS
 from ....xacro.templates import guess_value
-from ....yaml.scalars import type_plain
+from ....yaml.nodes import type_plain
 from ..document import RECORD_WIDTH, Body, Entry, Quoted, Row, pieces_of
 from .passing_on import pass_on
 from .tidying import bodies_in, entries_in, stem_of

@@ -5,7 +5,7 @@ from __future__ import annotations
 from ....syntax.template import skip_expression
 from ....xml.tree import Element
 from ....xml.values import format_value
-from ....yaml.scalars import type_plain
+from ....yaml.nodes import type_plain
 from ..document import Body, Entry, Quoted
 from .names import names_in
 from .python_texts import negated

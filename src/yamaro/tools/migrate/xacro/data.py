@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 
-from ....yaml.builder import UNITS
+from ....yaml.reader import UNITS
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

@@ -409,7 +409,7 @@ class Translator:
 
 def typed(text: str) -> str:
     """Return a text spelled so that YAML takes it for the number or truth value xacro sees."""
-    from ....yaml.scalars import type_plain
+    from ....yaml.nodes import type_plain
 
     meant = guess_value(text)
     if isinstance(meant, str):
@@ -426,7 +426,7 @@ def typed(text: str) -> str:
 
 def is_typed(text: str) -> bool:
     """Return whether YAML takes a text for something else than a text where it is not quoted."""
-    from ....yaml.scalars import type_plain
+    from ....yaml.nodes import type_plain
 
     return not isinstance(type_plain(text), str)
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ....xml.values import is_number
-from ....yaml.scalars import type_plain
+from ....yaml.nodes import type_plain
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
