@@ -49,7 +49,7 @@ _MODULES = {
     "Build": "result",
     "Diagnostic": "diagnostics",
     "FileLoader": "files.loader",
-    "FlexiDict": "yaml.flexidict",
+    "FlexiDict": "yaml.nodes",
     "LoadError": "files.loader",
     "MemoryLoader": "files.loader",
     "Policy": "policy",
