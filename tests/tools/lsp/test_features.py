@@ -211,6 +211,52 @@ def test_completion_knows_where_it_is(client, tmp_path, text, offered, not_offer
     assert not set(not_offered) & set(found)
 
 
+@pytest.mark.parametrize(
+    ("link", "offered", "not_offered"),
+    [
+        ("\n      geometry: cylinder\n      |", ["radius", "length", "scale"], ["size"]),
+        ("\n      |\n      geometry: Capsule\n", ["radius", "length", "scale"], ["size"]),
+        ("\n    - geometry: box\n    - |", ["size", "scale"], ["radius", "length"]),
+        (" {geometry: sphere, |}", ["radius", "scale"], ["size", "length"]),
+        (" {geometry: a.stl, |}", ["scale"], ["size", "radius", "length"]),
+        (" {geometry: cylinder, scale: 1 2, |}", ["mass"], ["size", "radius", "length"]),
+        (" {geometry: cylinder, radius: 1, |}", ["length"], ["scale", "size"]),
+        ("\n      geometry: cylinder\n      visual:\n        |", ["radius", "scale"], ["size"]),
+        ("\n      geometry: box\n      visual: {geometry: sphere, |}", ["radius"], ["size"]),
+        (" {geometry: $(shape), |}", ["size", "radius", "length", "scale"], []),
+        (" {|}", ["size", "radius", "length", "scale"], []),
+    ],
+)
+def test_only_the_sizes_of_the_shape_are_offered(client, tmp_path, link, offered, not_offered):
+    text = f"robot: r\nmodel:\n- part:\n    name: a\n    link:{link}"
+    found = _complete(client, tmp_path / "arm.yaml", text)
+    assert set(offered) <= set(found)
+    assert not set(not_offered) & set(found)
+
+
+@pytest.mark.parametrize(
+    "functions",
+    [
+        "  # One leg.\n  Leg(side):\n  - part: {name: $(side)}\n",
+        "  Leg(side):  # One leg.\n  - part: {name: $(side)}\n",
+        "  Leg(side):\n  # One leg.\n  - part: {name: $(side)}\n",
+        "  Leg:\n    # One leg.\n    input: side\n    body: {part: {name: $(side)}}\n",
+        "# One leg.\n- Leg: {input: side, body: {part: {name: $(side)}}}\n",
+        "  Other():\n  - print: x  # no leg\n\n  # One leg.\n  Leg(side):\n  - print: $(side)\n",
+    ],
+)
+def test_the_comment_on_a_function_is_shown_where_it_is_called(client, tmp_path, functions):
+    text = f"functions:\n{functions}model:\n- Leg: left\n"
+    uri = client.open(tmp_path / "a.yaml", text)
+    assert (_hover(client, uri, text, "- Leg: left", 3) or "").endswith("\n\nOne leg.")
+    parameters = client.at(uri, text, "- Leg: left", after=8)
+    (signature,) = client.request("textDocument/signatureHelp", parameters)["signatures"]
+    assert signature["documentation"] == "One leg."
+    items = client.request("textDocument/completion", client.at(uri, text, "- Leg: left", after=4))
+    (leg,) = [each for each in items["items"] if each["label"] == "Leg"]
+    assert leg["documentation"]["value"] == "One leg."
+
+
 SPACED = "model:\n- include: {path: leg.yaml, namespace: Legs}\n"
 
 

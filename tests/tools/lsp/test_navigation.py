@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 import pytest
 
 from tests.tools.lsp.client import Client
@@ -165,7 +167,6 @@ def test_renaming_a_variable_a_parameter_a_function_and_a_part(client, tmp_path)
 @pytest.mark.parametrize(
     ("mark", "after", "new", "reason"),
     [
-        ("reach:", 1, "x", "passed on the command line"),
         ("import: math", 9, "x", "from Python"),
         ("  length: 0.5", 3, "for", "not a name of a variable"),
         ("  length: 0.5", 3, "half", "declared already"),
@@ -178,6 +179,17 @@ def test_renaming_a_variable_a_parameter_a_function_and_a_part(client, tmp_path)
 def test_what_cannot_be_renamed_says_why(client, tmp_path, mark, after, new, reason):
     uri = client.open(tmp_path / "arm.yaml", ARM)
     assert reason in _renamed(client, uri, ARM, mark, after, new)
+
+
+def test_an_argument_is_renamed_unless_the_settings_pass_it(client, tmp_path):
+    uri = client.open(tmp_path / "arm.yaml", ARM)
+    assert _renamed(client, uri, ARM, "reach:", 1, "extent") == re.sub(r"\breach\b", "extent", ARM)
+    options = {"arguments": {"arm.yaml": ["reach:=1"]}}
+    (tmp_path / "other").mkdir()
+    with Client(tmp_path / "other", options=options) as passing:
+        uri = passing.open(tmp_path / "other" / "arm.yaml", ARM)
+        reason = _renamed(passing, uri, ARM, "reach:", 1, "extent")
+        assert "'reach' is passed by the settings" in reason
 
 
 def test_names_that_process_sets_and_computed_ones_are_not_renamed(client, tmp_path):

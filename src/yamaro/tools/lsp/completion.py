@@ -10,10 +10,11 @@ from __future__ import annotations
 import re
 
 from ...diagnostics import Reporter
+from ...model.shapes import SIZES
 from ...sandbox.deep_stack import run_on_deep_stack
 from ...source import Source
 from ...yaml.brackets import find_close
-from ...yaml.nodes import ScalarNode
+from ...yaml.nodes import MappingNode, ScalarNode, SequenceNode
 from ...yaml.reader import read_on
 from .bindings import Program, visible_names
 from .completion_items import Items
@@ -145,7 +146,8 @@ class Completion:
                 if space == qualified[1]:
                     items.add_function(function)
             return
-        present = {word_of(key.text) for key, _ in cursor.mapping.pairs} if cursor.mapping else ()
+        pairs = cursor.mapping.pairs if cursor.mapping is not None else []
+        present = {word_of(key.text) for key, _ in pairs} | _sizes_of_other_shapes(cursor)
         if place.name == "call":
             self._arguments(place.call, present)
             return
@@ -244,6 +246,26 @@ class Completion:
         for place in visible_names(program, self._text, context):
             self._items.add_variable(place)
         self._items.add_predefined()
+
+
+def _sizes_of_other_shapes(cursor: Cursor) -> set[str]:
+    """Return the sizes that the shape around the cursor does not have, or has in another form."""
+    for depth in (1, 2):  # its own shape, or that of the link around a section
+        words = [word_of(key.text) for key in cursor.keys[-depth:]]
+        if len(words) < depth or (depth == 2 and words[0] != "link"):
+            return set()
+        node = cursor.nodes[-depth]
+        items = node.items if isinstance(node, SequenceNode) else [node]
+        pairs = [pair for item in items if isinstance(item, MappingNode) for pair in item.pairs]
+        given = {word_of(key.text): value for key, value in pairs}
+        shape = given.get("geometry")
+        if isinstance(shape, ScalarNode) and "$" not in shape.text:
+            own = SIZES.get(shape.text.strip().lower(), ())
+            others = {name for sizes in SIZES.values() for name in sizes if name not in own}
+            if depth == 1 and "scale" in given:
+                return {*others, *own}
+            return {*others, "scale"} if depth == 1 and own and own[0] in given else others
+    return set()
 
 
 def _closing(line: str) -> str:

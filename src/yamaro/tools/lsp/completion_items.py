@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 
 from ...syntax.nodes import LOCAL, SCOPES, FunctionNode, Parameter
+from .comments import comment_on
 from .manual import MANUAL, PREDEFINED, USEFUL_BUILTINS, VALUES
 from .names import ARGUMENT, CALLED, FUNCTION_NAME, VARIABLE
 
@@ -197,6 +198,7 @@ class Items:
             _FUNCTION,
             text=self._key(name),
             detail=node.signature(),
+            documentation=comment_on(place.text, declared.span),
             snippet=f"{name}: {inner}$0",
             rank="3",
         )

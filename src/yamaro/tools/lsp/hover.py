@@ -7,6 +7,7 @@ from ...syntax.argument_types import ArgumentEntry
 from ...syntax.nodes import FunctionNode, Parameter, VariableEntry
 from ...yaml.nodes import ScalarNode
 from .bindings import Place, Program
+from .comments import comment_on
 from .contexts import place_of
 from .cursor import cursor_at, word_of
 from .manual import PREDEFINED, VALUES, about
@@ -84,7 +85,7 @@ def _of_name(workspace: Workspace, program: Program, place: Place) -> list[str]:
         written = _written(first.text, node)
         if written:
             lines.append(f"```yaml\n{written}\n```")
-    comment = _comment_above(first.text, declared.span)
+    comment = comment_on(first.text, declared.span)
     if comment:
         lines.append(comment)
     values = _values(workspace, place, found)
@@ -108,19 +109,6 @@ def _written(text: Text, entry: VariableEntry) -> str:
     """Return the line of a variable."""
     line, _ = entry.span.location()
     return text.source.line_text(line).strip().removeprefix("- ")[:200]
-
-
-def _comment_above(text: Text, span: Span) -> str:
-    """Return the comment in the lines right above a declaration."""
-    line, _ = span.location()
-    lines: list[str] = []
-    while line > 1:
-        line -= 1
-        written = text.source.line_text(line).strip()
-        if not written.startswith("#"):
-            break
-        lines.insert(0, written.lstrip("# "))
-    return "\n".join(lines)
 
 
 def _values(workspace: Workspace, place: Place, found: list[Place]) -> Iterable[str]:

@@ -1,7 +1,7 @@
 """Renames a variable, function, parameter, iterator or part in all files of a program.
 
 What cannot be renamed safely is refused with the reason: names that are computed, assigned in
-`process`, from Python, or passed on the command line.
+`process`, from Python, or passed by the settings of the editor.
 """
 
 from __future__ import annotations
@@ -10,7 +10,6 @@ import re
 from fnmatch import fnmatchcase
 
 from ...source import Span
-from ...syntax.argument_types import ArgumentEntry
 from ...syntax.names import is_function_name, is_identifier, python_name
 from ...syntax.nodes import IncludeNode, VariableEntry
 from .bindings import Place, Program, visible_names
@@ -129,16 +128,16 @@ class Renaming:
         if isinstance(node, VariableEntry) and len(node.values) > 1:
             raise RequestFailed(f"'{name}' is given several times at {each.span.place()}")
         if declaration.context.kind == FILE and declaration.kind in (VARIABLE, ARGUMENT):
-            self._check_passed(each, node)
+            self._check_passed(each)
 
-    def _check_passed(self, each: Place, node: object) -> None:
-        """Raise RequestFailed for what is passed on the command line."""
+    def _check_passed(self, each: Place) -> None:
+        """Raise RequestFailed for what the settings pass, which would then be unknown."""
         path, name = each.text.path, each.name
         if self._workspace.mains_of(path) != [path]:
             return
         passed = [text.partition(":=")[0] for text in self._workspace.settings.arguments_of(path)]
-        if isinstance(node, ArgumentEntry) or name in passed:
-            raise RequestFailed(f"'{name}' is passed on the command line")
+        if name in passed:
+            raise RequestFailed(f"'{name}' is passed by the settings of the editor")
 
     def _check_new_name(self, new: str) -> None:
         assert self._place is not None

@@ -5,6 +5,7 @@ from __future__ import annotations
 from ...syntax.nodes import FunctionNode
 from ...yaml.brackets import find_close
 from .bindings import Program
+from .comments import comment_on
 from .contexts import place_of
 from .cursor import cursor_at
 
@@ -32,13 +33,15 @@ def answer(workspace: Workspace, parameters: Json) -> Json:
         if isinstance(node, FunctionNode):
             names = [each.name for each in node.parameters]
             active = names.index(given) if given in names else index
-            signatures.append(
-                {
-                    "label": f"{node.name}({', '.join(each.text for each in node.parameters)})",
-                    "parameters": [{"label": each.text} for each in node.parameters],
-                    "activeParameter": active,
-                }
-            )
+            signature: Json = {
+                "label": f"{node.name}({', '.join(each.text for each in node.parameters)})",
+                "parameters": [{"label": each.text} for each in node.parameters],
+                "activeParameter": active,
+            }
+            comment = comment_on(place.text, place.span)
+            if comment:
+                signature["documentation"] = comment
+            signatures.append(signature)
     if not signatures:
         return None
     active = signatures[0]["activeParameter"]
