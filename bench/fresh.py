@@ -7,10 +7,18 @@ FOLDER/src holds the repositories, one folder each. Written are FOLDER/xacro.tsv
 (empty) and FOLDER/expected, in the form of the corpus that bench/robots.py reads.
 
 How a fair set comes about, so that nobody chooses what suits us: paths that many repositories have
-(`urdf/robot.urdf.xacro`, `urdf/arm.urdf.xacro`, `robot_description/urdf/robot.urdf.xacro` …) are
-looked up in an index of public repositories, and of each answer the first that can be had are
-taken, in the order of their names, one of each owner, none that is in the other corpus or in
-robot_descriptions.py. A robot is every xacro file of theirs that
+are looked up in an index of public repositories. Each answer, in the order of the names, is divided
+into eight equal parts, and at most one repository of each part is taken, one of each owner, none
+that is in the other corpus or in robot_descriptions.py, whatever is in it. Paths are those of
+
+- whole robots: `urdf/robot.urdf.xacro`, `robot_description/urdf/robot.urdf.xacro`,
+  `urdf/ur.urdf.xacro`;
+- pieces: `urdf/arm.urdf.xacro`, `urdf/gripper.xacro`, `urdf/leg.xacro`, `urdf/wheel.xacro`,
+  `urdf/ros2_control.xacro`, `urdf/sensors/imu.urdf.xacro`, `urdf/inc/ur_macro.xacro`;
+- helpers, which robots of several files have: `urdf/macros.xacro`, `urdf/common.xacro`,
+  `urdf/common_properties.xacro`, `urdf/accessories.urdf.xacro`, `urdf/utils.xacro`.
+
+A robot is every xacro file of theirs that
 
 - xacro expands without arguments, or with a value for each argument that has no default: the
   empty text;

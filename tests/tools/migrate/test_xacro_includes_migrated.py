@@ -488,3 +488,33 @@ def test_a_variable_of_the_environment_whose_default_is_computed_names_a_file(
     if extra:
         monkeypatch.setenv("TEST_MORE", extra)
     holds(tmp_path, files)
+
+
+@pytest.mark.parametrize(
+    ("files", "name"),
+    [
+        ("dict(arm='arm.xacro', leg='leg.xacro')", "${files[k]}"),
+        ("dict(arm='arm', leg='leg')", "${files.get(k)}.xacro"),
+        ("dict(a=dict(arm='arm.xacro', leg='leg.xacro'))", "${files['a'][k]}"),
+        ("dict(arm=['arm.xacro'], leg=['leg.xacro'])", "${files[k][0]}"),
+    ],
+)
+def test_files_that_only_a_dictionary_names_are_migrated_though_nothing_includes_them_yet(
+    tmp_path: Path, files: str, name: str
+) -> None:
+    made = holds(
+        tmp_path,
+        {
+            "r.xacro": f"""<xacro:property name="files" value="${{{files}}}"/>
+            <xacro:macro name="add" params="k"><xacro:include filename="{name}"/></xacro:macro>
+            <xacro:arg name="k" default=""/>
+            <xacro:if value="${{len('$(arg k)') > 1}}"><xacro:add k="$(arg k)"/></xacro:if>
+            <link name="base"/>""",
+            "arm.xacro": '<link name="arm"/>',
+            "leg.xacro": '<link name="leg"/>',
+        },
+        "k:=arm",
+        "k:=leg",
+    )
+    assert {"arm.yaml", "leg.yaml"} < made.files.keys()
+    assert made.lost == []

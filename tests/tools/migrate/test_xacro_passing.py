@@ -213,3 +213,35 @@ def test_a_parameter_that_is_no_name_is_left_out(tmp_path: Path) -> None:
         tmp_path, {"r.xacro": '<xacro:macro name="pi" params="3.14"/><link name="a${1}"/>'}
     )
     assert "3.14" not in made.files["r.yaml"]
+
+
+SETTER = """<xacro:macro name="set" params="name value:=5"><xacro:property name="${name}"
+    value="${value * 2}" scope="parent"/></xacro:macro>"""
+
+
+def test_a_macro_that_sets_a_property_whose_name_it_is_given_becomes_that_property(
+    tmp_path: Path,
+) -> None:
+    use = """<xacro:set name="upper" value="3"/><xacro:set name="lower" value="${upper + k}"/>
+        <link name="arm"><m>${upper} ${lower}</m></link>"""
+    robot = f"""<xacro:arg name="a" default="1"/>{SETTER}
+        <xacro:macro name="arm" params="k">{use}</xacro:macro><xacro:set name="body"/>
+        <link name="base"><m>${{body}}</m></link><xacro:arm k="$(arg a)"/>"""
+    made = holds(tmp_path, {"r.xacro": robot}, "a:=0.5")
+    assert made.lost == []
+    assert "Set" not in made.files["r.yaml"]
+
+
+def test_a_file_that_a_macro_includes_changes_the_parameters_of_that_macro(tmp_path: Path) -> None:
+    macro = """<xacro:macro name="hand" params="tip:=pst side:=none more:=1">
+        <xacro:include filename="s.xacro"/><xacro:finger/>
+        <link name="${tip}_${side}_${more}"/></xacro:macro>"""
+    upper = """<xacro:macro name="upper" params="name value"><xacro:property name="${name}"
+        value="${value.upper()}" scope="parent"/></xacro:macro>
+        <xacro:property name="tip" default="x"/><xacro:property name="more" default="7"/>
+        <xacro:upper name="tip" value="${tip}"/><xacro:property name="side" value="left"/>
+        <xacro:macro name="finger" params="">
+        <link name="f_${side}_${tip}_${more}"/></xacro:macro>"""
+    robot = f"""<xacro:arg name="t" default="ab"/>{macro}<xacro:hand/>
+        <xacro:hand tip="$(arg t)" more="3"/>"""
+    holds(tmp_path, {"r.xacro": robot, "s.xacro": upper}, "t:=cd")

@@ -52,7 +52,11 @@ def _read_first(root: Element, inside: set[int]) -> set[str]:
         first |= used_in(Element("text", element.span, {"text": element.text()})) - defined
         if element.name in ("xacro:if", "xacro:unless"):
             conditional.update(map(id, walk(element)))
-        elif element.name == "xacro:property" and id(element) not in conditional:
+        elif (
+            element.name == "xacro:property"
+            and "default" not in element.attributes
+            and id(element) not in conditional
+        ):
             defined.add(format_value(element.attributes.get("name")))
     return first & defined_in(root)
 

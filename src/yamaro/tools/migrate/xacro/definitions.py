@@ -86,7 +86,12 @@ def write_property(writer: FileWriter, node: Element, body: Body) -> None:
             writer.lose(node.span, f"nothing defines what the property '{name}' is made of")
         return
     if "default" in given:
-        if name in writer.here.parameters:
+        includers = writer.program.macros_including(writer.path)
+        if name in writer.here.parameters or (
+            writer.here.macro is None
+            and includers
+            and all(name in macro.values() for macro in includers)
+        ):
             return
         if (not writer.here.is_top and name in writer.program.at_top) or (
             writer.here.is_top and len(writer.program.properties.get(name, ())) > 1

@@ -98,6 +98,8 @@ def _take_variables(writer: FileWriter, model: Body, declared: Body) -> None:
             assert isinstance(entry.value, Body)
             if index and writer.path in writer.program.included_by_macros:
                 return  # a macro may have given them values before
+            if names_of(entry.value) & writer.program.names_of_includers(writer.path):
+                return  # what a macro passes comes before what is declared for the file
             if index and not _is_independent(writer, entry.value, declared):
                 return
             if names_of(entry.value) & names_of(declared):
@@ -139,6 +141,8 @@ def _depends_on_nothing(writer: FileWriter, variable: Entry, declared: Body) -> 
     (name,) = names_of([variable])
     known = names_of(declared)
     if name in known or name in program.arguments or not isinstance(variable.value, str):
+        return False
+    if name in program.names_of_includers(writer.path):
         return False
     words = set(re.findall(r"[^\W\d]\w*", variable.value)) if "$(" in variable.value else set()
     made_of = {word for word in words if word in program.properties or word in program.arguments}

@@ -163,18 +163,22 @@ class XacroProgram:
 
     def names_of_includers(self, path: str) -> set[str]:
         """Return the names that the macros have which include a file."""
-        return set().union(
-            *(
-                set(macro.values()) | defined_in(macro.element)
-                for macro in self.definitions.values()
-                if path in self.included_by_macros
-                and any(
-                    path in self.files.files_of(element)
-                    for element in walk(macro.element)
-                    if element.name == "xacro:include"
-                )
+        includers = self.macros_including(path)
+        return set().union(*(set(own.values()) | defined_in(own.element) for own in includers))
+
+    def macros_including(self, path: str) -> list[Macro]:
+        """Return the macros that include a file."""
+        if path not in self.included_by_macros:
+            return []
+        return [
+            macro
+            for macro in self.definitions.values()
+            if any(
+                path in self.files.files_of(element)
+                for element in walk(macro.element)
+                if element.name == "xacro:include"
             )
-        )
+        ]
 
     def is_scalar(self, text: str) -> bool:
         """Return whether all expressions in a text were seen to give texts, numbers and truths."""

@@ -13,6 +13,7 @@ from .choices import Choices
 from .data import with_plain_units
 from .includes import ENDINGS, folder_meant
 from .runs import Runs
+from .setters import without_setters
 from .spellings import Spellings
 
 TYPE_CHECKING = False
@@ -61,7 +62,7 @@ class RobotFiles:
         if with_others:
             self._try_others()
             self._read_computed()
-        self.roots = self._roots_read()
+        self.roots = without_setters(self._roots_read())
         python, names = self.runs.python, self.runs.names
         self.data = {
             path: with_plain_units(text, lambda python_text: python.evaluate(python_text, names))
@@ -109,7 +110,9 @@ class RobotFiles:
                 key = (span.source.path, span.start)
                 is_new = key not in self.included
                 base = self._base_of(self.runs.named.get(key, {}), os.path.dirname(path))
-                for name, found in choices.files_named(text, span, base, by_pattern=is_new).items():
+                named = choices.files_named(text, span, base, by_pattern=is_new)
+                named |= Spellings(choices, span).items(text, base)
+                for name, found in named.items():
                     if found == self.main or not self._read_file(found, span):
                         continue
                     known = self.included.setdefault(key, [])

@@ -39,6 +39,22 @@ class Spellings:
                 found |= dict.fromkeys(os.path.normpath(path) for path in sorted(paths))
         return [path for path in found if path.endswith(_ENDINGS)]
 
+    def items(self, text: str, base: str) -> dict[str, str]:
+        """Return the files that a name out of a dict or list in the sources may mean, by the name.
+
+        Args:
+            text: the name.
+            base: the folder that it is relative to.
+        """
+        found = {}
+        for pattern in self._of_text(text, frozenset()) if "[" in text or ".get(" in text else ():
+            name = pattern.replace("[*]", "*").replace("[?]", "?").replace("[[]", "[")
+            path = os.path.normpath(os.path.join(base, name))
+            is_file = "*" not in pattern and path.endswith(_ENDINGS) and os.path.isfile(path)
+            if is_file and path != self._span.source.path:
+                found[name] = path
+        return found
+
     def is_constant(self, text: str) -> bool:
         """Return whether a text is the same whatever the arguments are."""
         patterns = {pattern.replace("[*]", "") for pattern in self._of_text(text, frozenset())}
@@ -116,18 +132,33 @@ class Spellings:
 
     def _of_items(self, node: ast.expr, known: frozenset[str]) -> list[str]:
         """Return patterns for what a dict or a list holds."""
+        items = self._items(node, known)
+        if items is None:
+            return _ANYTHING
+        return [own for each in items for own in self._of_python(each, known)]
+
+    def _items(self, node: ast.expr, known: frozenset[str]) -> list[ast.expr] | None:
+        """Return what a dict or a list holds, or None if that is not known."""
         match node:
             case ast.Dict(_, items) | ast.List(items) | ast.Tuple(items):
-                return [own for each in items for own in self._of_python(each, known)]
+                return items
             case ast.Call(ast.Name("dict"), [], keywords):
-                return [own for each in keywords for own in self._of_python(each.value, known)]
+                return [each.value for each in keywords]
+            case ast.Subscript(inner, _) | ast.Call(ast.Attribute(inner, "get"), _):
+                several = [self._items(each, known) for each in self._items(inner, known) or ()]
             case ast.Name(name) if name in self._choices.texts and name not in known:
-                found: list[str] = []
-                for text in self._choices.texts[name]:
-                    tree = tree_of(text.strip()[2:-1]) if text.startswith("${") else None
-                    found += _ANYTHING if tree is None else self._of_items(tree, known | {name})
-                return found
-        return _ANYTHING
+                own = known | {name}
+                trees = [_whole(text) for text in self._choices.texts[name]]
+                several = [None if tree is None else self._items(tree, own) for tree in trees]
+            case _:
+                return None
+        found = [items for items in several if items is not None]
+        return [each for items in found for each in items] if len(found) == len(several) else None
+
+
+def _whole(text: str) -> ast.expr | None:
+    """Return the expression that a text is, or None."""
+    return tree_of(text.strip()[2:-1]) if text.startswith("${") else None
 
 
 def _joined(several: Iterable[list[str]]) -> list[str]:
