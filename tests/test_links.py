@@ -10,7 +10,7 @@ import pytest
 REPOSITORY = Path(__file__).parents[1]
 DOCUMENTS = sorted([*REPOSITORY.glob("*.md"), *(REPOSITORY / "docs").rglob("*.md")])
 
-LARGEST_PICTURE = 150_000
+LARGEST_PICTURE, LARGEST_FILM = 150_000, 1_000_000
 
 LINK = re.compile(r"\]\(([^)\s]+)\)")
 HEADING = re.compile(r"^#{1,6} +(.+?) *$", re.MULTILINE)
@@ -54,10 +54,12 @@ def test_links_lead_somewhere(path: Path) -> None:
 
 def test_the_pictures_are_small_and_each_is_in_a_document() -> None:
     texts = map(prose, [*DOCUMENTS, REPOSITORY / "examples" / "README.md"])
-    shown = {name for text in texts for name in re.findall(r"[\w-]+\.png\b", text)}
-    pictures = [*(REPOSITORY / "docs").rglob("*.png")]
-    assert sorted({path.name for path in pictures} - shown) == []
-    assert [path.name for path in pictures if path.stat().st_size > LARGEST_PICTURE] == []
+    shown = {name for text in texts for name in re.findall(r"[\w-]+\.(?:png|gif)\b", text)}
+    for kind, largest in (("png", LARGEST_PICTURE), ("gif", LARGEST_FILM)):
+        pictures = [*(REPOSITORY / "docs").rglob(f"*.{kind}")]
+        assert pictures
+        assert sorted({path.name for path in pictures} - shown) == []
+        assert [path.name for path in pictures if path.stat().st_size > largest] == []
 
 
 def test_broken_links_are_found(tmp_path: Path) -> None:
