@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ast
 import inspect
+import pickle
 import re
 from pathlib import Path
 
@@ -77,6 +78,7 @@ def test_options_do_not_change() -> None:
         wanted.strict = False  # type: ignore[misc]
     assert wanted.changed(strict=False).strict is False
     assert wanted.strict is True
+    assert pickle.loads(pickle.dumps(wanted)).strict is True  # goes to the workers of a study
 
 
 @pytest.mark.parametrize(

@@ -195,25 +195,20 @@ class Options:
         }
         for name, value in complete.items():
             object.__setattr__(self, name, value)
-        self._check()
-
-    def __setattr__(self, name: str, value: object) -> NoReturn:
-        raise AttributeError(f"options do not change: '{name}' cannot be set")
-
-    def _check(self) -> None:
         if self.allow or self.deny:
             from .codes import fault_of_codes
 
             fault = fault_of_codes(self.allow, self.deny)
             if fault is not None:
                 raise UsageError(fault)
-        if self.base is not None or self.sdf_version is not None:
-            from .targets.writers import BASES, SDF_VERSIONS
+        if self.base is not None:
+            from .targets.writers import BASES
 
-            if self.base is not None:
-                _check_choice("base", self.base, BASES)
-            if self.sdf_version is not None:
-                _check_choice("version of SDF", self.sdf_version, SDF_VERSIONS)
+            _check_choice("base", self.base, BASES)
+        if self.sdf_version is not None:
+            from .targets.writers import SDF_VERSIONS
+
+            _check_choice("version of SDF", self.sdf_version, SDF_VERSIONS)
         ending = os.path.splitext(self.output or "")[1].lower()
         if "usd" in (self.target or ()) and ending in BINARY_USD:
             stem = os.path.splitext(os.path.basename(self.output or ""))[0]
@@ -227,20 +222,19 @@ class Options:
                 "'copy' needs an output file (-o FILE); the meshes are copied beside it"
             )
 
-    def changed(self, **keywords: Unpack[BuildOptions]) -> Options:
-        """Return these options with others in the place of some.
+    def __setattr__(self, name: str, value: object) -> NoReturn:
+        raise AttributeError(f"options do not change: '{name}' cannot be set")
 
-        Raises:
-            TypeError: there is no such keyword, or it is about files, which are read already.
-            UsageError: a value makes no sense, whatever the file.
-        """
+    def __reduce__(self) -> tuple[object, ...]:
+        return _made_again, ({name: getattr(self, name) for name in DEFAULTS},)
+
+    def changed(self, **keywords: Unpack[AllOptions]) -> Options:
+        """Return these options with others in the place of some; for errors see `__init__`."""
         if not keywords:
             return self
-        for name in OF_FILES:
-            if name in keywords:
-                raise TypeError(f"'{name}' holds for all builds of a program: pass it to load()")
         values = {name: getattr(self, name) for name in DEFAULTS}
-        return Options(**{**values, **keywords})  # type: ignore[typeddict-item]
+        values.update(keywords)
+        return _made_again(values)
 
     @property
     def adjustment(self) -> Adjustment:
@@ -252,6 +246,10 @@ class Options:
         if self.advice:
             return lambda code: True
         return self.deny.__contains__ if self.deny else None
+
+
+def _made_again(values: dict[str, Any]) -> Options:
+    return Options(**values)
 
 
 def _codes(codes: Iterable[str]) -> frozenset[str]:

@@ -7,7 +7,7 @@ import sys
 
 from .diagnostics import WARNING, Reporter, YamaroError, YamaroWarning, failure_of_all
 from .files.loader import FileLoader, LoadError
-from .options import Options, UsageError, explains_variables, merged_variables
+from .options import OF_FILES, Options, UsageError, explains_variables, merged_variables
 from .pipeline import run_pipeline
 from .policy import NO_JAIL, UNSAFE
 from .request import Request, reach_of, read_main
@@ -133,6 +133,9 @@ class Program(Public):
             YamaroError: the input has errors; it holds them, and the warnings found before.
             UsageError: a `name:=value` is malformed, or the value of another argument.
         """
+        for name in OF_FILES:
+            if name in options:
+                raise TypeError(f"'{name}' holds for all builds of a program: pass it to load()")
         return self.compile(self.options.changed(**options), lambda build: build)
 
     def compile(self, options: Options, take: Callable[[Build], T]) -> T:
@@ -283,8 +286,8 @@ class Program(Public):
         fallback = program.options.policy.fallback
         if fallback is None or not any(one.code == UNSAFE for one in outcome.diagnostics):
             return outcome
-        loader, packages = self._library.loader, self.options.packages
-        program = Program(self.path, loader=loader, policy=fallback, packages=packages)
+        options = self.options.changed(loader=self._library.loader, policy=fallback)
+        program = Program(self.path, options)
         try:
             in_jail = run(program)
         except YamaroError as error:

@@ -140,6 +140,7 @@ def _duration(seconds: float) -> str:
 
 def _plan(arguments: Arguments) -> Plan:
     """Return what is asked for; raise YamaroError or UsageError if that makes no sense."""
+    from ..options import Options
     from ..tools.sweep.api import override
     from ..tools.sweep.axis_reading import words_in
     from ..tools.sweep.planning import planned
@@ -159,19 +160,21 @@ def _plan(arguments: Arguments) -> Plan:
         evaluate=options.get("evaluate"),
         models=arguments.has("models") or None,
     )
-    plan = planned(
-        study, policy, packages=read_packages(arguments), axes=_axes(arguments, study),
-        assignments=arguments.assignments,
-    )  # fmt: skip
+    wanted = Options(
+        policy=policy,
+        packages=read_packages(arguments),
+        command_line=arguments.assignments,
+        allow=lists.get("allow", ()),
+        deny=lists.get("deny", ()),
+        strict=arguments.has("strict"),
+        base=options.get("base"),
+        repair_inertia=arguments.has("repair-inertia"),
+        sdf_version=options.get("sdf-version"),
+    )
+    plan = planned(study, wanted, axes=_axes(arguments, study))
     for name in ("base", "repair-inertia", "sdf-version"):
         if arguments.has(name) and not plan.targets():
             raise WrongUsage(f"'--{name}' needs an output format, such as --to sdf")
-    plan.allow = tuple(lists.get("allow", ()))
-    plan.deny = tuple(lists.get("deny", ()))
-    plan.strict = arguments.has("strict")
-    plan.base = options.get("base")
-    plan.repairs_inertia = arguments.has("repair-inertia")
-    plan.sdf_version = options.get("sdf-version")
     return plan
 
 

@@ -10,8 +10,7 @@ from typing import Any
 import pytest
 
 import yamaro
-from yamaro.options import UsageError
-from yamaro.policy import Policy
+from yamaro.options import Options, UsageError
 from yamaro.tools.sweep import engines
 from yamaro.tools.sweep.api import run_sweep
 from yamaro.tools.sweep.engines import Engine, engine_of
@@ -35,7 +34,7 @@ def _here(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def plan() -> Plan:
-    made = planned(Study("robot.yaml"), Policy(), packages={}, axes={})
+    made = planned(Study("robot.yaml"), Options(), axes={})
     made.chunk = 3
     return made
 

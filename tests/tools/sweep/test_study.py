@@ -9,7 +9,7 @@ from textwrap import dedent
 import pytest
 
 import yamaro
-from yamaro.options import UsageError
+from yamaro.options import Options, UsageError
 from yamaro.policy import Policy
 from yamaro.tools.sweep.plan import Plan, Space
 from yamaro.tools.sweep.planning import planned
@@ -38,7 +38,7 @@ def plan_of(text: str, **axes: str) -> Plan:
     Path("studies").mkdir(exist_ok=True)
     Path("studies/study.yaml").write_text(dedent(text))
     study = read_study("studies/study.yaml", Policy().limits)
-    return planned(study, Policy(), packages={}, axes=axes)
+    return planned(study, Options(), axes=axes)
 
 
 def test_a_study_says_all_that_the_command_line_can() -> None:

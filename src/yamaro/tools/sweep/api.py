@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 
-from ...options import UsageError
+from ...options import Options, UsageError
 from ...policy import Policy
 from ...source import Public
 from .engines import engine_of
@@ -130,14 +130,13 @@ def sweep(
         YamaroError: the study or the robot has errors, or no variant can be built.
         UsageError: an argument makes no sense, or the folder holds something else.
     """
-    policy = policy or Policy()
-    study = _study(path, policy, vary, fixed)
+    options = Options(policy=policy, packages=packages, allow=allow, deny=deny, strict=strict)
+    study = _study(path, options.policy, vary, fixed)
     override(
         study, samples=samples, method=method, seed=seed, keep=_listed(keep), to=_listed(to),
         metrics=_listed(metrics), evaluate=evaluate, models=models or None,
     )  # fmt: skip
-    plan = planned(study, policy, packages=packages or {}, axes={})
-    plan.allow, plan.deny, plan.strict = tuple(allow), tuple(deny), strict
+    plan = planned(study, options, axes={})
     plan.chunk = chunk or 0
     if timeout is not None:
         plan.limit_time(timeout)

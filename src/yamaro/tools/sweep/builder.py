@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping
 
     from ...diagnostics import Diagnostic
-    from ...options import AllOptions, Options
+    from ...options import Options
     from ...result import Build
     from .plan import Plan
 
@@ -54,21 +54,12 @@ class Builder:
         self._space = Space(plan)
         self._home = os.path.dirname(plan.robot)
         self._models = os.path.join(folder or self._home, MODELS) if plan.models else ""
-        options: AllOptions = {
-            "policy": plan.policy,
-            "packages": plan.packages,
-            "allow": plan.allow,
-            "deny": plan.deny,
-            "strict": plan.strict,
-            "on_message": _ignore,
-            "has_root": plan.evaluation is not None or plan.has_topologies,
-        }
-        if formats := plan.targets():
-            options["target"] = formats
-            options["base"] = plan.base
-            options["repair_inertia"] = plan.repairs_inertia
-            options["sdf_version"] = plan.sdf_version
-        self._program = Program(plan.robot, **options)
+        options = plan.options.changed(
+            target=plan.targets() or None,
+            on_message=_ignore,
+            has_root=plan.evaluation is not None or plan.has_topologies,
+        )
+        self._program = Program(plan.robot, options)
         self._program.parse()
         self._known_assets: set[str] = set()
         self.files: dict[str, str] = {}
@@ -138,7 +129,7 @@ class Builder:
             if path not in self.files:
                 self.files[path] = file_hash(path)
         if plan.has_topologies:
-            row.topology = topology_of(build.robot, plan.base)
+            row.topology = topology_of(build.robot, plan.options.base)
         if plan.evaluation is not None:
             arguments = {**plan.fixed, **row.arguments}
             variant = Variant(row.index, arguments, build, self._models or self._home)

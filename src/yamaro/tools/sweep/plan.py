@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping
     from typing import Any
 
-    from ...policy import Policy
+    from ...options import Options
     from .evaluation import Evaluation
 
 FORMS = {kind.__name__.lower(): kind for kind in (Choices, Steps, Uniform, Normal)}
@@ -40,14 +40,7 @@ class Plan:
         formats: the output formats whose documents the sweep is about.
         evaluation: evaluates variants, or None.
         models: whether the models are kept.
-        policy: how far the robot's files are trusted.
-        packages: folders of ROS packages by name.
-        allow: codes of diagnostics that are warnings.
-        deny: codes of diagnostics that are errors.
-        strict: whether warnings are errors.
-        base: whether roots are `fixed` or `free`; None for as the robot says.
-        repairs_inertia: whether inertia that no body can have is balanced.
-        sdf_version: of SDF, or None for the default.
+        options: those of the builds, except for what is passed, the formats and the output.
         seconds: how long a variant may take.
         memory: bytes of data that the process of a worker may have.
         chunk: how many variants are built and stored together.
@@ -56,11 +49,11 @@ class Plan:
         run: is another one for each run of the command.
     """
 
-    def __init__(self, robot: str, axes: list[Axis], policy: Policy) -> None:
+    def __init__(self, robot: str, axes: list[Axis], options: Options) -> None:
         """Plan one sample of a robot."""
         self.robot = robot
         self.axes = axes
-        self.policy = policy
+        self.options = options
         self.fixed: dict[str, object] = {}
         self.method = GRID
         self.seed = 0
@@ -69,13 +62,6 @@ class Plan:
         self.formats: list[str] = []
         self.evaluation: Evaluation | None = None
         self.models = False
-        self.packages: dict[str, str] = {}
-        self.allow: tuple[str, ...] = ()
-        self.deny: tuple[str, ...] = ()
-        self.strict = False
-        self.base: str | None = None
-        self.repairs_inertia = False
-        self.sdf_version: str | None = None
         self.seconds = SECONDS
         self.memory = 0
         self.chunk = 0
@@ -86,9 +72,9 @@ class Plan:
     def limit_time(self, seconds: float) -> None:
         """Set how long a variant may take; the process around it sees to that, and no other."""
         self.seconds = seconds
-        policy = copy(self.policy)
+        policy = copy(self.options.policy)
         policy.timeout = None if policy.is_trusted else 2 * seconds + SECONDS
-        self.policy = policy
+        self.options = self.options.changed(policy=policy)
 
     @property
     def has_topologies(self) -> bool:
@@ -169,6 +155,7 @@ def versions_for(plan: Plan) -> dict[str, str]:
 
 def data_of(plan: Plan, folder: str) -> dict[str, Any]:
     """Return a plan as it is written in the folder of the sweep; paths start there."""
+    options, limits = plan.options, plan.options.policy.limits
     return {
         "robot": os.path.relpath(plan.robot, folder),
         "method": plan.method,
@@ -181,19 +168,17 @@ def data_of(plan: Plan, folder: str) -> dict[str, Any]:
         "hashed": plan.hashed(),
         "evaluation": plan.evaluation.described(folder) if plan.evaluation is not None else None,
         "models": plan.models,
-        "trust": plan.policy.mode,
-        "limits": {
-            name: getattr(plan.policy.limits, name) for name in plan.policy.limits.__slots__
-        },
+        "trust": options.policy.mode,
+        "limits": {name: getattr(limits, name) for name in limits.__slots__},
         "packages": {
-            name: os.path.relpath(path, folder) for name, path in sorted(plan.packages.items())
+            name: os.path.relpath(path, folder) for name, path in sorted(options.packages.items())
         },
-        "allow": sorted(plan.allow),
-        "deny": sorted(plan.deny),
-        "strict": plan.strict,
-        "base": plan.base,
-        "repair-inertia": plan.repairs_inertia,
-        "sdf-version": plan.sdf_version,
+        "allow": sorted(options.allow),
+        "deny": sorted(options.deny),
+        "strict": options.strict,
+        "base": options.base,
+        "repair-inertia": options.repair_inertia,
+        "sdf-version": options.sdf_version,
         "timeout": plan.seconds,
         "versions": plan.versions,
     }

@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Mapping, Sequence
     from typing import TypeVar
 
+    from ...options import Options
     from ...policy import Policy
     from ...source import Span
     from ..declared_arguments import Listing
@@ -52,29 +53,28 @@ def listing_for(path: str, policy: Policy, packages: Mapping[str, str]) -> Listi
 
 def planned(
     study: Study,
-    policy: Policy,
+    options: Options,
     *,
-    packages: Mapping[str, str],
     axes: Mapping[str, str],
-    assignments: Sequence[str] = (),
 ) -> Plan:
     """Return the plan of a study.
 
     Args:
         study: what is asked for.
-        policy: how far the robot's files are trusted.
-        packages: folders of ROS packages by name.
+        options: those of the builds; its `command_line` is passed to all variants.
         axes: axes as on the command line, by the names of their arguments.
-        assignments: what is passed to all variants, as `name:=value`.
 
     Raises:
         YamaroError: the study or the robot has errors.
         UsageError: the command line has, or the robot cannot be read.
     """
-    listing = listing_for(study.robot, policy, packages)
+    policy, assignments = options.policy, options.command_line
+    listing = listing_for(study.robot, policy, options.packages)
     known = {declared.name: declared for declared in listing.declared}
     reader = _Reader(study, listing, known)
-    plan = Plan(os.path.abspath(study.robot), reader.axes(axes, assignments), policy)
+    packages = {name: os.path.abspath(path) for name, path in options.packages.items()}
+    options = options.changed(command_line=(), packages=packages)
+    plan = Plan(os.path.abspath(study.robot), reader.axes(axes, assignments), options)
     plan.limit_time(policy.timeout or SECONDS)
     plan.fixed = reader.fixed(assignments)
     reader.check_all_given(plan)
@@ -84,7 +84,6 @@ def planned(
     plan.formats = list(dict.fromkeys(study.formats))
     _check_formats(study)
     plan.models = study.models
-    plan.packages = {name: os.path.abspath(path) for name, path in packages.items()}
     plan.memory = _memory(policy)
     _settle_evaluation(plan, study)
     plan.versions = versions_for(plan)
@@ -306,7 +305,7 @@ def _settle_evaluation(plan: Plan, study: Study) -> None:
     if not study.metrics and not study.evaluate:
         return
     span = study.places.get("evaluate")
-    if study.evaluate and span is not None and not plan.policy.is_trusted:
+    if study.evaluate and span is not None and not plan.options.policy.is_trusted:
         raise failure(
             "unsafe-code",
             f"the study evaluates with '{shortened(study.evaluate)}', which no mode confines",

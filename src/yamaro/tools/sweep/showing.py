@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 
 from ...diagnostics import YamaroError, failure_of_all
-from ...options import UsageError
+from ...options import Options, UsageError
 from ...source import Public
 from .builder import Builder, file_hash
 from .conditions import Condition
@@ -60,16 +60,22 @@ def plan_in(folder: str, policy: Policy) -> Plan:
             if type(data[name]) is not kind:
                 raise TypeError(f"'{name}' is not of type {kind.__name__}")
         axes = [axis_of(name, each) for name, each in data["axes"].items()]
-        plan = Plan(path_of(data["robot"]), axes, policy)
+        options = Options(
+            policy=policy,
+            packages={name: path_of(path) for name, path in data["packages"].items()},
+            allow=data["allow"],
+            deny=data["deny"],
+            strict=data["strict"],
+            base=data["base"],
+            sdf_version=data["sdf-version"],
+            repair_inertia=data["repair-inertia"],
+        )
+        plan = Plan(path_of(data["robot"]), axes, options)
         plan.method, plan.seed, plan.samples = data["method"], data["seed"], data["samples"]
         plan.fixed = data["fixed"]
         plan.conditions = [Condition(str(text)) for text in data["keep"]]
         plan.formats = data["hashed"] if data["formats"] or data["hashed"] != ["urdf"] else []
-        plan.models, plan.strict = data["models"], data["strict"]
-        plan.packages = {name: path_of(path) for name, path in data["packages"].items()}
-        plan.allow, plan.deny = tuple(data["allow"]), tuple(data["deny"])
-        plan.base, plan.sdf_version = data["base"], data["sdf-version"]
-        plan.repairs_inertia = data["repair-inertia"]
+        plan.models = data["models"]
         plan.chunk, plan.versions = data["chunk"], data["versions"]
         plan.files = {path_of(path): digest for path, digest in data["files"].items()}
     except (KeyError, TypeError, AttributeError) as error:
