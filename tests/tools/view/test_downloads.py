@@ -111,6 +111,14 @@ def test_losses_are_told_with_their_places(told: Served) -> None:
     assert prepared(told, "sdf")["diagnostics"] == []
 
 
+def test_losses_that_comments_accept_are_not_told(told: Served) -> None:
+    text = told.path.read_text()
+    told.path.write_text(f"# yamaro: allow lost-in-mjcf\n{text}")
+    told.rebuilder.forget()
+    losses = prepared(told, "mjcf")["diagnostics"]
+    assert {each["code"] for each in losses} == {"approximated-in-mjcf"}
+
+
 def test_variables_of_the_page_count(served: Served) -> None:
     served.ask("variables", "POST", {"side": 0.5})
     answer = prepared(served, "urdf")

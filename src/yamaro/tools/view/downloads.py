@@ -7,6 +7,7 @@ import secrets
 import threading
 import zipfile
 
+from ...allowances import set_aside
 from ...confined import FaultInJail
 from ...diagnostics import ERROR, YamaroError
 from ...options import UsageError
@@ -62,6 +63,7 @@ class Downloads:
             key = secrets.token_urlsafe(9)
             self._kept = (key, name, content)
         losses = diagnostics_of(build.losses, format)
+        set_aside(losses)
         return {
             "key": key,
             "name": name,
