@@ -438,6 +438,8 @@ def _details(sensor: Node) -> Iterator[tuple[Key, Node]]:
     for key, node in _in_sensor(sensor, sensor.get("name")):
         if key[0] == "in sensor" and key[2] in ("stddev", "type", "mean"):
             noise.append(node)
+            if key[2] == "mean" and float(node.text):
+                yield key, node
         else:
             yield key, node
     if any(node.name == "stddev" and node.text.strip() not in ("0", "0.0") for node in noise):

@@ -119,6 +119,23 @@ def test_materials_of_a_mesh_are_parts_of_their_own(tmp_path: Path) -> None:
     assert colors == {(1, 0, 0, 1), (0, 0, 1, 1)}
 
 
+@pytest.mark.parametrize("color", ["", "Kd 1 0 0\n"])
+def test_a_material_is_lost_where_the_mesh_has_its_own(color: str, tmp_path: Path) -> None:
+    (tmp_path / "own.mtl").write_text(f"newmtl own\n{color}")
+    lines = ["mtllib own.mtl"] if color else []
+    lines += [f"v {x} {y} {z}" for x, y, z in TETRAHEDRON]
+    lines += ["usemtl own"] if color else []
+    lines += [f"f {a + 1} {b + 1} {c + 1}" for a, b, c in FACES]
+    (tmp_path / "own.obj").write_text("\n".join(lines) + "\n")
+    visual = "visual: {geometry: own.obj, material: {name: blue, color: 0 0 1 1}}"
+    build = robot_of(tmp_path, visual)
+    model = compiled(build, tmp_path)
+    shown = tuple(model.mat_rgba[model.geom_matid[0]].round(2))
+    assert shown == ((1, 0, 0, 1) if color else (0, 0, 1, 1))
+    lost = [each.owner for each in build.losses if "bring their own" in each.what]
+    assert lost == (["'own.obj' of link 'part_0_link'"] if color else [])
+
+
 @pytest.mark.parametrize("ending", ["png", "jpg"])
 def test_textures_of_materials_and_meshes_are_png(ending: str, tmp_path: Path) -> None:
     image = require_module("PIL.Image")

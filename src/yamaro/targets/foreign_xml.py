@@ -153,7 +153,7 @@ class _Walk:
                 self.lose("Gazebo's <plugin> elements", owner, child, trace)
             elif child.elements():
                 self._check_sensor(child, owner, trace)
-            elif child.name not in IN_SENSORS:
+            elif child.name not in IN_SENSORS or (child.name == "mean" and _is_not_zero(child)):
                 self.lose("details of Gazebo's sensors", f"<{child.name}> in {owner}", child, trace)
 
     def check_transmission(self, transmission: Element, trace: Step | None) -> None:
@@ -179,3 +179,8 @@ class _Walk:
             self._sensors = {each.span.key() for each in self._robot.sensors.values()}
         inner = [child.span.key() for child in element.elements()]  # the cameras of a multicamera
         return not self._sensors.isdisjoint((element.span.key(), *inner))
+
+
+def _is_not_zero(element: Element) -> bool:
+    """Return whether the mean of a noise is one that no format but SDFormat has."""
+    return any(numbers_in(content(element)))

@@ -129,6 +129,7 @@ class Looks:
             return []
         trace = visual.trace_in(link)
         found = []
+        has_own = False
         stem = _stem(mesh.filename)
         for part in self._read(link, visual, mesh, is_visual=True):
             name = self._mesh(part, stem, mesh, visual, trace)
@@ -137,7 +138,12 @@ class Looks:
                 span, how = visual.span, "their mean"
                 self._writing.lose(APPROXIMATED, what, owner, span, trace=trace, how=how)
             own = self._own_look(part, stem, visual, trace)
+            has_own |= bool(own)
             found.append({"type": "mesh", "mesh": name, **(own or look)})
+        if has_own and look and visual.material is not None:
+            owner, span = f"'{mesh.filename}' of link '{link.name}'", visual.material.span
+            what = "materials of meshes that bring their own"
+            self._writing.lose(LOST, what, owner, span, trace=trace)
         return found
 
     def collision_mesh(self, link: Link, collision: Collision, mesh: Mesh) -> Attributes | None:
