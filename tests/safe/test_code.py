@@ -22,13 +22,11 @@ from hypothesis import strategies as st
 from tests.effort import examples, is_quick
 from tests.hostile.escape_payloads import Payload, read_payloads
 from tests.waiting import PATIENCE
-from yamaro.safe import syntax
-from yamaro.safe.code import HANDLERS, classify, compile_safe
+from yamaro.safe import code as syntax
+from yamaro.safe.code import HANDLERS, Rewriter, classify, compile_safe
 from yamaro.safe.limits import SafeLimits, SafetyError
 from yamaro.safe.methods import CHANGING, DATA, READING
-from yamaro.safe.modules import MODULES
-from yamaro.safe.rewriter import Rewriter
-from yamaro.safe.runtime import SafeRuntime
+from yamaro.safe.runtime import MODULES, SafeRuntime
 from yamaro.safe.values import Function, Module, OrderedSet
 
 REPOSITORY = Path(__file__).parents[2]

@@ -16,9 +16,8 @@ from typing import Any
 
 import pytest
 
-from yamaro.safe.code import HANDLERS, compile_safe
+from yamaro.safe.code import HANDLERS, Rewriter, compile_safe
 from yamaro.safe.limits import RUN_IT, SafeLimits, SafetyError
-from yamaro.safe.rewriter import Rewriter
 from yamaro.safe.runtime import SafeRuntime
 from yamaro.safe.values import OrderedSet
 

@@ -31,9 +31,8 @@ IS_OLD = VERSION < (2, 0)
 IS_RAGGED = VERSION < (1, 24)
 
 from yamaro.safe import numpy as safe_numpy  # noqa: E402
-from yamaro.safe.arithmetic import broadcast, extent  # noqa: E402
-from yamaro.safe.arrays import Array, Number, Whole  # noqa: E402
-from yamaro.safe.numpy_functions import FUNCTIONS, LINEAR_ALGEBRA  # noqa: E402
+from yamaro.safe.arrays import Array, Number, Whole, broadcast, extent  # noqa: E402
+from yamaro.safe.numpy import FUNCTIONS, LINEAR_ALGEBRA  # noqa: E402
 
 REPOSITORY = Path(__file__).parents[2]
 HOSTILE = REPOSITORY / "tests" / "hostile"
