@@ -17,7 +17,7 @@ import pytest
 
 from tests.waiting import PATIENCE
 from yamaro import output
-from yamaro.output import is_input, write_all, write_file
+from yamaro.output import is_input, write_all, write_file, write_files
 from yamaro.streams import Streams
 
 OLD = b"<robot name='old'/>\n"
@@ -164,6 +164,42 @@ def test_read_only_file_is_not_replaced(tmp_path: Path, monkeypatch: pytest.Monk
     with pytest.raises(PermissionError):
         write_file(str(target), [NEW])
     assert target.read_bytes() == OLD
+
+
+def test_an_interrupt_waits_until_all_of_several_files_are_written(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    replace = os.replace
+
+    def interrupted(source: str, target: str) -> None:
+        replace(source, target)
+        os.kill(os.getpid(), signal.SIGINT)
+
+    monkeypatch.setattr(os, "replace", interrupted)
+    paths = [tmp_path / name for name in "abc"]
+    for path in paths:
+        path.write_bytes(OLD)
+    with pytest.raises(KeyboardInterrupt):
+        write_files({str(path): NEW for path in paths})
+    assert [path.read_bytes() for path in sorted(tmp_path.iterdir())] == [NEW] * 3
+    assert signal.getsignal(signal.SIGINT) is signal.default_int_handler
+
+
+@pytest.mark.skipif(not hasattr(signal, "SIGHUP"), reason="needs signals")
+def test_a_termination_waits_until_all_of_several_files_are_written(tmp_path: Path) -> None:
+    code = (
+        "import os, signal\n"
+        "from yamaro.output import write_files\n"
+        "replace = os.replace\n"
+        "def terminated(*words):\n"
+        "    replace(*words)\n"
+        "    os.kill(os.getpid(), signal.SIGTERM)\n"
+        "os.replace = terminated\n"
+        "write_files({'a': b'new', 'b': b'new'})\n"
+    )
+    done = subprocess.run([sys.executable, "-c", code], cwd=tmp_path, check=False)
+    assert done.returncode == -signal.SIGTERM
+    assert [path.read_bytes() for path in sorted(tmp_path.iterdir())] == [b"new"] * 2
 
 
 def test_devices_and_pipes_are_written_to_directly(tmp_path: Path) -> None:

@@ -10,6 +10,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping
     from types import FrameType
+    from typing import Any
 
 # Names that mean standard output. Opened as files they would lead to wherever descriptor 1 points
 # by then, which is standard error during a build.
@@ -65,6 +66,9 @@ def _old(path: str) -> os.stat_result | None:
 def write_files(files: Mapping[str, bytes]) -> None:
     """Write several files by their paths, as `write_file` does, none before all can be written.
 
+    Then all of them are written, signals notwithstanding; only `kill -9` or a loss of power in
+    between can leave some of them as they were.
+
     Raises:
         OSError: with the reason and the file; all files are then as they were, unless one could not
             take the place of the old one in the end.
@@ -84,8 +88,10 @@ def write_files(files: Mapping[str, bytes]) -> None:
             guard.paths.append(temporary)
             staged.append((temporary, target))
             _write_new(temporary, [data], target, old)
+        guard.hold()
         for temporary, target in staged:
             os.replace(temporary, target)
+        guard.let_go()
         for path in direct:
             _write_directly(path, [files[path]])
     except BaseException:
@@ -93,6 +99,7 @@ def write_files(files: Mapping[str, bytes]) -> None:
             _remove(temporary)
         raise
     finally:
+        guard.let_go()
         guard.reset()
 
 
@@ -271,11 +278,13 @@ class _TerminationGuard:
         paths: the files.
     """
 
-    __slots__ = ("_previous", "paths")
+    __slots__ = ("_arrived", "_interrupt", "_previous", "paths")
 
     def __init__(self, *paths: str) -> None:
         self.paths = list(paths)
         self._previous: list[int] = []
+        self._arrived: list[int] | None = None
+        self._interrupt: Any = None
 
     def set(self) -> None:
         """Take over the termination signals that nobody else treats."""
@@ -300,7 +309,31 @@ class _TerminationGuard:
             _signal.signal(number, _signal.SIG_DFL)
         self._previous.clear()
 
+    def hold(self) -> None:
+        """Let signals wait, Ctrl-C too, until `let_go`."""
+        import _signal
+
+        self._arrived = []
+        try:
+            self._interrupt = _signal.signal(_signal.SIGINT, self._end)
+        except ValueError:  # not in the main thread
+            return
+
+    def let_go(self) -> None:
+        """Let signals take effect, also those that have arrived meanwhile."""
+        import _signal
+
+        arrived, self._arrived = self._arrived or [], None
+        if self._interrupt is not None:
+            _signal.signal(_signal.SIGINT, self._interrupt)
+            self._interrupt = None
+        for number in arrived:
+            os.kill(os.getpid(), number)
+
     def _end(self, number: int, frame: FrameType | None) -> None:
+        if self._arrived is not None:
+            self._arrived.append(number)
+            return
         for path in self.paths:
             _remove(path)
         self.reset()

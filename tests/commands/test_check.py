@@ -533,14 +533,14 @@ def test_when_one_file_cannot_be_written_none_is_changed(
     from yamaro import output
 
     paths = [write(BAD, "one.yaml"), write(BAD, "two.yaml")]
-    write_file = output.write_file
+    write_new = output._write_new
 
-    def fail_on_two(path: str, chunks: Any) -> None:
-        if path.endswith("two.yaml"):
+    def fail_on_two(path: str, chunks: Any, target: str, old: Any) -> None:
+        if target.endswith("two.yaml"):
             raise PermissionError(13, "Permission denied", path)
-        write_file(path, chunks)
+        write_new(path, chunks, target, old)
 
-    monkeypatch.setattr(output, "write_file", fail_on_two)
+    monkeypatch.setattr(output, "_write_new", fail_on_two)
     status, _, err = outcome(capsys, "--fix", "one.yaml", "two.yaml")
     assert (status, "nothing was fixed: Permission denied" in err) == (1, True)
     assert [path.read_text() for path in paths] == [BAD, BAD]

@@ -238,6 +238,39 @@ def test_a_pipe_that_nothing_writes_to_is_not_waited_for(
     assert "a named pipe that nothing writes to" in err or "not a regular file" in err
 
 
+def test_a_file_after_two_dashes_sets_no_variable(capsys: pytest.CaptureFixture[str]) -> None:
+    text = "robot: r\nvariables: {v: 1}\nmodel:\n- link/name=a$(v):\n"
+    for name in ("v:=9.urdf.yaml", "other.urdf.yaml"):
+        Path(name).write_text(text)
+    assert outcome(capsys, "check", "--", "other.urdf.yaml", "v:=9.urdf.yaml") == (
+        0, "other.urdf.yaml: ok\nv:=9.urdf.yaml: ok\n", "",
+    )  # fmt: skip
+    status, out, _ = outcome(capsys, "--", "v:=9.urdf.yaml", "v:=2")
+    assert (status, '"a2"' in out) == (0, True)
+
+
+@pytest.mark.parametrize(
+    ("path", "ran"), [(":", False), ("{x}:", False), (".:", True), ("", False)]
+)
+def test_an_empty_entry_of_pythonpath_is_not_the_working_directory(path: str, ran: bool) -> None:
+    write(PLAIN)
+    Path("json.py").write_text("open('RAN', 'w').close()\nraise ImportError")
+    environment = {**os.environ, "PYTHONPATH": path.format(x=os.path.abspath("x"))}
+    subprocess.run(
+        [Path(sys.executable).with_name("yamaro"), "check", "robot.yaml", "--format", "json"],
+        env=environment, capture_output=True, check=False,
+    )  # fmt: skip
+    assert os.path.exists("RAN") == ran
+
+
+@pytest.mark.parametrize("model", ["", " ~", " []", " {}"])
+def test_why_of_an_empty_model_is_an_error(model: str, capsys: pytest.CaptureFixture[str]) -> None:
+    write(f"model:{model}\n")
+    status, _, err = outcome(capsys, "why", "robot.yaml", "a")
+    assert status in (1, 2)
+    assert "internal error" not in err
+
+
 def test_folders_are_searched_for_regular_files_only(capsys: pytest.CaptureFixture[str]) -> None:
     Path("robots").mkdir()
     os.mkfifo("robots/a.urdf.yaml")

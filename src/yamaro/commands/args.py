@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from .conversion import read_pipe
+from .conversion import end_process, read_pipe
 from .delivery import deliver
 from .reports import show
 from .settings import make_policy, read_packages
@@ -10,6 +10,7 @@ from .usage import INPUT_ERROR, WrongUsage
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from ..policy import Policy
     from ..streams import Streams
     from ..tools.declared_arguments import Listing
     from .arguments import Arguments
@@ -22,8 +23,15 @@ def run(arguments: Arguments, streams: Streams) -> int:
 
     if arguments.assignments:
         raise WrongUsage("a list of arguments does not depend on 'name:=value'")
+    policy = make_policy(arguments)
+    if streams.owns_process:
+        from ..sandbox.process import bound_memory
+
+        bound_memory(policy.limits.memory)
+        if policy.timeout is not None:
+            end_process(arguments, streams, policy, policy.timeout)
     try:
-        listing = _listing(arguments)
+        listing = _listing(arguments, policy)
     except YamaroError as error:
         show(error.diagnostics, arguments, streams)
         return INPUT_ERROR
@@ -32,13 +40,13 @@ def run(arguments: Arguments, streams: Streams) -> int:
     return deliver([_written(listing, arguments)], arguments, streams)
 
 
-def _listing(arguments: Arguments) -> Listing:
+def _listing(arguments: Arguments, policy: Policy) -> Listing:
     from ..files.loader import FileLoader
     from ..request import finder_for, reach_of, read_main
     from ..runtime.library import Library
     from ..tools.declared_arguments import listing_of
 
-    path, policy = arguments.words[0], make_policy(arguments)
+    path = arguments.words[0]
     packages = read_packages(arguments)
     reach = reach_of(path, policy, packages)
     loader = FileLoader(policy.limits, reach)

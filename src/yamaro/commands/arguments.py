@@ -85,7 +85,8 @@ def parse_arguments(argv: Sequence[str]) -> Arguments:
 
 def _add_word(arguments: Arguments, word: str, *, is_plain: bool) -> None:
     name, assigns, _ = word.partition(":=")
-    if assigns and os.sep not in name:
+    is_file = is_plain and os.path.lexists(word)  # as a pattern of the shell may give it
+    if assigns and os.sep not in name and not is_file:
         arguments.assignments.append(word)
     elif arguments.command == BUILD and not arguments.words and word in COMMANDS and not is_plain:
         arguments.command = word

@@ -184,16 +184,11 @@ def _fixed(arguments: Arguments, streams: Streams) -> list[Checked] | None:
 
 def _write(fixing: Fixing, streams: Streams) -> bool:
     """Write the changed files, or none of them; return whether they are written."""
-    from ..output import write_file
+    from ..output import write_files
 
-    old, written = fixing.old_data(), []
     try:
-        for path, data in fixing.data().items():
-            write_file(path, [data])
-            written.append(path)
+        write_files(fixing.data())
     except OSError as error:
-        for path in written:
-            write_file(path, [old[path]])
         streams.say(f"yamaro: error: nothing was fixed: {error.strerror or error}")
         return False
     return True

@@ -38,6 +38,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     """
     if argv is not None:
         return _run_safely(argv, Streams)
+    _leave_out_working_directory()
     import gc
 
     from ..runtime.collector import RareCollection
@@ -46,6 +47,23 @@ def main(argv: Sequence[str] | None = None) -> int:
         status = _run_safely(sys.argv[1:], ProcessStreams)
         gc.freeze()  # all goes with the process: nothing in it need be looked through or freed
     return status
+
+
+def _leave_out_working_directory() -> None:
+    """Import nothing from the working directory because of an empty entry in PYTHONPATH.
+
+    A script that sets up a shell often leaves one at the end, and a folder of unknown origin may
+    hold a `json.py`.
+    """
+    folders = os.environ.get("PYTHONPATH", "").split(os.pathsep)
+    if len(folders) < 2 or "" not in folders:
+        return
+    try:
+        here = os.getcwd()
+    except OSError:  # the folder is gone
+        return
+    if not {here, os.curdir} & set(folders):
+        sys.path[:] = [path for path in sys.path if path not in ("", here)]
 
 
 def run_script() -> int:

@@ -362,7 +362,7 @@ OPTIONS = {
         Option(
             "timeout",
             "stop after that time; with --jail and --safe, 60 by default",
-            WORKING,
+            READING,
             value="SECONDS",
             wants="a number of seconds",
             help_in={"sweep": "end a variant that takes longer; 60 by default"},

@@ -62,6 +62,7 @@ def parse_arguments(node: YamlNode, document: Document, context: ParseContext) -
         entry = context.attempt(_parse_entry, key, value, document, context)
         if entry is not None:
             document.arguments.append(entry)
+            document.argument_spans[entry.name] = entry.span
             context.declarations.append((entry.name, "local", entry.span))
 
 
@@ -117,15 +118,15 @@ def _parse_entry(
     key: ScalarNode, node: YamlNode, document: Document, context: ParseContext
 ) -> ArgumentEntry:
     name = _name_of(key)
-    for earlier in document.arguments or ():
-        if earlier.name == name:
-            raise failure(
-                "given-twice",
-                f"the argument '{name}' is declared twice",
-                key.span(),
-                hint="keep one of the two",
-                notes=[f"first declared at {earlier.span.place()}"],
-            )
+    earlier = document.argument_spans.get(name)
+    if earlier is not None:
+        raise failure(
+            "given-twice",
+            f"the argument '{name}' is declared twice",
+            key.span(),
+            hint="keep one of the two",
+            notes=[f"first declared at {earlier.place()}"],
+        )
     entry = ArgumentEntry(name, key.span())
     if isinstance(node, MappingNode) and any(own.text in ENTRIES for own, _ in node.pairs):
         _parse_long(entry, node, context)

@@ -43,6 +43,7 @@ class Document:
     """A parsed file."""
 
     __slots__ = (
+        "argument_spans",
         "arguments",
         "codes",
         "declarations",
@@ -63,6 +64,7 @@ class Document:
 
         Attributes:
             arguments: what may be passed to the file, or None if it does not say.
+            argument_spans: where each of them is declared.
             imports: the modules, in order.
             sections: the other sections but the model, in order.
             model: the bodies of the `model:` sections, in order.
@@ -77,6 +79,7 @@ class Document:
         """
         self.source = source
         self.arguments: list[ArgumentEntry] | None = None
+        self.argument_spans: dict[str, Span] = {}
         self.imports: list[ImportNode] = []
         self.sections: list[Statement] = []
         self.model: list[Body] = []

@@ -81,10 +81,6 @@ class Fixing:
             for path, text in self.texts.items()
         }
 
-    def old_data(self) -> dict[str, bytes]:
-        """Return what the changed files hold so far."""
-        return {path: self._old[path] for path in self.texts}
-
     def _choose(self, found: Iterable[Diagnostic]) -> list[Diagnostic]:
         """Return findings whose fixes are safe and do not touch each other, one for each place."""
         chosen: list[Diagnostic] = []

@@ -14,6 +14,8 @@ RECORD_WIDTH = 120
 """And one such as a limit, or a section of a link, which is read at a glance."""
 
 _SPACE = re.compile(r"\s+")
+MOST_UNCLOSED = 100
+"""Brackets of expressions without an end that are looked for in a text, each to the end of it."""
 
 
 class Body:
@@ -191,10 +193,11 @@ def pieces_of(text: str) -> Iterator[tuple[str, bool]]:
         return
     from ...syntax.template import skip_expression
 
-    start = position = 0
-    while (at := text.find("$(", position)) >= 0:
-        end = skip_expression(text, at)
-        if end <= at or text[at - 1 : at] == "$":
+    start = position = unclosed = 0
+    while (at := text.find("$(", position)) >= 0 and unclosed < MOST_UNCLOSED:
+        end = at if text[at - 1 : at] == "$" else skip_expression(text, at)
+        if end <= at:
+            unclosed += text[at - 1 : at] != "$"
             position = at + 2
             continue
         yield text[start:at], False

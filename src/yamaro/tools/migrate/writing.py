@@ -126,7 +126,7 @@ def _write_pair(entry: Entry, head: str, margin: str, out: list[str], remarks: l
     elif isinstance(value, str):
         return _write_text(value, f"{head}{key}:", margin, out)
     else:
-        braces = _in_braces(value, remarks) if value.in_braces else None
+        braces = _in_braces(value, remarks, value.width) if value.in_braces else None
         line = f"{head}{key}: {braces}"
         if braces is not None and len(line) <= value.width:
             out.append(line)
@@ -197,12 +197,13 @@ def _filled(words: list[str], width: int) -> list[str]:
     return lines
 
 
-def _in_braces(body: Body, remarks: list[str]) -> str | None:
+def _in_braces(body: Body, remarks: list[str], width: int) -> str | None:
     """Return a mapping as `{key: value, …}`, or None if it does not fit on one line.
 
-    What is remarked in it is added to `remarks`.
+    What is remarked in it is added to `remarks`. One that takes more than `width` characters may
+    give None.
     """
-    if len(body.entries) > MOST_IN_BRACES or not body.entries:
+    if len(body.entries) > MOST_IN_BRACES or not body.entries or width < 0:
         return None
     pieces: list[str] = []
     keys = set()
@@ -217,7 +218,8 @@ def _in_braces(body: Body, remarks: list[str]) -> str | None:
         keys.add(entry.key)
         value: str | None
         if isinstance(entry.value, Body):
-            value = _in_braces(entry.value, remarks) if entry.value.in_braces else None
+            left = width - len(entry.key) - len("{: }")
+            value = _in_braces(entry.value, remarks, left) if entry.value.in_braces else None
         else:
             value = "" if entry.value is None else scalar_of(entry.value, in_flow=True)
         if value is None or "\n" in value:

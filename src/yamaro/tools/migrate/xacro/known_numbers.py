@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 
 from ....xml.values import format_value
 from ..degrees import Degrees
@@ -11,6 +12,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from .program import XacroProgram
 
+_NAME = re.compile(r"[^\W\d]\w*")
 _PREDEFINED = {"pi": math.pi, "tau": math.tau}
 
 
@@ -28,16 +30,24 @@ def known_numbers(program: XacroProgram) -> dict[str, float]:
         for name, text in _properties(program).items()
         if program.times_defined[name] == 1 and name not in others
     }
-    count = -1
-    while len(found) > count:
-        count = len(found)
-        degrees = Degrees(found)
-        for name, text in list(pending.items()):
-            is_expression = text.startswith("${") and text.find("}") == len(text) - 1
-            number = degrees.value(f"$({text[2:-1]})" if is_expression else text)
-            if number is not None:
-                found[name] = number
-                del pending[name]
+    made_of = {name: pending.keys() & set(_NAME.findall(text)) for name, text in pending.items()}
+    readers: dict[str, list[str]] = {}
+    for name, others in made_of.items():
+        for other in others:
+            readers.setdefault(other, []).append(name)
+    degrees = Degrees(found)
+    ready = [name for name in pending if not made_of[name]]
+    for name in ready:  # grows meanwhile, by what is made of numbers that are known
+        text = pending[name]
+        is_expression = text.startswith("${") and text.find("}") == len(text) - 1
+        number = degrees.value(f"$({text[2:-1]})" if is_expression else text)
+        if number is None:
+            continue
+        found[name] = number
+        for reader in readers.get(name, ()):
+            made_of[reader].discard(name)
+            if not made_of[reader]:
+                ready.append(reader)
     return found
 
 

@@ -150,6 +150,8 @@ class Runs:
         """Evaluate the properties that nothing has read, as the language does."""
         for scope in expansion.scopes:
             for name in list(scope.lazy):
+                if name not in scope.lazy:  # another one has read it meanwhile
+                    continue
                 span = scope.lazy[name].place.node.span
                 try:
                     scope[name]
