@@ -5,6 +5,11 @@ from __future__ import annotations
 import gc
 import sys
 from collections.abc import Callable
+from types import FrameType
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from _typeshed import TraceFunction
 
 
 def calls_of(function: Callable[[], object]) -> int:
@@ -36,7 +41,7 @@ def lines_of(function: Callable[[], object]) -> int:
     """Return how many lines of Python a call of `function` runs, also those that call nothing."""
     count = 0
 
-    def trace(frame: object, event: str, argument: object) -> object:
+    def trace(frame: FrameType, event: str, argument: Any) -> TraceFunction:
         nonlocal count
         count += event == "line"
         return trace
