@@ -7,6 +7,8 @@ from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
+import pytest
+
 import yamaro
 from yamaro.yaml.nodes import FlexiDict
 
@@ -151,6 +153,15 @@ def test_what_is_said_of_an_object_is_what_is_known_of_it(tmp_path: Path) -> Non
     assert repr(limit).endswith("rover.yaml:37:7>")
     assert repr(yamaro.load(file)) == f"<Program {str(file)!r}>"
     assert repr(yamaro.Policy("safe", timeout=3)) == "<Policy mode='safe' timeout=3>"
+
+
+def test_an_error_shows_what_is_wrong(tmp_path: Path) -> None:
+    file = tmp_path / "wrong.yaml"
+    file.write_text("launch:\n  a: $(1 +)\n  b: $(2 +)\n", encoding="utf-8")
+    with pytest.raises(yamaro.YamaroError) as caught:
+        yamaro.build(file)
+    assert repr(caught.value).startswith(f"<YamaroError: <error[python-syntax] {file}:2:")
+    assert repr(caught.value).endswith(" and 1 more>")
 
 
 def test_dir_of_each_public_object_lists_what_the_docs_tell_of(tmp_path: Path) -> None:

@@ -151,6 +151,12 @@ class YamaroError(Exception):
         self.diagnostics = list(diagnostics)
         self.accepted: Sequence[Diagnostic] = ()
 
+    def __repr__(self) -> str:
+        first = next((each for each in self.diagnostics if each.severity == ERROR), None)
+        others = len(self.diagnostics) - 1
+        more = f" and {others} more" if others > 0 else ""
+        return f"<YamaroError: {first or self.diagnostics}{more}>"
+
     def __str__(self) -> str:
         from .rendering import render_all
 
