@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import ast
 import os
+import re
 
-from ...diagnostics import Diagnostic, YamaroError, failure
+from ...diagnostics import Diagnostic, YamaroError, failure, suggest
 from ...runtime.expressions import SafeEvaluator
 from ...runtime.python_errors import Explainer
 from ...runtime.scope import Home, Scope, SharedNames
@@ -46,6 +47,7 @@ class Expectations:
             rules: how they are compiled.
             limits: how much they may use.
         """
+        self._robot = robot
         self._rules = rules
         self._runtime = ModelRuntime(SafeLimits.of(limits))
         names = self._runtime.names()
@@ -65,13 +67,26 @@ class Expectations:
             else:
                 is_met = bool(value)
         except YamaroError as error:
-            return _with_hints(without_trust(error.diagnostics))
+            return self._with_hints(without_trust(error.diagnostics))
         if is_met:
             return []
         notes = list(self._values(python))
         return failure(
             "expectation-failed", "this expectation is not met", python.span(), notes=notes
         ).diagnostics
+
+    def _with_hints(self, diagnostics: list[Diagnostic]) -> list[Diagnostic]:
+        for diagnostic in diagnostics:
+            unknown = re.match("there is no key '([^']*)'", diagnostic.message)
+            if diagnostic.message.startswith("'Pose' object is not subscriptable"):
+                diagnostic.hint = "write .position[2], or .z"
+            elif unknown is not None and self._robot is not None:
+                robot = self._robot
+                names = [*robot.joints, *robot.links, *robot.states, *robot.sensors]
+                near = suggest(unknown[1], names)
+                near = near or next((name for name in names if unknown[1] in name), None)
+                diagnostic.hint = f"did you mean '{near}'?" if near is not None else None
+        return diagnostics
 
     def _values(self, python: PythonCode) -> Iterator[str]:
         """Yield the values of what the expression is made of: `robot.mass = 7.2`."""
@@ -95,13 +110,6 @@ class Expectations:
             yield f"{shortened(key)} = {value_text(value)}"
             if len(shown) == MOST_VALUES:
                 return
-
-
-def _with_hints(diagnostics: list[Diagnostic]) -> list[Diagnostic]:
-    for diagnostic in diagnostics:
-        if diagnostic.message.startswith("'Pose' object is not subscriptable"):
-            diagnostic.hint = "write .position[2], or .z"
-    return diagnostics
 
 
 def _parts(node: ast.expr) -> Iterator[ast.expr]:
