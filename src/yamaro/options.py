@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-from functools import wraps
 
 from .diagnostics import Adjustment, did_you_mean
 from .files.mesh_files import COPY, RELATIVE
@@ -96,10 +95,9 @@ def explains_variables(how: str) -> Callable[[Function], Function]:
         how: what to write, where `{name}` is a variable and `{value}` its value.
     """
 
-    def decorate(function: Function) -> Function:
+    def decorate(function: Function) -> Function:  # functools would make the start slower
         count: int = function.__code__.co_argcount
 
-        @wraps(function)
         def checked(*positional: Any, **named: Any) -> Any:
             for name, value in named.items():
                 if name not in DEFAULTS and name not in function.__code__.co_varnames[:count]:
@@ -119,6 +117,9 @@ def explains_variables(how: str) -> Callable[[Function], Function]:
                 )
             return function(*positional, **named)
 
+        for name in ("__module__", "__name__", "__qualname__", "__doc__", "__annotations__"):
+            setattr(checked, name, getattr(function, name))
+        checked.__wrapped__ = function  # type: ignore[attr-defined]
         return checked  # type: ignore[return-value]
 
     return decorate
