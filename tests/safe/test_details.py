@@ -443,7 +443,7 @@ def test_a_module_is_made_once() -> None:
     assert [runtime.module(name) is runtime.module(name) for name in MODULES] == [True] * 3
 
 
-@pytest.mark.parametrize("name", ["arithmetic", "arrays", "numpy"])
+@pytest.mark.parametrize("name", ["arrays", "numpy"])
 def test_only_numpy_itself_can_be_missing(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.delitem(sys.modules, "yamaro.safe.numpy", raising=False)
     monkeypatch.setitem(sys.modules, f"yamaro.safe.{name}", None)
@@ -454,7 +454,7 @@ def test_only_numpy_itself_can_be_missing(name: str, monkeypatch: pytest.MonkeyP
 def test_without_numpy_a_file_is_told_where_it_is_looked_for(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    for name in ("arithmetic", "arrays", "numpy", "numpy_functions"):
+    for name in ("arrays", "numpy"):
         monkeypatch.delitem(sys.modules, f"yamaro.safe.{name}", raising=False)
     monkeypatch.setitem(sys.modules, "numpy", None)
     with pytest.raises(SafetyError) as caught:
