@@ -219,10 +219,13 @@ def test_the_scene_of_mujoco_drives_as_the_readme_says(
 ) -> None:
     require_module("mujoco")
     readme = (package / "README.md").read_text()
-    (command,) = re.findall(r"^yamaro (-q urdf/.* --to mjcf .*?) +#", readme, re.M)
+    (command,) = re.findall(r"^yamaro (urdf/.* --to mjcf .*?) +#", readme, re.M)
     words = [sys.executable, "-m", "yamaro", *command.split()]
     words[-1] = f"{tmp_path}/mujoco/"
-    subprocess.run(words, cwd=package, check=True, timeout=PATIENCE)
+    done = subprocess.run(
+        words, cwd=package, check=True, capture_output=True, text=True, timeout=PATIENCE
+    )
+    assert done.stderr == ""
     (code,) = re.findall(r"```python\n(.*?)```", readme, re.S)
     monkeypatch.chdir(tmp_path)
     exec(code, {})

@@ -103,6 +103,7 @@ def test_the_robot_is_as_it_should_be(here: Path, capsys: pytest.CaptureFixture[
         for hardware in ("mock", "gazebo"):
             words = [f"camera:={camera}", f"hardware:={hardware}"]
             assert main(["check", "--strict", robot, *words]) == 0
+    assert main(["check", "--strict", robot, "--to", "mjcf"]) == 0
     capsys.readouterr()
     assert main(["test", "rover"]) == 0
     assert "rover.test.yaml: 4 passed" in capsys.readouterr().out
