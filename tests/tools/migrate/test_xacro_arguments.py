@@ -160,7 +160,7 @@ def test_an_argument_without_a_name_cannot_be_given(tmp_path: Path) -> None:
     made = migrated_for(
         tmp_path,
         """\
-        <xacro:arg name="" default="1"/>
+        <xacro:arg name="" default="true"/>
         <xacro:arg name="n" default="a"/>
         <link name="$(arg n)"/>
         """,
@@ -181,4 +181,33 @@ def test_a_text_in_eval_is_read_as_python(tmp_path: Path, given: str) -> None:
         </xacro:macro>
         <xacro:m/>
         """,
+    )
+
+
+def test_a_default_made_of_an_argument_whose_default_is_made_of_a_property(tmp_path: Path) -> None:
+    migrated_for(
+        tmp_path,
+        """\
+        <xacro:property name="sizes" value="${dict(r=0.1)}"/>
+        <xacro:arg name="r" default="${sizes['r'] * 2}"/>
+        <xacro:arg name="n" default="$(arg r)5"/>
+        <link name="a"><r>$(arg r) $(arg n)</r></link>
+        """,
+        "",
+        "7",
+    )
+
+
+def test_a_truth_value_of_eval_is_written_as_xacro_writes_it(tmp_path: Path) -> None:
+    migrated_for(
+        tmp_path,
+        """\
+        <xacro:arg name="n" default="false"/>
+        <xacro:macro name="m" params="v:=$(arg n) k:=0">
+          <link name="l${k}"><x a="$(eval not ${v})" b="$(eval ${k} + 1)"/></link>
+        </xacro:macro>
+        <xacro:m/>
+        """,
+        "",
+        "true",
     )

@@ -7,7 +7,7 @@ from ....syntax.names import FACTORS, is_identifier
 from ....xml.tree import Element
 from ....xml.values import format_value
 from ..document import Body, Entry, Quoted, Row, without_expressions
-from .arguments import is_argument
+from .arguments import arguments_of, is_argument
 from .calls import block_name, place_of_block
 from .loops import find_loop
 from .macros import Macro
@@ -62,6 +62,8 @@ def is_late(writer: FileWriter, name: str) -> bool:
         return False
     known = PREDEFINED | writer.program.arguments.keys()
     if len(argument.defaults) > 1 or not argument.made_of <= known:
+        return True
+    if any(is_late(writer, other) for other in arguments_of(argument.default) - {name}):
         return True
     return not writer.program.files.has_what_it_needs(argument.default)
 

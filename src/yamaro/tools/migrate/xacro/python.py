@@ -102,7 +102,12 @@ class Translator:
             if isinstance(part, str):
                 pieces.append(literal(part))
             elif isinstance(part, Substitution):
-                pieces.append(f"$({self._substitution(part.text)})")
+                python = self._substitution(part.text)
+                if part.text.startswith("eval ") and self._is_shown_as_truth(
+                    re.sub(r"\$\{([^{}]*)\}", r"(\1)", part.text[5:])
+                ):
+                    python = f"str({python})"
+                pieces.append(f"$({python})")
             else:
                 python = self.expression(part.text)
                 is_ended = not _is_in_word(["", part, *parts[index + 1 :]], 1)

@@ -143,7 +143,10 @@ class Runs:
         for place, paths in expansion.included.items():
             known = self.included.setdefault(place, [])
             known += [path for path in map(os.path.abspath, paths) if path not in known]
-        self.done.append(Run(changed, given, evaluator.arguments, result))
+        values = {
+            name: own for name, own in evaluator.arguments.items() if name
+        }  # none can be given as ""
+        self.done.append(Run(changed, given, values, result))
         return self.done[-1]
 
     def _evaluate_the_rest(self, expansion: WatchedExpansion) -> None:
