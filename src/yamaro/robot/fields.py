@@ -9,7 +9,7 @@ from .places import PartPlace, home_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Collection, Container, Sequence
 
     from ..fixes import Fix
     from ..source import Span
@@ -388,6 +388,47 @@ def read_record(lowering: Lowering, key: Element, scalar: str | None) -> Record:
     elif children:
         _read_children(lowering, key, scalar, record)
     return record
+
+
+def refuse_misspelt(record: Record, known: Collection[str]) -> None:
+    """Raise YamaroError for attributes that look like misspelt ones.
+
+    Others are passed on, since extensions of URDF have attributes of their own.
+    """
+    key, found = record.key, []
+    for name in record.values:
+        if name in known or ":" in name or name in REPEATED_MOMENTS:
+            continue
+        absent = [each for each in known if each not in record.values]
+        near = suggest(name, absent) or suggest(name, known)
+        if near is not None:
+            span = next(
+                (each.span for each in key.elements() if each.name == name),
+                key.name_span(name) if name in key.attributes else record.span(name),
+            )
+            found += misspelt(key, span, name, near, record.values).diagnostics
+    if found:
+        raise YamaroError(found)
+
+
+def misspelt(
+    key: Element, span: Span, name: str, near: str, present: Container[str]
+) -> YamaroError:
+    """Return the error that an entry of a key is misspelt; `present` are those beside it."""
+    from ..fixes import respelling
+
+    return failure(
+        "unknown-key",
+        f"'{name}' is not an entry of '{key.name}'",
+        span,
+        hint=f"did you mean '{near}'?",
+        trace=key.trace,
+        fix=None if near in present else respelling(span, name, near, is_safe=True),
+    )
+
+
+REPEATED_MOMENTS = ("iyx", "izx", "izy")
+"""Moments that the symmetry of the matrix gives; the checks explain it."""
 
 
 def _read_children(lowering: Lowering, key: Element, scalar: str | None, record: Record) -> None:

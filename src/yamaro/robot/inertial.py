@@ -7,7 +7,7 @@ from math import isfinite
 from ..diagnostics import YamaroError, failure
 from ..xml.tree import Element
 from ..xml.values import format_number, remember
-from .fields import Fields, read_record
+from .fields import Fields, read_record, refuse_misspelt
 from .geometry import section_geometry, solid_shape
 from .numbers import LAYOUTS, Numbers, read_attribute, read_numbers
 from .pose import Pose, compose_poses, origin_element, pose_at, read_pose
@@ -158,6 +158,7 @@ def _mass(
 def _number(lowering: Lowering, key: Element) -> tuple[Numbers, Span]:
     """Return the one number of a key, and where it is written."""
     record = read_record(lowering, key, "value")
+    refuse_misspelt(record, ("value",))
     if "value" not in record.values:
         raise failure(
             "empty-value",
@@ -196,6 +197,7 @@ def _given_inertia(lowering: Lowering, key: Element) -> Element:
             value_spans=dict.fromkeys(MOMENTS, span),
             trace=key.trace,
         )
+    refuse_misspelt(record, MOMENTS)
     missing = [name for name in MOMENTS if name not in record.values]
     if missing:
         listed = ", ".join(f"'{name}'" for name in missing)

@@ -15,7 +15,7 @@ from ..model.schema import (
 )
 from ..xml.tree import Element
 from ..xml.values import format_number, format_value
-from .fields import read_record, read_value, sort_fields, with_attributes, word_of
+from .fields import read_record, read_value, refuse_misspelt, sort_fields, with_attributes, word_of
 from .numbers import read_attribute
 from .places import JOINT
 from .pose import origin_element, read_pose
@@ -175,6 +175,7 @@ def _parent_element(lowering: Lowering, key: Element, fields: Fields, child: str
 
 def _lower_parent(lowering: Lowering, parent_key: Element) -> Element:
     record = read_record(lowering, parent_key, "link")
+    refuse_misspelt(record, ("link",))
     if "link" not in record.values:
         raise failure(
             "missing-parent",
@@ -215,6 +216,7 @@ def _lower_record(lowering: Lowering, key: Element) -> Element:
     """Return an element such as `axis` or `limit` with attributes, numbers checked."""
     thing = ELEMENTS[key.name]
     record = read_record(lowering, key, thing.scalar)
+    refuse_misspelt(record, thing.fields)
     for attribute, value in record.values.items():
         field = thing.fields.get(attribute)
         label = thing.name if attribute == thing.scalar else attribute

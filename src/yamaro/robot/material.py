@@ -2,9 +2,18 @@
 
 from __future__ import annotations
 
-from ..diagnostics import failure
+from ..diagnostics import failure, suggest
 from ..xml.tree import Comment, Element, Text
-from .fields import Record, check_once, check_plain, is_left_out, read_record, word_of
+from .fields import (
+    Record,
+    check_once,
+    check_plain,
+    is_left_out,
+    misspelt,
+    read_record,
+    refuse_misspelt,
+    word_of,
+)
 from .numbers import read_attribute
 
 TYPE_CHECKING = False
@@ -12,6 +21,7 @@ if TYPE_CHECKING:
     from ..xml.tree import Node
     from .lowering import Lowering
 
+ENTRIES = ("name", "color", "texture")
 EXAMPLE = "material: {name: red, color: 0.8 0.1 0.1 1}"
 
 
@@ -22,6 +32,13 @@ def lower_material(lowering: Lowering, key: Element) -> Element:
         YamaroError: no name, or a faulty colour or texture.
     """
     record, details = _split(lowering, key)
+    refuse_misspelt(record, ENTRIES)
+    present = {*record.values, *(each.name for each in details if isinstance(each, Element))}
+    for each in details:
+        if type(each) is Element and each.name not in ENTRIES and not each.verbatim:
+            near = suggest(each.name, ENTRIES)
+            if near is not None:
+                raise misspelt(key, each.span, each.name, near, present)
     if "name" not in record.values:
         raise failure(
             "missing-name",
@@ -62,7 +79,7 @@ def _split(lowering: Lowering, key: Element) -> tuple[Record, list[Node]]:
             continue
         if is_left_out(child):
             continue
-        if child.name not in ("name", "color", "texture"):
+        if child.name not in ENTRIES:
             details.append(child)
             continue
         target = named if child.name == "name" else details
@@ -133,6 +150,7 @@ def lower_color_material(lowering: Lowering, key: Element) -> Element:
 
 def _lower_color(lowering: Lowering, key: Element) -> Element:
     record = read_record(lowering, key, "rgba")
+    refuse_misspelt(record, ("rgba",))
     _require(record, "rgba", "four numbers: color: 0.8 0.1 0.1 1")
     rgba = read_attribute(lowering, record, "rgba", count=4, name="rgba")
     record.values["rgba"] = rgba.text
@@ -141,6 +159,7 @@ def _lower_color(lowering: Lowering, key: Element) -> Element:
 
 def _lower_texture(lowering: Lowering, key: Element) -> Element:
     record = read_record(lowering, key, "filename")
+    refuse_misspelt(record, ("filename",))
     _require(record, "filename", "a file: texture: package://arm/red.png")
     file, span = record.values["filename"], record.span("filename")
     record.values["filename"] = word_of("texture", file, span, owner=key)

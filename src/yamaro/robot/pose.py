@@ -12,7 +12,7 @@ from ..diagnostics import failure
 from ..model.pose import ZERO, multiply, rotate, rotation_from_rpy, rpy_from_rotation
 from ..source import joined
 from ..xml.tree import Element, Text
-from .fields import empty_value, read_record, read_value
+from .fields import empty_value, read_record, read_value, refuse_misspelt
 from .numbers import NEGLIGIBLE, Numbers, format_component, read_numbers
 from .places import POSE_ROWS
 
@@ -137,6 +137,7 @@ def _read_origin(lowering: Lowering, fields: Fields, origin: Element) -> Pose:
     if _is_none(origin):
         return NO_ORIGIN
     record = read_record(lowering, origin, None)
+    refuse_misspelt(record, POSE_ROWS)
     rows: dict[str, Numbers] = {}
     spans: dict[str, Span] = {}
     for name, value in record.values.items():

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ..diagnostics import InputFault, failure
-from ..yaml.brackets import end_of_string, find_close
+from ..yaml.brackets import end_of_flow_value, end_of_string, find_close
 from ..yaml.nodes import PLAIN, quoted
 from .names import is_identifier, python_name
 
@@ -306,7 +306,7 @@ def _whole_value(node: ScalarNode, index: int) -> str:
     """Return a value that YAML cut short inside the `$(…)` at `index`, quoted."""
     rest = node.source.text[node.start :].split("\n", 1)[0].rstrip()
     close = find_close(rest, index + 2)
-    return quoted(rest[: close + 1] if close >= 0 else rest)
+    return quoted(rest[: end_of_flow_value(rest, close + 1)] if close >= 0 else rest)
 
 
 def ros_words(text: str) -> list[str] | None:

@@ -52,3 +52,34 @@ def end_of_string(text: str, start: int) -> int:
         else:
             at += 1
     return -1
+
+
+def start_of_flow_value(text: str, begin: int, end: int) -> int:
+    """Return where the value or key begins that goes on at `end`, in brackets opened at `begin`."""
+    at = start = begin + 1
+    while at < end:
+        char = text[at]
+        if text.startswith("$(", at):
+            close = find_close(text, at + 2)
+            at = close if close >= 0 else at + 1
+        elif char in "'\"" and not text[start:at].strip():
+            close = text.find(char, at + 1)
+            at = close if 0 <= close < end else at
+        elif char in ",[{" or (char == ":" and text[at + 1 : at + 2] in ("", " ", "\n")):
+            start = at + 1
+        at += 1
+    return start + len(text[start:end]) - len(text[start:end].lstrip())
+
+
+def end_of_flow_value(text: str, start: int) -> int:
+    """Return where the value or key ends, in brackets, that goes on at `start`."""
+    at = start
+    while at < len(text):
+        char = text[at]
+        if text.startswith("$(", at):
+            close = find_close(text, at + 2)
+            at = close if close >= 0 else at + 1
+        elif char in ",]}\n" or text.startswith((": ", " #"), at):
+            break
+        at += 1
+    return start + len(text[start:at].rstrip())

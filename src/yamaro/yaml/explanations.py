@@ -9,7 +9,7 @@ import re
 
 from ..diagnostics import failure
 from ..fixes import Edit, Fix, replacement
-from .brackets import find_close
+from .brackets import end_of_flow_value, find_close, start_of_flow_value
 from .libyaml import Parser, YAMLError
 from .nodes import quoted
 from .recovery import first_control_character
@@ -71,17 +71,28 @@ def needs_quotes(given: GivenText, at: int) -> Exception:
     )
 
 
-def expression_in_brackets(given: GivenText, found: str, start: int, end: int) -> Exception:
-    """Return the error for a `$(max(a, b))` in brackets whose commas separate items."""
-    text, span = given.text, given.span(start, end)
-    is_whole = text[:start].rstrip()[-1:] in ("[", "{", ",", ":")
-    is_whole = is_whole and text[end:].lstrip()[:1] in ("]", "}", ",")
+def expression_in_brackets(
+    given: GivenText, found: str, begin: int, start: int, end: int
+) -> Exception:
+    """Return the error for `{ size: 1 $(sizes[0]) }`: its brackets end what is around.
+
+    Args:
+        given: what is being read.
+        found: the bracket that YAML met.
+        begin: where the mapping or list around begins.
+        start: where the expression begins.
+        end: where it ends.
+    """
+    text = given.text
+    first, last = start_of_flow_value(text, begin, start), end_of_flow_value(text, end)
+    # A value is quoted as a whole: in the middle of it, quotes mean nothing.
+    whole = re.sub(r"""(['"])(\$\([^'"]*\))\1""", r"\2", text[first:last])
     return failure(
         "yaml-quote",
-        f"an expression that contains {found} must be quoted inside {{ }} and [ ]",
-        span,
-        hint=f"write {quoted(text[start:end])}",
-        fix=replacement(span, quoted(text[start:end]), is_safe=True) if is_whole else None,
+        f"a value with an expression that contains {found} must be quoted inside {{ }} and [ ]",
+        given.span(start, end),
+        hint=f"write {quoted(whole)}",
+        fix=replacement(given.span(first, last), quoted(whole), is_safe=True),
     )
 
 
@@ -240,7 +251,7 @@ def _open_bracket(
     dollar = text.rfind("$(", begin, at)
     close = find_close(text, dollar + 2) if dollar >= 0 else -1
     if close > at:
-        return expression_in_brackets(given, found, dollar, close + 1)
+        return expression_in_brackets(given, found, begin, dollar, close + 1)
     if found and "\n" not in text[begin:at]:
         return failure(
             "yaml-open",

@@ -24,6 +24,28 @@ CASES = {
         part: {name: tip, joint: {type: fixed, parent: base, xyz: 0 0 1}}
         """,
     ),
+    "an attribute that URDF does not have stays in an element": (
+        """\
+        <link name="base"/>
+        <joint name="tip_joint" type="continuous">
+          <origin xyz="0 0 1" rpy="0 0 0"/>
+          <parent link="base"/>
+          <child link="tip_link"/>
+          <dynamics damping="1" dampng="2"/>
+        </joint>
+        <link name="tip_link"/>
+        """,
+        """\
+        link/name=base:
+        part:
+          name: tip
+          joint:
+            type: continuous
+            parent: base
+            xyz: 0 0 1
+            <dynamics/damping=1, dampng=2>:
+        """,
+    ),
     "a part has both names where they have none in common": (
         """\
         <link name="base"/>

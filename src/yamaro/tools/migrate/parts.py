@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from ...model.compare import ZEROS, same_words
+from ...model.schema import ELEMENTS
 from ...model.values import values_of
 from ...syntax.names import RAW_BLOCKS
 from ...xml.tree import Element
@@ -210,7 +211,8 @@ class PartWriter:
                 return Entry("mimic", attributes["joint"])
         if child.name == "limit" and not is_whole_limit(attributes, kind):
             return self._element(child)
-        if child.name in RECORDS and not any(name[0].isupper() for name in attributes):
+        # An attribute that URDF does not have would be a misspelt key.
+        if child.name in RECORDS and attributes.keys() <= ELEMENTS[child.name].fields.keys():
             if not self._exact and child.name != "mimic":
                 degrees = self._degrees
                 attributes = {
