@@ -306,7 +306,21 @@ def evaluate(request: Request, interpreter: Interpreter) -> Element:
         warn_of_unread(places, interpreter.files, reporter)
         if interpreter.passed:
             warn_of_unread_includes(interpreter.passed.values(), interpreter.files, reporter)
+    documents = interpreter.files.documents
+    if any(each.functions for each in documents):
+        from .syntax.misplaced import warn_of_miscased_calls
+
+        warn_of_miscased_calls(documents, reporter, is_known=_is_of_robots)
     return root
+
+
+def _is_of_robots(word: str) -> bool:
+    """Return whether a word is a key of parts, or an element of URDF or often in it."""
+    from .model.schema import ELEMENTS
+    from .robot.places import COLLISION, INERTIAL, JOINT, LINK, PART, VISUAL
+
+    places = (PART, JOINT, LINK, VISUAL, COLLISION, INERTIAL)
+    return word in ELEMENTS or any(word in each.all_keys | each.elements for each in places)
 
 
 def lower(

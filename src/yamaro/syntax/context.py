@@ -13,7 +13,9 @@ if TYPE_CHECKING:
 
     from ..fixes import Fix
     from ..source import Span
+    from ..yaml.nodes import ScalarNode, YamlNode
     from .keys import PlainKey
+    from .nodes import FunctionNode
     from .python import PythonCode
 
     P = ParamSpec("P")
@@ -53,11 +55,13 @@ class ParseContext:
 
     __slots__ = (
         "at_root",
+        "bare_keys",
         "blocks",
         "codes",
         "declarations",
         "errors",
         "extents",
+        "functions",
         "plain_keys",
         "reporter",
         "rules",
@@ -68,10 +72,12 @@ class ParseContext:
 
         Attributes:
             at_root: whether the statements being parsed stand at the root of the file.
+            bare_keys: the first element of each name without attributes: its key and content.
             blocks: names of the blocks of the functions around the place being parsed.
             codes: every expression and process block compiled.
             declarations: name, scope and place of everything that declares a name.
             extents: the place of each function or block with its body; inner ones come first.
+            functions: those that were parsed.
             plain_keys: name and attributes of the elements' keys that came before, if nothing in
                 them is evaluated and they came out clean.
             rules: what holds for the file.
@@ -83,6 +89,8 @@ class ParseContext:
         self.blocks: tuple[str, ...] = ()
         self.declarations: list[tuple[str, str, Span]] = []
         self.extents: list[Span] = []
+        self.functions: list[FunctionNode] = []
+        self.bare_keys: dict[str, tuple[ScalarNode, YamlNode]] = {}
         self.plain_keys: dict[str, PlainKey] = {}
         self.at_root = False
 

@@ -11,8 +11,9 @@ if TYPE_CHECKING:
 
     from ..diagnostics import Diagnostic
     from ..yaml.comments import Comment
+    from ..yaml.nodes import ScalarNode, YamlNode
     from .argument_types import ArgumentEntry
-    from .nodes import Body, ElementNode, Statement, TextContent
+    from .nodes import Body, ElementNode, FunctionNode, Statement, TextContent
     from .python import PythonCode
 
 
@@ -45,9 +46,11 @@ class Document:
     __slots__ = (
         "argument_spans",
         "arguments",
+        "bare_keys",
         "codes",
         "declarations",
         "extents",
+        "functions",
         "imports",
         "is_lone_section",
         "model",
@@ -65,6 +68,8 @@ class Document:
         Attributes:
             arguments: what may be passed to the file, or None if it does not say.
             argument_spans: where each of them is declared.
+            bare_keys: the first element of each name without attributes: its key and content.
+            functions: those that are defined in it, also inside others.
             imports: the modules, in order.
             sections: the other sections but the model, in order.
             model: the bodies of the `model:` sections, in order.
@@ -90,6 +95,8 @@ class Document:
         self.codes: dict[str, PythonCode] = {}
         self.declarations: list[tuple[str, str, Span]] = []
         self.extents: list[Span] = []
+        self.functions: list[FunctionNode] = []
+        self.bare_keys: dict[str, tuple[ScalarNode, YamlNode]] = {}
         self.names_read: set[str] = set()
 
     def extent_around(self, span: Span) -> Span | None:

@@ -6,10 +6,16 @@ from ..diagnostics import failure, suggest
 from ..yaml.nodes import MappingNode, ScalarNode, SequenceNode
 from .context import ParseContext
 from .names import ROBOT_SECTIONS, ROOT_STATEMENTS, STATEMENTS, head_of, is_function_name
+from .values import is_empty
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Callable, Sequence
+
+    from ..diagnostics import Reporter
     from ..yaml.nodes import YamlNode
+    from .document import Document
+    from .nodes import FunctionNode
 
 
 def refuse_at_root(key: ScalarNode) -> None:
@@ -72,6 +78,52 @@ def warn_of_misspelt_statement(key: ScalarNode, node: YamlNode, context: ParseCo
             hint=f"write {near}: for the statement, or <{word}>: for the element",
             fix=respelling(key.span(), word, near),
         )
+
+
+def warn_of_miscased_calls(
+    documents: Sequence[Document], reporter: Reporter, *, is_known: Callable[[str], bool]
+) -> None:
+    """Warn of elements such as `leg: {side: left}` where there is a function `Leg`.
+
+    Whatever has a capital first letter is a call, and all else an element. Which functions there
+    are is known when all files of the program are. `is_known` says which elements robots have.
+    """
+    functions = {_letters(each.name): each for one in documents for each in one.functions}
+    for document in documents if functions else ():
+        for word, (key, node) in document.bare_keys.items():
+            function = functions.get(_letters(word))
+            if function is None or is_known(word) or not _reads_like_call(node, function):
+                continue
+            if any(each is function for each in document.functions):
+                extent = document.extent_around(key.span())
+                if extent is not None and extent.start > function.span.start:
+                    continue  # the element that a function of its name makes
+            from ..fixes import respelling
+
+            reporter.warn(
+                "misspelt-statement",
+                f"'{word}' creates an XML element; did you mean the function `{function.name}`?",
+                key.span(),
+                hint=f"write {function.name}: to call it, or <{word}>: for the element",
+                notes=(f"it is defined as {function.signature()} at {function.span.place()}",),
+                fix=respelling(key.span(), word, function.name),
+            )
+
+
+def _letters(name: str) -> str:
+    return name.replace("_", "").casefold()
+
+
+def _reads_like_call(node: YamlNode, function: FunctionNode) -> bool:
+    """Return whether what is in an element may be the arguments of a function."""
+    names = {parameter.name for parameter in function.parameters}
+    inside = _keys_inside(node)
+    if inside:
+        return not inside.isdisjoint(names)
+    is_called_without = all(
+        each.is_block or each.default is not None for each in function.parameters
+    )
+    return is_called_without if is_empty(node) else bool(names)
 
 
 def _keys_inside(node: YamlNode) -> set[str]:

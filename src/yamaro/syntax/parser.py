@@ -67,6 +67,8 @@ def parse_reading(
         context.attempt(_parse_whole, reading.root, document, context)
     document.declarations = context.declarations
     document.extents = context.extents
+    document.functions = context.functions
+    document.bare_keys = context.bare_keys
     for python in context.codes:
         register(python, codes=document.codes, names_read=document.names_read)
     errors, warnings = context.errors, reporter.diagnostics

@@ -160,6 +160,7 @@ def _parse_bare(key: ScalarNode, node: YamlNode, context: ParseContext) -> State
     assert isinstance(element.name, str), "its expression makes it one of `$(…)`"
     if word not in ROBOT_STATEMENTS and word not in RAW_BLOCKS:
         context.plain_keys[word] = (element.name, {})
+        context.bare_keys.setdefault(word, (key, node))
     warn_of_misspelt_statement(key, node, context)
     return element
 
@@ -170,6 +171,7 @@ def _parse_dynamic(
     inner = ParseContext(context.reporter, context.rules)
     inner.blocks, inner.codes = context.blocks, context.codes
     inner.declarations, inner.extents = context.declarations, context.extents
+    inner.functions = context.functions
     content = inner.attempt(parse_content, node, inner)
     return DynamicNode(template, node, content, inner.errors, key.span())
 
@@ -468,7 +470,9 @@ def _parse_function(key: ScalarNode, node: YamlNode, context: ParseContext) -> F
     finally:
         context.blocks, context.at_root = outer, at_root
         context.extents.append(node.span())
-    return FunctionNode(name, scope, parameters, body, key.span())
+    function = FunctionNode(name, scope, parameters, body, key.span())
+    context.functions.append(function)
+    return function
 
 
 def _parse_part(key: ScalarNode, node: YamlNode, context: ParseContext) -> PartNode:
