@@ -17,7 +17,7 @@ import yaml
 import yamaro
 from tests.consumers import oracles
 from yamaro.result import Build
-from yamaro.targets.output import LOST
+from yamaro.targets.output import LOST, Loss
 
 PATH = Path(__file__).with_name("full_robot.yaml")
 TEXT = PATH.read_text(encoding="utf-8")
@@ -29,9 +29,9 @@ OTHERS = {
     "left_joint": ["slider_joint"],
 }
 """What words are changed to; others get a letter more."""
-FORMATS = ["mjcf", "sdf", "usd"]
+FORMATS = ["urdf", "mjcf", "sdf", "usd"]
 ALL_LOST = re.compile(
-    r"\w+ sensors|actuators|states|groups|`collisions` sections|blocks of ros2_control|"
+    r"(\w+ )?sensors|surfaces|actuators|states|groups|`collisions` sections|blocks of ros2_control|"
     r"mimic joints|calibrations|soft limits"
 )
 """Losses of all that something says."""
@@ -141,9 +141,14 @@ def is_told(value: Value, build: Build) -> bool:
     inside, around = range(value.keys[-1], value.own[1] + 1), value.keys[:-1]
     return any(
         loss.span.start in inside
-        or (loss.kind == LOST and loss.span.start in around and ALL_LOST.fullmatch(loss.what))
+        or (loss.span.start in around and ALL_LOST.fullmatch(loss.what) and _is_whole(loss))
         for loss in build.losses
     )
+
+
+def _is_whole(loss: Loss) -> bool:
+    """Return whether nothing else is written; URDF has only the frames of sensors."""
+    return loss.kind == LOST or loss.how == "their frames"
 
 
 VALUES = sorted(values(), key=lambda value: value.own)

@@ -14,6 +14,14 @@ if TYPE_CHECKING:
     from ..model.sensors import Sensor
     from .output import Wanted
 
+OF_ACTUATORS = {
+    "kp": "gains of actuators",
+    "kd": "gains of actuators",
+    "armature": "armatures of actuators",
+    "gear": "gears of actuators",
+}
+"""What ros2_control has no place for; gears are in the transmissions of a block."""
+GEAR_HINT = "`transmissions: true` in the section `control` writes them"
 GAZEBO_HINT = "--gazebo also writes it for Gazebo"
 
 
@@ -48,12 +56,21 @@ def write(robot: Robot, wanted: Wanted) -> Output:
             for surface in robot.surfaces
         ]
     driven = {joint for control in robot.controls for joint in control.joints}
+    geared = {
+        f"joint '{joint}'"
+        for control in robot.controls
+        for joint in control.joints
+        if control.has_transmissions
+    }
     for actuator in robot.actuators.values():
         owner = f"joint '{actuator.joint}'"
         if actuator.joint not in driven:
             losses.append(_loss("actuators", owner, actuator, hint="add a section `control`"))
-        elif any(each is not None for each in (actuator.kp, actuator.kd, actuator.armature)):
-            losses.append(_loss("gains and armatures of actuators", owner, actuator))
+            continue
+        for name, what in OF_ACTUATORS.items():
+            if actuator.number(name) is not None and not (name == "gear" and owner in geared):
+                span, hint = actuator.span_of(name), GEAR_HINT if name == "gear" else ""
+                losses.append(Loss(LOST, what, owner, span, trace=actuator.trace, hint=hint))
     losses += lost_sections(robot, states=True)
     if robot.base is not None and robot.base.type == "free":
         losses.append(_loss("free bases", f"robot '{robot.name}'", robot.base))
