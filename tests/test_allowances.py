@@ -113,6 +113,21 @@ def test_a_comment_of_a_format_that_is_not_written_is_not_unused() -> None:
     assert codes(without, target="mjcf", base="fixed").count("unused-allow") == 1
 
 
+@pytest.mark.parametrize("trust", ["--trust", "--jail"])
+def test_each_comment_that_accepts_a_loss_of_one_kind_is_used(
+    trust: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    joint = "joint: {type: continuous, parent: %s, axis: y, limit: {effort: 1, velocity: 2}}  # %s"
+    link = "    link: {mass: 1, geometry: sphere, scale: 0.1}\n"
+    text = f"robot: arm\nbase: free\nmodel:\n- part:\n    name: a\n{link}"
+    for name, parent in (("b", "a"), ("c", "b")):
+        text += f"- part:\n    name: {name}\n    "
+        text += joint % (parent, "yamaro: allow lost-in-mjcf") + "\n" + link
+    Path("arm.yaml").write_text(text, encoding="utf-8")
+    assert main(["check", trust, "--strict", "arm.yaml", "--to", "mjcf"]) == 0
+    assert capsys.readouterr() == ("arm.yaml: ok\n", "")
+
+
 def test_the_fix_of_one_that_accepts_nothing_removes_it() -> None:
     text = "# yamaro: allow odd-mass\n" + ARM % (
         "  # yamaro: allow gimbal-rpy, root-inertia, no-range",

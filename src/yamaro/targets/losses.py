@@ -10,26 +10,29 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
 
+    from ..allowances import Allowance
+
 KINDS = (LOST, APPROXIMATED, RENAMED)
 
 
 def diagnostics_of(losses: Iterable[Loss], format: str) -> list[Diagnostic]:
     """Return a warning for all losses of one kind and one `what`, at the place of the first.
 
-    The places of the others are its notes. Those that comments accept are apart.
+    The places of the others are its notes. Those that comments accept are apart, by the comments,
+    so that each of these is known to accept something.
     """
-    groups: dict[tuple[str, str, str, bool], list[Loss]] = {}
+    groups: dict[tuple[str, str, str, tuple[Allowance, ...]], list[Loss]] = {}
     for loss in losses:
         how = "" if loss.kind == RENAMED else loss.how
-        is_fine = loss.span.source.has_remarks or loss.trace is not None
-        if is_fine:
-            from ..allowances import is_accepted
+        comments: tuple[Allowance, ...] = ()
+        if loss.span.source.has_remarks or loss.trace is not None:
+            from ..allowances import allowing
 
-            is_fine = is_accepted(code_of(loss.kind, format), loss.span, loss.trace)
-        groups.setdefault((loss.kind, loss.what, how, is_fine), []).append(loss)
+            comments = tuple(allowing(code_of(loss.kind, format), loss.span, loss.trace))
+        groups.setdefault((loss.kind, loss.what, how, comments), []).append(loss)
     return [
-        _diagnostic(group, format, ACCEPTED if is_fine else WARNING)
-        for (*_, is_fine), group in groups.items()
+        _diagnostic(group, format, ACCEPTED if comments else WARNING)
+        for (*_, comments), group in groups.items()
     ]
 
 
