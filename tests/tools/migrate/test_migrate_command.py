@@ -431,3 +431,25 @@ def test_the_faults_of_a_robot_in_xacro_are_migrated_too(
     assert status == 0
     assert "identical: 2 links, 0 joints; parsers refuse it: build it with" in told
     assert main(["two/two.yaml", "-q", "--allow", "several-roots"]) == 0
+
+
+def test_sources_are_not_written_through_links_out_of_the_folder(
+    tmp_path_factory: pytest.TempPathFactory, capsys: pytest.CaptureFixture[str]
+) -> None:
+    away = tmp_path_factory.mktemp("away")
+    Path("sub").mkdir()
+    Path("sub/link.xacro").write_text('<robot><link name="a"/></robot>')
+    include = '<xacro:include filename="sub/link.xacro"/>'
+    Path("r.xacro").write_text(
+        f'<robot xmlns:xacro="http://ros.org/wiki/xacro" name="r">{include}</robot>'
+    )
+    Path("r.urdf").write_text(URDF)
+    Path("out").mkdir()
+    Path("out/sub").symlink_to(away)
+    Path("out/r.yaml").symlink_to(away / "new.yaml")
+    for name in ("r.xacro", "r.urdf"):
+        for options in ([], ["--force"]):
+            status, _, told = outcome(capsys, name, "-o", "out/", *options)
+            assert status == 2
+            assert "links lead out of the output folder" in told
+    assert list(away.iterdir()) == []
