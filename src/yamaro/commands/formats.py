@@ -7,7 +7,7 @@ import os
 from ..files.regular import read_start
 from ..output import is_input, write_files
 from ..targets.assets import FOLDER
-from ..targets.output import MARK
+from ..targets.output import MARK, marked
 from ..targets.writers import ENDINGS, TITLES
 from ..tools.tree import counted
 from .delivery import deliver, goes_to_standard_output, is_written, refuse_leading_out
@@ -198,13 +198,6 @@ def _may_replace(path: str) -> bool:
     if not os.path.lexists(path):
         return True
     return os.path.isfile(path) and MARK.encode() in read_start(path, START)
-
-
-def marked(document: bytes) -> bytes:
-    """Return a document that says in a comment, after its first line, that it was generated."""
-    first, end, rest = document.partition(b"\n")
-    comment = f"# {MARK}\n" if first.startswith(b"#") else f"<!-- {MARK} -->\n"
-    return first + end + comment.encode() + rest
 
 
 def summary_of(build: Build, arguments: Arguments) -> str:

@@ -28,6 +28,13 @@ _DEVICES = frozenset(
 """Names that are devices on Windows, with any ending."""
 
 
+def marked(document: bytes) -> bytes:
+    """Return a document that says in a comment, after its first line, that it was generated."""
+    first, end, rest = document.partition(b"\n")
+    comment = f"# {MARK}\n" if first.startswith(b"#") else f"<!-- {MARK} -->\n"
+    return first + end + comment.encode() + rest
+
+
 def is_file_stem(name: str) -> bool:
     """Return whether a robot's name can be that of its files, on all systems."""
     return (

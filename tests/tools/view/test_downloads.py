@@ -108,7 +108,8 @@ def test_losses_are_told_with_their_places(told: Served) -> None:
     }
     place = f"robot.yaml:{LINE_OF_SENSOR}:7"
     assert place in texts["approximated-in-mjcf", "gps sensors"]
-    assert prepared(told, "sdf")["diagnostics"] == []
+    (lost,) = prepared(told, "sdf")["diagnostics"]
+    assert lost["message"] == "names of materials are lost in SDF: material 'red'"
 
 
 def test_losses_that_comments_accept_are_not_told(told: Served) -> None:
@@ -190,7 +191,8 @@ def shown(page: Page, view: Start, path: Path, text: str, *options: str) -> View
 def test_a_file_is_saved_and_what_it_lost_is_shown(
     page: Page, view: Start, tmp_path: Path, saved: Path
 ) -> None:
-    shown(page, view, tmp_path / "lamp.yaml", TOLD)
+    coloured = TOLD.replace('$("red" if is_red else "blue")', "0.9 0.05 0.05 1")
+    shown(page, view, tmp_path / "lamp.yaml", coloured)
     said = download(page, "sdf")
     assert said.startswith("lamp.sdf")
     assert "cannot hold" not in said

@@ -12,6 +12,7 @@ from ...confined import FaultInJail
 from ...diagnostics import ERROR, YamaroError
 from ...options import UsageError
 from ...targets.losses import diagnostics_of
+from ...targets.output import marked
 from ...targets.writers import ENDINGS
 from .description import diagnostic_data
 
@@ -83,13 +84,14 @@ def packed(build: Build) -> tuple[str, bytes]:
     Raises:
         OSError: a mesh cannot be read any more.
     """
+    document = marked(b"".join(build.encoded()))
     assets = build.assets
     if not assets:
-        return build.file_name, b"".join(build.encoded())
+        return build.file_name, document
     stem = build.file_name.removesuffix(ENDINGS[build.format])
     archive = io.BytesIO()
     with zipfile.ZipFile(archive, "w", zipfile.ZIP_DEFLATED) as file:
-        for name, content in {build.file_name: b"".join(build.encoded()), **assets}.items():
+        for name, content in {build.file_name: document, **assets}.items():
             entry = zipfile.ZipInfo(f"{stem}/{name}", _DATE)
             entry.compress_type = zipfile.ZIP_DEFLATED
             entry.external_attr = _MODE
