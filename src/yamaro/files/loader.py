@@ -68,9 +68,33 @@ class FileLoader(Public):
                     raise LoadError("it was replaced by another file meanwhile")
                 data = file.read(self.limits.file + 1)  # it may grow while it is read
         except (OSError, ValueError) as error:
-            raise LoadError(_reason(error)) from None
+            hint = self._folder_installed(path) if isinstance(error, FileNotFoundError) else None
+            raise LoadError(_reason(error), hint=hint) from None
         check_size(len(data), self.limits)
         return data
+
+    def _folder_installed(self, path: str) -> str | None:
+        """Return a hint if a folder of a package has a file that the package itself does not have.
+
+        A build of ROS may install what is in `description/` right in the folder of the package.
+        """
+        if self.reach is not None and not self.reach.allows(path):
+            return None
+        package = os.path.dirname(path)
+        while not os.path.isfile(os.path.join(package, "package.xml")):
+            if os.path.dirname(package) == package:
+                return None
+            package = os.path.dirname(package)
+        rest = os.path.relpath(path, package)
+        for folder in sorted(self.neighbours(os.path.join(package, "package.xml"))):
+            within = os.path.join(package, folder)
+            found = os.path.join(within, rest)
+            if (self.reach is None or self.reach.allows(found)) and os.path.isfile(found):
+                from .packages import manifest_name
+
+                name = manifest_name(package) or os.path.basename(package)
+                return f"it is in '{folder}' of the package: give --package {name}:={within}"
+        return None
 
     def neighbours(self, path: str) -> list[str]:
         """Return the names of the files in the folder of `path`."""

@@ -7,9 +7,14 @@ from pathlib import Path
 import pytest
 
 from tests.tools.migrate.against_xacro import is_same, moved
+from tests.tools.migrate.test_xacro_migration import HEAD
+from yamaro import YamaroError
 from yamaro.commands.main import main
+from yamaro.policy import Limits
+from yamaro.tools.migrate.xacro.command import migrate_robot
 from yamaro.tools.migrate.xacro.layout import ALL
 from yamaro.tools.migrate.xacro.sources import XacroMigration
+from yamaro.xml.reader import decode_xml
 
 CAMERA = (
     '<xacro:arg name="cam_name" default="cam"/><xacro:arg name="sim" default="false"/>'
@@ -240,3 +245,27 @@ def test_a_property_may_name_the_package_of_a_file(tmp_path: Path) -> None:
     migration = moved(tmp_path, files, "bot/urdf/r.xacro")
     assert "include: base.yaml\n" in migration.files["r.yaml"]
     assert is_same(tmp_path, migration)
+
+
+def test_a_file_that_a_build_would_install_elsewhere_is_found_with_the_folder_that_the_hint_names(
+    tmp_path: Path,
+) -> None:
+    robot = tmp_path / "seven/description/urdf/r.xacro"
+    other = tmp_path / "seven/description/control/c.xacro"
+    for path, text in (
+        (robot, '<xacro:include filename="$(find seven)/control/c.xacro"/><link name="a"/>'),
+        (other, "<b/>"),
+    ):
+        path.parent.mkdir(parents=True)
+        path.write_text(f"{HEAD}\n{text}\n</robot>\n")
+    (tmp_path / "seven/package.xml").write_text("<package><name>seven</name></package>")
+    source = decode_xml(robot.read_bytes(), name=robot.name, path=str(robot))
+    with pytest.raises(YamaroError) as error:
+        migrate_robot(source, str(tmp_path), arguments=(), packages={}, limits=Limits())
+    hint = error.value.diagnostics[0].hint or ""
+    assert hint.endswith(f"give --package seven:={tmp_path / 'seven/description'}")
+    name, _, folder = hint.partition("--package ")[2].partition(":=")
+    made = migrate_robot(
+        source, str(tmp_path), arguments=(), packages={name: folder}, limits=Limits()
+    )
+    assert made.faults == []
