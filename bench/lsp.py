@@ -18,7 +18,7 @@ sys.path.insert(0, str(ROOT))
 from tests.tools.lsp.client import Client  # noqa: E402
 from tests.tools.lsp.editing import edit_at_random  # noqa: E402
 from yamaro.tools.lsp import completion  # noqa: E402
-from yamaro.tools.lsp.positions import position_at  # noqa: E402
+from yamaro.tools.lsp.protocol import position_at  # noqa: E402
 from yamaro.tools.lsp.workspace import Workspace  # noqa: E402
 
 LINES_OF_PART = 10

@@ -15,8 +15,8 @@ if TYPE_CHECKING:
 
 def run(arguments: Arguments, streams: Streams) -> int:
     """Serve an editor until it is gone; return the exit status."""
+    from ..tools.lsp.protocol import Wire
     from ..tools.lsp.server import Server
-    from ..tools.lsp.wire import Wire
 
     if arguments.words or arguments.assignments:
         extra = (arguments.words or arguments.assignments)[0]

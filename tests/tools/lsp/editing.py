@@ -159,7 +159,7 @@ def checked(path: Path) -> list[Finding]:
 
 def shown(client: Client, texts: dict[str, str]) -> list[Finding]:
     """Return what the server has published; `texts` are those that are not on the disk."""
-    from yamaro.tools.lsp.uris import path_of
+    from yamaro.tools.lsp.protocol import path_of
 
     found = set()
     for uri, diagnostics in client.diagnostics.items():

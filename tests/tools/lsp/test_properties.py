@@ -12,21 +12,13 @@ import pytest
 
 from tests.effort import examples
 from tests.tools.lsp.editing import PIECES, random_edit
-from yamaro.tools.lsp import FEATURE_MODULES
-from yamaro.tools.lsp.positions import UTF_16, UTF_32, offset_at, position_at
-from yamaro.tools.lsp.texts import Text
-from yamaro.tools.lsp.wire import RequestFailed
-from yamaro.tools.lsp.workspace import Workspace
+from yamaro.tools.lsp import FEATURES, feature
+from yamaro.tools.lsp.protocol import UTF_16, UTF_32, RequestFailed, offset_at, position_at
+from yamaro.tools.lsp.workspace import Text, Workspace
 
 ROOT = Path(__file__).parents[3]
 EXAMPLES = sorted((ROOT / "examples").rglob("*.yaml"))
 HOSTILE = sorted((ROOT / "tests" / "hostile").rglob("*.txt"))
-
-
-def _answer(workspace: Workspace, module: str, parameters: Any) -> Any:
-    from importlib import import_module
-
-    return import_module(f"yamaro.tools.lsp.{module}").answer(workspace, parameters)
 
 
 def _parameters(workspace: Workspace, text: Text, offset: int) -> dict[str, Any]:
@@ -56,7 +48,7 @@ def test_completion_answers_at_prefixes_of_the_examples(path):
         workspace, opened = _open(path, text[:offset])
         parameters = _parameters(workspace, opened, offset)
         parameters["textDocument"] = {"uri": path.as_uri()}
-        assert isinstance(_answer(workspace, "completion", parameters)["items"], list)
+        assert isinstance(feature("textDocument/completion")(workspace, parameters)["items"], list)
 
 
 @pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.stem)
@@ -67,11 +59,11 @@ def test_every_feature_answers_anywhere_in_broken_examples(path):
         start = chooser.randrange(len(text))
         broken = text[:start] + chooser.choice(PIECES) + text[start + chooser.randrange(9) :]
         workspace, opened = _open(path, broken)
-        for module in FEATURE_MODULES:
+        for method in FEATURES:
             parameters = _parameters(workspace, opened, chooser.randrange(len(broken)))
             parameters["textDocument"] = {"uri": path.as_uri()}
             with suppress(RequestFailed):
-                json.dumps(_answer(workspace, module, parameters))
+                json.dumps(feature(method)(workspace, parameters))
 
 
 def test_the_document_equals_the_editors_after_any_edits():
@@ -110,8 +102,8 @@ def test_every_feature_answers_for_hostile_files(path):
         pytest.skip("is long")
     text = data.decode("utf-8", "replace")
     workspace, opened = _open(path, text)
-    for module in FEATURE_MODULES:
+    for method in FEATURES:
         parameters = _parameters(workspace, opened, len(text) // 2)
         parameters["textDocument"] = {"uri": path.as_uri()}
         with suppress(RequestFailed):
-            _answer(workspace, module, parameters)
+            feature(method)(workspace, parameters)

@@ -187,7 +187,7 @@ def test_a_file_that_is_closed_leaves_nothing_behind(tmp_path):
 
 
 def test_files_are_found_by_their_uris():
-    from yamaro.tools.lsp.uris import path_of, uri_of
+    from yamaro.tools.lsp.protocol import path_of, uri_of
 
     for path in ("/a/b.yaml", "/a b/ü%25.yaml", "/x/🤖.yaml"):
         assert path_of(uri_of(path)) == path

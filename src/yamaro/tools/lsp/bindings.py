@@ -21,8 +21,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
 
     from ...source import Span
-    from .texts import Text
-    from .workspace import Workspace
+    from .workspace import Text, Workspace
 
 Key = tuple[object, ...]
 """What is equal for all places that mean the same variable, function or parameter."""

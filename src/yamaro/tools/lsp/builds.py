@@ -1,6 +1,7 @@
 """Builds of main files in a jail, in a thread of their own, with the texts that are in the editor.
 
-A build is given up as soon as a newer edit makes its result worthless.
+A build is given up as soon as a newer edit makes its result worthless. Its values are looked up by
+the places that they come from, of which those in an earlier text are found in that of now.
 """
 
 from __future__ import annotations
@@ -8,12 +9,15 @@ from __future__ import annotations
 import os
 import queue
 import threading
+from itertools import islice
 
 from ...diagnostics import YamaroError
 from ...files.loader import FileLoader, MemoryLoader, OverlayLoader
-from ...files.packages import PackageFinder
 from ...options import UsageError
-from .moves import Move
+from ...source import Reading, RecordedSpan, Span
+from ...xml.tree import Element
+from ...xml.tree import Text as XmlText
+from ...xml.values import format_value
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -23,9 +27,7 @@ if TYPE_CHECKING:
     from ...model.robot import Robot
     from ...source import Reading
     from ...xml.tree import Element
-    from .settings import Settings
-    from .texts import Text
-    from .values import Values
+    from .workspace import Settings, Text
 
 
 class Result:
@@ -78,8 +80,6 @@ class Result:
     def values(self) -> Values:
         """Return what is written where in the tree, and what was read there."""
         if self._values is None:
-            from .values import Values
-
             self._values = Values(self.root, self._noted)
         return self._values
 
@@ -252,6 +252,100 @@ def _fault_of(job: object, error: Exception) -> Result:
     return result
 
 
-def finder_of(settings: Settings) -> PackageFinder:
-    """Return what finds packages."""
-    return PackageFinder(given=settings.packages)
+# --- places in an earlier text ----------------------------------------------------------------
+
+
+class Move:
+    """From one text to another; nothing is known of the stretch in which they differ.
+
+    Attributes:
+        old: the earlier text.
+        new: the later one.
+    """
+
+    __slots__ = ("_end", "_same", "new", "old")
+
+    def __init__(self, old: str, new: str) -> None:
+        """Compare two texts: how much is the same at the begin, and at the end."""
+        self.old = old
+        self.new = new
+        self._same = _common(old, new)
+        self._end = _common(old[self._same :][::-1], new[self._same :][::-1])
+
+    def shift(self, start: int, end: int) -> int | None:
+        """Return by how much a stretch of the old text has moved; None if it has changed."""
+        if end <= self._same:
+            return 0
+        if start >= len(self.old) - self._end:
+            return len(self.new) - len(self.old)
+        return None
+
+    def back(self, offset: int) -> int:
+        """Return where an offset of the new text was in the old one; -1 if it is new."""
+        if offset <= self._same:
+            return offset
+        if offset >= len(self.new) - self._end:
+            return offset - (len(self.new) - len(self.old))
+        return -1
+
+
+def _common(one: str, other: str) -> int:
+    """Return how many characters two texts begin with in common."""
+    most = min(len(one), len(other))
+    if one[:most] == other[:most]:
+        return most
+    least = 0
+    while most - least > 1:
+        middle = (least + most) // 2
+        if one[:middle] == other[:middle]:
+            least = middle
+        else:
+            most = middle
+    return least
+
+
+# --- values -----------------------------------------------------------------------------------
+
+
+Key = tuple[str, int]
+"""A file and the offset at which something is written."""
+MOST_ELEMENTS = 200_000
+
+
+class Values:
+    """The values in a finished tree by the places they come from.
+
+    Attributes:
+        written: what each value, as a whole, came out as, in order.
+        set: the values of names, by where they are declared, and the name.
+        read: likewise, by the place of the value that read them.
+    """
+
+    def __init__(self, root: Element | None, noted: Sequence[Reading]) -> None:
+        """Look through a tree, or nothing, and the values that were noted while it was built."""
+        self.written: dict[Key, dict[str, None]] = {}
+        self.set: dict[tuple[str, int, str], dict[str, None]] = {}
+        self.read: dict[tuple[str, int, str], dict[str, None]] = {}
+        for reading in noted:
+            if reading.span is not None:
+                at = (reading.span.source.path, reading.span.start, reading.name)
+                self.set.setdefault(at, {}).setdefault(reading.value)
+        for element in islice(root.iter(), MOST_ELEMENTS) if root is not None else ():
+            for name, value in element.attributes.items():
+                if value is not None:
+                    self._note(element.value_span(name), value)
+            for child in element.children:
+                if isinstance(child, XmlText):
+                    self._note(child.span, child.value)
+
+    def _note(self, span: Span, value: object) -> None:
+        if not isinstance(span, RecordedSpan):
+            return
+        key = (span.source.path, span.start)
+        self.written.setdefault(key, {}).setdefault(format_value(value))
+        for other in (span, span.name_span, *span.others):
+            if not isinstance(other, RecordedSpan):
+                continue
+            for reading in other.readings:
+                where = (other.source.path, other.start, reading.name)
+                self.read.setdefault(where, {}).setdefault(reading.value)

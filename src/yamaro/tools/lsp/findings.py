@@ -11,16 +11,15 @@ from ...fixes import Edit, Fix
 from ...policy import NO_JAIL, UNSAFE
 from ...rendering import trace_lines
 from ...source import Source, Span
-from .moves import Move
+from .builds import Move
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
 
     from .builds import Result
-    from .texts import Text
-    from .wire import Json
-    from .workspace import Workspace
+    from .protocol import Json
+    from .workspace import Text, Workspace
 
 _ERROR, _WARNING, _INFORMATION = 1, 2, 3
 _UNNECESSARY, _DEPRECATED = 1, 2

@@ -1,17 +1,15 @@
-"""What is shown of the word under the cursor: values, masses and poses, the row of the manual."""
+"""Hovers and inlay hints: values, masses and poses, the row of the manual."""
 
 from __future__ import annotations
 
 from ...source import Span
 from ...syntax.argument_types import ArgumentEntry
-from ...syntax.nodes import FunctionNode, Parameter, VariableEntry
+from ...syntax.nodes import Constant, FunctionNode, Parameter, VariableEntry
 from ...yaml.nodes import ScalarNode
 from .bindings import Place, Program
-from .comments import comment_on
-from .contexts import place_of
-from .cursor import cursor_at, word_of
-from .manual import PREDEFINED, VALUES, about
-from .robots import part_lines
+from .contexts import PREDEFINED, VALUES, about, cursor_at, place_of, word_of
+from .parts import links_of, part_lines
+from .protocol import offset_at
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -19,22 +17,21 @@ if TYPE_CHECKING:
 
     from .builds import Result
     from .names import Declaration
-    from .texts import Text
-    from .wire import Json
-    from .workspace import Workspace
+    from .protocol import Json
+    from .workspace import Text, Workspace
 
 MOST_VALUES = 5
 """Values of one variable that are shown."""
 
 
-def answer(workspace: Workspace, parameters: Json) -> Json:
+def hover(workspace: Workspace, parameters: Json) -> Json:
     """Return the hover as Markdown, or None if there is nothing to say."""
     text = workspace.text_at(parameters)
     offset = workspace.offset_in(text, parameters)
     if text.is_yaml:
         lines, span = _in_yaml(workspace, text, offset)
     else:
-        from .xml_hover import hover_in_xml
+        from .xml_names import hover_in_xml
 
         lines, span = hover_in_xml(workspace, text, offset)
     if not lines:
@@ -85,7 +82,7 @@ def _of_name(workspace: Workspace, program: Program, place: Place) -> list[str]:
         written = _written(first.text, node)
         if written:
             lines.append(f"```yaml\n{written}\n```")
-    comment = comment_on(first.text, declared.span)
+    comment = first.text.comment_on(declared.span)
     if comment:
         lines.append(comment)
     values = _values(workspace, place, found)
@@ -189,3 +186,58 @@ def _of_value(
     if not lines and "$" not in scalar.text and scalar.text in VALUES.get((place, key), ()):
         lines.append(f"**{key}**: {about(place, key)}")
     return lines, scalar.span()
+
+
+# --- inlay hints ------------------------------------------------------------------------------
+
+
+LONGEST = 40
+
+
+def inlay_hints(workspace: Workspace, parameters: Json) -> Json:
+    """Return the hints in a range."""
+    text = workspace.text_at(parameters)
+    if not workspace.settings.has_hints or not text.is_yaml:
+        return []
+    asked = parameters["range"]
+    start = offset_at(text.source, asked["start"], workspace.encoding)
+    end = offset_at(text.source, asked["end"], workspace.encoding)
+    found = [*_value_hints(workspace, text), *_mass_hints(workspace, text)]
+    return [
+        {"position": workspace.position(text, at), "label": label, "paddingLeft": True}
+        for at, label in found
+        if start <= at <= end
+    ]
+
+
+def _line_end(text: Text, offset: int) -> int:
+    line, _ = text.source.location(offset)
+    return text.source.line_starts()[line - 1] + len(text.source.line_text(line).rstrip())
+
+
+def _value_hints(workspace: Workspace, text: Text) -> list[tuple[int, str]]:
+    """Return the values of variables that are computed, as they were in the last build."""
+    found = []
+    for declared in text.names.declarations:
+        node = declared.node
+        if not isinstance(node, VariableEntry) or isinstance(node.values[0], Constant):
+            continue
+        values: dict[str, None] = {}
+        for result in workspace.results_of(text.path):
+            values.update(values_set(result, text, declared))
+        if values:
+            label = ", ".join(values)
+            label = label if len(label) <= LONGEST else f"{label[: LONGEST - 1]}…"
+            found.append((_line_end(text, node.span.start), f"= {label}"))
+    return found
+
+
+def _mass_hints(workspace: Workspace, text: Text) -> list[tuple[int, str]]:
+    found = []
+    for part in text.parts.named:
+        masses = dict.fromkeys(
+            f"{link.mass:.4g} kg" for _, link in links_of(workspace, text, part) if link.mass
+        )
+        if masses:
+            found.append((_line_end(text, part.span.start), ", ".join(list(masses)[:3])))
+    return found

@@ -1,4 +1,4 @@
-"""The parts, links, joints and frames that a file names, and where it refers to them, unrun."""
+"""Parts, links, joints and frames: where a file names them, and what builds made of them."""
 
 from __future__ import annotations
 
@@ -6,14 +6,18 @@ import re
 
 from ...source import Span
 from ...yaml.nodes import ScalarNode, SequenceNode
-from .cursor import word_of
+from .contexts import span_inside, word_of
 from .names import pairs_of_mappings
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from ...model.link import Link
+    from ...model.robot import Robot
     from ...yaml.nodes import YamlNode
+    from .bindings import Program
+    from .workspace import Text, Workspace
 
 _ATTRIBUTES = re.compile(
     r"(?:[/,]\s*)(link|joint|reference|parent|child|joint1|joint2|link1|link2)\s*:?=\s*"
@@ -137,14 +141,14 @@ class Parts:
 
     def _refer(self, node: ScalarNode, start: int, end: int) -> None:
         text = node.text[start:end]
-        span = node.span(start, end) if (start, end) != (0, len(node.text)) else _inside(node)
+        span = node.span(start, end) if (start, end) != (0, len(node.text)) else span_inside(node)
         if text and not any(each.span.start == span.start for each in self.references[-2:]):
             self.references.append(Reference(text, span))
 
     def _take_part(self, key: ScalarNode, value: YamlNode) -> None:
         for own, name in pairs_of_mappings(value):
             if own.text == "name" and isinstance(name, ScalarNode) and name.text:
-                named = Named("part", name.text, _inside(name), key, value)
+                named = Named("part", name.text, span_inside(name), key, value)
                 self._set_names(named, name.text)
                 self.named.append(named)
 
@@ -172,13 +176,6 @@ class Parts:
         self.named.append(named)
 
 
-def _inside(node: ScalarNode) -> Span:
-    """Return the place of a scalar without its quotes."""
-    if not node.style or not node.text:
-        return node.span()
-    return Span(node.source, node.offset(0), node.offset(len(node.text) - 1) + 1)
-
-
 def _naming(root: YamlNode | None) -> tuple[str, str]:
     """Return the patterns by which joints and links are named."""
     joint, link = "*_joint", "*_link"
@@ -189,3 +186,90 @@ def _naming(root: YamlNode | None) -> tuple[str, str]:
                     joint = pattern.text if own.text == "joint" else joint
                     link = pattern.text if own.text == "link" else link
     return joint, link
+
+
+# --- in the last builds -----------------------------------------------------------------------
+
+
+MOST_LINKS = 3
+"""Links that one part made which are shown."""
+
+
+def links_of(workspace: Workspace, text: Text, part: Named) -> list[tuple[Robot, Link]]:
+    """Return the links that a part made in the last builds: several, if it is in a loop."""
+    found = []
+    for result in workspace.results_of(text.path):
+        robot = result.robot
+        if robot is None:
+            continue
+        places = [
+            result.offset_then(text, offset)
+            for offset in (part.span.start - 1, part.span.start, part.key.start)
+        ]
+        for link in robot.links.values():
+            name_span = getattr(link.element.span, "name_span", None)
+            own = name_span if name_span is not None else link.element.span
+            if own.source.path == text.path and own.start in places:
+                found.append((robot, link))
+    return found
+
+
+def part_lines(
+    workspace: Workspace, program: Program, text: Text, part: Named | Reference
+) -> list[str]:
+    """Return lines of Markdown about a part, as far as it is known."""
+    if isinstance(part, Named):
+        links = links_of(workspace, text, part)
+        title = f"**{part.kind} {part.span.written()}**"
+    else:
+        links = _named(workspace, text, part.name)
+        title = f"**{part.name}**"
+        if not links:
+            return []
+    if not links:
+        return [title] if isinstance(part, Named) else []
+    lines = [title]
+    for robot, link in links[:MOST_LINKS]:
+        lines.append(_about(robot, link))
+    if len(links) > MOST_LINKS:
+        lines.append(f"… and {len(links) - MOST_LINKS} more")
+    return lines
+
+
+def _named(workspace: Workspace, text: Text, name: str) -> list[tuple[Robot, Link]]:
+    """Return the link that a name means: its own, that of a part, or the child of a joint."""
+    for result in workspace.results_of(text.path):
+        robot = result.robot
+        if robot is None:
+            continue
+        joint = robot.joints.get(name) or robot.joints.get(f"{name}_joint")
+        candidates = [name, f"{name}_link", joint.child if joint is not None else ""]
+        for each in candidates:
+            if each in robot.links:
+                return [(robot, robot.links[each])]
+    return []
+
+
+def _about(robot: Robot, link: Link) -> str:
+    """Return what is known of a link, as a list in Markdown."""
+    rows = [f"link `{link.name}`"]
+    inertial = link.inertial
+    if inertial is not None:
+        rows.append(f"mass {_number(inertial.mass)} kg")
+        numbers = " ".join(_number(value) for value in inertial.inertia)
+        rows.append(f"inertia {numbers} kg·m² (ixx ixy ixz iyy iyz izz)")
+    joint = robot.parent_joint(link.name)
+    if joint is not None:
+        rows.append(f"joint `{joint.name}`, {joint.type}, from `{joint.parent}`")
+    try:
+        pose = robot.pose(link.name)
+    except ValueError:
+        return "\n".join(f"- {row}" for row in rows)
+    xyz = " ".join(map(_number, pose.position))
+    rpy = " ".join(map(_number, pose.rpy))
+    rows.append(f"at zero: xyz {xyz} m, rpy {rpy} rad from the root")
+    return "\n".join(f"- {row}" for row in rows)
+
+
+def _number(value: float) -> str:
+    return f"{value:.4g}" if abs(value) > 1e-12 else "0"

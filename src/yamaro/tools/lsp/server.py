@@ -7,12 +7,9 @@ import os
 import queue
 import threading
 import time
-from importlib import import_module
 
-from . import FEATURES
-from .positions import agreed_encoding
-from .settings import Settings
-from .wire import (
+from . import FEATURES, feature
+from .protocol import (
     INTERNAL_ERROR,
     INVALID_PARAMS,
     INVALID_REQUEST,
@@ -21,8 +18,10 @@ from .wire import (
     PARSE_ERROR,
     BrokenMessage,
     RequestFailed,
+    agreed_encoding,
+    path_of,
 )
-from .workspace import Workspace, folders_of, scan
+from .workspace import Settings, Workspace, folders_of, may_be_of_robots, scan
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -30,7 +29,7 @@ if TYPE_CHECKING:
 
     from .builds import Builder, Result
     from .findings import Publisher
-    from .wire import Json, Wire
+    from .protocol import Json, Wire
 
 MOST_OBJECTS = 4_000_000
 """New objects after which those that refer to themselves are freed, whatever else is to be done."""
@@ -281,15 +280,13 @@ class Server:
         if method == "shutdown":
             self._is_shut_down = True
             return None
-        name = FEATURES.get(method)
-        if name is None:
+        if method not in FEATURES:
             raise RequestFailed(f"unknown method '{method}'", METHOD_NOT_FOUND)
-        feature: Callable[[Workspace, Json], Json] = import_module(f".{name}", __package__).answer
-        return feature(self._workspace, parameters)
+        return feature(method)(self._workspace, parameters)
 
     def _initialize(self, parameters: Json) -> Json:
         from ... import __version__
-        from .capabilities import capabilities
+        from .protocol import capabilities
 
         workspace = self._workspace
         workspace.client = parameters.get("capabilities") or {}
@@ -346,13 +343,9 @@ class Server:
         self._edited[path] = None
 
     def _saved(self, parameters: Json) -> None:
-        from .uris import path_of
-
         self._touch(path_of(parameters["textDocument"]["uri"]), pause=0.0)
 
     def _closed(self, parameters: Json) -> None:
-        from .uris import path_of
-
         path = path_of(parameters["textDocument"]["uri"])
         mains = self._workspace.mains_of(path)
         self._workspace.open.pop(path, None)
@@ -366,9 +359,6 @@ class Server:
         self._publish_all()
 
     def _files_changed(self, parameters: Json) -> None:
-        from .texts import may_be_of_robots
-        from .uris import path_of
-
         workspace = self._workspace
         for change in parameters["changes"]:
             path = path_of(change["uri"])

@@ -1,22 +1,245 @@
-"""The files of an editor: what is open, what is on the disk, which file includes which."""
+"""The files of an editor: settings, texts that are open, files on the disk, includes."""
 
 from __future__ import annotations
 
+import math
 import os
 
+from ...diagnostics import Reporter, YamaroError
 from ...files.loader import FileLoader, LoadError
-from ...source import Span
-from .builds import Result, finder_of
-from .positions import UTF_16, offset_at, position_at, range_of
-from .settings import Settings
-from .texts import YAML_ENDINGS, Text, may_be_of_robots
-from .uris import is_file, path_of, uri_of
+from ...files.packages import PackageFinder
+from ...policy import SAFE, Limits, Policy
+from ...sandbox.deep_stack import run_on_deep_stack
+from ...source import Source, Span, holds_xml
+from .protocol import UTF_16, is_file, offset_at, path_of, position_at, range_of, uri_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Iterator, Sequence
+    from collections.abc import Callable, Iterable, Iterator, Sequence
 
-    from .wire import Json
+    from ...diagnostics import Diagnostic
+    from ...syntax.document import Parsed
+    from ...xml.tree import Element
+    from ...yaml.nodes import YamlNode
+    from .builds import Result
+    from .names import Names
+    from .parts import Parts
+    from .protocol import Json
+
+
+# --- texts ------------------------------------------------------------------------------------
+
+
+YAML_ENDINGS = (".yaml", ".yml")
+XML_ENDINGS = (".xacro", ".urdf", ".xml", ".sdf")
+
+
+class Text:
+    """The text of a file at one moment.
+
+    Attributes:
+        path: where the file is, absolute.
+        source: the text; `is_xml` says whether it is URDF or xacro.
+    """
+
+    __slots__ = ("_names", "_parsed", "_parts", "_root", "_xml", "path", "source")
+
+    def __init__(self, path: str, text: str) -> None:
+        """Take a text for the content of a file."""
+        self.path = path
+        self.source = Source(text.removeprefix("\ufeff"), name=path, path=path)
+        self.source.is_xml = holds_xml(path, text)
+        self._parsed: Parsed | None = None
+        self._root: YamlNode | None = None
+        self._names: Names | None = None
+        self._parts: Parts | None = None
+        self._xml: tuple[Element | None, list[Diagnostic]] | None = None
+
+    @property
+    def text(self) -> str:
+        """Return the text itself, without a byte order mark."""
+        return self.source.text
+
+    @property
+    def folder(self) -> str:
+        """Return the folder in which relative paths start."""
+        return os.path.dirname(self.path)
+
+    @property
+    def is_yaml(self) -> bool:
+        """Return whether it is a file of the language, and no XML."""
+        return not self.source.is_xml
+
+    @property
+    def parsed(self) -> Parsed:
+        """Return the syntax tree; for files that are not XML."""
+        if self._parsed is None:
+            run_on_deep_stack(self._parse)
+        assert self._parsed is not None
+        return self._parsed
+
+    @property
+    def root(self) -> YamlNode | None:
+        """Return the YAML nodes that could be read; for files that are not XML."""
+        if self._parsed is None:
+            run_on_deep_stack(self._parse)
+        return self._root
+
+    def _parse(self) -> None:
+        from ...syntax.parser import parse_reading
+        from ...yaml.reader import read_on
+
+        reporter = Reporter()
+        reading = read_on(self.source, reporter=reporter)
+        self._root = reading.root
+        self._parsed = parse_reading(self.source, reading, reporter=reporter)
+
+    @property
+    def names(self) -> Names:
+        """Return the names that the file declares and uses."""
+        if self._names is None:
+            from .names import Names
+
+            document = self.parsed.document
+            self._names = run_on_deep_stack(lambda: Names(document, self.root))
+        return self._names
+
+    @property
+    def parts(self) -> Parts:
+        """Return the parts that the file names, and the places that refer to them."""
+        if self._parts is None:
+            from .parts import Parts
+
+            root = self.root
+            self._parts = run_on_deep_stack(lambda: Parts(root))
+        return self._parts
+
+    def comment_on(self, span: Span) -> str:
+        """Return the comment on a declaration, as text, or "".
+
+        It is in the lines right above, else at the end of the line, else in the lines right
+        below, as in the body of a function.
+        """
+        comments = {each.location()[0]: each for each in self.parsed.comments}
+        line, _ = span.location()
+        above = line
+        while above - 1 in comments and comments[above - 1].has_line:
+            above -= 1
+        if above < line:
+            found = range(above, line)
+        elif line in comments:
+            found = range(line, line + 1)
+        else:
+            below = line + 1
+            while below in comments and comments[below].has_line:
+                below += 1
+            found = range(line + 1, below)
+        return "\n".join(comments[each].text.lstrip("# ") for each in found)
+
+    @property
+    def xml(self) -> Element | None:
+        """Return the root element of a file that holds XML, or None if it is not well-formed."""
+        return self._read_xml()[0]
+
+    @property
+    def findings(self) -> list[Diagnostic]:
+        """Return what is to be said of the file unrun."""
+        if self.is_yaml:
+            return self.parsed.diagnostics
+        return self._read_xml()[1]
+
+    def _read_xml(self) -> tuple[Element | None, list[Diagnostic]]:
+        if self._xml is None:
+            self._xml = run_on_deep_stack(lambda: _read_xml(self.source))
+        return self._xml
+
+
+def _read_xml(source: Source) -> tuple[Element | None, list[Diagnostic]]:
+    from ...xml.reader import read_xml
+
+    try:
+        return read_xml(source, Limits()).root, []
+    except YamaroError as error:
+        return None, error.diagnostics
+
+
+def may_be_of_robots(path: str) -> bool:
+    """Return whether a file has an ending that the server reads."""
+    return path.lower().endswith((*YAML_ENDINGS, *XML_ENDINGS))
+
+
+# --- settings ---------------------------------------------------------------------------------
+
+
+PAUSE = 0.15
+"""Seconds without an edit after which a file is built."""
+SECONDS = 2.0
+"""The time that a build may take."""
+LONGEST = 3600.0
+
+
+class Settings:
+    """What a user has set.
+
+    Attributes:
+        may_jail: whether code that safe mode refuses is run in a jail.
+        pause: seconds to wait for another edit before a build.
+        timeout: seconds that a build may take.
+        has_hints: whether to show inlay hints.
+        packages: folders of ROS packages by their names.
+        arguments: for names of files, what is passed to them: `name:=value`.
+    """
+
+    __slots__ = ("arguments", "has_hints", "may_jail", "packages", "pause", "timeout")
+
+    def __init__(self, options: Json = None) -> None:
+        """Read the `initializationOptions`; what makes no sense keeps its default."""
+        options = options if isinstance(options, dict) else {}
+        self.may_jail = options.get("trust") == "jail"
+        self.pause = _seconds(options.get("pause"), PAUSE)
+        self.timeout = max(_seconds(options.get("timeout"), SECONDS), 0.01)
+        self.has_hints = options.get("inlayHints") is True
+        packages = options.get("packages")
+        self.packages = {
+            str(name): os.path.expanduser(folder)
+            for name, folder in (packages.items() if isinstance(packages, dict) else ())
+            if isinstance(folder, str)
+        }
+        arguments = options.get("arguments")
+        self.arguments = {
+            str(name): [text for text in texts if isinstance(text, str)]
+            for name, texts in (arguments.items() if isinstance(arguments, dict) else ())
+            if isinstance(texts, list)
+        }
+
+    def policy(self, is_abandoned: Callable[[], bool]) -> Policy:
+        """Return the policy for a build that is given up as soon as `is_abandoned` says so."""
+        if not self.may_jail:
+            policy = Policy(SAFE, timeout=self.timeout)
+        else:
+            policy = Policy.looking(timeout=self.timeout)
+            assert policy.fallback is not None
+            policy.fallback.is_abandoned = is_abandoned
+        policy.is_abandoned = is_abandoned
+        return policy
+
+    def arguments_of(self, path: str) -> list[str]:
+        """Return what is passed to a main file."""
+        for name, texts in self.arguments.items():
+            if path == name or path.endswith(os.sep + name.replace("/", os.sep)):
+                return texts
+        return []
+
+
+def _seconds(value: Json, default: float) -> float:
+    """Return a number of milliseconds in seconds, or the default, which is in seconds."""
+    if isinstance(value, bool) or not isinstance(value, (int, float)):
+        return default
+    return min(value / 1000, LONGEST) if math.isfinite(value) and value >= 0 else default
+
+
+# --- workspace --------------------------------------------------------------------------------
+
 
 MOST_FILES = 2_000
 """Files of a workspace that are looked through for includes."""
@@ -270,3 +493,8 @@ def folders_of(parameters: Json) -> list[str]:
     folders = parameters.get("workspaceFolders")
     uris = [each["uri"] for each in folders] if folders else [parameters.get("rootUri")]
     return [path_of(uri) for uri in uris if isinstance(uri, str) and is_file(uri)]
+
+
+def finder_of(settings: Settings) -> PackageFinder:
+    """Return what finds packages."""
+    return PackageFinder(given=settings.packages)

@@ -1,4 +1,4 @@
-"""Names in the XML files of a program: URDF and xacro."""
+"""Names in URDF and xacro files: where they are defined, and their hovers."""
 
 from __future__ import annotations
 
@@ -6,13 +6,14 @@ import re
 
 from ...source import Source, Span
 from ...xml.tree import Element
+from .parts import Reference, part_lines
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
-    from .texts import Text
-    from .workspace import Workspace
+    from ...xml.tree import Element
+    from .workspace import Text, Workspace
 
 _DEFINES = {"xacro:property": "name", "xacro:arg": "name"}
 _PATHS = (("xacro:include", "filename"), ("mesh", "filename"), ("texture", "filename"))
@@ -64,7 +65,7 @@ def is_in_expression(text: Text, offset: int) -> bool:
 
 def definitions_in_xml(workspace: Workspace, text: Text, offset: int) -> list[Span]:
     """Return where what is at an offset of an XML file is defined."""
-    from .paths import paths_in
+    from .navigation import paths_in
 
     for path in paths_in(workspace, text):
         if path.span.start <= offset <= path.span.end:
@@ -104,3 +105,38 @@ def defined_in(text: Text) -> Iterator[tuple[str, Span, str]]:
         is_known = element.name in (*_DEFINES, "xacro:macro", "link", "joint", "material")
         if name is not None and is_known:
             yield str(name), element.value_span("name"), element.name
+
+
+# --- hovers -----------------------------------------------------------------------------------
+
+
+def hover_in_xml(workspace: Workspace, text: Text, offset: int) -> tuple[list[str], Span | None]:
+    """Return lines of Markdown on what is at an offset, and its place."""
+    word = word_at(text, offset)
+    if not word:
+        return [], None
+    spans = definitions_in_xml(workspace, text, offset)
+    if is_in_expression(text, offset) or word.startswith("xacro:"):
+        lines = [line for span in spans[:3] for line in _written(workspace, span)]
+        return lines, None
+    from .bindings import Program
+
+    reference = Reference(word, spans[0] if spans else Span(text.source, offset, offset))
+    program = Program(workspace, text.path)
+    return part_lines(workspace, program, text, reference), None
+
+
+def _written(workspace: Workspace, span: Span) -> list[str]:
+    """Return the tag that defines a name, as it is written."""
+    text = workspace.text_of(span.source.path)
+    if text is None:
+        return []
+    for element in elements_in(text.xml):
+        if element.value_span("name").start == span.start:
+            return [f"```xml\n{_tag(element)}\n```"]
+    return []
+
+
+def _tag(element: Element) -> str:
+    attributes = "".join(f' {name}="{value}"' for name, value in element.attributes.items())
+    return f"<{element.name}{attributes}>"

@@ -1,19 +1,28 @@
-"""The symbols of a file: its sections, parts, functions, variables, and elements with a name."""
+"""The outline of a file: symbols, stretches to fold, semantic tokens."""
 
 from __future__ import annotations
 
-from ...yaml.nodes import MappingNode, ScalarNode, SequenceNode
-from .cursor import word_of
-from .names import pairs_of_mappings
-from .positions import range_of
+from ...yaml.nodes import MappingNode, ScalarNode, SequenceNode, pairs_below
+from .contexts import word_of
+from .names import (
+    ARGUMENT,
+    BLOCK_NAME,
+    CALLED,
+    IMPORTED,
+    ITERATOR,
+    NAMESPACE,
+    PARAMETER,
+    pairs_of_mappings,
+)
+from .protocol import TYPES, range_of, width
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from ...source import Span
     from ...xml.tree import Element
     from ...yaml.nodes import YamlNode
-    from .texts import Text
-    from .wire import Json
-    from .workspace import Workspace
+    from .protocol import Json
+    from .workspace import Text, Workspace
 
 _MODULE, _NAMESPACE, _CLASS, _PROPERTY, _FIELD = 2, 3, 5, 7, 8
 _FUNCTION, _VARIABLE, _CONSTANT, _OBJECT, _KEY = 12, 13, 14, 19, 20
@@ -21,7 +30,7 @@ _MOST_DEPTH = 40
 _WITHOUT_INNER = ("naming", "base", "import", "print", "process")
 
 
-def answer(workspace: Workspace, parameters: Json) -> Json:
+def document_symbols(workspace: Workspace, parameters: Json) -> Json:
     """Return the symbols of a file as a tree, or as a list for editors that know no trees."""
     text = workspace.text_at(parameters)
     builder = _Symbols(workspace, text)
@@ -198,3 +207,121 @@ def _title(key: ScalarNode, value: YamlNode) -> str:
             ]
         return f"{key.text} {scalars[0].text}" if scalars else key.text
     return key.text
+
+
+# --- folding ----------------------------------------------------------------------------------
+
+
+MOST = 5_000
+
+
+def folding_ranges(workspace: Workspace, parameters: Json) -> Json:
+    """Return the stretches as lines, from 0."""
+    text = workspace.text_at(parameters)
+    if not text.is_yaml:
+        from .xml_names import elements_in
+
+        stretches = {
+            (_line(text, each.span.start), _line(text, child.span.end))
+            for each in elements_in(text.xml)
+            for child in each.elements()[-1:]
+        }
+        kinds = dict.fromkeys(stretches, "region")
+    else:
+        kinds = dict.fromkeys(_keys(text), "region")
+        kinds.update(dict.fromkeys(_comments(text), "comment"))
+    found = sorted((start, end) for start, end in kinds if end > start)[:MOST]
+    return [
+        {"startLine": start, "endLine": end, **_kind(kinds[start, end])} for start, end in found
+    ]
+
+
+def _kind(kind: str) -> Json:
+    return {"kind": kind} if kind == "comment" else {}
+
+
+def _line(text: Text, offset: int) -> int:
+    return text.source.location(offset)[0] - 1
+
+
+def _keys(text: Text) -> list[tuple[int, int]]:
+    found = []
+    for key, value in pairs_below(text.root):
+        end = value.end
+        while end > key.end and text.text[end - 1 : end].isspace():
+            end -= 1
+        found.append((_line(text, key.start), _line(text, max(key.start, end - 1))))
+    return found
+
+
+def _comments(text: Text) -> list[tuple[int, int]]:
+    """Return the stretches of lines that hold nothing but comments."""
+    found = []
+    start = -1
+    lines = text.text.splitlines()
+    for number, line in enumerate([*lines, ""]):
+        if line.lstrip().startswith("#"):
+            start = number if start < 0 else start
+        elif start >= 0:
+            found.append((start, number - 1))
+            start = -1
+    return found
+
+
+# --- semantic tokens --------------------------------------------------------------------------
+
+
+_DECLARES = 1
+_TOKENS = {
+    **dict.fromkeys((PARAMETER, BLOCK_NAME, ITERATOR, ARGUMENT), "parameter"),
+    **dict.fromkeys((NAMESPACE, IMPORTED), "namespace"),
+}
+
+
+def semantic_tokens(workspace: Workspace, parameters: Json) -> Json:
+    """Return the tokens of a file, each relative to the one before."""
+    text = workspace.text_at(parameters)
+    data: list[int] = []
+    last_line = last_column = 0
+    for span, kind, modifiers in _tokens(text) if text.is_yaml else ():
+        start = workspace.position(text, span.start)
+        line, column = start["line"], start["character"]
+        written = text.text[span.start : span.end]
+        if "\n" in written or not written:
+            continue
+        if line != last_line:
+            last_column = 0
+        length = width(written, workspace.encoding)
+        data += [line - last_line, column - last_column, length, TYPES.index(kind), modifiers]
+        last_line, last_column = line, column
+    return {"data": data}
+
+
+def _tokens(text: Text) -> list[tuple[Span, str, int]]:
+    """Return the tokens in order; none overlaps another."""
+    names = text.names
+    parameters = {
+        each.name for each in names.declarations if each.kind in (PARAMETER, ITERATOR, ARGUMENT)
+    }
+    found: dict[int, tuple[Span, str, int]] = {}
+    for declared in names.declarations:
+        kind = "function" if declared.kind in CALLED else _TOKENS.get(declared.kind, "variable")
+        found[declared.span.start] = (declared.span, kind, _DECLARES)
+    for use in names.uses:
+        kind = "function" if use.is_called else "variable"
+        if use.name in parameters and not use.is_called:
+            kind = "parameter"
+        found.setdefault(use.span.start, (use.span, kind, 0))
+    for part in text.parts.named:
+        if part.name is not None:
+            found.setdefault(part.span.start, (part.span, "class", _DECLARES))
+    for reference in text.parts.references:
+        if not reference.is_computed:
+            found.setdefault(reference.span.start, (reference.span, "class", 0))
+    kept = []
+    end = 0
+    for _, token in sorted(found.items(), key=lambda item: item[0]):
+        if token[0].start >= end:
+            kept.append(token)
+            end = token[0].end
+    return kept

@@ -1,34 +1,33 @@
-"""Renames a variable, function, parameter, iterator or part in all files of a program.
-
-What cannot be renamed safely is refused with the reason: names that are computed, assigned in
-`process`, from Python, or passed by the settings of the editor.
-"""
+"""Changes of files: renaming, quick fixes, formatting."""
 
 from __future__ import annotations
 
 import re
 from fnmatch import fnmatchcase
 
+from ...allowances import acceptance
+from ...diagnostics import YamaroError
 from ...source import Span
 from ...syntax.names import is_function_name, is_identifier, python_name
 from ...syntax.nodes import IncludeNode, VariableEntry
+from ..format.formatting import LayoutFault, formatted
 from .bindings import Place, Program, visible_names
+from .findings import diagnostic_json, diagnostics_of
 from .names import ARGUMENT, ASSIGNED, CALLED, FILE, IMPORTED, VARIABLE
 from .parts import Named, Reference
-from .wire import RequestFailed
+from .protocol import RequestFailed, offset_at, path_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
 
-    from .texts import Text
-    from .wire import Json
-    from .workspace import Workspace
+    from .protocol import Json
+    from .workspace import Text, Workspace
 
 _PART_NAME = re.compile(r"[^\s$,'\"#:{}\[\]&*!|>%@`]+")
 
 
-def answer(workspace: Workspace, parameters: Json) -> Json:
+def rename(workspace: Workspace, parameters: Json) -> Json:
     """Return the edits; raise RequestFailed with the reason if there are none."""
     text = workspace.text_at(parameters)
     renaming = Renaming(workspace, text, workspace.offset_in(text, parameters))
@@ -257,3 +256,97 @@ def _pattern(text: str) -> Iterator[str]:
         else:
             yield re.escape(text[at])
             at += 1
+
+
+def rename_range(workspace: Workspace, parameters: Json) -> Json:
+    """Return the stretch and its name; raise RequestFailed with the reason if it is fixed."""
+    text = workspace.text_at(parameters)
+    renaming = Renaming(workspace, text, workspace.offset_in(text, parameters))
+    return {"range": workspace.range(renaming.span), "placeholder": renaming.name}
+
+
+# --- quick fixes ------------------------------------------------------------------------------
+
+
+def code_actions(workspace: Workspace, parameters: Json) -> Json:
+    """Return the fixes of the diagnostics in a range; one that is certain is preferred.
+
+    Those that only accept a finding come last.
+    """
+    text = workspace.text_at(parameters)
+    path = path_of(parameters["textDocument"]["uri"])
+    asked = parameters["range"]
+    start = offset_at(text.source, asked["start"], workspace.encoding)
+    end = offset_at(text.source, asked["end"], workspace.encoding)
+    only = (parameters.get("context") or {}).get("only")
+    if only and not any(kind in ("", "quickfix") for kind in only):
+        return []
+    actions: list[Json] = []
+    acceptances: list[Json] = []
+    for found in diagnostics_of(workspace, path):
+        span = found.span
+        if span.end < start or span.start > end:
+            continue
+        for fix in (found.fix, acceptance(found)):
+            if fix is None:
+                continue
+            edits = [(edit.span, edit.text) for edit in fix.edits]
+            action = {
+                "title": fix.title,
+                "kind": "quickfix",
+                "diagnostics": [diagnostic_json(workspace, found, path)],
+                "isPreferred": fix.is_safe,
+                "edit": workspace_edit(workspace, edits),
+            }
+            (actions if fix is found.fix else acceptances).append(action)
+    return [*actions, *acceptances]
+
+
+# --- formatting -------------------------------------------------------------------------------
+
+
+def formatting(workspace: Workspace, parameters: Json) -> Json:
+    """Return the edits; raise RequestFailed for a file that is not YAML."""
+    text = workspace.text_at(parameters)
+    if not text.is_yaml:
+        raise RequestFailed("only YAML files are formatted")
+    if not text.text.strip():  # each editor formats when it saves, also a file that just begins
+        return []
+    try:
+        new = formatted(text.source)
+    except YamaroError as error:
+        first = error.diagnostics[0]
+        line, _ = first.span.location()
+        raise RequestFailed(f"line {line}: {first.message}") from None
+    except LayoutFault as error:
+        raise RequestFailed(str(error)) from None
+    return _edits(workspace, text, new)
+
+
+def _edits(workspace: Workspace, text: Text, new: str) -> list[Json]:
+    """Return an edit for each stretch of lines that differ, so that the cursor stays."""
+    from difflib import SequenceMatcher
+
+    old_lines, new_lines = text.text.splitlines(keepends=True), new.splitlines(keepends=True)
+    starts = [0]
+    for line in old_lines:
+        starts.append(starts[-1] + len(line))
+    if len(old_lines) == len(new_lines):  # the usual case, for which no search is needed
+        changed = [
+            (i, i + 1, i, i + 1)
+            for i, (old, other) in enumerate(zip(old_lines, new_lines, strict=True))
+            if old != other
+        ]
+    else:
+        matcher = SequenceMatcher(None, old_lines, new_lines, autojunk=False)
+        changed = [codes[1:] for codes in matcher.get_opcodes() if codes[0] != "equal"]
+    return [
+        {
+            "range": {
+                "start": workspace.position(text, starts[first]),
+                "end": workspace.position(text, starts[last]),
+            },
+            "newText": "".join(new_lines[other_first:other_last]),
+        }
+        for first, last, other_first, other_last in changed
+    ]
