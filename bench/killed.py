@@ -159,7 +159,7 @@ class Trial:
             except OSError:
                 continue
             is_ours = str(self.robot.parent).encode() in environment
-            if b"yamaro.tools.sweep.child" in words and is_ours:
+            if b"yamaro.tools.sweep.worker" in words and is_ours:
                 return True
         return False
 

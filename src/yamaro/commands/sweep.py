@@ -54,8 +54,8 @@ def run(arguments: Arguments, streams: Streams) -> int:
 
 def _sweep(arguments: Arguments, streams: Streams) -> int:
     from ..tools.sweep.api import run_sweep
-    from ..tools.sweep.engines import engine_of
-    from ..tools.sweep.summary import Summary
+    from ..tools.sweep.running import engine_of
+    from ..tools.sweep.table import Summary
 
     if goes_to_standard_output(arguments):
         raise WrongUsage("'yamaro sweep' needs a folder for its table: -o runs/")
@@ -142,9 +142,8 @@ def _plan(arguments: Arguments) -> Plan:
     """Return what is asked for; raise YamaroError or UsageError if that makes no sense."""
     from ..options import Options
     from ..tools.sweep.api import override
-    from ..tools.sweep.axis_reading import words_in
-    from ..tools.sweep.planning import planned
-    from ..tools.sweep.study import read_study
+    from ..tools.sweep.axes import words_in
+    from ..tools.sweep.study import planned, read_study
 
     policy = make_policy(arguments)
     study = read_study(arguments.words[0], policy.limits)
@@ -211,8 +210,8 @@ def _number(arguments: Arguments, option: str, least: int) -> int | None:
 
 def _plot(arguments: Arguments, streams: Streams, policy: Policy) -> int:
     """Write the plot of a sweep; return the exit status."""
-    from ..tools.sweep.axis_reading import words_in
-    from ..tools.sweep.plot.command import plot
+    from ..tools.sweep.axes import words_in
+    from ..tools.sweep.plot import plot
 
     words = arguments.words[1:]
     if len(words) != 1 or arguments.assignments:
@@ -242,7 +241,7 @@ def _plot(arguments: Arguments, streams: Streams, policy: Policy) -> int:
 
 def _show(arguments: Arguments, streams: Streams, policy: Policy) -> int:
     """Write the document of a variant; return the exit status."""
-    from ..tools.sweep.showing import show as build_again
+    from ..tools.sweep.folder import show as build_again
 
     words = arguments.words[1:]
     if len(words) != 2 or not words[1].isdigit():

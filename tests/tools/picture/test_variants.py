@@ -26,7 +26,7 @@ def test_the_variants_that_stand_out_are_drawn_to_scale(
     )
     yamaro.sweep("pole.yaml", "runs", vary={"length": {"choices": [0.5, 1.0, 2.0]}}, method="grid",
                  metrics="mass", engine="local:1")  # fmt: skip
-    from yamaro.tools.sweep.plot.robots import pictures
+    from yamaro.tools.sweep.plot import pictures
 
     images = pictures("runs", {"short": 0, "long": 2}, Policy())
     heights = {

@@ -6,7 +6,7 @@ from math import pi
 from pathlib import Path
 
 import yamaro
-from yamaro.tools.sweep.variant import Variant
+from yamaro.tools.sweep.builder import Variant
 
 EXAMPLES = Path(__file__).parents[3] / "examples"
 TURN = (-pi, pi)

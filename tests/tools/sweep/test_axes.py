@@ -17,8 +17,7 @@ from tests.effort import examples
 from yamaro.diagnostics import InputFault
 from yamaro.source import Source
 from yamaro.tools.declared_arguments import Declared, declared_of
-from yamaro.tools.sweep.axes import Axis
-from yamaro.tools.sweep.axis_reading import axis_of_data, axis_of_text
+from yamaro.tools.sweep.axes import Axis, axis_of_data, axis_of_text
 from yamaro.tools.sweep.plan import axis_of
 
 ROBOT = """\

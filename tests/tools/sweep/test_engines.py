@@ -11,12 +11,11 @@ import pytest
 
 import yamaro
 from yamaro.options import Options, UsageError
-from yamaro.tools.sweep import engines
+from yamaro.tools.sweep import running as engines
 from yamaro.tools.sweep.api import run_sweep
-from yamaro.tools.sweep.engines import Engine, engine_of
 from yamaro.tools.sweep.plan import Plan
-from yamaro.tools.sweep.planning import planned
-from yamaro.tools.sweep.study import Study
+from yamaro.tools.sweep.running import Engine, engine_of
+from yamaro.tools.sweep.study import Study, planned
 
 ROBOT = """\
 robot: box

@@ -13,7 +13,7 @@ from tests.consumers.oracles import require_module
 from tests.tools.sweep.robots import variant_of
 from yamaro.source import Source, Span
 from yamaro.tools.sweep.evaluation import Evaluation
-from yamaro.tools.sweep.metrics.words import KINDS
+from yamaro.tools.sweep.metrics import KINDS
 
 QUADRUPED = "quadruped/quadruped.yaml"
 

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from scipy import stats
 
 from tests.effort import examples
-from yamaro.tools.sweep.methods import GRID, LATIN, METHODS, RANDOM, SOBOL, Method
+from yamaro.tools.sweep.plan import GRID, LATIN, METHODS, RANDOM, SOBOL, Method
 
 SEEDS = st.integers(0, 2**63 - 1)
 

@@ -14,12 +14,8 @@ from tests.tools.sweep.robots import EXAMPLES, elbow_arm, joint, robot_of, varia
 from yamaro.model.positions import home_positions
 from yamaro.model.shapes import Box, Cylinder, Sphere
 from yamaro.tools.sweep.evaluation import Evaluation
-from yamaro.tools.sweep.metrics.chains import Chain, tips_of
-from yamaro.tools.sweep.metrics.extent import bounding_box
-from yamaro.tools.sweep.metrics.reach import reach
-from yamaro.tools.sweep.metrics.stable import hold, lowest_point
-from yamaro.tools.sweep.metrics.workspace import workspace
-from yamaro.tools.sweep.simulation import compiled, without_sensors
+from yamaro.tools.sweep.geometry import Chain, bounding_box, reach, tips_of, workspace
+from yamaro.tools.sweep.metrics import compiled, hold, lowest_point, without_sensors
 
 ROBOTS = ["quadruped/quadruped.yaml", "hexapod/hexapod.yaml", "arm/arm.yaml"]
 

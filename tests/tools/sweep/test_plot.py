@@ -11,7 +11,7 @@ import pytest
 from tests.consumers.oracles import require_module
 from yamaro.commands.main import main
 from yamaro.options import UsageError
-from yamaro.tools.sweep.plot.data import MOST_POINTS, Plotted
+from yamaro.tools.sweep.plot import MOST_POINTS, Plotted
 
 HEAD = "id,length,foot,status,code,place,message,mass,speed,steady,constant,sha256_urdf\n"
 STUDY = {

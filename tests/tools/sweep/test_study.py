@@ -12,8 +12,7 @@ import yamaro
 from yamaro.options import Options, UsageError
 from yamaro.policy import Policy
 from yamaro.tools.sweep.plan import Plan, Space
-from yamaro.tools.sweep.planning import planned
-from yamaro.tools.sweep.study import read_study
+from yamaro.tools.sweep.study import planned, read_study
 
 LEG = """\
 robot: leg

@@ -11,7 +11,7 @@ import pytest
 import yamaro
 from tests.consumers.oracles import require_module
 from tests.tools.sweep.robots import EXAMPLES, variant_of
-from yamaro.tools.sweep.simulation import compiled
+from yamaro.tools.sweep.metrics import compiled
 
 STUDY = EXAMPLES / "quadruped" / "study"
 

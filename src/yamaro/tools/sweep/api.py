@@ -7,27 +7,20 @@ import os
 from ...options import Options, UsageError
 from ...policy import Policy
 from ...source import Public
-from .engines import engine_of
-from .folder import SweepFolder
-from .kept import kept_models
-from .planning import planned
-from .running import chunk_size, run_plan
-from .showing import show
-from .study import Study, Written, read_study
-from .summary import Summary
-from .table import CSV, PARQUET, has_parquet, read_columns
-from .topology import write_index
+from .builder import write_index
+from .folder import SweepFolder, kept_models, show
+from .running import chunk_size, engine_of, run_plan
+from .study import Study, Written, planned, read_study
+from .table import CSV, PARQUET, Summary, has_parquet, read_columns
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator, Mapping, Sequence
     from typing import Any
 
-    from .engines import Engine
-    from .kept import KeptModel
+    from .folder import KeptModel, Shown
     from .plan import Plan
-    from .running import Status
-    from .showing import Shown
+    from .running import Engine, Status
 
 
 class Sweep(Public):
@@ -131,7 +124,12 @@ def sweep(
         UsageError: an argument makes no sense, or the folder holds something else.
     """
     options = Options(policy=policy, packages=packages, allow=allow, deny=deny, strict=strict)
-    study = _study(path, options.policy, vary, fixed)
+    study = read_study(os.fspath(path), options.policy.limits)
+    if vary is not None:
+        study.vary = {name: Written(value) for name, value in vary.items()}
+        study.places.pop("vary", None)
+    if fixed is not None:
+        study.fixed = {name: Written(value) for name, value in fixed.items()}
     override(
         study, samples=samples, method=method, seed=seed, keep=_listed(keep), to=_listed(to),
         metrics=_listed(metrics), evaluate=evaluate, models=models or None,
@@ -140,25 +138,13 @@ def sweep(
     plan.chunk = chunk or 0
     if timeout is not None:
         plan.limit_time(timeout)
-    tell = _told(on_progress)
+
+    def tell(status: Status) -> None:
+        if on_progress is not None:
+            on_progress(status.done / status.samples)
+
     run_sweep(plan, output, engine_of(engine), resumes=resume, on_progress=tell)
     return Sweep(output)
-
-
-def _study(
-    path: str | os.PathLike[str],
-    policy: Policy,
-    vary: Mapping[str, object] | None,
-    fixed: Mapping[str, object] | None,
-) -> Study:
-    """Return the study in a file, with other axes and fixed values if some are given."""
-    study = read_study(os.fspath(path), policy.limits)
-    if vary is not None:
-        study.vary = {name: Written(value) for name, value in vary.items()}
-        study.places.pop("vary", None)
-    if fixed is not None:
-        study.fixed = {name: Written(value) for name, value in fixed.items()}
-    return study
 
 
 def override(
@@ -174,7 +160,7 @@ def override(
     models: bool | None = None,
 ) -> None:
     """Change a study where something else is asked for; conditions are added."""
-    from .conditions import Condition
+    from .plan import Condition
 
     for name, value in (("samples", samples), ("method", method), ("seed", seed)):
         if value is not None:
@@ -228,13 +214,6 @@ def run_sweep(
         return status
     finally:
         folder.release()
-
-
-def _told(on_progress: Callable[[float], None] | None) -> Callable[[Status], None]:
-    """Return what takes how far a sweep is, and passes it on as a number from 0 to 1."""
-    if on_progress is None:
-        return lambda status: None
-    return lambda status: on_progress(status.done / status.samples)
 
 
 def _listed(value: str | Sequence[str]) -> list[str]:

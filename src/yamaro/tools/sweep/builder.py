@@ -2,34 +2,62 @@
 
 from __future__ import annotations
 
-import hashlib
+import io
+import json
 import os
+import tarfile
+from hashlib import sha256
 
 from ...diagnostics import YamaroError
 from ...files.regular import open_regular
+from ...model.kinematics import base_of
+from ...output import write_file
 from ...program import Program
-from .plan import Space
-from .rows import ENDED, FAULT, OUT_OF_MEMORY, REJECTED, Row, first_error
-from .topology import topology_of
-from .variant import Variant
+from .plan import USD, Space
+from .table import ENDED, FAULT, OK, OUT_OF_MEMORY, REJECTED, TOPOLOGY, Row, first_error, parts_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Mapping
+    from collections.abc import Iterator, Mapping, Sequence
+    from typing import Any
 
-    from ...diagnostics import Diagnostic
+    from ...model.robot import Robot
     from ...options import Options
     from ...result import Build
     from .plan import Plan
+    from .table import Row
+
+
+class Variant:
+    """A variant that was built.
+
+    Attributes:
+        index: its number in the sweep, from 0.
+        arguments: the values passed to the file, as the table has them: numbers in the unit of
+            their argument.
+        build: the result; its `outputs` has a build for each output format of the sweep, and
+            `Evaluation.needs` is among them.
+        folder: where relative paths of meshes in the outputs start.
+    """
+
+    __slots__ = ("arguments", "build", "folder", "index")
+
+    def __init__(
+        self, index: int, arguments: Mapping[str, object], build: Build, folder: str
+    ) -> None:
+        self.index = index
+        self.arguments = arguments
+        self.build: Build = build
+        self.folder = folder
+
 
 MODELS = "models"
 ASSETS = "assets/"
-_INDEX_DIGITS = 9
 
 
 def model_name(index: int) -> str:
     """Return what the files of a variant are called, without the ends of their names."""
-    return f"{index:0{_INDEX_DIGITS}d}"
+    return f"{index:09d}"
 
 
 class Builder:
@@ -56,7 +84,7 @@ class Builder:
         self._models = os.path.join(folder or self._home, MODELS) if plan.models else ""
         options = plan.options.changed(
             target=plan.targets() or None,
-            on_message=_ignore,
+            on_message=lambda message: None,
             has_root=plan.evaluation is not None or plan.has_topologies,
         )
         self._program = Program(plan.robot, options)
@@ -83,7 +111,11 @@ class Builder:
             )
         except YamaroError as error:
             found = first_error(error.diagnostics)
-            return row.fail(found.code, self._shown(found.message), self._place(found))
+            source, place = found.span.source, ""
+            if source.path or source.text:
+                line, column = found.span.location()
+                place = f"{self._shown(source.path or source.name)}:{line}:{column}"
+            return row.fail(found.code, self._shown(found.message), place)
         except MemoryError:
             return row.fail(OUT_OF_MEMORY, "there is not enough memory for this variant")
         except SystemExit as error:
@@ -122,9 +154,15 @@ class Builder:
         outputs = build.outputs or {"urdf": build}
         for format in plan.hashed():
             text = outputs[format].xml().encode()
-            row.hashes[format] = hashlib.sha256(text).hexdigest()
+            row.hashes[format] = sha256(text).hexdigest()
             if plan.models and (format in plan.formats or not plan.formats):
-                self._keep(row, format, text, outputs[format])
+                row.documents[ends_of([format])[0]] = text
+                for path, data in outputs[format].assets.items():
+                    if not path.startswith(ASSETS):  # such as a scene around this very variant
+                        row.documents[f"{format}.{path}"] = data
+                    elif path not in self._known_assets:
+                        self._known_assets.add(path)
+                        row.assets[path] = data
         for path in build.files:
             if path not in self.files:
                 self.files[path] = file_hash(path)
@@ -134,23 +172,6 @@ class Builder:
             arguments = {**plan.fixed, **row.arguments}
             variant = Variant(row.index, arguments, build, self._models or self._home)
             row.metrics = plan.evaluation(variant)
-
-    def _keep(self, row: Row, format: str, text: bytes, build: Build) -> None:
-        """Keep a document, and what belongs beside it."""
-        row.documents[ends_of([format])[0]] = text
-        for path, data in build.assets.items():
-            if not path.startswith(ASSETS):  # such as a scene around this very variant
-                row.documents[f"{format}.{path}"] = data
-            elif path not in self._known_assets:
-                self._known_assets.add(path)
-                row.assets[path] = data
-
-    def _place(self, found: Diagnostic) -> str:
-        source = found.span.source
-        if not source.path and not source.text:
-            return ""
-        line, column = found.span.location()
-        return f"{self._shown(source.path or source.name)}:{line}:{column}"
 
     def _shown(self, text: str) -> str:
         """Return a text in which paths begin in the folder of the robot, wherever that is."""
@@ -172,10 +193,86 @@ def file_hash(path: str) -> str:
     """Return the SHA-256 of a file, or "" if it cannot be read."""
     try:
         with open_regular(path) as file:
-            return hashlib.sha256(file.read()).hexdigest()
+            return sha256(file.read()).hexdigest()
     except OSError:
         return ""
 
 
-def _ignore(message: str) -> None:
-    """Take a line that a file prints."""
+# --- models that are kept: a tar file for each chunk, and the meshes that all of them share ----
+
+
+def shard_name(number: int) -> str:
+    """Return what the tar file of a chunk is called."""
+    return f"shard-{number:06d}.tar"
+
+
+def packed(rows: Sequence[Row]) -> tuple[bytes, dict[tuple[int, str], tuple[int, int]]]:
+    """Return the documents of rows as a tar file, and where in it each one is and how long.
+
+    The places are by the number of the variant and the end of the file's name.
+    """
+    file = io.BytesIO()
+    places = {}
+    with tarfile.open(fileobj=file, mode="w", format=tarfile.USTAR_FORMAT) as tar:
+        for row in rows:
+            for end, data in row.documents.items():
+                member = tarfile.TarInfo(f"{model_name(row.index)}.{end}")
+                member.size = len(data)
+                tar.addfile(member, io.BytesIO(data))
+                padded = -(-len(data) // tarfile.BLOCKSIZE) * tarfile.BLOCKSIZE
+                places[row.index, end] = (file.tell() - padded, len(data))
+    return file.getvalue(), places
+
+
+def missing_assets(folder: str, assets: Mapping[str, bytes]) -> dict[str, bytes]:
+    """Return the meshes that are not in a folder yet; their names say their content."""
+    paths = {os.path.join(folder, *path.split("/")): data for path, data in assets.items()}
+    return {path: data for path, data in paths.items() if not os.path.exists(path)}
+
+
+# --- which variants have the same topology, for simulators that load many of one kind at once --
+
+
+INDEX = "index.json"
+_NAMES = ("id", "status", TOPOLOGY)
+
+
+def topology_of(robot: Robot, base: str | None) -> str:
+    """Return a text that is the same for robots with the same bodies and joints in one order.
+
+    Args:
+        robot: the robot.
+        base: whether the root is asked to be fixed or free.
+    """
+    links = [[name, link.mass > 0] for name, link in robot.links.items()]
+    joints = [
+        [joint.name, joint.type, joint.parent, joint.child, bool(joint.mimic)]
+        for joint in robot.joints.values()
+    ]
+    loops = [[name, loop.type, *loop.between] for name, loop in robot.loops.items()]
+    parts = [base_of(robot, base)[0], links, joints, loops]
+    return sha256(json.dumps(parts, ensure_ascii=False).encode()).hexdigest()[:16]
+
+
+def write_index(plan: Plan, folder: str) -> None:
+    """Write which of the USD files that are kept have the same topology.
+
+    Raises:
+        OSError: it cannot be written.
+    """
+    groups: dict[str, list[int]] = {}
+    for part in parts_of(folder, _NAMES):
+        for index, status, topology in zip(*(part[name] for name in _NAMES), strict=True):
+            if status == OK:
+                groups.setdefault(topology, []).append(index)
+    end = ends_of(plan.formats)[plan.formats.index(USD)]
+    found: list[dict[str, Any]] = [
+        {
+            "topology": topology,
+            "variants": indices,
+            "files": [f"{model_name(index)}.{end}" for index in indices],
+        }
+        for topology, indices in sorted(groups.items(), key=lambda pair: (-len(pair[1]), pair[1]))
+    ]
+    text = json.dumps({"format": USD, "topologies": found}, indent=1) + "\n"
+    write_file(os.path.join(folder, MODELS, INDEX), [text.encode()])

@@ -2,18 +2,258 @@
 
 from __future__ import annotations
 
-from ...diagnostics import failure
-from .hook import Hook
-from .metrics.words import Metric, metrics_of, span_of_word
+import os
+from inspect import Parameter, signature
+from math import isfinite
+
+from ...diagnostics import Frame, YamaroError, did_you_mean, failure
+from ...files.regular import open_regular
+from ...runtime.modules import LocalModules
+from ...source import Source, Span
+from ...terminal import shortened
+from .metrics import FORMAT, Metric, compiled, metrics_of, span_of_word
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Callable, Sequence
+    from types import ModuleType
     from typing import Any
 
     from ...source import Span
-    from .hook import Number
-    from .variant import Variant
+    from .builder import Variant
+
+    Number = float | int | bool
+
+
+TEXTS = ("urdf", "mjcf", "sdf", "srdf", "usd")
+"""Parameters that take the document of an output format, as text."""
+PARAMETERS = ("arguments", "model", "scene", "robot", "index", *TEXTS)
+"""What a function may ask for, by the names of its parameters."""
+UNITS = "UNITS"
+"""The dict in the module that holds the units of its results."""
+
+_OWN_FOLDER = __file__.rpartition("tools")[0]
+
+
+class Hook:
+    """A function that evaluates variants.
+
+    It is loaded where it is used, so that it can be sent to other processes.
+
+    Attributes:
+        parameters: what it asks for.
+        needs: the output formats that it asks for.
+        packages: the Python packages that what it asks for is made with.
+        units: the units of its results, as far as the module says them.
+        place: the line that it begins in.
+    """
+
+    def __init__(self, word: str, folder: str, span: Span | None = None) -> None:
+        """Find and load a function.
+
+        Args:
+            word: `FILE.py:FUNCTION`.
+            folder: where the path starts.
+            span: where that is written.
+
+        Raises:
+            YamaroError: there is no such file or function, it cannot be loaded, or has a parameter
+                that is unknown and has no default.
+        """
+        span = span or Span(Source(word, name="<evaluate>"), 0, len(word))
+        path, colon, self._name = word.rpartition(":")
+        if not colon or not path.endswith(".py") or not self._name.isidentifier():
+            message = f"'{shortened(word)}' is not a function of a Python file"
+            raise failure("bad-evaluate", message, span, hint="write it as in walk.py:score")
+        self._path = os.path.join(folder, path)
+        self._shown = path
+        if not os.path.isfile(self._path):
+            hint = f"it was searched for in {folder}"
+            raise failure("bad-evaluate", f"there is no file '{path}'", span, hint=hint)
+        self._loaded: Callable[..., Any] | None = None
+        self._files: list[str] = []
+        function, module = self._load(span)
+        self.parameters = self._parameters(function)
+        formats = [name for name in self.parameters if name in TEXTS]
+        has_model = not {"model", "scene"}.isdisjoint(self.parameters)
+        self.needs = tuple(dict.fromkeys([*([FORMAT] if has_model else []), *formats]))
+        self.packages = ("mujoco",) if has_model else ()
+        self.units: dict[str, str] = getattr(module, UNITS, {})
+        if not isinstance(self.units, dict) or not all(
+            isinstance(text, str) for pair in self.units.items() for text in pair
+        ):
+            message = f"{UNITS} in '{self._shown}' is not a dict of texts"
+            hint = f'write it as in {UNITS} = {{"speed": "m/s"}}'
+            raise failure("bad-evaluate", message, self._line(self._path, 1), hint=hint)
+        self.place = self._place_of(function)
+
+    def __getstate__(self) -> dict[str, Any]:
+        return {**self.__dict__, "_loaded": None}
+
+    def described(self, folder: str) -> dict[str, Any]:
+        """Return what decides about its results, as data: its code too; paths start at `folder`."""
+        from hashlib import sha256
+
+        codes = {}
+        for path in self._files:
+            with open_regular(path) as file:
+                codes[os.path.relpath(path, folder)] = sha256(file.read()).hexdigest()
+        path = os.path.relpath(self._path, folder)
+        return {"function": f"{path}:{self._name}", "files": dict(sorted(codes.items()))}
+
+    def values(self, variant: Variant) -> dict[str, Number | None]:
+        """Return what the function returns for a variant.
+
+        Raises:
+            YamaroError: it raises an exception, or does not return a dict of numbers.
+        """
+        given = {name: _argument(name, variant) for name in self.parameters}
+        function = self._loaded or self._load(None)[0]
+        try:
+            found = function(**given)
+        except YamaroError:
+            raise
+        except (Exception, SystemExit) as error:
+            raise self._failed(error) from None
+        return self._checked(found)
+
+    def _load(self, span: Span | None) -> tuple[Callable[..., Any], ModuleType]:
+        """Return the function and its module, loaded with the modules beside it.
+
+        Args:
+            span: where the function is asked for; None if it was found there before.
+        """
+        folder, file = os.path.split(self._path)
+        stem = file.removesuffix(".py")
+        files: list[str] = []
+        local = LocalModules(folder, {}, files.append)
+        try:
+            module = local.load(stem)
+        except (Exception, SystemExit) as error:
+            raise self._failed(error) from None
+        function = getattr(module, self._name, None)
+        if not callable(function):
+            names = [name for name, each in vars(module).items() if callable(each)]
+            names = [name for name in names if name[0] != "_"]
+            hint = did_you_mean(self._name, names) or f"write `def {self._name}(model, arguments):`"
+            message = f"'{self._shown}' has no function '{self._name}'"
+            raise failure("bad-evaluate", message, span or self._line(self._path, 1), hint=hint)
+        self._loaded = function
+        self._files = files
+        return function, module
+
+    def _parameters(self, function: Callable[..., Any]) -> list[str]:
+        """Return the names of the parameters; unknown ones keep their default.
+
+        Raises:
+            YamaroError: an unknown one has no default.
+        """
+        wanted = []
+        for parameter in signature(function).parameters.values():
+            if parameter.kind in (Parameter.VAR_POSITIONAL, Parameter.VAR_KEYWORD):
+                continue
+            if parameter.name in PARAMETERS and parameter.kind != Parameter.POSITIONAL_ONLY:
+                wanted.append(parameter.name)
+            elif parameter.default is Parameter.empty:
+                message = f"the function '{self._name}' asks for '{parameter.name}'"
+                known = f"its parameters can be {', '.join(PARAMETERS)}"
+                hint = did_you_mean(parameter.name, PARAMETERS) or known
+                raise failure("bad-evaluate", message, self._place_of(function), hint=hint)
+        return wanted
+
+    def _checked(self, found: object) -> dict[str, Number | None]:
+        """Return results as Python's numbers."""
+        if not isinstance(found, dict):
+            shown = shortened(repr(found))
+            message = f"'{self._name}' returned {shown}, which is not a dict"
+            hint = 'return names and numbers, as in {"speed": 0.4}'
+            raise failure("evaluate-result", message, self.place, hint=hint)
+        numbers: dict[str, Number | None] = {}
+        for name, value in found.items():
+            if not isinstance(name, str) or not name:
+                message = f"'{self._name}' returned a result named {shortened(repr(name))}"
+                hint = "the names of results are texts"
+                raise failure("evaluate-result", message, self.place, hint=hint)
+            numbers[name] = self._number(name, value)
+        return numbers
+
+    def _number(self, name: str, value: object) -> Number | None:
+        item = getattr(value, "item", None)
+        number = value
+        if callable(item) and getattr(value, "shape", None) == ():  # of numpy, torch or jax
+            number = item()
+        if number is None or isinstance(number, bool):
+            return number
+        if isinstance(number, int):
+            return int(number)
+        if isinstance(number, float) and isfinite(number):
+            return float(number)
+        message = f"'{self._name}' returned {shortened(repr(value))} as '{name}'"
+        hint = "results are finite numbers, True or False, or None if there is no value"
+        raise failure("evaluate-result", message, self.place, hint=hint)
+
+    def _failed(self, error: BaseException) -> YamaroError:
+        """Return the error at the innermost line of the user's that an exception came through."""
+        name = type(error).__name__
+        if isinstance(error, SyntaxError) and error.filename and error.lineno:
+            span = self._line(error.filename, error.lineno)
+            return failure("evaluate-failed", f"{name}: {error.msg}", span)
+        folder = os.path.dirname(self._path)
+        span, trace, outside = self._line(self._path, 1), None, ""
+        called = None
+        traceback = error.__traceback__
+        while traceback is not None:
+            path = traceback.tb_frame.f_code.co_filename
+            if os.path.dirname(path) == folder:
+                if called is not None:
+                    trace = Frame("called", traceback.tb_frame.f_code.co_name, called, parent=trace)
+                span = called = self._line(path, traceback.tb_lineno)
+                outside = ""
+            elif os.path.isfile(path) and not path.startswith(_OWN_FOLDER):
+                outside = f"{os.path.basename(path)}:{traceback.tb_lineno}"
+            traceback = traceback.tb_next
+        text = shortened(" ".join(str(error).split()))
+        notes = [f"raised at {outside}"] if outside and called is not None else []
+        message = f"{name}: {text}" if text else name
+        return failure("evaluate-failed", message, span, notes=notes, trace=trace)
+
+    def _place_of(self, function: Callable[..., Any]) -> Span:
+        """Return the line that a function begins in."""
+        code = getattr(function, "__code__", None)
+        if code is None:
+            return self._line(self._path, 1)
+        return self._line(code.co_filename, code.co_firstlineno)
+
+    def _line(self, path: str, line: int) -> Span:
+        """Return a line of a file of the user's, without the space around it."""
+        try:
+            with open_regular(path) as file:
+                text = file.read().decode("utf-8", "replace")
+        except OSError:
+            text = ""
+        folder = os.path.dirname(self._path)
+        shown = os.path.join(os.path.dirname(self._shown), os.path.relpath(path, folder))
+        source = Source(text, name=shown, path=path)
+        if line > len(source.line_starts()):
+            return Span(source, 0, 0)
+        written = source.line_text(line)
+        start = source.line_starts()[line - 1]
+        indent = len(written) - len(written.lstrip())
+        return Span(source, start + indent, start + max(len(written.rstrip()), indent))
+
+
+def _argument(name: str, variant: Variant) -> object:
+    """Return what a function gets for a parameter."""
+    build = variant.build
+    if name == "arguments":
+        return dict(variant.arguments)
+    if name == "robot":
+        return build.robot
+    if name == "index":
+        return variant.index
+    if name in TEXTS:
+        return build.outputs[name].xml()
+    return compiled(build.outputs[FORMAT], has_floor=name == "scene")
 
 
 class Evaluation:

@@ -1,4 +1,4 @@
-"""The folder of a sweep: what it was planned as, and which chunks are done.
+"""The folder of a sweep: what it was planned as, which chunks are done, and the models it keeps.
 
 A chunk is done when the file of its part of the table is there, which is written whole and then
 renamed. So a sweep that was killed goes on from there.
@@ -8,22 +8,26 @@ from __future__ import annotations
 
 import json
 import os
+import tarfile
 
-from ...diagnostics import failure_of_all
+from ...diagnostics import YamaroError, failure_of_all
 from ...files.regular import open_regular
-from ...options import UsageError
+from ...options import Options, UsageError
 from ...output import write_file
-from .builder import MODELS, file_hash
-from .models import missing_assets, shard_name
-from .plan import data_of, units_of
+from ...source import Public
+from .builder import ASSETS, MODELS, Builder, ends_of, file_hash, missing_assets, shard_name
+from .plan import Condition, Plan, Space, axis_of, data_of, units_of
 from .table import FOLDER, part_name, part_paths
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Iterator
     from typing import Any
 
-    from .chunk import Chunk
+    from ...policy import Policy
+    from ...result import Build
     from .plan import Plan
+    from .worker import Chunk
 
 STUDY = "study.json"
 LOCK = ".lock"
@@ -72,7 +76,10 @@ class SweepFolder:
             )
         self._take()
         self._compare(plan)
-        self._clean()
+        for inner in (self.path, os.path.join(self.path, FOLDER), os.path.join(self.path, MODELS)):
+            for name in os.listdir(inner) if os.path.isdir(inner) else ():
+                if _is_cut_off(name):
+                    os.unlink(os.path.join(inner, name))
         return True
 
     def save(self, plan: Plan) -> None:
@@ -125,13 +132,6 @@ class SweepFolder:
             self.release()
             message = f"another sweep works in the folder '{self.shown}'"
             raise UsageError(message) from None
-
-    def _clean(self) -> None:
-        """Remove what was not written whole when the sweep was killed."""
-        for inner in (self.path, os.path.join(self.path, FOLDER), os.path.join(self.path, MODELS)):
-            for name in os.listdir(inner) if os.path.isdir(inner) else ():
-                if _is_cut_off(name):
-                    os.unlink(os.path.join(inner, name))
 
     def _compare(self, plan: Plan) -> None:
         """Take over what the sweep in the folder has settled.
@@ -204,3 +204,186 @@ def _shown(value: object) -> str:
     from ...terminal import shortened
 
     return shortened(json.dumps(value, ensure_ascii=False)) if value is not None else "not there"
+
+
+# --- the models that a sweep has kept ---------------------------------------------------------
+
+
+SCENE = "mjcf.scene.xml"
+"""What the name of a scene ends in."""
+
+
+class KeptModel(Public):
+    """A model that a sweep has kept.
+
+    Attributes:
+        index: the number of the variant.
+        text: the document.
+        files: the files that it refers to, by the paths it has for them. Of a scene, the robot is
+            among them.
+    """
+
+    __slots__ = ("files", "index", "text")
+
+    def __init__(self, index: int, text: str, files: dict[str, bytes]) -> None:
+        self.index = index
+        self.text = text
+        self.files = files
+
+
+def kept_models(
+    folder: str, format: str | None = None, *, has_scene: bool = False
+) -> Iterator[KeptModel]:
+    """Yield the models in the shards of a sweep, in the order of the variants.
+
+    Args:
+        folder: that of the sweep.
+        format: the output format; by default the first one that is kept.
+        has_scene: of MJCF, whether the robot is on a floor.
+
+    Raises:
+        UsageError: there is no sweep, or it has not kept such models.
+    """
+    plan = read_plan_data(folder, folder)
+    formats = plan["formats"] or ["urdf"]
+    format = format or formats[0]
+    if not plan["models"]:
+        raise UsageError(f"the sweep in '{folder}' has kept no models: run it with --models")
+    if format not in formats or (has_scene and format != "mjcf"):
+        kept = ", ".join(formats)
+        raise UsageError(f"the sweep in '{folder}' has kept {kept}, and not what is asked for")
+    end = ends_of(formats)[formats.index(format)]
+    models = os.path.join(folder, MODELS)
+    assets = {}
+    for inner, _, names in os.walk(os.path.join(models, ASSETS)):
+        for name in sorted(names):
+            path = os.path.join(inner, name)
+            with open_regular(path) as file:
+                assets[os.path.relpath(path, models).replace(os.sep, "/")] = file.read()
+    for number in part_paths(folder):
+        path = os.path.join(models, shard_name(number))
+        with open_regular(path) as file, tarfile.open(fileobj=file, mode="r:") as shard:
+            yield from _models_in(shard, end, assets, has_scene=has_scene)
+
+
+def _models_in(
+    shard: tarfile.TarFile, end: str, assets: dict[str, bytes], *, has_scene: bool
+) -> Iterator[KeptModel]:
+    """Yield the models of one shard; `assets` are the meshes and textures of all."""
+    robot = ""
+    for member in shard:
+        name, _, ending = member.name.partition(".")
+        if ending not in (end, SCENE):
+            continue
+        file = shard.extractfile(member)
+        if file is None:
+            continue
+        text = file.read().decode()
+        if ending == end:
+            robot = text
+        if ending != (SCENE if has_scene else end):
+            continue
+        files = {  # their names hold their hash
+            path: data for path, data in assets.items() if path.removeprefix(ASSETS) in robot
+        }
+        if has_scene:
+            files[f"{name}.{end}"] = robot.encode()
+        yield KeptModel(int(name), text, files)
+
+
+# --- a variant that is built again: `yamaro sweep show runs/ 4711` ----------------------------
+
+
+_KINDS = {"axes": dict, "fixed": dict, "keep": list, "method": str, "samples": int, "seed": int}
+"""What is in a plan that is read from an untrusted folder."""
+
+
+class Shown(Public):
+    """A variant that was built again.
+
+    Attributes:
+        arguments: what was passed to the file, with what all variants have in common.
+        build: the result.
+        changed: the files that are not as they were when the sweep ran.
+    """
+
+    __slots__ = ("arguments", "build", "changed")
+
+    def __init__(self, arguments: dict[str, object], build: Build, changed: list[str]) -> None:
+        self.arguments = arguments
+        self.build = build
+        self.changed = changed
+
+
+def plan_in(folder: str, policy: Policy) -> Plan:
+    """Return the plan of the sweep in a folder, without its evaluation.
+
+    Args:
+        folder: the folder.
+        policy: how far the robot's files are trusted now.
+
+    Raises:
+        UsageError: there is no sweep.
+        YamaroError: it cannot be read.
+    """
+    data = read_plan_data(folder, folder)
+
+    def path_of(relative: str) -> str:
+        return os.path.normpath(os.path.join(os.path.abspath(folder), relative))
+
+    try:
+        for name, kind in _KINDS.items():
+            if type(data[name]) is not kind:
+                raise TypeError(f"'{name}' is not of type {kind.__name__}")
+        axes = [axis_of(name, each) for name, each in data["axes"].items()]
+        options = Options(
+            policy=policy,
+            packages={name: path_of(path) for name, path in data["packages"].items()},
+            allow=data["allow"],
+            deny=data["deny"],
+            strict=data["strict"],
+            base=data["base"],
+            sdf_version=data["sdf-version"],
+            repair_inertia=data["repair-inertia"],
+        )
+        plan = Plan(path_of(data["robot"]), axes, options)
+        plan.method, plan.seed, plan.samples = data["method"], data["seed"], data["samples"]
+        plan.fixed = data["fixed"]
+        plan.conditions = [Condition(str(text)) for text in data["keep"]]
+        plan.formats = data["hashed"] if data["formats"] or data["hashed"] != ["urdf"] else []
+        plan.models = data["models"]
+        plan.chunk, plan.versions = data["chunk"], data["versions"]
+        plan.files = {path_of(path): digest for path, digest in data["files"].items()}
+    except (KeyError, TypeError, AttributeError) as error:
+        message = f"'study.json' is malformed: {error}"
+        raise failure_of_all("sweep-differs", message, folder, None) from None
+    return plan
+
+
+def show(folder: str, index: int, policy: Policy, *, has_root: bool = False) -> Shown:
+    """Build a variant of the sweep in a folder again.
+
+    Args:
+        folder: that of the sweep.
+        index: the number of the variant.
+        policy: how far the robot's files are trusted now.
+        has_root: whether the tree is needed.
+
+    Raises:
+        UsageError: there is no sweep, or it has no such variant.
+        YamaroError: the variant has errors.
+    """
+    plan = plan_in(folder, policy)
+    if not 0 <= index < plan.samples:
+        last = plan.samples - 1
+        raise UsageError(f"the sweep has no variant {index}; they are numbered from 0 to {last}")
+    arguments = next(Space(plan).variants(index, index + 1))
+    changed = [path for path, digest in plan.files.items() if file_hash(path) != digest]
+    try:
+        build = Builder(plan, os.path.abspath(folder)).build(index, arguments, has_root=has_root)
+    except YamaroError as error:
+        passed = " ".join(f"{key}:={value}" for key, value in arguments.items())
+        notes = error.diagnostics[0].notes
+        error.diagnostics[0].notes = (*notes, f"its arguments are {passed}")
+        raise
+    return Shown({**plan.fixed, **arguments}, build, changed)

@@ -1,4 +1,7 @@
-"""Plans: all that decides what variant i of a sweep is. A plan goes to every worker."""
+"""Plans: all that decides what variant i of a sweep is. A plan goes to every worker.
+
+Each point of the unit cube, or of the grid, is worked out from its number alone.
+"""
 
 from __future__ import annotations
 
@@ -6,17 +9,228 @@ import os
 import platform
 from copy import copy
 
+from ...diagnostics import YamaroError, failure_of_all
+from ...policy import SAFE, Policy
+from ...runtime.expressions import SafeEvaluator
+from ...runtime.library import rules_of
+from ...runtime.python_errors import Explainer
+from ...runtime.scope import Home, Scope, SharedNames
+from ...safe.limits import SafeLimits
+from ...safe.runtime import SafeRuntime
+from ...source import COMMAND_LINE, Source
+from ...syntax.python import compile_expression
+from ...yaml.nodes import PLAIN, ScalarNode
 from .axes import Axis, Choices, Normal, Steps, Uniform
-from .conditions import Condition, Conditions
-from .methods import GRID, SOBOL, Method
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Mapping
+    from collections.abc import Iterator, Mapping, Sequence
     from typing import Any
 
     from ...options import Options
+    from ...syntax.python import PythonCode
     from .evaluation import Evaluation
+
+
+# --- methods: which point of the unit cube, or of the grid, is that of a variant --------------
+
+
+GRID, RANDOM, LATIN, SOBOL = "grid", "random", "latin", "sobol"
+METHODS = (GRID, RANDOM, LATIN, SOBOL)
+LARGEST_SEED = (1 << 63) - 1
+MOST_SAMPLES = {GRID: 1 << 40, RANDOM: 1 << 40, LATIN: 1 << 31, SOBOL: 1 << 30}
+"""LATIN keeps a permutation of all samples in memory, for each axis; SOBOL has 2^30 points."""
+_ORDERS = 1 << 63
+"""Added to the number of an axis where it is a key, so that no index is one of these keys."""
+_HALF = 2.0**-53
+
+
+class Method:
+    """Gives the points of a sweep.
+
+    Attributes:
+        name: one of `METHODS`.
+        seed: decides about what is random.
+        samples: how many points there are.
+        counts: for a grid, how many values each axis has; otherwise any number for each axis.
+    """
+
+    __slots__ = ("_orders", "counts", "name", "samples", "seed")
+
+    def __init__(self, name: str, seed: int, samples: int, counts: Sequence[int]) -> None:
+        self.name = name
+        self.seed = seed
+        self.samples = samples
+        self.counts = tuple(counts)
+        self._orders: list[Any] | None = None
+
+    def points(self, start: int, stop: int) -> Iterator[Sequence[float]]:
+        """Yield the points with indices from `start` up to `stop`.
+
+        For a grid these are the indices of the values, and otherwise numbers from 0 to 1.
+        """
+        if self.name == GRID:
+            return (self._digits(index) for index in range(start, stop))
+        if self.name == SOBOL:
+            return self._of_sobol(start, stop)
+        if self.name == LATIN:
+            return self._of_latin(start, stop)
+        return (self._random(index) for index in range(start, stop))
+
+    def _digits(self, index: int) -> list[int]:
+        """Return the digits of an index in mixed radix; the last one changes fastest."""
+        digits = []
+        for count in reversed(self.counts):
+            index, digit = divmod(index, count)
+            digits.append(digit)
+        return digits[::-1]
+
+    def _random(self, index: int) -> list[float]:
+        """Return as many random numbers as there are axes, which no other index has."""
+        raw = _philox(self.seed, index).random_raw(len(self.counts))
+        return [int(each >> 11) * _HALF for each in raw]
+
+    def _of_latin(self, start: int, stop: int) -> Iterator[list[float]]:
+        """Yield points of which each axis has one in each stratum: a permutation for each axis."""
+        if self._orders is None:
+            numpy = import_extra("numpy")
+            self._orders = [
+                numpy.random.Generator(_philox(self.seed, _ORDERS + axis)).permutation(
+                    numpy.arange(self.samples, dtype=numpy.uint32)
+                )
+                for axis in range(len(self.counts))
+            ]
+        for index in range(start, stop):
+            strata = [int(order[index]) for order in self._orders]
+            values = [
+                (stratum + part) / self.samples
+                for stratum, part in zip(strata, self._random(index), strict=True)
+            ]
+            yield [  # one that rounding takes out of its stratum is its middle
+                value if int(value * self.samples) == stratum else (stratum + 0.5) / self.samples
+                for value, stratum in zip(values, strata, strict=True)
+            ]
+
+    def _of_sobol(self, start: int, stop: int) -> Iterator[list[float]]:
+        import warnings
+
+        qmc = import_extra("scipy.stats.qmc")
+        numpy = import_extra("numpy")
+        generator = numpy.random.default_rng(self.seed)
+        try:
+            sequence = qmc.Sobol(len(self.counts), rng=generator)
+        except TypeError:  # scipy before 1.15
+            sequence = qmc.Sobol(len(self.counts), seed=generator)
+        if start:
+            sequence.fast_forward(start)
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")  # of numbers of points that are not powers of 2
+            points = sequence.random(stop - start)
+        return iter(points.tolist())
+
+
+def _philox(seed: int, key: int) -> Any:
+    numpy = import_extra("numpy")
+    return numpy.random.Philox(key=numpy.array([seed, key], dtype=numpy.uint64))
+
+
+def import_extra(name: str, extra: str = "sweep") -> Any:
+    """Return a module that an extra brings.
+
+    Raises:
+        YamaroError: it is not installed.
+    """
+    from importlib import import_module
+
+    try:
+        return import_module(name)
+    except ImportError as error:
+        package = name.partition(".")[0]
+        raise failure_of_all(
+            "missing-extra",
+            f"this sweep needs the Python package '{package}': {error}",
+            "sweep",
+            f"pip install 'yamaro[{extra}]'",
+        ) from None
+
+
+# --- conditions that variants have to meet: Python that only computes, about their arguments ---
+
+
+_POLICY = Policy(SAFE)
+
+
+class Condition:
+    """A condition as it is written.
+
+    Attributes:
+        text: the Python expression.
+        name: the file it is in, as messages name it, or `<command line>`.
+        file: the text of that file.
+        start: where in it the expression begins.
+    """
+
+    __slots__ = ("file", "name", "start", "text")
+
+    def __init__(self, text: str, *, name: str = COMMAND_LINE, file: str = "", start: int = 0):
+        self.text = text
+        self.name = name
+        self.file = file or text
+        self.start = start
+
+    def compiled(self) -> PythonCode:
+        """Return the condition as code.
+
+        Raises:
+            YamaroError: it is not an expression, or does more than compute.
+        """
+        source = Source(self.file, name=self.name)
+        node = ScalarNode(self.text, PLAIN, source, self.start, self.start + len(self.text))
+        try:
+            return compile_expression(self.text, node, 0, rules_of(_POLICY))
+        except YamaroError as error:
+            raise _only_computing(error) from None
+
+
+class Conditions:
+    """Says whether the arguments of a variant meet some conditions."""
+
+    __slots__ = ("_codes", "_source")
+
+    def __init__(self, conditions: list[Condition]) -> None:
+        """Compile them; raise YamaroError if one of them is not an expression."""
+        self._codes = [condition.compiled() for condition in conditions]
+        self._source = Source("", name="sweep")
+
+    def hold(self, arguments: Mapping[str, object]) -> bool:
+        """Return whether all conditions hold.
+
+        Raises:
+            YamaroError: one cannot be evaluated.
+        """
+        if not self._codes:
+            return True
+        limits = _POLICY.limits
+        runtime = SafeRuntime(SafeLimits.of(limits))
+        home = Home(self._source, "", {**runtime.names(), **arguments}, None)
+        scope = Scope(home, SharedNames(), closure=None, caller=None)
+        explainer = Explainer({}, lambda name: [], limits)
+        evaluator = SafeEvaluator(lambda: explainer, limits, runtime)
+        try:
+            return all(bool(evaluator.evaluate(code, scope)) for code in self._codes)
+        except YamaroError as error:
+            raise _only_computing(error) from None
+
+
+def _only_computing(error: YamaroError) -> YamaroError:
+    for diagnostic in error.diagnostics:
+        if diagnostic.code == "unsafe-code":
+            diagnostic.hint = "a condition can only compute"
+    return error
+
+
+# --- plan -------------------------------------------------------------------------------------
+
 
 FORMS = {kind.__name__.lower(): kind for kind in (Choices, Steps, Uniform, Normal)}
 SECONDS = 60.0

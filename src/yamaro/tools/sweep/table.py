@@ -12,20 +12,85 @@ import os
 from io import TextIOWrapper
 
 from ...files.regular import open_regular
-from .axes import ANY, BOOLEAN, INTEGER, NUMBER, TEXT
-from .methods import import_extra
+from ...source import Public
+from ...syntax.argument_types import ANY, BOOLEAN, INTEGER, NUMBER, TEXT
+from .plan import import_extra
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping, Sequence
     from typing import Any
 
-    from .rows import Row
+    from ...diagnostics import Diagnostic
+    from .plan import Plan
+
+
+OK, REJECTED, FAILED = "ok", "rejected", "failed"
+STATUSES = (OK, REJECTED, FAILED)
+CRASH, TIMEOUT, ENDED = "variant-crash", "variant-timeout", "variant-exit"
+"""The codes of variants that ended the process in which they were built."""
+OUT_OF_MEMORY = "limit-memory"
+FAULT = "internal-error"
+
+
+class Row:
+    """What is known of a variant in the end.
+
+    Attributes:
+        index: its number.
+        arguments: the values of the axes.
+        status: one of `STATUSES`.
+        code: why it failed: the code of a diagnostic, or "".
+        place: where, as `file:line:column`, or "".
+        message: the message, or "".
+        metrics: what the evaluation found.
+        topology: what is the same for variants with the same bodies and joints, or None.
+        hashes: the SHA-256 of the documents, by output format.
+        documents: the documents and what belongs to each, by the ends of file names; if the models
+            are kept.
+        assets: the meshes that they share, by path.
+    """
+
+    __slots__ = (
+        "arguments", "assets", "code", "documents", "hashes", "index", "message", "metrics",
+        "place", "status", "topology",
+    )  # fmt: skip
+
+    def __init__(self, index: int, arguments: Mapping[str, object], status: str = OK) -> None:
+        self.index = index
+        self.arguments = dict(arguments)
+        self.status = status
+        self.code = ""
+        self.place = ""
+        self.message = ""
+        self.metrics: dict[str, float | int | bool | None] = {}
+        self.topology: str | None = None
+        self.hashes: dict[str, str] = {}
+        self.documents: dict[str, bytes] = {}
+        self.assets: dict[str, bytes] = {}
+
+    def fail(self, code: str, message: str, place: str = "") -> Row:
+        """Note why the variant failed, and return the row."""
+        self.status, self.code, self.message, self.place = FAILED, code, message, place
+        return self
+
+
+def row_types(plan: Plan) -> dict[str, str]:
+    """Return the type of each argument's column, by the name of the argument."""
+    return {axis.name: axis.kind for axis in plan.axes}
+
+
+def first_error(diagnostics: Sequence[Diagnostic]) -> Diagnostic:
+    """Return the first error, or what is there if nothing is one."""
+    return next((each for each in diagnostics if each.severity == "error"), diagnostics[0])
+
+
+# --- columns ----------------------------------------------------------------------------------
+
 
 PARQUET, CSV = "parquet", "csv"
 ENDINGS = (PARQUET, CSV)
 FOLDER = "table"
-_DIGITS = 6
 OWN = ("id", "status", "code", "place", "message")
 """The columns that every table has."""
 TOPOLOGY = "topology"
@@ -81,9 +146,11 @@ class Columns:
         for name in OWN[1:]:
             found[name] = (TEXT, [getattr(row, name) for row in rows])
         for name in sorted({name for row in rows for name in row.metrics}):
-            values = [row.metrics.get(name) for row in rows]
+            values: list[Any] = [row.metrics.get(name) for row in rows]
             column = f"{name}_metric" if name in found else name
-            found[column] = (_kind_of_metric(values), values)
+            kinds: set[type] = {type(value) for value in values if value is not None}
+            kind = BOOLEAN if kinds == {bool} else NUMBER
+            found[column] = (TEXT if str in kinds else kind, values)
         if self._has_topologies:
             found[TOPOLOGY] = (TEXT, [row.topology for row in rows])
         for format in self._hashed:
@@ -93,13 +160,6 @@ class Columns:
             found[f"offset_{end}"] = (INTEGER, [each and each[0] for each in where])
             found[f"size_{end}"] = (INTEGER, [each and each[1] for each in where])
         return {name: (kind, _as(kind, values)) for name, (kind, values) in found.items()}
-
-
-def _kind_of_metric(values: Sequence[object]) -> str:
-    kinds = {type(value) for value in values} - {type(None)}
-    if str in kinds:
-        return TEXT
-    return BOOLEAN if kinds == {bool} else NUMBER
 
 
 def _as(kind: str, values: list[Any]) -> list[Any]:
@@ -136,10 +196,8 @@ def encoded(columns: Mapping[str, tuple[str, list[Any]]], ending: str) -> bytes:
     Raises:
         YamaroError: a package is missing.
     """
-    return _as_parquet(columns) if ending == PARQUET else _as_csv(columns)
-
-
-def _as_parquet(columns: Mapping[str, tuple[str, list[Any]]]) -> bytes:
+    if ending == CSV:
+        return _as_csv(columns)
     arrow = import_extra("pyarrow")
     parquet = import_extra("pyarrow.parquet")
     types = {
@@ -159,21 +217,18 @@ def _as_csv(columns: Mapping[str, tuple[str, list[Any]]]) -> bytes:
     writer = csv.writer(file, lineterminator="\n")
     writer.writerow(columns)
     writer.writerows(
-        [_in_csv(value) for value in row]
+        [
+            "" if value is None else str(value).lower() if isinstance(value, bool) else str(value)
+            for value in row
+        ]
         for row in zip(*(values for _, values in columns.values()), strict=True)
     )
     return file.getvalue().encode()
 
 
-def _in_csv(value: object) -> str:
-    if value is None:
-        return ""
-    return str(value).lower() if isinstance(value, bool) else str(value)
-
-
 def part_name(number: int, ending: str) -> str:
     """Return what the file of a chunk is called."""
-    return f"part-{number:0{_DIGITS}d}.{ending}"
+    return f"part-{number:06d}.{ending}"
 
 
 def part_paths(folder: str) -> dict[int, str]:
@@ -218,18 +273,16 @@ def parts_of(folder: str, names: Sequence[str] = ()) -> Iterator[dict[str, list[
                 known = [name for name in names if name in file.schema_arrow.names]
                 yield file.read(columns=known if names else None).to_pydict()
         else:
-            yield _read_csv(path, names)
-
-
-def _read_csv(path: str, names: Sequence[str]) -> dict[str, list[Any]]:
-    with open_regular(path) as data, TextIOWrapper(data, encoding="utf-8", newline="") as file:
-        reader = csv.reader(file)
-        header = next(reader)
-        columns: dict[str, list[Any]] = {name: [] for name in header}
-        for row in reader:
-            for name, text in zip(header, row, strict=True):
-                columns[name].append(_of_csv(name, text))
-    return {name: values for name, values in columns.items() if not names or name in names}
+            with (
+                open_regular(path) as data,
+                TextIOWrapper(data, encoding="utf-8", newline="") as text_file,
+            ):
+                reader = csv.reader(text_file)
+                columns: dict[str, list[Any]] = {name: [] for name in next(reader)}
+                for row in reader:
+                    for (name, values), text in zip(columns.items(), row, strict=True):
+                        values.append(_of_csv(name, text))
+            yield {name: values for name, values in columns.items() if not names or name in names}
 
 
 def _of_csv(name: str, text: str) -> Any:
@@ -244,3 +297,93 @@ def _of_csv(name: str, text: str) -> Any:
         except ValueError:
             continue
     return text
+
+
+# --- what a sweep came to, in words -----------------------------------------------------------
+
+
+MOST_GROUPS = 10
+"""Groups of failures that are shown."""
+
+
+class Group(Public):
+    """Variants that failed with the same code at the same place.
+
+    Attributes:
+        code: the code.
+        place: the place, or "".
+        count: how many there are.
+        first: the number of the first one.
+        message: what was said of that.
+    """
+
+    __slots__ = ("code", "count", "first", "message", "place")
+
+    def __init__(self, code: str, place: str, first: int, message: str) -> None:
+        self.code = code
+        self.place = place
+        self.count = 0
+        self.first = first
+        self.message = message
+
+
+class Summary(Public):
+    """What a sweep came to.
+
+    Attributes:
+        counts: how many variants have which status.
+        groups: those that failed, the largest group first.
+        lacking: how many variants that are ok have no value in a column of results, by its name;
+            of those that have all values nothing.
+    """
+
+    __slots__ = ("counts", "groups", "lacking")
+
+    def __init__(self, folder: str) -> None:
+        """Read the table in the folder of a sweep."""
+        self.counts = {OK: 0, REJECTED: 0, FAILED: 0}
+        groups: dict[tuple[str, str], Group] = {}
+        values: dict[str, int] = {}
+        for part in parts_of(folder):
+            at = [index for index, status in enumerate(part["status"]) if status == OK]
+            for name in results_in(list(part)):
+                column = part[name]
+                count = sum(column[index] is not None for index in at)
+                values[name] = values.get(name, 0) + count
+            for status in self.counts:
+                self.counts[status] += part["status"].count(status)
+            for index, status in enumerate(part["status"]):
+                if status != FAILED:
+                    continue
+                code, place = part["code"][index], part["place"][index]
+                group = groups.get((code, place))
+                if group is None:
+                    message = part["message"][index]
+                    group = Group(code, place, part["id"][index], message)
+                    groups[code, place] = group
+                group.count += 1
+        self.lacking = {
+            name: self.counts[OK] - count
+            for name, count in values.items()
+            if count < self.counts[OK]
+        }
+        self.groups = sorted(groups.values(), key=lambda group: (-group.count, group.first))
+
+    def lines(self) -> list[str]:
+        """Return it as lines of text."""
+        total = sum(self.counts.values())
+        counts = [f"{self.counts[OK]:,} ok"]
+        counts += [
+            f"{self.counts[name]:,} {name}" for name in (REJECTED, FAILED) if self.counts[name]
+        ]
+        found = [f"{total:,} variant{'' if total == 1 else 's'}: {', '.join(counts)}"]
+        for group in self.groups[:MOST_GROUPS]:
+            where = f" at {group.place}" if group.place else ""
+            found.append(f"  {group.count:,} × {group.code}{where}")
+            found.append(f"      such as {group.first}: {group.message}")
+        if len(self.groups) > MOST_GROUPS:
+            rest = sum(group.count for group in self.groups[MOST_GROUPS:])
+            found.append(f"  {rest:,} × others, see the columns code and place of the table")
+        for name, count in list(self.lacking.items())[:MOST_GROUPS]:
+            found.append(f"  {count:,} ok without a value of '{name}'")
+        return found

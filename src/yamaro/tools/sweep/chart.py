@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import io
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import matplotlib as mpl
 import numpy as np
@@ -13,16 +13,17 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.ticker import MaxNLocator
 
-from ..rows import FAILED, OK, REJECTED
-from .data import BEST, MEDIAN, NO_VALUE, WORST
+from .plot import BEST, MEDIAN, NO_VALUE, WORST
+from .table import FAILED, OK, REJECTED
 
+TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
     from matplotlib.axes import Axes
     from numpy.typing import NDArray
 
-    from .data import Column, Plotted
+    from .plot import Column, Plotted
 
     Floats = NDArray[np.floating[Any]]
     Image = NDArray[np.uint8]

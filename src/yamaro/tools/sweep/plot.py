@@ -1,17 +1,27 @@
-"""The table of a sweep, as it is plotted: which columns, which rows, which variants stand out."""
+"""`yamaro sweep plot`: the columns, rows and variants of a sweep that a plot of it shows."""
 
 from __future__ import annotations
 
-from ....diagnostics import did_you_mean
-from ....options import UsageError
-from ..folder import read_plan_data
-from ..rows import FAILED, OK, REJECTED
-from ..table import OWN, read_columns, results_in
+import os
+from importlib.util import find_spec
+
+from ...diagnostics import did_you_mean, failure_of_all
+from ...options import UsageError
+from ...terminal import shortened
+from .folder import read_plan_data, show
+from .table import FAILED, OK, OWN, REJECTED, read_columns, results_in
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Mapping, Sequence
     from typing import Any
+
+    import numpy as np
+    from numpy.typing import NDArray
+
+    from ...policy import Policy
+
+    Image = NDArray[np.uint8]
 
 MOST_POINTS = 20_000
 """Rows that are drawn; of more, some at equal distances."""
@@ -157,7 +167,9 @@ class Plotted:
 
     def _column(self, name: str) -> Column:
         if name not in self._table:
-            names = [each for each in self._table if not _is_own(each)]
+            about_run = ("sha256_", "offset_", "size_")
+            names = [each for each in self._table if not each.startswith(about_run)]
+            names = [each for each in names if each not in OWN]
             hint = did_you_mean(name, names) or f"there are {', '.join(names)}"
             raise UsageError(f"the table has no column '{name}'; {hint}")
         is_log = bool(self._plan.get(name, {}).get("is_log"))
@@ -181,6 +193,105 @@ class Plotted:
         return dict(zip(RANKS, (rows[0], rows[(len(rows) - 1) // 2], rows[-1]), strict=True))
 
 
-def _is_own(name: str) -> bool:
-    """Return whether a column is about the run and not about the robot."""
-    return name in OWN or name.startswith(("sha256_", "offset_", "size_"))
+ENDINGS = ("png", "svg", "pdf")
+HINT = "pip install 'yamaro[plot]'"
+
+
+class Plot:
+    """A plot as the bytes of its file, with remarks."""
+
+    __slots__ = ("data", "remarks")
+
+    def __init__(self, data: bytes, remarks: list[str]) -> None:
+        self.data = data
+        self.remarks = remarks
+
+
+def plot(
+    folder: str,
+    output: str,
+    *,
+    across: Sequence[str] = (),
+    up: Sequence[str] = (),
+    metric: str | None = None,
+    minimize: bool = False,
+    policy: Policy,
+) -> Plot:
+    """Return the plot of the sweep in a folder.
+
+    Args:
+        folder: that of the sweep.
+        output: the file to write, whose ending says the format.
+        across: the columns along x; by default the arguments that vary.
+        up: the columns along y; by default the results.
+        metric: the column by which variants are best or worst; these are drawn below the plots.
+        minimize: whether the least is the best.
+        policy: how far the robot's files are trusted.
+
+    Raises:
+        UsageError: there is no sweep, or not such a column.
+        YamaroError: a package is missing, or a variant cannot be drawn.
+    """
+    ending = os.path.splitext(output)[1][1:].lower()
+    if ending not in ENDINGS:
+        known = ", ".join(f".{each}" for each in ENDINGS)
+        raise UsageError(f"the ending of '{shortened(output)}' names no kind of plot: {known}")
+    for module in ("numpy", "matplotlib"):
+        if find_spec(module) is None:
+            message = f"a plot needs yamaro[plot]: the Python package '{module}' is missing"
+            raise failure_of_all("missing-extra", message, folder, HINT)
+    plotted = Plotted(folder, across=across, up=up, metric=metric, minimize=minimize)
+    robots = {}
+    if plotted.ranked:
+        indices = {rank: plotted.ids[row] for rank, row in plotted.ranked.items()}
+        robots = pictures(folder, indices, policy)
+    from .chart import chart
+
+    return Plot(chart(plotted, robots, ending), plotted.remarks)
+
+
+SIZE = "640x480"
+
+
+def pictures(folder: str, indices: Mapping[str, int], policy: Policy) -> dict[str, Image]:
+    """Return pictures of variants at home and at one scale, height×width×4, by the same names.
+
+    Args:
+        folder: that of the sweep.
+        indices: the numbers of the variants, by any names.
+        policy: how far the robot's files are trusted.
+
+    Raises:
+        YamaroError: a package is missing, a variant or a mesh of it cannot be built or drawn, or
+            nothing can be drawn on this system.
+    """
+    from ..picture.command import check_packages
+    from ..picture.request import Request
+
+    request = Request("robot.png", {"size": SIZE, "transparent": ""}, {})
+    check_packages(folder, request)
+    import numpy as np
+
+    from ...confined import Reader
+    from ..picture.cameras import fitted
+    from ..picture.draw import Drawing
+    from ..picture.window import NoOpenGLError
+
+    drawings, cameras = {}, {}
+    try:
+        for name, index in indices.items():
+            build = show(folder, index, policy, has_root=True).build
+            file = build.files[0] if build.files else "sweep"
+            reader = Reader(policy, readable=build.finder.roots, name=file)
+            drawing = drawings[name] = Drawing(build, request, reader)
+            shape = request.width / request.height
+            cameras[name] = fitted(request.views[0], drawing.outline(), shape)
+        ways = {name: camera.position - camera.target for name, camera in cameras.items()}
+        farthest = max(np.linalg.norm(way) for way in ways.values())
+        for name, camera in cameras.items():
+            way = ways[name]
+            camera.position = camera.target + way * (farthest / np.linalg.norm(way))
+        return {name: drawing.shot(cameras[name]) for name, drawing in drawings.items()}
+    except NoOpenGLError as error:
+        message = "the variants cannot be drawn here: OpenGL is missing, which needs no display"
+        raise failure_of_all("no-opengl", message, folder, str(error)) from None

@@ -1,1 +1,0 @@
-"""The metrics that `yamaro sweep` knows."""

@@ -1,1 +1,0 @@
-"""`yamaro sweep plot`: a picture of what a sweep has found."""
