@@ -388,7 +388,7 @@ def check(
         numbers=numbers,
     )
     if clashes := finder.package_clashes():
-        from .check.packages import warn_of_clashes
+        from .check.files import warn_of_clashes
 
         warn_of_clashes(clashes, root, reporter)
     for diagnostic in advisor.diagnostics if advisor else ():

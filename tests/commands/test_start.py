@@ -25,7 +25,6 @@ OF_OTHER_BUILDS = {
     "yamaro.check.files",
     "yamaro.check.material",
     "yamaro.check.outermost",
-    "yamaro.check.references",
     "yamaro.commands.option_table",
     "yamaro.confined",
     "yamaro.model.compare",

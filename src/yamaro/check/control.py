@@ -12,7 +12,7 @@ from ..model.noting import content, content_span
 from ..model.sdf_schema import ANY, AT_LEAST_ONE, COUNT, TRUE_OR_FALSE
 from ..model.values import attribute_text, child_named
 from .context import shown
-from .tree import is_fixed
+from .robot import is_fixed
 from .values import (
     Names,
     check_order,
@@ -31,7 +31,7 @@ if TYPE_CHECKING:
     from ..model.joint import Joint
     from ..xml.tree import Element
     from .context import CheckContext
-    from .tree import Tree
+    from .robot import Tree
 
 REFUSES = "ros2_control ends with an error"
 KINDS = ("system", "actuator", "sensor")

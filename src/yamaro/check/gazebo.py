@@ -29,7 +29,7 @@ from ..model.sdf_schema import (
     Value,
 )
 from ..model.values import attribute_text, child_named
-from .tree import is_fixed, near_name
+from .robot import is_fixed, near_name
 from .values import (
     LENIENT_TRUTHS,
     TRUTHS,
@@ -51,7 +51,7 @@ if TYPE_CHECKING:
     from ..model.sdf_schema import Table
     from ..xml.tree import Element
     from .context import CheckContext
-    from .tree import Tree
+    from .robot import Tree
 
 REFUSES = "libsdformat rejects the robot"
 PRESERVED = ("preserveFixedJoint", "disableFixedJointLumping")

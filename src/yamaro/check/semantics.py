@@ -8,7 +8,7 @@ from __future__ import annotations
 from ..model.sdf_schema import NOT_NEGATIVE, THREE, Value
 from ..model.values import attribute_text
 from .context import CheckContext, shown
-from .tree import is_fixed
+from .robot import is_fixed
 from .values import (
     Names,
     check_required,
