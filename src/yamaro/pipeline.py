@@ -308,7 +308,7 @@ def evaluate(request: Request, interpreter: Interpreter) -> Element:
             warn_of_unread_includes(interpreter.passed.values(), interpreter.files, reporter)
     documents = interpreter.files.documents
     if any(each.functions for each in documents):
-        from .syntax.misplaced import warn_of_miscased_calls
+        from .syntax.statements import warn_of_miscased_calls
 
         warn_of_miscased_calls(documents, reporter, is_known=_is_of_robots)
     return root

@@ -58,7 +58,6 @@ OF_OTHER_BUILDS = {
     "yamaro.safe",
     "yamaro.syntax.argument_section",
     "yamaro.syntax.heads",
-    "yamaro.syntax.includes",
     "yamaro.syntax.leaves",
     "yamaro.syntax.robot_words",
     "yamaro.targets",

@@ -17,7 +17,7 @@ from yamaro.syntax.context import ParseContext
 from yamaro.syntax.keys import PlainKeyPlaces, find_outside, parse_plain_key
 from yamaro.syntax.names import STATEMENTS, head_of
 from yamaro.syntax.nodes import Attribute, ElementNode
-from yamaro.syntax.template import Template, skip_expression
+from yamaro.syntax.python import Template, skip_expression
 from yamaro.xml.tree import Element
 from yamaro.xml.values import bad_name_character
 from yamaro.yaml.nodes import DOUBLE, PLAIN, ScalarNode

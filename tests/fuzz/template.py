@@ -17,18 +17,20 @@ from yamaro.source import Source
 from yamaro.syntax.context import ParseContext
 from yamaro.syntax.python import (
     PythonCode,
+    Template,
     compile_statements,
     expression_without_dollars,
+    parse_template,
     ros_words,
+    skip_expression,
 )
-from yamaro.syntax.template import Template, parse_template, skip_expression
 from yamaro.syntax.values import parse_condition
 from yamaro.yaml.brackets import find_close
 from yamaro.yaml.nodes import DOUBLE, PLAIN, ScalarNode
 
 from .checks import require_readable, require_sound
 
-MODULES = ("syntax/template.py", "syntax/python.py", "yaml/brackets.py")
+MODULES = ("syntax/python.py", "syntax/python.py", "yaml/brackets.py")
 ESCAPED = re.compile(r"\$\$([({])")
 CLOSING = {")": "(", "]": "[", "}": "{"}
 

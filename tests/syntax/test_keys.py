@@ -15,8 +15,8 @@ from yamaro.syntax.context import ParseContext
 from yamaro.syntax.keys import PlainKeyPlaces, find_outside, parse_plain_key
 from yamaro.syntax.nodes import Body, ElementNode
 from yamaro.syntax.parser import parse
+from yamaro.syntax.python import skip_expression
 from yamaro.syntax.statements import parse_pairs, parse_statement
-from yamaro.syntax.template import skip_expression
 from yamaro.xml.tree import Comment, Element, Text
 from yamaro.yaml.nodes import PLAIN, ScalarNode
 

@@ -8,8 +8,15 @@ from yamaro.diagnostics import Reporter, YamaroError
 from yamaro.source import Source
 from yamaro.syntax.context import ParseContext
 from yamaro.syntax.keys import find_outside
-from yamaro.syntax.python import PythonCode, expression_without_dollars, ros_call, ros_words
-from yamaro.syntax.template import Template, parse_template, skip_expression
+from yamaro.syntax.python import (
+    PythonCode,
+    Template,
+    expression_without_dollars,
+    parse_template,
+    ros_call,
+    ros_words,
+    skip_expression,
+)
 from yamaro.yaml.nodes import PLAIN, ScalarNode
 
 

@@ -33,7 +33,7 @@ def value_lines(path: str, name: str) -> str:
 
 
 def _values(declared: Declared) -> list[str]:
-    from ..syntax.argument_types import BOOLEAN
+    from ..syntax.argument_section import BOOLEAN
 
     entry = declared.entry
     if entry is not None and entry.choices is not None:

@@ -7,10 +7,9 @@ import os
 from ..diagnostics import Diagnostic, InputFault, Reporter, YamaroError, failure
 from ..namespace import MISSING
 from ..source import COMMAND_LINE, Source, Span
-from ..syntax.argument_section import is_literal, spelling_of
-from ..syntax.argument_types import PATH, ArgumentEntry, checked
+from ..syntax.argument_section import PATH, ArgumentEntry, checked, is_literal, spelling_of
 from ..syntax.nodes import IncludeNode
-from ..syntax.template import Template
+from ..syntax.python import Template
 from .scope import Scope
 from .values import Values, span_of
 

@@ -16,9 +16,8 @@ from ..syntax.nodes import (
     Parameter,
     Value,
 )
-from ..syntax.python import PythonCode
+from ..syntax.python import PythonCode, Template
 from ..syntax.statements import parse_body
-from ..syntax.template import Template
 from ..yaml.nodes import MappingNode, SequenceNode
 from .scope import BlockScope, Scope, function_key, function_names
 from .values import Values

@@ -8,7 +8,7 @@ from ..diagnostics import Frame, Reporter, YamaroError, failure
 from ..files.loader import LoadError
 from ..files.packages import MOST_PLACES, PackageFinder
 from ..source import Source, Span
-from ..syntax.document import Document, ImportNode
+from ..syntax.nodes import Document, ImportNode
 from ..syntax.python import PythonCode
 from .expressions import Evaluator
 from .predefined import CONSTANTS, TARGET, Helpers

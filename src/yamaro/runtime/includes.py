@@ -5,13 +5,13 @@ from __future__ import annotations
 from ..diagnostics import INHERITED, Frame, YamaroError, add_trace, failure
 from ..namespace import MISSING, Namespace
 from ..source import Span
-from ..syntax.document import Document
 from ..syntax.names import (
     is_identifier,
     name_hint,
 )
 from ..syntax.nodes import (
     Body,
+    Document,
     IncludeNode,
 )
 from ..xml.tree import Element, PartElement, with_trace

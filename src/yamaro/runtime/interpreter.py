@@ -10,10 +10,10 @@ from ..diagnostics import INHERITED, Frame, Reporter, YamaroError, failure
 from ..files.packages import PackageFinder
 from ..policy import JAIL, Policy
 from ..source import Span
-from ..syntax.document import Document
 from ..syntax.nodes import (
     Body,
     Content,
+    Document,
     IncludeNode,
     RobotWordNode,
 )

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from ..diagnostics import Reporter
     from ..files.loader import Loader
     from ..policy import Policy
-    from ..syntax.document import Document, Parsed
+    from ..syntax.nodes import Document, Parsed
 
 
 class Library:

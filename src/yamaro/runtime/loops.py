@@ -6,9 +6,9 @@ from ..diagnostics import YamaroError, failure
 from ..namespace import MISSING
 from ..policy import Limits
 from ..source import Span
-from ..syntax.iterations import check_range_count
 from ..syntax.nodes import ForNode, ListValue
 from ..syntax.python import PythonCode
+from ..syntax.statements import check_range_count
 from ..yaml.nodes import ScalarPiece
 from .expressions import Evaluator, evaluate_bare
 from .scope import Scope

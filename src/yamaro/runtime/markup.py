@@ -21,7 +21,7 @@ from ..syntax.nodes import (
     TextContent,
     TextNode,
 )
-from ..syntax.template import Template
+from ..syntax.python import Template
 from ..xml.tree import Comment, Element, PartElement, Text, unshared
 from ..xml.values import LiteralList, format_value, is_comment_text
 from .calls import (

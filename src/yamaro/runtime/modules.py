@@ -13,7 +13,7 @@ import sys
 
 from ..diagnostics import InputFault
 from ..files.regular import open_regular
-from ..syntax.document import ImportNode
+from ..syntax.nodes import ImportNode
 from .expressions import run_module
 
 TYPE_CHECKING = False

@@ -21,7 +21,7 @@ from ..syntax.nodes import (
     TextContent,
     VariablesNode,
 )
-from ..syntax.template import Template
+from ..syntax.python import Template
 from ..xml.tree import Element, Text
 from .markup import run_dynamic, run_element, run_part, run_static
 from .origins import names_in

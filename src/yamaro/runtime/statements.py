@@ -24,8 +24,7 @@ from ..syntax.nodes import (
     TextNode,
     VariablesNode,
 )
-from ..syntax.signatures import refuse_second_function
-from ..syntax.variables import variable_name
+from ..syntax.signatures import refuse_second_function, variable_name
 from ..xml.tree import Comment, Element, Text
 from .calls import (
     Function,

@@ -12,8 +12,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping
 
     from ..source import Span
-    from ..syntax.document import Document
-    from ..syntax.nodes import IncludeNode
+    from ..syntax.nodes import Document, IncludeNode
     from .files import Files
 
 COMPUTED = ""
@@ -70,7 +69,7 @@ def warn_of_unread(places: Mapping[str, Span], files: Files, reporter: Reporter)
 
 def warn_of_unread_includes(includes: Iterable[Passed], files: Files, reporter: Reporter) -> None:
     """Warn of variables passed to included files that nothing in those declares or reads."""
-    from ..syntax.includes import is_computed
+    from ..syntax.leaves import is_computed
 
     for passed in includes:
         document, path = passed.document, passed.node.path

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from ..source import Span
 from ..syntax.nodes import Constant, DictValue, ListValue, Value
-from ..syntax.template import Template
+from ..syntax.python import Template
 from ..xml.values import format_number, format_value, is_number, plain_value
 from .expressions import Evaluator
 from .predefined import gather_pairs

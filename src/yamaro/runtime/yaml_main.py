@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from ..diagnostics import InputFault, failure
 from ..source import Source, Span
-from ..syntax.document import Document
+from ..syntax.nodes import Document
 from ..xml.tree import Element
 from .interpreter import Interpreter
 from .markup import run_element

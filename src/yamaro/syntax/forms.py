@@ -21,7 +21,7 @@ from .nodes import (
     TextContent,
     TextNode,
 )
-from .template import Template
+from .python import Template
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

@@ -5,10 +5,9 @@ from __future__ import annotations
 from ..diagnostics import failure
 from ..yaml.brackets import find_close
 from ..yaml.nodes import ScalarNode, ScalarPiece
-from .iterations import parse_iterator
-from .mappings import pairs_of
-from .values import is_empty, parse_bare_expression, parse_condition, split_inline
-from .variables import split_scope
+from .signatures import split_scope
+from .statements import parse_iterator
+from .values import is_empty, pairs_of, parse_bare_expression, parse_condition, split_inline
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -16,9 +15,9 @@ if TYPE_CHECKING:
 
     from ..yaml.nodes import YamlNode
     from .context import ParseContext
-    from .mappings import Pairs
     from .nodes import Constant
     from .python import PythonCode
+    from .values import Pairs
 
 _IN_HEAD = {
     "if": ("condition",),

@@ -15,7 +15,7 @@ from ..yaml.nodes import ScalarNode
 from .context import ParseContext
 from .names import STATEMENTS
 from .nodes import Attribute
-from .template import Template, parse_template, skip_expression
+from .python import Template, parse_template, skip_expression
 
 NAME_RULE = "a name begins with a letter or _ and contains letters, digits, - _ ."
 

@@ -2,19 +2,29 @@
 
 from __future__ import annotations
 
-from ..diagnostics import failure
+from ..diagnostics import YamaroError, failure, suggest
+from ..source import is_xml_file
 from ..yaml.nodes import ScalarNode
 from .context import ParseContext
-from .includes import parse_include
-from .nodes import CommentNode, PrintNode, ProcessNode, TextNode
-from .python import compile_statements
-from .template import parse_template
-from .values import is_empty, parse_value, warn_of_hidden_value
+from .names import is_identifier, name_hint
+from .nodes import Argument, CommentNode, IncludeNode, PrintNode, ProcessNode, TextNode
+from .python import Template, compile_statements, parse_template
+from .signatures import parse_argument_name
+from .values import (
+    Pairs,
+    is_empty,
+    is_mapping,
+    pairs_of,
+    parse_value,
+    refuse_twice,
+    warn_of_hidden_value,
+)
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from ..yaml.nodes import YamlNode
     from .nodes import Statement
+    from .python import PythonCode
 
 
 def parse_leaf(key: ScalarNode, node: YamlNode, context: ParseContext) -> Statement:
@@ -77,3 +87,143 @@ def _parse_process(key: ScalarNode, node: YamlNode, context: ParseContext) -> Pr
     code = compile_statements(node, context.rules)
     context.codes.append(code)
     return ProcessNode(code, key.span())
+
+
+# --- `include`: a path, a namespace, and what is passed to the file ---------------------------
+
+
+OTHER_WORDS = ("file", "filename", "src", "from", "uri", "url")
+"""What other formats call the path of an include."""
+
+_FOLDERS = frozenset(("find", "file_dir", "dirname", "cwd", "env"))
+"""What paths may be put together of that mean the same in each run."""
+
+
+def parse_include(key: ScalarNode, node: YamlNode, context: ParseContext) -> IncludeNode:
+    """Return an `include`, short or with arguments.
+
+    Raises:
+        YamaroError: it has no path, or an argument has no proper name.
+    """
+    if isinstance(node, ScalarNode):
+        path = _parse_path(node, key, context)
+        return IncludeNode(path, None, [], path_span=node.span(), span=key.span())
+    return parse_include_of(key, pairs_of(node, "an include", context), context)
+
+
+def parse_include_of(key: ScalarNode, pairs: Pairs, context: ParseContext) -> IncludeNode:
+    """Return the include that the entries of an `include` or `attach` describe.
+
+    Raises:
+        YamaroError: it has no path, or an argument has no proper name.
+    """
+    word = key.text
+    path_pair: tuple[ScalarNode, YamlNode] | None = None
+    namespace_pair: tuple[ScalarNode, YamlNode] | None = None
+    rest: Pairs = []
+    given: Pairs = []  # under `arguments`, where they may have any name
+    for own, value in pairs:
+        if own.text == "path":
+            refuse_twice(path_pair, own, word)
+            path_pair = (own, value)
+        elif own.text == "namespace":
+            refuse_twice(namespace_pair, own, word)
+            namespace_pair = (own, value)
+        elif own.text == "arguments" and is_mapping(value):
+            given += pairs_of(value, "`arguments`", context)
+        else:
+            rest.append((own, value))
+    if path_pair is None:
+        raise _without_path(key, [own for own, _ in rest])
+    path = _parse_path(path_pair[1], path_pair[0], context)
+    if namespace_pair and isinstance(path_pair[1], ScalarNode) and is_xml_file(path_pair[1].text):
+        rest.append(namespace_pair)  # XML has no names to put into one, but xacro files arguments
+        namespace_pair = None
+    namespace = _parse_namespace(namespace_pair[1], context) if namespace_pair else None
+    arguments = _include_arguments(rest + given, context)
+    path_span = path_pair[1].span()
+    return IncludeNode(path, namespace, arguments, path_span=path_span, span=key.span())
+
+
+def _include_arguments(pairs: Pairs, context: ParseContext) -> list[Argument]:
+    arguments: list[Argument] = []
+    seen: dict[str, tuple[ScalarNode, YamlNode]] = {}
+    for own, value in pairs:
+        refuse_twice(seen.get(own.text), own, "include")
+        seen[own.text] = (own, value)
+        argument = Argument(_argument_name(own, context), None, own.span())
+        argument.value = parse_value(value, context)
+        arguments.append(argument)
+        assert argument.name is not None
+        context.declarations.append((argument.name, "passed", argument.span))
+    return arguments
+
+
+def _argument_name(key: ScalarNode, context: ParseContext) -> str:
+    name = key.text.strip()
+    if "$" in name or is_identifier(name):
+        return parse_argument_name(key, context)
+    raise failure(
+        "bad-argument",
+        f"'{name}' cannot be the name of a variable that is passed to the file",
+        key.span(),
+        hint=name_hint(name),
+    )
+
+
+def _without_path(key: ScalarNode, keys: list[ScalarNode]) -> YamaroError:
+    from ..fixes import respelling
+
+    word, names = key.text, [each.text for each in keys]
+    near = suggest("path", names) or next((n for n in names if n in OTHER_WORDS), None)
+    return failure(
+        "missing-key",
+        f"`{word}` needs an entry `path`",
+        key.span(),
+        hint=f"did you mean `path` instead of '{near}'?"
+        if near
+        else f"write path: other.yaml{', or a body' if word == 'attach' else ''}",
+        fix=respelling(keys[names.index(near)].span(), near, "path", is_safe=True)
+        if near
+        else None,
+    )
+
+
+def _parse_path(node: YamlNode, key: ScalarNode, context: ParseContext) -> str | Template:
+    if not isinstance(node, ScalarNode) or is_empty(node):
+        raise failure(
+            "missing-key",
+            "`include` needs the path of a file",
+            key.span(),
+            hint="write include: other.yaml, or include: {path: other.yaml, length: 2}",
+        )
+    path = parse_template(node, context=context)
+    if isinstance(path, Template) and is_computed(path):
+        context.declarations.append(("", "computed", node.span()))
+    return path
+
+
+def is_computed(path: Template) -> bool:
+    """Return whether it depends on variables which file a path means."""
+    return any(not _FOLDERS.issuperset(_names_read(part)) for part in path.parts)
+
+
+def _names_read(part: str | PythonCode) -> list[str]:
+    if isinstance(part, str):
+        return []
+    if part.name is not None:
+        return [part.name]
+    return [name for name in part.code.co_names if name in part.text]  # no guards of safe mode
+
+
+def _parse_namespace(node: YamlNode, context: ParseContext) -> str | Template:
+    if isinstance(node, ScalarNode) and not is_empty(node):
+        name = parse_template(node, context=context)
+        if not isinstance(name, str) or is_identifier(name):
+            return name
+    raise failure(
+        "bad-namespace",
+        "a namespace is a single name",
+        node.span(),
+        hint="write namespace: Legs, and then Legs.BuildLeg: and $(Legs.index)",
+    )

@@ -7,8 +7,6 @@ from ..source import Source, Span
 from ..yaml.nodes import MappingNode, ScalarNode, SequenceNode
 from ..yaml.reader import read_on
 from .context import ParseContext, Rules
-from .document import Document, ImportNode, Parsed
-from .mappings import Pairs, pairs_of
 from .names import (
     ARGUMENTS,
     RAW_BLOCKS,
@@ -20,11 +18,10 @@ from .names import (
     is_function_name,
     is_identifier,
 )
-from .nodes import ElementNode, TextContent, VariablesNode
-from .python import PythonCode
+from .nodes import Document, ElementNode, ImportNode, Parsed, TextContent, VariablesNode
+from .python import PythonCode, parse_template
 from .statements import parse_body, parse_element, parse_pairs, parse_statement
-from .template import parse_template
-from .values import is_empty
+from .values import Pairs, is_empty, pairs_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -73,7 +70,7 @@ def parse_reading(
         register(python, codes=document.codes, names_read=document.names_read)
     errors, warnings = context.errors, reporter.diagnostics
     if reading.hidden:
-        from .follow_on import without_follow_ons
+        from ..yaml.recovery import without_follow_ons
 
         errors = without_follow_ons(errors, source, reading.hidden)
         warnings = without_follow_ons(warnings, source, reading.hidden)

@@ -10,8 +10,7 @@ from __future__ import annotations
 from ..diagnostics import YamaroError, failure
 from ..yaml.nodes import MappingNode, ScalarNode, SequenceNode
 from .context import ParseContext
-from .includes import parse_include_of
-from .mappings import pairs_of, refuse_twice
+from .leaves import parse_include_of
 from .names import ROBOT_SECTIONS
 from .nodes import (
     Body,
@@ -22,17 +21,17 @@ from .nodes import (
     RobotWordNode,
     TextContent,
 )
+from .python import parse_template
 from .statements import parse_body
-from .template import parse_template
-from .values import is_empty, parse_value
+from .values import is_empty, pairs_of, parse_value, refuse_twice
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from ..source import Span
     from ..yaml.nodes import YamlNode
-    from .mappings import Pairs
     from .nodes import Content, IncludeNode
-    from .template import Template
+    from .python import Template
+    from .values import Pairs
 
 LIST_ITEM = "-"
 """The name of an item in a list that holds mappings or lists."""

@@ -1,16 +1,16 @@
-"""Parses what functions take and get: `input` and the arguments of calls and includes."""
+"""Parses what declares and passes names: `variables`, `input`, the arguments of calls."""
 
 from __future__ import annotations
 
 from ..diagnostics import YamaroError, failure
+from ..source import Span
 from ..yaml.nodes import MappingNode, ScalarNode
 from .context import ParseContext
 from .keys import find_outside
-from .names import is_function_name, is_identifier, name_hint, python_name
-from .nodes import Argument, FunctionNode, Parameter, Value
-from .template import parse_template
-from .values import is_empty, parse_inline, split_inline
-from .variables import split_scope
+from .names import bad_variable_name, is_function_name, is_identifier, name_hint, python_name
+from .nodes import SCOPES, Argument, FunctionNode, Parameter, Value, VariableEntry, VariablesNode
+from .python import parse_template
+from .values import is_empty, pairs_of, parse_inline, parse_value, split_inline
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -18,6 +18,93 @@ if TYPE_CHECKING:
     from typing import NoReturn
 
     from ..yaml.nodes import YamlNode
+
+
+# --- `variables`, and the scopes of declared names --------------------------------------------
+
+
+def split_scope(key: ScalarNode, what: str) -> tuple[int, str]:
+    """Return where the name in `name/scope` ends, and the scope.
+
+    Raises:
+        YamaroError: the scope does not exist.
+    """
+    text = key.text
+    slash = find_outside(text, "/", 0, len(text))
+    if slash < 0:
+        return len(text), "local"
+    scope = text[slash + 1 :].strip()
+    if scope not in SCOPES:
+        from ..suggestions import meant_word
+
+        span = key.span(slash + 1) if scope else key.span()
+        hint, fix = meant_word(scope, SCOPES, span)
+        raise failure(
+            "unknown-scope",
+            f"'{scope}' is not a scope of a {what}",
+            span,
+            hint=hint or f"the scopes are {', '.join(SCOPES)}",
+            fix=fix,
+        )
+    return slash, scope
+
+
+def parse_variables(key: ScalarNode, node: YamlNode, context: ParseContext) -> VariablesNode:
+    """Return a `variables:` statement; what is wrong with one entry does not hide the others."""
+    entries: dict[str, VariableEntry] = {}
+    every: list[VariableEntry] = []
+    for own, value in pairs_of(node, "`variables`", context):
+        entry = context.attempt(_parse_variable, own, value, context)
+        if entry is None:
+            continue
+        if isinstance(entry.name, str):
+            earlier = entries.get(entry.name)
+            if earlier is not None:
+                context.attempt(_join_entries, earlier, entry)
+                continue
+            entries[entry.name] = entry
+            context.declarations.append((entry.name, entry.scope, entry.span))
+        else:
+            context.declarations.append(("", "computed", entry.span))
+        every.append(entry)
+    return VariablesNode(every, is_root=False, span=key.span())
+
+
+def _parse_variable(key: ScalarNode, node: YamlNode, context: ParseContext) -> VariableEntry:
+    value = parse_value(node, context)
+    end, scope = split_scope(key, "variable")
+    while end > 0 and key.text[end - 1].isspace():
+        end -= 1
+    name = parse_template(key, 0, end, context=context)
+    span = key.span(0, end) if end else key.span()
+    if isinstance(name, str):
+        name = variable_name(name, span)
+    return VariableEntry(name, scope, [value], span)
+
+
+def variable_name(name: str, span: Span) -> str:
+    """Return a variable's name as Python spells it.
+
+    Raises:
+        YamaroError: it cannot name a variable.
+    """
+    if not is_identifier(name):
+        raise failure("bad-variable-name", bad_variable_name(name), span, hint=name_hint(name))
+    return python_name(name)
+
+
+def _join_entries(earlier: VariableEntry, entry: VariableEntry) -> None:
+    if earlier.scope != entry.scope:
+        raise failure(
+            "given-twice",
+            f"'{entry.name}' is declared here with two scopes, {earlier.scope} and {entry.scope}",
+            entry.span,
+            notes=[f"first declared at {earlier.span.place()}"],
+        )
+    earlier.values.extend(entry.values)
+
+
+# --- `input`, and the arguments of calls ------------------------------------------------------
 
 
 def _no_parameter(node: YamlNode) -> YamaroError:

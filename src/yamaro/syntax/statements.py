@@ -2,22 +2,25 @@
 
 from __future__ import annotations
 
-from ..diagnostics import INHERITED, YamaroError, failure
+from ..diagnostics import INHERITED, YamaroError, failure, suggest
+from ..source import Span
 from ..xml.tree import Element
 from ..yaml.nodes import MappingNode, ScalarNode, SequenceNode
 from .context import ParseContext
 from .forms import NO_CHILDREN, as_put_out, element_put_out, static_children
-from .iterations import parse_iterable, parse_iterator, refuse_text_of_for
 from .keys import PlainKeyPlaces, find_outside, parse_attributes, parse_name, parse_plain_key
-from .mappings import Entries, Pairs, item_hint, pairs_of, refuse_not_indented
-from .misplaced import refuse_at_root, warn_of_misspelt_statement
 from .names import (
     RAW_BLOCKS,
     ROBOT_SECTIONS,
     ROBOT_STATEMENTS,
+    ROOT_STATEMENTS,
     STATEMENTS,
+    bad_variable_name,
     head_of,
     is_function_name,
+    is_identifier,
+    name_hint,
+    python_name,
 )
 from .nodes import (
     Argument,
@@ -37,26 +40,40 @@ from .nodes import (
     PartNode,
     Statement,
     TextContent,
+    Value,
 )
-from .python import PythonCode
+from .python import PythonCode, Template, parse_template
 from .signatures import (
     parse_argument_name,
     parse_function_name,
     parse_input,
     parse_short_arguments,
+    parse_variables,
     refuse_repeated,
     refuse_second_function,
 )
-from .template import Template, parse_template
-from .values import is_empty, parse_condition, parse_value, warn_of_hidden_value
-from .variables import parse_variables
+from .values import (
+    Entries,
+    Pairs,
+    is_empty,
+    item_hint,
+    pairs_of,
+    parse_bare_expression,
+    parse_condition,
+    parse_value,
+    refuse_not_indented,
+    warn_of_hidden_value,
+)
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Sequence
+    from typing import NoReturn
 
+    from ..diagnostics import Reporter
     from ..yaml.nodes import YamlNode
     from .keys import PlainKey
+    from .nodes import Document
 
 # --- bodies -----------------------------------------------------------------------------------
 
@@ -502,3 +519,254 @@ _PARSERS: dict[str, Callable[[ScalarNode, YamlNode, ParseContext], Statement]] =
     "print": _parse_leaf,
     "process": _parse_leaf,
 }
+
+
+# --- what a `for` runs over, and the names it gives to it -------------------------------------
+
+
+Iterable = PythonCode | Value | list[PythonCode | Constant]
+RANGE_FORMS = "write range: 6, or range: 0, 6, or range: 0, 6, 2"
+
+
+def parse_iterator(node: YamlNode, context: ParseContext) -> list[str]:
+    """Return the names in `iterator`; raise YamaroError if one cannot name a variable."""
+    scalars = node.items if isinstance(node, SequenceNode) else [node]
+    names: list[str] = []
+    for scalar in scalars:
+        if not isinstance(scalar, ScalarNode):
+            raise failure(
+                "bad-iterator", "an iterator is a name", scalar.span(), hint="iterator: i"
+            )
+        start = 0
+        for piece in scalar.text.split(","):
+            name = piece.strip()
+            first = start + len(piece) - len(piece.lstrip())
+            span = scalar.span(first, first + len(name)) if name else scalar.span()
+            start += len(piece) + 1
+            if name in names:
+                raise failure("bad-iterator", f"'{name}' is given twice", span)
+            if not is_identifier(name):
+                raise failure(
+                    "bad-iterator",
+                    bad_variable_name(name) if name else "an iterator is a name",
+                    span,
+                    hint=name_hint(name)
+                    if name
+                    else "write iterator: i, or iterator: name, length",
+                )
+            names.append(python_name(name))
+            context.declarations.append((names[-1], "local", span))
+    if not names:
+        raise failure("bad-iterator", "the iterator has no name", node.span(), hint="iterator: i")
+    return names
+
+
+def parse_range(node: YamlNode, context: ParseContext) -> list[PythonCode | Constant] | PythonCode:
+    """Return the numbers of a `range`, as one expression or a list of them.
+
+    Raises:
+        YamaroError: they are not expressions, are missing, or are more than three.
+    """
+    if isinstance(node, SequenceNode):
+        check_range_count(len(node.items), node.span())
+        return [parse_condition(item, context) for item in node.items]
+    if not isinstance(node, ScalarNode) or is_empty(node):
+        raise failure(
+            "bad-range",
+            "`range` takes one to three numbers",
+            node.span(),
+            hint=RANGE_FORMS,
+        )
+    return parse_bare_expression(node, context)
+
+
+def check_range_count(count: int, span: Span) -> None:
+    """Raise YamaroError unless a `range` has one to three numbers."""
+    if not 1 <= count <= 3:
+        raise failure(
+            "bad-range",
+            f"`range` takes one to three numbers, and these are {count}",
+            span,
+            hint=RANGE_FORMS,
+        )
+
+
+def parse_in(node: YamlNode, context: ParseContext) -> Value | PythonCode:
+    """Return what follows `in`: a YAML list or mapping, or an expression.
+
+    Raises:
+        YamaroError: it is not an expression.
+    """
+    if isinstance(node, ScalarNode):
+        return parse_bare_expression(node, context)
+    return parse_value(node, context)
+
+
+def refuse_text_of_for(node: ScalarNode) -> NoReturn:
+    """Raise YamaroError for a `for` with a text in place of its entries."""
+    iterator, word, items = node.text.partition(" in ")
+    raise failure(
+        "not-a-body",
+        "`for` has the entries `iterator`, `range` or `in`, and `body`",
+        node.span(),
+        hint=f"write `iterator: {iterator.strip()}` and `in: {items.strip()}` below it, "
+        "and then `body:`"
+        if word
+        else "write each entry as `name: value`, on a separate line",
+    )
+
+
+def parse_iterable(entries: Entries, names: int, context: ParseContext) -> tuple[Iterable, bool]:
+    """Return what a `for` with this number of names runs over, and whether that is a range.
+
+    Raises:
+        YamaroError: there is nothing to run over, or two things, or a range for several names.
+    """
+    range_node, in_node = entries.get("range"), entries.get("in")
+    if range_node is not None and in_node is not None:
+        raise failure(
+            "given-twice",
+            "`for` takes `range` or `in`, not both",
+            entries.key("in").span(),
+            notes=[f"`range` is given at {entries.key('range').span().place()}"],
+        )
+    if range_node is not None:
+        if names > 1:
+            raise failure(
+                "bad-iterator",
+                "a `range` has single numbers, so the iterator has one name",
+                entries.key("iterator").span(),
+                hint="use `in` for pairs, as in `in: [[a, 1], [b, 2]]`",
+            )
+        return parse_range(range_node, context), True
+    if in_node is None:
+        raise failure(
+            "missing-key",
+            "`for` needs an entry `range` or `in`",
+            entries.span,
+            hint="write range: 6, or in: [left, right]",
+        )
+    if is_empty(in_node):
+        raise failure(
+            "missing-key",
+            "`in` is empty",
+            entries.key("in").span(),
+            hint="write in: [left, right], or the name of a list",
+        )
+    return parse_in(in_node, context), False
+
+
+# --- what stands where it cannot, and what reads like something else than it is ---------------
+
+
+def refuse_at_root(key: ScalarNode) -> None:
+    """Raise YamaroError if a statement may not stand at the root of a file."""
+    word = key.text
+    if word in ROOT_STATEMENTS or word in ROBOT_SECTIONS or head_of(word):
+        return
+    if word in STATEMENTS or is_function_name(word):
+        what = f"`{word}`" if word in STATEMENTS else f"the call `{word}`"
+        raise failure(
+            "misplaced-statement",
+            f"{what} is not allowed at the root of a file",
+            key.span(),
+            hint="move it under `model:` or into the body of a function",
+        )
+    from ..suggestions import meant_word
+
+    hint, fix = meant_word(word, ROOT_STATEMENTS, key.span())
+    raise failure(
+        "misplaced-statement",
+        f"'{word}' is not allowed in an `if` or `for` at the root of a file",
+        key.span(),
+        hint=hint or "put elements under `model:`, and also an `if` that contains them",
+        fix=fix,
+    )
+
+
+# Elements of URDF, SDF, MJCF and others that are near a statement's name.
+_LOOK_MISSPELT = frozenset(
+    "dart exclude far farm fog force fov friction included pair parent park parts path pin point "
+    "points port pos ros sort".split()
+)
+
+
+def warn_of_misspelt_statement(key: ScalarNode, node: YamlNode, context: ParseContext) -> None:
+    """Warn of an element that reads like a misspelt statement, such as `inlcude: leg.yaml`."""
+    word = key.text
+    if word in _LOOK_MISSPELT:
+        return
+    if word == "import":
+        context.warn(
+            "misspelt-statement",
+            "'import' creates an XML element here; modules are imported at the root of the file",
+            key.span(),
+            hint="move it to the root of the file, or write <import>: for the element",
+        )
+        return
+    near = suggest(word, STATEMENTS) if 2 <= len(word) <= 10 else None
+    if near is None:
+        return
+    inside = _keys_inside(node)
+    telling = {"condition", "body", "iterator", "range", "in", "path", "name", "joint", "link"}
+    if near in ("include", "variables", "functions", "process") or inside & telling:
+        from ..fixes import respelling
+
+        context.warn(
+            "misspelt-statement",
+            f"'{word}' creates an XML element; did you mean the statement `{near}`?",
+            key.span(),
+            hint=f"write {near}: for the statement, or <{word}>: for the element",
+            fix=respelling(key.span(), word, near),
+        )
+
+
+def warn_of_miscased_calls(
+    documents: Sequence[Document], reporter: Reporter, *, is_known: Callable[[str], bool]
+) -> None:
+    """Warn of elements such as `leg: {side: left}` where there is a function `Leg`.
+
+    Whatever has a capital first letter is a call, and all else an element. Which functions there
+    are is known when all files of the program are. `is_known` says which elements robots have.
+    """
+    functions = {_letters(each.name): each for one in documents for each in one.functions}
+    for document in documents if functions else ():
+        for word, (key, node) in document.bare_keys.items():
+            function = functions.get(_letters(word))
+            if function is None or is_known(word) or not _reads_like_call(node, function):
+                continue
+            if any(each is function for each in document.functions):
+                extent = document.extent_around(key.span())
+                if extent is not None and extent.start > function.span.start:
+                    continue  # the element that a function of its name makes
+            from ..fixes import respelling
+
+            reporter.warn(
+                "misspelt-statement",
+                f"'{word}' creates an XML element; did you mean the function `{function.name}`?",
+                key.span(),
+                hint=f"write {function.name}: to call it, or <{word}>: for the element",
+                notes=(f"it is defined as {function.signature()} at {function.span.place()}",),
+                fix=respelling(key.span(), word, function.name),
+            )
+
+
+def _letters(name: str) -> str:
+    return name.replace("_", "").casefold()
+
+
+def _reads_like_call(node: YamlNode, function: FunctionNode) -> bool:
+    """Return whether what is in an element may be the arguments of a function."""
+    names = {parameter.name for parameter in function.parameters}
+    inside = _keys_inside(node)
+    if inside:
+        return not inside.isdisjoint(names)
+    is_called_without = all(
+        each.is_block or each.default is not None for each in function.parameters
+    )
+    return is_called_without if is_empty(node) else bool(names)
+
+
+def _keys_inside(node: YamlNode) -> set[str]:
+    mappings = node.items if isinstance(node, SequenceNode) else [node]
+    return {key.text for item in mappings if isinstance(item, MappingNode) for key, _ in item}

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 
-from ..syntax.argument_types import (
+from ..syntax.argument_section import (
     BOOLEAN,
     INTEGER,
     LIST,

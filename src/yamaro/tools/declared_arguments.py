@@ -6,8 +6,17 @@ import math
 
 from ..diagnostics import Reporter
 from ..source import Source, holds_xml
-from ..syntax.argument_section import arguments_of, is_literal, literal_value, place_of, spelling_of
-from ..syntax.argument_types import ANY, NUMERIC, ArgumentEntry, checked
+from ..syntax.argument_section import (
+    ANY,
+    NUMERIC,
+    ArgumentEntry,
+    arguments_of,
+    checked,
+    is_literal,
+    literal_value,
+    place_of,
+    spelling_of,
+)
 from ..syntax.names import python_name
 from ..syntax.nodes import Value
 from ..yaml.nodes import PLAIN, MappingNode, ScalarNode, SequenceNode, type_plain

@@ -245,7 +245,7 @@ class Renaming:
 
 def _pattern(text: str) -> Iterator[str]:
     """Yield a regular expression for what a text with `$(…)` may become."""
-    from ...syntax.template import skip_expression
+    from ...syntax.python import skip_expression
 
     at = 0
     while at < len(text):

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ...source import Span
-from ...syntax.argument_types import ArgumentEntry
+from ...syntax.argument_section import ArgumentEntry
 from ...syntax.nodes import Constant, FunctionNode, Parameter, VariableEntry
 from ...yaml.nodes import ScalarNode
 from .bindings import Place, Program

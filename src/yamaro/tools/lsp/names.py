@@ -31,8 +31,7 @@ from ...syntax.nodes import (
     TextNode,
     VariablesNode,
 )
-from ...syntax.python import PythonCode
-from ...syntax.template import Template
+from ...syntax.python import PythonCode, Template
 from ...yaml.nodes import MappingNode, ScalarNode, SequenceNode, pairs_below
 from .python_names import names_in_code
 
@@ -41,8 +40,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
     from typing import Any
 
-    from ...syntax.document import Document
-    from ...syntax.nodes import Argument
+    from ...syntax.nodes import Argument, Document
     from ...yaml.nodes import YamlNode
 
 FILE, FUNCTION, BLOCK = "file", "function", "block"

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Iterator, Sequence
 
     from ...diagnostics import Diagnostic
-    from ...syntax.document import Parsed
+    from ...syntax.nodes import Parsed
     from ...xml.tree import Element
     from ...yaml.nodes import YamlNode
     from .builds import Result

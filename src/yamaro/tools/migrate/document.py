@@ -191,7 +191,7 @@ def pieces_of(text: str) -> Iterator[tuple[str, bool]]:
     if "$(" not in text:
         yield text, False
         return
-    from ...syntax.template import skip_expression
+    from ...syntax.python import skip_expression
 
     start = position = unclosed = 0
     while (at := text.find("$(", position)) >= 0 and unclosed < MOST_UNCLOSED:

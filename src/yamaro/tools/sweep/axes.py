@@ -13,7 +13,7 @@ from __future__ import annotations
 import math
 
 from ...diagnostics import InputFault, did_you_mean
-from ...syntax.argument_types import (
+from ...syntax.argument_section import (
     ANY,
     BOOLEAN,
     INTEGER,

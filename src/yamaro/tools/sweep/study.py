@@ -19,7 +19,7 @@ from ...request import finder_for, reach_of, read_command_line, read_main, refus
 from ...runtime.library import Library
 from ...runtime.predefined import plain_data
 from ...source import holds_xml
-from ...syntax.argument_types import PATH
+from ...syntax.argument_section import PATH
 from ...syntax.context import ParseContext, Rules
 from ...syntax.values import parse_value
 from ...targets.writers import ENDINGS

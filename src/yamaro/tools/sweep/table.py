@@ -13,7 +13,7 @@ from io import TextIOWrapper
 
 from ...files.regular import open_regular
 from ...source import Public
-from ...syntax.argument_types import ANY, BOOLEAN, INTEGER, NUMBER, TEXT
+from ...syntax.argument_section import ANY, BOOLEAN, INTEGER, NUMBER, TEXT
 from .plan import import_extra
 
 TYPE_CHECKING = False

@@ -9,8 +9,7 @@ from ...files.loader import MemoryLoader
 from ...files.packages import PackageFinder
 from ...policy import Limits
 from ...source import Source, Span, holds_xml
-from ...syntax.argument_section import arguments_of
-from ...syntax.argument_types import (
+from ...syntax.argument_section import (
     ANY,
     BOOLEAN,
     INTEGER,
@@ -18,6 +17,7 @@ from ...syntax.argument_types import (
     NUMERIC,
     TEXT,
     ArgumentEntry,
+    arguments_of,
     checked,
 )
 from ...syntax.names import python_name

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ....syntax.template import skip_expression
+from ....syntax.python import skip_expression
 from ....xml.tree import Element
 from ....xml.values import format_value
 from ....yaml.nodes import type_plain
