@@ -317,7 +317,7 @@ def evaluate(request: Request, interpreter: Interpreter) -> Element:
 def _is_of_robots(word: str) -> bool:
     """Return whether a word is a key of parts, or an element of URDF or often in it."""
     from .model.schema import ELEMENTS
-    from .robot.places import COLLISION, INERTIAL, JOINT, LINK, PART, VISUAL
+    from .robot.fields import COLLISION, INERTIAL, JOINT, LINK, PART, VISUAL
 
     places = (PART, JOINT, LINK, VISUAL, COLLISION, INERTIAL)
     return word in ELEMENTS or any(word in each.all_keys | each.elements for each in places)
@@ -341,7 +341,7 @@ def lower(
             may_read=finder.allows,
         )
     if interpreter.has_blocks:
-        from .robot.raw_blocks import take_raw_blocks
+        from .robot.notes import take_raw_blocks
 
         root, blocks = take_raw_blocks(root)
         notes = [*notes, *blocks]
@@ -350,7 +350,7 @@ def lower(
             isinstance(child, Element) and (child.name == "material" or child.body is not None)
             for child in root.children
         ):
-            from .robot.material_names import settle_materials
+            from .robot.material import settle_materials
 
             root = settle_materials(root)
     return root, notes

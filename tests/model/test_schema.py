@@ -13,7 +13,7 @@ from yamaro import Build, build
 from yamaro.model import joint as joints
 from yamaro.model.quantities import BY_JOINT, DIMENSIONS, unit_of
 from yamaro.model.schema import ELEMENTS, KEPT, NEGATED, SENSORS, TEXT, WORDS
-from yamaro.robot.mirror_image import reverse
+from yamaro.robot.mirror import reverse
 from yamaro.xml.tree import Element
 
 THINGS = {**ELEMENTS, **WORDS, **SENSORS}

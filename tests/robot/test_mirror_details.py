@@ -10,7 +10,7 @@ from lxml import etree
 
 import yamaro
 from tests.robot.written import convert_text
-from yamaro.robot.word_renaming import WordRenaming
+from yamaro.robot.naming import WordRenaming
 from yamaro.sandbox import jail
 
 HEAD = "robot: pair\nmodel:\n- link/name=base:\n- mirror:\n    rename: {left: right}\n"

@@ -396,7 +396,12 @@ part:
         ("type: fixed\nparent:", "missing-parent", "parent", "parent:"),
         ("type: fixd\nparent: w", "joint-type", "fixd", "did you mean 'fixed'?"),
         ("type: Fixed\nparent: w", "joint-type", "Fixed", "did you mean 'fixed'?"),
-        ("type: ball\nparent: w", "joint-type", "ball", "the types are revolute"),
+        (
+            "type: ball\nparent: w",
+            "joint-type",
+            "ball",
+            "URDF has no such joint: chain three revolute joints",
+        ),
         ("type:\nparent: w", "empty-value", "type", "write a value"),
         ("type: fixed\nparent: w\nchild: x", "child-given", "child", "remove 'child'"),
         ("type: fixed\nparent: w\naxis:", "empty-value", "axis", "axis: 0 0 1"),

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import pytest
 
 import yamaro
-from yamaro.robot import words
+from yamaro.robot import part
 from yamaro.xml.tree import Element, Text
 
 if TYPE_CHECKING:
@@ -40,7 +40,7 @@ def words_of(monkeypatch: pytest.MonkeyPatch, **files: str) -> tuple[list[object
     def keep(lowering: Lowering, word: RobotWord, out: list[Node]) -> None:
         found.append(shape(word))
 
-    monkeypatch.setattr(words, "lower_word", keep)
+    monkeypatch.setattr(part, "lower_word", keep)
     for name, text in files.items():
         Path(f"{name}.yaml").write_text(text, encoding="utf-8")
     return found, yamaro.build("main.yaml", allow=["no-link"]).xml()

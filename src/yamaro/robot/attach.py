@@ -5,12 +5,11 @@ from __future__ import annotations
 from ..diagnostics import YamaroError, failure
 from ..xml.robot_names import RobotNames
 from ..xml.tree import Element, IncludedRobot, Text
-from .entries import place_of, text_of
+from .fields import POSE_KEYS, POSE_ROWS
 from .joint import lower_joint
 from .lowering import names_of
-from .mirror_image import copy_of
-from .notes import RobotNote, check_keys
-from .places import POSE_KEYS, POSE_ROWS
+from .mirror import copy_of
+from .notes import RobotNote, check_keys, place_of, text_of
 from .rigid import RigidLinks, child_links, name_of, pose_of, set_pose
 
 TYPE_CHECKING = False
@@ -73,8 +72,7 @@ def _lower_robot(
 
     Parts of the two robots may have the same names: each means its own.
     """
-    from .part import lower_nodes, resolve_names
-    from .words import finish_words
+    from .part import finish_words, lower_nodes, resolve_names
 
     outside = lowering.begin_robot()
     robot = Element("robot", body.span, children=lower_nodes(lowering, body.children))

@@ -13,8 +13,8 @@ from operator import itemgetter
 from ..diagnostics import INHERITED, YamaroError
 from ..xml.forms import Form, filled, key_of
 from ..xml.tree import Element, Memo, Text
+from .fields import POSE_ROWS
 from .notes import JOINT_WORDS, LINK_WORDS
-from .places import POSE_ROWS
 from .pose import origin_element, pose_of_values
 
 TYPE_CHECKING = False

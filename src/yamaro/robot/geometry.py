@@ -8,9 +8,8 @@ from ..diagnostics import failure, suggest
 from ..model.shapes import COUNTS, SIMPLE_SHAPES, SIZES, MeshSolid
 from ..xml.tree import Element, Text
 from ..xml.values import format_value
-from .fields import read_record, read_value, word_of
+from .fields import SIZE_KEYS, read_record, read_value, word_of
 from .numbers import Numbers, read_numbers
-from .places import SIZE_KEYS
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

@@ -15,9 +15,16 @@ from ..model.schema import (
 )
 from ..xml.tree import Element
 from ..xml.values import format_number, format_value
-from .fields import read_record, read_value, refuse_misspelt, sort_fields, with_attributes, word_of
+from .fields import (
+    JOINT,
+    read_record,
+    read_value,
+    refuse_misspelt,
+    sort_fields,
+    with_attributes,
+    word_of,
+)
 from .numbers import read_attribute
-from .places import JOINT
 from .pose import origin_element, read_pose
 
 TYPE_CHECKING = False

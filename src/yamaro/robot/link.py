@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from ..diagnostics import YamaroError, failure
 from ..xml.tree import Element, Memo
-from .fields import Fields, sort_fields
+from .fields import COLLISION, INERTIAL, LINK, VISUAL, Fields, sort_fields
 from .geometry import LinkGeometry, section_geometry
 from .inertial import LinkMass, lower_inertial
 from .notes import is_surface
-from .places import COLLISION, INERTIAL, LINK, VISUAL
 from .pose import NO_POSE, Pose, compose_poses, origin_element, read_pose
 
 TYPE_CHECKING = False

@@ -78,6 +78,15 @@ def format_component(value: float) -> str:
     return "0" if abs(value) < NEGLIGIBLE else format_number(round(value, DECIMALS))
 
 
+def negated(word: str) -> str:
+    """Return a number with the other sign, in its spelling; a zero as it is."""
+    if float(word) == 0:
+        return word
+    if word.startswith("-"):
+        return word[1:]
+    return "-" + word.removeprefix("+")
+
+
 def read_numbers(
     lowering: Lowering,
     value: object,

@@ -10,6 +10,7 @@ from ..diagnostics import INHERITED, YamaroError, failure, settle
 from ..xml.tree import Element, Memo, PartElement, RobotWord, unshared
 from ..xml.values import format_value
 from .fields import (
+    PART,
     Fields,
     check_plain,
     read_value,
@@ -30,7 +31,6 @@ from .notes import (
     surfaces_in,
     take_words,
 )
-from .places import PART
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -99,7 +99,6 @@ def lower(
 def _finished(lowering: Lowering, robot: Element) -> tuple[Element, Sequence[Element]]:
     """Return a robot in which the words beside `part` are worked out, and its notes."""
     from .finish import finish_notes
-    from .words import finish_words
 
     finish_words(lowering, robot)
     robot, notes = finish_notes(lowering, robot)
@@ -108,6 +107,18 @@ def _finished(lowering: Lowering, robot: Element) -> tuple[Element, Sequence[Ele
     if lowering.errors:
         raise YamaroError(lowering.errors)
     return robot, notes
+
+
+def finish_words(lowering: Lowering, robot: Element) -> None:
+    """Work out what needs the whole robot, with the names in it resolved."""
+    if lowering.pending:
+        from .mirror import make_images
+
+        make_images(lowering, robot)
+    if lowering.controls:
+        from .control import choose_members
+
+        choose_members(lowering, robot.elements(), lowering.controls)
 
 
 def _places_of_parts(root: Element) -> dict[int, Element]:
@@ -228,7 +239,6 @@ def _lower_part(lowering: Lowering, part: PartElement, out: list[Node]) -> None:
     entered = lowering.enter(part)
     if type(part) is RobotWord:
         lowering.has_words = True
-        from .words import lower_word
 
         lower_word(lowering, part, out)
     elif part.form is not None:
@@ -236,6 +246,22 @@ def _lower_part(lowering: Lowering, part: PartElement, out: list[Node]) -> None:
     else:
         _lower_each(lowering, part, out)
     lowering.leave(entered)
+
+
+def lower_word(lowering: Lowering, word: RobotWord, out: list[Node]) -> None:
+    """Append what a word makes beside parts; record what is wrong, and go on."""
+    match word.name:
+        case "mirror":
+            from .mirror import lower_mirror as lower
+        case "attach":
+            from .attach import lower_attach as lower
+        case "control":
+            from .control import lower_control as lower
+        case "naming":
+            from .naming import lower_naming as lower
+        case _:
+            from .sections import lower_section as lower
+    lower(lowering, word, out)
 
 
 def _lower_each(lowering: Lowering, part: Element, out: list[Node]) -> None:
@@ -285,7 +311,7 @@ def _lower_link(
     surfaces = surfaces_in(link)
     if surfaces:
         lowering.has_words = True
-        from .surfaces import lower_surfaces
+        from .extras import lower_surfaces
 
         lower_surfaces(lowering, surfaces, name, beside)
 

@@ -12,9 +12,8 @@ from ..diagnostics import failure
 from ..model.pose import ZERO, multiply, rotate, rotation_from_rpy, rpy_from_rotation
 from ..source import joined
 from ..xml.tree import Element, Text
-from .fields import empty_value, read_record, read_value, refuse_misspelt
+from .fields import POSE_ROWS, empty_value, read_record, read_value, refuse_misspelt
 from .numbers import NEGLIGIBLE, Numbers, format_component, read_numbers
-from .places import POSE_ROWS
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

@@ -8,9 +8,8 @@ from __future__ import annotations
 from ..diagnostics import YamaroError, failure
 from ..model.schema import COLLISIONS, GROUP, LOOP
 from ..xml.tree import Element
-from .entries import TRUTHS, entries_of, given_once, one_of
 from .fields import read_value, word_of
-from .notes import RobotNote, check_keys, names_in
+from .notes import TRUTHS, RobotNote, check_keys, entries_of, given_once, names_in, one_of
 from .numbers import read_numbers
 
 TYPE_CHECKING = False

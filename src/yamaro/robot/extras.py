@@ -1,0 +1,445 @@
+"""Words in a part that URDF has no elements for: `sensor`, `actuator`, `surface`, `frame`."""
+
+from __future__ import annotations
+
+from ..diagnostics import YamaroError, failure
+from ..model.schema import (
+    ACTUATOR,
+    COMMANDS,
+    JOINT_SENSORS,
+    LINK_SENSORS,
+    NOT_ZERO,
+    PART,
+    SURFACE,
+    TEXT,
+    WHOLE,
+)
+from ..model.schema import SENSOR as ANY_SENSOR
+from ..model.sensors import CAMERAS
+from ..xml.tree import Element
+from ..xml.values import format_value
+from .fields import FRAME, POSE_ROWS, SENSOR, empty_value, read_value, sort_fields, word_of
+from .notes import RobotNote, check_keys, chosen, given_once, names_in, refuse_attributes
+from .numbers import Numbers, read_numbers
+from .pose import ZERO_ROW, Pose, origin_element, read_pose
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from ..model.schema import Field, Thing
+    from ..source import Span
+    from ..xml.tree import Node
+    from .lowering import Lowering
+
+OPTICAL = "_optical"
+"""What follows a camera's name in the name of its optical frame."""
+OPTICAL_RPY = "-1.5707963267949 0 -1.5707963267949"
+"""From a camera's frame, x forward, to its optical frame, z forward and y down. Source: REP 103."""
+
+
+def lower_link_sensor(
+    lowering: Lowering, word: Element, link: str, out: list[Node], *, is_empty: bool
+) -> None:
+    """Append a sensor in a link, and the frame of its name; record what is wrong.
+
+    Args:
+        lowering: the run.
+        word: the `sensor` key.
+        link: the name of the link.
+        out: where the elements and the note go.
+        is_empty: whether the link holds nothing but sensors, so that it can be the frame itself.
+    """
+    try:
+        note, keys = _sensor(lowering, word, LINK_SENSORS)
+        note.attributes["link"] = link
+        name = str(note.attributes["name"])
+        frame = keys.get("frame")
+        if frame is not None:
+            _refuse_pose(keys, "'frame' names a frame that is there")
+            note.attributes["frame"] = word_of("frame", *read_value(frame), owner=word)
+            lowering.references.append((note, "frame"))
+        elif is_empty and not any(key in keys for key in POSE_ROWS):
+            note.attributes["frame"] = link
+        else:
+            pose = read_pose(lowering, sort_fields(lowering, word, SENSOR))
+            note.attributes["frame"] = name
+            out += frame_elements(lowering, word, name, link, pose)
+        if note.attributes["type"] in CAMERAS:
+            out += _optical_frame(lowering, word, name, str(note.attributes["frame"]))
+    except YamaroError as error:
+        lowering.absorb(error)
+        return
+    out.append(note)
+
+
+def lower_joint_sensor(lowering: Lowering, word: Element, joint: str, out: list[Node]) -> None:
+    """Append the note of a sensor in a joint; record what is wrong."""
+    try:
+        note, keys = _sensor(lowering, word, JOINT_SENSORS)
+        _refuse_pose(keys, "a sensor in a joint measures at the joint")
+    except YamaroError as error:
+        lowering.absorb(error)
+        return
+    note.attributes["joint"] = joint
+    out.append(note)
+
+
+def _optical_frame(lowering: Lowering, word: Element, name: str, frame: str) -> list[Node]:
+    turned = Element("frame", word.span, {"name": f"{name}{OPTICAL}"}, trace=word.trace)
+    turned.value_spans = {"name": word.value_span("name")}
+    words = tuple(OPTICAL_RPY.split())
+    pose = Pose(ZERO_ROW, Numbers(words, tuple(map(float, words))), None, {})
+    return frame_elements(lowering, turned, f"{name}{OPTICAL}", frame, pose)
+
+
+# --- the keys of a sensor ---------------------------------------------------------------------
+
+
+def _sensor(
+    lowering: Lowering, word: Element, types: Mapping[str, Thing]
+) -> tuple[RobotNote, dict[str, Element]]:
+    """Return the note of a sensor, and its keys.
+
+    Raises:
+        YamaroError: a key or the type is unknown, or a value is faulty.
+    """
+    name = name_of_word(word, "imu")
+    keys = given_once(word)
+    kind = _kind(word, keys, types)
+    _check_keys(keys, kind, types)
+    note = RobotNote(
+        "sensor",
+        word.span,
+        {"name": name, "type": kind},
+        trace=lowering.trace,
+    )
+    note.value_spans = places = {"name": word.value_span("name")}
+    fields = {**ANY_SENSOR.fields, **types[kind].fields}
+    del fields["type"]
+    for key_name, key in keys.items():
+        field = fields.get(key_name)
+        if field is not None:
+            note.attributes[key_name] = _value(lowering, field, key)
+        if key_name not in POSE_ROWS:
+            places[key_name] = read_value(key)[1]
+    return note, keys
+
+
+def _kind(word: Element, keys: dict[str, Element], types: Mapping[str, Thing]) -> str:
+    key = keys.get("type")
+    if key is None:
+        raise failure(
+            "missing-type",
+            "this sensor has no 'type'",
+            word.span,
+            hint=f"its types are {', '.join(types)}; <sensor/…>: is an XML element",
+            trace=word.trace,
+        )
+    value, span = read_value(key)
+    kind = word_of("type", value, span, owner=word)
+    if kind in types:
+        return kind
+    other = JOINT_SENSORS if types is LINK_SENSORS else LINK_SENSORS
+    home = "joint" if other is JOINT_SENSORS else "link"
+    from ..suggestions import meant_word
+
+    hint, fix = (None, None) if kind in other else meant_word(kind, types, span)
+    raise failure(
+        "unknown-sensor-type",
+        f"'{kind}' is a sensor of a {home}"
+        if kind in other
+        else f"'{kind}' is not a type of sensor",
+        span,
+        hint=f"move the sensor into the {home} of a part"
+        if kind in other
+        else hint or f"the types are {', '.join(types)}",
+        trace=word.trace,
+        fix=fix,
+    )
+
+
+def _check_keys(keys: dict[str, Element], kind: str, types: Mapping[str, Thing]) -> None:
+    own, common = types[kind].fields, ANY_SENSOR.fields
+    known = (*common, *POSE_ROWS, "frame", *own)
+    for name, key in keys.items():
+        if name in known:
+            continue
+        others = [other for other, thing in types.items() if name in thing.fields]
+        from ..suggestions import meant_word
+
+        hint, fix = (None, None) if others else meant_word(name, known, key.span)
+        raise failure(
+            "sensor-key" if others else "unknown-key",
+            f"'{name}' is for {' and '.join(others)}, and this is {kind}"
+            if others
+            else f"'{name}' is not an entry of a sensor",
+            key.span,
+            hint=f"{kind} takes {', '.join(own or [*common][1:])}"
+            if others
+            else hint or f"{kind} takes {', '.join(known)}",
+            trace=key.trace,
+            fix=fix,
+        )
+
+
+def _refuse_pose(keys: dict[str, Element], reason: str) -> None:
+    for name in POSE_ROWS:
+        if name in keys:
+            raise failure(
+                "misplaced-key",
+                f"{reason}, so '{name}' has no meaning",
+                keys[name].span,
+                hint=f"remove '{name}'",
+                trace=keys[name].trace,
+            )
+
+
+def _value(lowering: Lowering, field: Field, key: Element) -> str:
+    """Return the value of a field as text."""
+    value, span = read_value(key)
+    if field.count == TEXT:
+        return word_of(field.name, value, span, owner=key)
+    numbers = read_numbers(
+        lowering,
+        value,
+        span,
+        count=field.count,
+        name=field.name,
+        trace=key.trace,
+        kind=field.kind,
+    )
+    is_whole = field.sign == WHOLE
+    for number in numbers.values:
+        if number < 0 or (is_whole and (number < 1 or number != int(number))):
+            raise failure(
+                "bad-number",
+                f"'{field.name}' takes {'whole ' if is_whole else ''}numbers "
+                f"{'from 1' if is_whole else 'from 0'}, and this is {format_value(number)}",
+                span,
+                hint=f"write {field.name}: {field.example}",
+                trace=key.trace,
+            )
+    return numbers.text
+
+
+# --- `actuator` -------------------------------------------------------------------------------
+
+
+def lower_actuator(lowering: Lowering, word: Element, joint: Element, out: list[Node]) -> None:
+    """Append the note of an actuator in a joint; record what is wrong."""
+    try:
+        out.append(_actuator(lowering, word, joint))
+    except YamaroError as error:
+        lowering.absorb(error)
+
+
+def _actuator(lowering: Lowering, word: Element, joint: Element) -> RobotNote:
+    refuse_attributes(word)
+    keys = given_once(word, ACTUATOR.fields)
+    _check_joint(word, joint)
+    lowering.joint_type = format_value(joint.attributes.get("type"))
+    note = RobotNote(
+        "actuator",
+        word.span,
+        {"joint": format_value(joint.attributes.get("name")), "command": "position"},
+        trace=lowering.trace,
+    )
+    places: dict[str, Span] = {}
+    note.value_spans = places
+    for key in keys.values():
+        value, span = read_value(key)
+        places[key.name] = span
+        if key.name == "command":
+            commands = _commands(key)
+            note.attributes["command"] = commands[0]
+            if len(commands) > 1:
+                note.attributes["commands"] = " ".join(commands)
+        else:
+            field = ACTUATOR.fields[key.name]
+            numbers = read_numbers(
+                lowering, value, span, count=1, name=key.name, trace=key.trace, kind=field.kind
+            )
+            _check_number(field, key, numbers.values[0], span)
+            note.attributes[key.name] = numbers.text
+    return note
+
+
+def _check_number(field: Field, key: Element, number: float, span: Span) -> None:
+    """Raise YamaroError for a negative gain or inertia, and for a gear that does not turn."""
+    if number > 0 or (number == 0) != (field.sign == NOT_ZERO):
+        return
+    raise failure(
+        "bad-number",
+        "'gear' is not 0: it is how often the motor turns for one turn of the joint"
+        if field.sign == NOT_ZERO
+        else f"'{key.name}' takes a number from 0, and this is {format_value(number)}",
+        span,
+        hint=f"write {key.name}: {field.example}",
+        trace=key.trace,
+    )
+
+
+def _commands(key: Element) -> list[str]:
+    """Return the commands that an actuator takes, of which the first is the usual one."""
+    names = names_in(key)
+    if not names:
+        raise empty_value(key)
+    for number, (name, span) in enumerate(names):
+        chosen(name, span, key, COMMANDS)
+        if name in [earlier for earlier, _ in names[:number]]:
+            raise failure(
+                "given-twice",
+                f"the command '{name}' is given twice",
+                span,
+                hint="remove one of the two",
+                trace=key.trace,
+            )
+    return [name for name, _ in names]
+
+
+def _check_joint(word: Element, joint: Element) -> None:
+    """Raise YamaroError for a joint that cannot be driven independently."""
+    if joint.attributes.get("type") == "fixed":
+        raise failure(
+            "actuator-on-fixed",
+            "this joint is fixed, so there is nothing to drive",
+            word.span,
+            hint="remove 'actuator', or give the joint another type",
+            trace=word.trace,
+        )
+    if any(child.name == "mimic" for child in joint.elements()):
+        raise failure(
+            "actuator-on-mimic",
+            "this joint follows another, which is the one to drive",
+            word.span,
+            hint="move 'actuator' to the joint that it follows",
+            trace=word.trace,
+        )
+
+
+# --- `surface` --------------------------------------------------------------------------------
+
+
+def lower_surfaces(
+    lowering: Lowering, surfaces: list[tuple[Element, int]], link: str, out: list[Node]
+) -> None:
+    """Append a note for each collision of a link that has a surface; record what is wrong."""
+    numbers: set[int] = set()
+    for word, number in surfaces:
+        try:
+            if number in numbers:
+                raise failure(
+                    "given-twice",
+                    "'surface' is given twice in this collision",
+                    word.span,
+                    hint="remove one of the two",
+                    trace=word.trace,
+                )
+            numbers.add(number)
+            out.append(_surface(lowering, word, link, number))
+        except YamaroError as error:
+            lowering.absorb(error)
+
+
+def _surface(lowering: Lowering, word: Element, link: str, number: int) -> RobotNote:
+    refuse_attributes(word)
+    keys = given_once(word, SURFACE.fields)
+    note = RobotNote(
+        "surface", word.span, {"link": link, "index": str(number)}, trace=lowering.trace
+    )
+    places: dict[str, Span] = {}
+    note.value_spans = places
+    for key in keys.values():
+        field = SURFACE.fields[key.name]
+        value, span = read_value(key)
+        row = read_numbers(
+            lowering,
+            value,
+            span,
+            count=1,
+            name=key.name,
+            trace=word.trace,
+            kind=field.kind,
+        )
+        if row.values[0] < 0 or (field.sign == PART and row.values[0] > 1):
+            raise failure(
+                "bad-number",
+                f"'{key.name}' takes a number {PART if field.sign == PART else 'from 0'}, "
+                f"and this is {format_value(row.values[0])}",
+                span,
+                hint=f"write {key.name}: {field.example}",
+                trace=word.trace,
+            )
+        note.attributes[key.name] = row.text
+        places[key.name] = span
+    return note
+
+
+# --- `frame` ----------------------------------------------------------------------------------
+
+
+def lower_frame(lowering: Lowering, word: Element, link: str, out: list[Node]) -> None:
+    """Append the joint and the empty link that are a frame in URDF; record what is wrong."""
+    try:
+        name = name_of_word(word, "tool0")
+        check_keys(word, FRAME.keys)
+        fields = sort_fields(lowering, word, FRAME)
+        pose = read_pose(lowering, fields)
+    except YamaroError as error:
+        lowering.absorb(error)
+        return
+    out += frame_elements(lowering, word, name, link, pose)
+
+
+def frame_elements(
+    lowering: Lowering, word: Element, name: str, link: str, pose: Pose
+) -> list[Node]:
+    """Return a fixed joint and the empty link on it: what a frame is in URDF."""
+    span = word.value_span("name")
+    trace = lowering.trace
+    children: list[Node] = [
+        Element("parent", word.span, {"link": link}, trace=trace),
+        Element("child", span, {"link": name}, trace=trace),
+    ]
+    origin = origin_element(pose, word)
+    if origin is not None:
+        children.append(origin)
+    spans = {"name": span}
+    joint = Element(
+        "joint",
+        word.span,
+        {"name": f"{name}_joint", "type": "fixed"},
+        children,
+        trace,
+        spans,
+    )
+    return [joint, Element("link", word.span, {"name": name}, [], trace, spans)]
+
+
+def name_of_word(word: Element, example: str) -> str:
+    """Return the name in `frame/name=tool0`, the only attribute that such a key has.
+
+    Raises:
+        YamaroError: there is no name, or another attribute.
+    """
+    for attribute in word.attributes:
+        if attribute != "name":
+            raise failure(
+                "unknown-key",
+                f"`{word.name}` takes its name as an attribute, and '{attribute}' as an entry",
+                word.name_span(attribute),
+                hint=f"write {word.name}/name={example}: {{{attribute}: …}}, or <{word.name}/…>: "
+                "for an XML element",
+                trace=word.trace,
+            )
+    name = format_value(word.attributes.get("name")).strip()
+    if not name:
+        raise failure(
+            "missing-name",
+            f"this {word.name} has no name",
+            word.span,
+            hint=f"write {word.name}/name={example}:, or <{word.name}>: for an XML element",
+            trace=word.trace,
+        )
+    return name
