@@ -403,7 +403,7 @@ def test_a_duplicate_is_told_with_both_places() -> None:
         ("upper alone below zero", "also write 'lower', which defaults to 0"),
         ("lower above upper", "swap the two"),
         ("origin with a xacro expression", "write `$(…)` for an expression; `${…}` is xacro's"),
-        ("rpy in degrees", "angles are in radians; for degrees write `$(radians(90))`"),
+        ("rpy in degrees", "angles are in radians; 90 degrees are 1.5708"),
         ("inertia with iyx", "remove it: the matrix is symmetric, and 'ixy' has the same value"),
     ],
 )

@@ -69,7 +69,7 @@ def test_a_key_means(text: str, xml: str) -> None:
     ("text", "told"),
     [
         ("out:\n  '': 1", "2:3 ''"),
-        ("out:\n  else  if x: 1", "2:3 else  if x"),
+        ("out:\n  else  if x: 1", "2:3 else  if"),
         ("out:\n  .Arm:", "2:3 .Arm"),
         ("out:\n  a: |-\n    $(\n    1 + nope)", "4:9 nope"),
         ("process: |\n  if 1:\n  y = 1\n  z = 2\nout:", "3:3 y = 1"),
@@ -131,7 +131,7 @@ def test_a_fault_is_underlined(text: str, told: str) -> None:
 @pytest.mark.parametrize(
     ("text", "hint"),
     [
-        ("out:\n  else  if x: 1", "write `elif:`, and `condition:` and `body:` below it"),
+        ("out:\n  else  if x: 1", "write elif x:"),
         (
             "out:\n  xacro:if value: 1",
             "xacro tags are not supported here; see docs/coming-from-xacro.md",

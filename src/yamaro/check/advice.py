@@ -14,7 +14,7 @@ from ..model.schema import ELEMENTS, TEXT
 from ..model.shapes import Mesh
 from ..model.values import attribute_text
 from ..xml.tree import Element, Text
-from .context import CheckContext, counted, label, shown
+from .context import CheckContext, counted, degrees_hint, label, shown
 from .files import advise_on_addresses
 from .robot import is_fixed
 
@@ -237,7 +237,7 @@ def _advise_on_limit(joint: Joint, context: CheckContext) -> None:
                 f"{shown(fabs(bound) / (2 * pi))} turns",
                 limit.element,
                 attribute=attribute,
-                hint=f"angles are in radians; for degrees write `$(radians({shown(bound)}))`",
+                hint=degrees_hint(bound, limit.element.value_span(attribute)),
             )
     if context.version == "1.2":
         return

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from math import radians
+
 from ..diagnostics import ACCEPTED, ERROR, INHERITED, WARNING, Diagnostic, suggest
 from ..model.values import NumberReader, attribute_text
 from ..xml.tree import Element
@@ -371,6 +373,28 @@ def counted(names: Sequence[str], kind: str, what: str) -> tuple[str, ...]:
     verb, _, rest = what.partition(" ")
     plural = {"has": "have", "is": "are", "goes": "go"}[verb]
     return (f"{len(names)} more {kind}s {plural} {rest}: {listed(names, limit=10)}",)
+
+
+def is_attribute(span: Span) -> bool:
+    """Return whether a value is an attribute, in XML or in a key such as `limit/lower=1`.
+
+    Where it is not, it follows a key of a part, which takes units and short forms.
+    """
+    source = span.source
+    return source.is_xml or source.text[span.start - 1 : span.start] == "="
+
+
+def degrees_hint(angle: float, span: Span) -> str:
+    """Return how to write degrees where an angle in radians is too large to be meant."""
+    if not is_attribute(span):
+        meant = f"for degrees write `{shown(angle)}deg`"
+    elif not span.source.is_xml:
+        meant = f"for degrees write `$(radians({shown(angle)}))`"
+    elif "xmlns:xacro" in span.source.text:
+        meant = f"for degrees write `${{radians({shown(angle)})}}`"
+    else:
+        meant = f"{shown(angle)} degrees are {shown(radians(angle))}"
+    return f"angles are in radians; {meant}"
 
 
 def shown(number: float) -> str:

@@ -8,7 +8,7 @@ from ..model.schema import MOMENTS
 from ..model.shapes import SHAPE_WORDS, SIMPLE_SHAPES, Capsule, Mesh
 from ..model.values import attribute_text
 from ..xml.tree import Element
-from .context import LINKS, CheckContext, label, shown
+from .context import LINKS, CheckContext, degrees_hint, label, shown
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -233,7 +233,7 @@ def _check_angles(rpy: str, origin: Element, owner: Element, context: CheckConte
                 f"'rpy' in {label(owner)} contains {shown(angle)}, more than a full turn",
                 origin,
                 attribute="rpy",
-                hint=f"angles are in radians; for degrees write `$(radians({shown(angle)}))`",
+                hint=degrees_hint(angle, origin.value_span("rpy")),
             )
             return
     context.sound.add(("rpy", rpy))

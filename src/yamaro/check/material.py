@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from ..model.values import attribute_text, child_named
 from ..xml.tree import Element
-from .context import COLORS, USES, CheckContext, label, shown
+from .context import COLORS, USES, CheckContext, is_attribute, label, shown
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from ..model.robot import Robot
+    from ..source import Span
     from .context import Children
 
 
@@ -30,10 +31,29 @@ def check_materials(robot: Robot, context: CheckContext) -> None:
             f"the material '{name}' of {label(link)} is not defined",
             material,
             attribute="name",
-            hint=hint
-            or f"define it: `material/name={name}:` with `color/rgba=0.8 0.8 0.8 1:` in it",
+            hint=hint or _definition(name, material.value_span("name")),
             fix=fix,
         )
+
+
+def _definition(name: str, span: Span) -> str:
+    """Return how to give a material that is not defined its color."""
+    rgba = _COLORS.get(name.casefold(), "0.8 0.8 0.8 1")
+    defined = f"define it: `material/name={name}:` with `color/rgba={rgba}:` in it"
+    return defined if is_attribute(span) else f"write `color: {rgba}` in its place, or {defined}"
+
+
+_COLORS = {
+    "black": "0 0 0 1",
+    "blue": "0 0 1 1",
+    "gray": "0.5 0.5 0.5 1",
+    "green": "0 1 0 1",
+    "grey": "0.5 0.5 0.5 1",
+    "orange": "1 0.5 0 1",
+    "red": "1 0 0 1",
+    "white": "1 1 1 1",
+    "yellow": "1 1 0 1",
+}
 
 
 def check_used_material(

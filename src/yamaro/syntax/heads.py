@@ -110,11 +110,17 @@ def _refuse_twice(pairs: Pairs, in_head: tuple[str, ...]) -> None:
 def refuse_other_heads(key: ScalarNode) -> None:
     """Raise YamaroError for a key that looks like a head of Python's or another language's."""
     text = key.text
-    for start in ("else if ", "elseif ", "elsif "):
-        if text.startswith(start):
-            _refuse(key, start.strip(), f"write elif {text[len(start) :].strip()}:", "elif")
-    if text.startswith("while "):
-        _refuse(key, "while", "write for i in range(6): with an `if` in it; `process` has `while`")
+    word = next((text[:at] for at, char in enumerate(text) if not char.isalpha()), text)
+    lower, rest = word.lower(), text[len(word) :].strip()
+    if lower == "else" and rest[:3].lower() == "if ":
+        word, lower, rest = text[: text.lower().index("if") + 2], "elif", rest[3:].strip()
+    elif lower in ("elseif", "elsif") and rest:
+        lower = "elif"
+    if lower in _IN_HEAD and text[len(word)] in " \t\n(":
+        case = "" if word.islower() else "statements are lower case: "
+        _refuse(key, word, f"{case}write {lower} {rest}:", lower)
+    if lower == "while" and text[len(word)] in " (":
+        _refuse(key, word, "write for i in range(6): with an `if` in it; `process` has `while`")
     name, bracket, rest = text.partition("(")
     if bracket and text.endswith(")") and name.isidentifier() and name[0].isupper():
         arguments = rest[:-1].strip()

@@ -78,10 +78,8 @@ def name_fault(name: str, what: str) -> str | None:
 
 def _name_hint(key: ScalarNode, name: str) -> str:
     word, space, rest = name.partition(" ")
-    if word == "else" and rest.lstrip().startswith("if"):
-        return "write `elif:`, and `condition:` and `body:` below it"
-    if space and word in STATEMENTS:
-        return f"write `{word}:` with its entries below it"
+    if space and word.lower() in STATEMENTS:
+        return f"write `{word.lower()}:` with its entries below it"
     if "=" in name:
         if "/" not in key.text:
             return (

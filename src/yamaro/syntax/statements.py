@@ -365,7 +365,7 @@ def _parse_branch(
             "not-a-body",
             f"`{word}` has the entries `condition` and `body`",
             node.span(),
-            hint=f"write `condition: {' '.join(node.text.split())}` below it, and then `body:`",
+            hint=f"write `{word} {' '.join(node.text.split())}:` with the statements below it",
         )
     pairs = pairs_of(node, f"`{word}`", context)
     entries = Entries(word, pairs, ("condition", "body"), key.span())
