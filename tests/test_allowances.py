@@ -194,3 +194,25 @@ def test_what_an_editor_writes_to_accept_a_finding_accepts_it(
         was = [(each.code, each.message) for each in before].count(same)
         assert [(each.code, each.message) for each in after].count(same) < was, fix
         assert {each.code for each in after} <= {each.code for each in before}
+
+
+@pytest.mark.parametrize(
+    ("comment", "accepts"),
+    [
+        ("# yamaro: allow zero-limit", True),
+        ("#yamaro: allow zero-limit", True),
+        ("## yamaro: allow zero-limit", True),
+        ("# the elbow  # yamaro: allow zero-limit", True),
+        ("# `# yamaro: allow zero-limit` would accept it", False),
+        ("# write '# yamaro: allow zero-limit' to accept it", False),
+        ("# see yamaro: allow zero-limit", False),
+        ("# (#yamaro: allow zero-limit)", False),
+    ],
+)
+def test_a_comment_that_mentions_one_in_its_text_accepts_nothing(
+    comment: str, accepts: bool
+) -> None:
+    accepted = ["root-inertia"] if accepts else ["root-inertia", "zero-limit"]
+    assert sorted(codes(ARM % ("", f"  {comment}"))) == accepted
+    source = Source(f"<r>\n<a/> <!-- use <b/> {comment} -->\n</r>", name="r.urdf")
+    assert not allowances_of(source)

@@ -27,7 +27,8 @@ if TYPE_CHECKING:
 UNUSED = "unused-allow"
 MOST_STEPS = 100
 """Calls and includes that are looked at for a comment."""
-_REMARK = re.compile(r"(?:#|<!--)\s*yamaro:\s*([A-Za-z]+)\b:?")
+_REMARK = re.compile(r"(?:^(?:#+|<!--)|\s#+)\s*yamaro:\s*([A-Za-z]+)\b:?")
+"""At the beginning of a comment, or after a further `#`: one that quotes it in a text is prose."""
 _CODE = re.compile(r"[\s,]*([A-Za-z0-9]+(?:[._-]+[A-Za-z0-9]+)*)")
 _SIGN_IN_TAG = re.compile(r"[>\"']")
 _REST_OF_LINE = re.compile(r"[^\r\n]*")
@@ -229,7 +230,7 @@ def _read(source: Source) -> Iterator[Allowance]:
     layout = _layout(source)
     for comment in layout.comments:
         remark = _REMARK.search(comment.written())
-        if remark is None:
+        if remark is None or (remark.start() and comment.written().startswith("<!--")):
             continue
         word = remark[1]
         if word != "allow" and word not in _OTHER_WORDS and suggest(word, ["allow"]) is None:

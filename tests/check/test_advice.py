@@ -17,6 +17,16 @@ robot:
     link: {{geometry: sphere, scale: 1, mass: 1}}
 """
 LIMIT = "limit: {lower: -1, upper: 1, effort: 1, velocity: 1}"
+ELEMENTS = """\
+robot:
+- link/name=a:
+- link/name=b:
+- joint/name=j, type=revolute:
+    parent/link=a:
+    child/link=b:
+    axis/xyz=0 0 1:
+    limit/lower=-90, upper=1, effort=1, velocity=1:
+"""
 XML = """\
 <robot name="r"{namespace}>
 <link name="a"/><link name="b"><inertial><mass value="1"/>
@@ -52,9 +62,7 @@ def checked(tmp_path: Path, capsys: pytest.CaptureFixture[str]):
         ),
         (
             "elements.yaml",
-            "robot:\n- link/name=a:\n- link/name=b:\n- joint/name=j, type=revolute:\n"
-            "    parent/link=a:\n    child/link=b:\n    axis/xyz=0 0 1:\n"
-            "    limit/lower=-90, upper=1, effort=1, velocity=1:\n",
+            ELEMENTS,
             ["for degrees write `$(radians(-90))`"],
         ),
         (

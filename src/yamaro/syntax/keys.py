@@ -78,6 +78,8 @@ def name_fault(name: str, what: str) -> str | None:
 
 def _name_hint(key: ScalarNode, name: str) -> str:
     word, space, rest = name.partition(" ")
+    if word.lower() == "else" and rest.lstrip().lower().startswith("if"):
+        return "write `elif:`, and `condition:` and `body:` below it"
     if space and word.lower() in STATEMENTS:
         return f"write `{word.lower()}:` with its entries below it"
     if "=" in name:

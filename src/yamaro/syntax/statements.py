@@ -609,8 +609,7 @@ def refuse_text_of_for(node: ScalarNode) -> NoReturn:
         "not-a-body",
         "`for` has the entries `iterator`, `range` or `in`, and `body`",
         node.span(),
-        hint=f"write `iterator: {iterator.strip()}` and `in: {items.strip()}` below it, "
-        "and then `body:`"
+        hint=f"write `for {iterator.strip()} in {items.strip()}:` with the statements below it"
         if word
         else "write each entry as `name: value`, on a separate line",
     )

@@ -354,27 +354,68 @@ def _no_colon(given: GivenText, begin: int) -> Exception:
             hint=f"write {key}: {value.strip()}",
             fix=replacement(span, ": ", is_safe=value[:1] != "/"),
         )
+    line = _without_comment(text[begin:end])
+    span = given.span(begin, max(begin + len(line), begin + 1))
+    is_key = ":" not in line and _has_lines_below(text, begin)
     return failure(
         "yaml-syntax",
         "this line has no ':' followed by a space, so it is neither a key nor a value"
         if colon
         else "this line has no ':', so it is neither a key nor a value",
-        given.span(begin, max(begin + len(text[begin:end].rstrip()), begin + 1)),
-        hint="put a ':' after a key; indent the lines of a long text deeper than its key",
+        span,
+        hint=f"write {line}:"
+        if is_key
+        else "put a ':' after a key; indent the lines of a long text deeper than its key",
+        fix=replacement(span, f"{line}:", is_safe=True) if is_key and line.isidentifier() else None,
     )
 
 
-def _line_without_key_above(text: str, start: int) -> int | None:
-    """Return where the line above `start` begins if it is as deep and holds no key, or None."""
-    _, end = line_around(text, start)
-    line = text[start:end]
-    above, above_end = line_around(text, max(start - 1, 0))
-    before = text[above:above_end]
-    margin = len(before) - len(before.lstrip())
-    is_key = ": " in before or before.rstrip().endswith(":")
-    if not before.strip() or is_key or margin != len(line) - len(line.lstrip()):
-        return None
-    return above + margin
+def _without_comment(line: str) -> str:
+    """Return a line of YAML without a comment at its end, and the space before it."""
+    return line.partition(" #")[0].rstrip()
+
+
+def _has_lines_below(text: str, begin: int) -> bool:
+    """Return whether deeper lines, or items of a list, follow the line whose text is at `begin`."""
+    start, end = line_around(text, begin)
+    for line in text[end:].splitlines():
+        content = line.lstrip(" ")
+        if content and not content.startswith("#"):
+            depth = len(line) - len(content)
+            is_item = content.startswith("- ") and depth == begin - start
+            return depth > begin - start or is_item
+    return False
+
+
+def _key_above(text: str, start: int) -> int | None:
+    """Return where a key begins that lacks its ':' and has the line at `start` below it, or None.
+
+    Of several, one in another, it is the outermost: to YAML they are one text.
+    """
+    line = text[start : line_around(text, start)[1]]
+    content = line.lstrip(" ")
+    depth, found = len(line) - len(content), None
+    while start > 0:
+        start, end = line_around(text, start - (2 if text[start - 2 : start] == "\r\n" else 1))
+        content = _without_comment(text[start:end]).lstrip(" ")
+        if not content or content.startswith("#"):
+            continue
+        margin = end - start - len(text[start:end].lstrip(" "))
+        is_entry = content.startswith("- ")
+        key = content.lstrip("- ") if is_entry else content
+        column = margin + len(content) - len(key)
+        if ": " in key or key.endswith(":") or key[:1] in _NOT_PLAIN:
+            is_value = key[:1] not in _NOT_PLAIN and not key.endswith(":") and column < depth
+            return None if is_value else found
+        if column > depth:
+            return found
+        found, depth = start + column, column
+        if is_entry:
+            return found
+    return found
+
+
+_NOT_PLAIN = frozenset("'\"[{|>&*!%@`#-?,]}")
 
 
 def _long_key(given: GivenText, at: int) -> Exception:
@@ -404,7 +445,7 @@ def _second_colon(given: GivenText, start: int, end: int, at: int) -> Exception:
             hint=f"write {key.strip()}: {quoted(value)}",
             fix=quoting(span, value),
         )
-    above = _line_without_key_above(text, start)
+    above = _key_above(text, start)
     if above is not None:
         return _no_colon(given, above)
     return failure(
@@ -424,6 +465,9 @@ def _misplaced(
     start, end = line_around(text, at)
     line = text[start:end]
     if "sequence entries are not allowed" in problem:
+        above = _key_above(text, start)
+        if above is not None:
+            return _no_colon(given, above)
         key, _, item = line.strip().partition(": - ")
         return failure(
             "yaml-syntax",
@@ -499,6 +543,9 @@ def _rest(given: GivenText, problem: str, context: str, begin: int, at: int) -> 
         return text_behind_quote(given, key.strip() if colon else "", value, where, at)
     if "block" not in context and "document start" not in problem:
         return None
+    above = _key_above(text, start)
+    if above is not None:
+        return _no_colon(given, above)
     column = at - start + len(text[at:end]) - len(text[at:end].lstrip())
     return failure(
         "yaml-syntax",
