@@ -12,7 +12,7 @@ from tests.tools.migrate.test_xacro_migration import HEAD, migrated
 from yamaro import build
 from yamaro.codes import ADJUSTABLE
 from yamaro.policy import Limits
-from yamaro.tools.migrate.xacro.command import migrate_robot
+from yamaro.tools.migrate.xacro.command import migrate_robot, remarks_on
 from yamaro.xml.reader import decode_xml
 
 
@@ -33,6 +33,30 @@ def test_an_argument_stays_apart_from_a_parameter_of_its_name(tmp_path: Path) ->
     )
     assert "arguments:\n  n: main_\nvariables:\n  arg_n: $(n)\n" in made
     assert "link/name=$(arg_n)$(n)mount:" in made
+
+
+def test_texts_that_xacro_would_read_as_truth_values_are_reported(tmp_path: Path) -> None:
+    path = tmp_path / "r.xacro"
+    path.write_text(
+        f"""{HEAD}
+        <xacro:arg name="con" default=""/>
+        <xacro:arg name="direct" default=""/>
+        <xacro:arg name="flag" default="true"/>
+        <xacro:arg name="count" default="3"/>
+        <xacro:arg name="unused" default=""/>
+        <xacro:macro name="m" params="con:='' flag count unused">
+          <xacro:property name="con" value="$(arg con)"/>
+          <link name="l${{con}}_$(arg direct)_${{flag}}_${{count}}"/>
+        </xacro:macro>
+        <xacro:m con="$(arg con)" flag="$(arg flag)" count="$(arg count)" unused="$(arg unused)"/>
+        </robot>
+        """
+    )
+    source = decode_xml(path.read_bytes(), name=path.name, path=str(path))
+    migration = migrate_robot(source, str(tmp_path), arguments=(), packages={}, limits=Limits())
+    assert migration.has_section
+    assert migration.texts == ["con"]
+    assert any(line.startswith("with con:=true or con:=false ") for line in remarks_on(migration))
 
 
 def test_an_argument_stays_apart_from_a_property_of_its_name(tmp_path: Path) -> None:

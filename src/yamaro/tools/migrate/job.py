@@ -179,15 +179,12 @@ class Job:
             finder=self._finder,
             reach=self._reach,
         )
-        remarks = xacro_command.packages_of(migration)
-        if not migration.is_compared_with_xacro:
-            remarks.append("compared with Yamaro's own expansion; with yamaro[xacro], with xacro's")
         return Result(
             migration.files,
             migration.main,
             diagnostics=[*xacro_command.warnings_of(migration), *migration.faults],
             report=command.report(migration),
-            remark="\n".join(remarks),
+            remark="\n".join(xacro_command.remarks_on(migration)),
             is_same=not migration.differences,
         )
 

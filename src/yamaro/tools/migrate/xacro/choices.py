@@ -122,7 +122,7 @@ class Choices:
         found: dict[str, list[str]] = {}
         by_files = self._named_by_files(values)
         for name, value in values.items():
-            aliases = self._aliases(MARK + name)
+            aliases = self.aliases(MARK + name)
             others: dict[str, None] = {}
             if value in _TRUTHS:
                 others[_TRUTHS[value]] = None
@@ -138,7 +138,7 @@ class Choices:
             found[name] = list(others)
         return {name: others for name, others in found.items() if others}
 
-    def _aliases(self, name: str) -> set[str]:
+    def aliases(self, name: str) -> set[str]:
         """Return the names that are given the value of one, and that itself."""
         aliases = {name}
         while True:
@@ -155,7 +155,7 @@ class Choices:
         """Return values of several arguments that name a file only together."""
         arguments: dict[str, set[str]] = {}
         for name in values:
-            for alias in self._aliases(MARK + name):
+            for alias in self.aliases(MARK + name):
                 arguments.setdefault(alias, set()).add(name)
         found: list[dict[str, str]] = []
         for text, span in [pair for own in self._file_names for pair in self._with_given(*own)]:
@@ -359,7 +359,7 @@ class Choices:
             for text in self.texts.get(name, ())
             for value in self._possible(text, span, depth)
         }
-        for alias in self._aliases(name):
+        for alias in self.aliases(name):
             found |= self._compared.get(alias, {}).keys()
         return {value.strip("'") for value in found}
 

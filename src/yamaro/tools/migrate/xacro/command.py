@@ -299,8 +299,8 @@ def warnings_of(migration: XacroMigration) -> list[Diagnostic]:
     ]
 
 
-def packages_of(migration: XacroMigration) -> list[str]:
-    """Return what is said of other packages: of which files became sources, and which did not."""
+def remarks_on(migration: XacroMigration) -> list[str]:
+    """Return what is said besides the report: of other packages, and of texts of arguments."""
     layout = migration.layout
     brought: dict[str, list[str]] = {}
     for path in (path for path, reason in layout.brought.items() if reason != ASKED):
@@ -320,6 +320,15 @@ def packages_of(migration: XacroMigration) -> list[str]:
         f"{'it' if left.count(name) == 1 else 'them'}"
         for name in dict.fromkeys(left)
     ]
+    for name in migration.texts[:1]:
+        others = migration.texts[1:]
+        also = f"; so for {', '.join(others)}" if others else ""
+        lines.append(
+            f"with {name}:=true or {name}:=false xacro writes True or False, the sources write the "
+            f"text as it is given{also}"
+        )
+    if not migration.is_compared_with_xacro:
+        lines.append("compared with Yamaro's own expansion; with yamaro[xacro], with xacro's")
     return lines
 
 

@@ -15,9 +15,18 @@ from ..document import spaced
 from ..elements import comments_at_ends, tidy_text, walk
 from .arguments import HiddenArguments, arguments_in, arguments_of, is_property_of
 from .callers import Callers, names_of_callers
+from .choices import MARK, name_alone
 from .known_numbers import known_numbers
 from .macros import Argument, Macro
-from .names import camel, computed_with, defined_in, outside_expressions, texts_in, used_in
+from .names import (
+    camel,
+    computed_with,
+    defined_in,
+    names_in,
+    outside_expressions,
+    texts_in,
+    used_in,
+)
 from .namespaces import Namespaces
 from .passing import Passing
 from .readers import Readers
@@ -433,6 +442,25 @@ class XacroProgram:
         """Return the values that an argument had in the expansions, or was to have in others."""
         found = {run.values[name] for run in self.runs.done if name in run.values}
         return found | {changed[name] for changed in self.files.untried if name in changed}
+
+    def shown_as_values(self) -> set[str]:
+        """Return the arguments that xacro reads as values before it puts them into a text.
+
+        With `true` it writes True then. Left out are those that were true or false in some
+        expansion, which the sources write as xacro does.
+        """
+        choices = self.files.choices()
+        shown = {
+            name
+            for root in self.roots.values()
+            for element in root.iter()
+            if element.name not in ("xacro:if", "xacro:unless", "xacro:macro")
+            for text in (*map(format_value, element.attributes.values()), element.text())
+            if not (name_alone(text) and element.name.startswith("xacro:"))
+            for name in names_in(text)
+            if not self.is_shown_as_truth(name)
+        }
+        return {name for name in self.arguments if choices.aliases(MARK + name) & shown}
 
     def _spelled(self) -> dict[str, str]:
         """Return the arguments whose texts say more than the numbers that they mean.

@@ -76,7 +76,7 @@ class RobotFiles:
         Of what only such a value brings in, other values are tried with that.
         """
         first = self.runs.done[0]
-        choices = self._choices()
+        choices = self.choices()
         others = choices.alternatives(first.values)
         pending = [{name: value} for name, values in others.items() for value in values]
         pending += choices.pairs(first.values)
@@ -90,7 +90,7 @@ class RobotFiles:
             if len(self.documents) > known:
                 self._read_the_rest(self._host)
             if new:
-                inner = self._choices().alternatives(run.values)
+                inner = self.choices().alternatives(run.values)
                 pending += [
                     {**changed, name: value}
                     for name in sorted(new)
@@ -100,7 +100,7 @@ class RobotFiles:
 
     def _read_computed(self) -> None:
         """Read the files that includes may mean whose names are computed."""
-        choices = self._choices()
+        choices = self.choices()
         pending = list(self.documents)
         while pending:
             path = pending.pop()
@@ -140,16 +140,17 @@ class RobotFiles:
         if place not in self._left_behind:
             text = format_value(include.attributes["filename"])
             known = {self.main, span.source.path, *self.documents, *self.runs.refused}
-            possible = Spellings(self._choices(), span).files(text)
+            possible = Spellings(self.choices(), span).files(text)
             self._left_behind[place] = [path for path in possible if path not in known]
         return self._left_behind[place]
 
     def is_constant(self, include: Element) -> bool:
         """Return whether the name in an include is the same whatever the arguments are."""
-        spellings = Spellings(self._choices(), include.value_span("filename"))
+        spellings = Spellings(self.choices(), include.value_span("filename"))
         return spellings.is_constant(format_value(include.attributes["filename"]))
 
-    def _choices(self) -> Choices:
+    def choices(self) -> Choices:
+        """Return what the files that were read show of the values of arguments."""
         return Choices(self._roots_read(), self._host, self.runs.loaded)
 
     def _roots_read(self) -> dict[str, Element]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from ....xacro.templates import guess_value
 from ..controls import use_control
 from ..document import Body
 from ..writing import write_document
@@ -43,6 +44,7 @@ class XacroMigration:
         allowed: the codes to allow when they are built, since parsers refuse the robot.
         has_section: whether the main file has a section `arguments`.
         has_control: whether it has a section `control`.
+        texts: the arguments that the sources write as they are given, and xacro as values.
     """
 
     def __init__(self, files: dict[str, str], main: str, root: Element) -> None:
@@ -58,6 +60,7 @@ class XacroMigration:
         self.allowed: Sequence[str] = ()
         self.has_section = False
         self.has_control = False
+        self.texts: list[str] = []
         self.layout: Layout
 
     @property
@@ -109,6 +112,13 @@ def migrate_program(
     main = migration.main
     tidy(sources, main, program)
     migration.has_section = with_section and declare_arguments(sources, main, program)
+    shown = program.shown_as_values()
+    migration.texts = [
+        name
+        for name, argument in program.arguments.items()
+        if name in shown
+        and (not migration.has_section or isinstance(guess_value(argument.default), str))
+    ]
     truths = truths_declared(sources, main) if migration.has_section else set()
     simplify_comparisons(sources.values(), truths)
     migration.has_control = with_control and use_control(sources[main])
