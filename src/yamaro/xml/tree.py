@@ -11,7 +11,7 @@ from .values import format_value
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator
+    from collections.abc import Callable, Container, Iterator
     from typing import Any, Protocol
 
     from .forms import Form
@@ -164,10 +164,11 @@ class Element:
         """Return the child elements, without text and comments."""
         return [child for child in self.children if isinstance(child, Element)]
 
-    def iter(self) -> Iterator[Element]:
+    def iter(self, without: Container[int] = ()) -> Iterator[Element]:
         """Yield it and all elements in it, in the order of the document.
 
-        What is done to the children of an element that was yielded is seen by the walk.
+        What is done to the children of an element that was yielded is seen by the walk. Elements
+        in it whose identities `without` has are left out, with all in them.
         """
         pending = [self]
         while pending:
@@ -175,7 +176,8 @@ class Element:
             yield element
             children = element.children
             if children:
-                pending += [each for each in reversed(children) if isinstance(each, Element)]
+                inner = [each for each in reversed(children) if isinstance(each, Element)]
+                pending += [each for each in inner if id(each) not in without] if without else inner
 
     def text(self) -> str:
         """Return the text children joined, as it would be written, unescaped."""

@@ -14,7 +14,7 @@ from .pairing import has_text
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Container, Iterable, Iterator
+    from collections.abc import Callable, Iterable
 
     from ...xml.reader import XmlDocument
     from ...xml.tree import Node
@@ -118,15 +118,6 @@ def is_short(body: Body) -> bool:
     return len(entries) <= MOST_TEXTS and all(
         isinstance(entry.value, str) and "/" not in entry.key for entry in entries
     )
-
-
-def walk(root: Element, without: Container[int] = ()) -> Iterator[Element]:
-    """Return an element and all in it, except elements of some identities."""
-    pending = [root]
-    while pending:
-        element = pending.pop()
-        yield element
-        pending += [inner for inner in reversed(element.elements()) if id(inner) not in without]
 
 
 _WORDS = frozenset((*STATEMENTS, *ROBOT_STATEMENTS, *RAW_BLOCKS))

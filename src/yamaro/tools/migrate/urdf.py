@@ -15,7 +15,6 @@ from .elements import (
     comments_at_ends,
     spelled,
     tidy_text,
-    walk,
 )
 from .frames import Frames
 from .pairing import Item, is_bare, name_of, pair
@@ -334,7 +333,7 @@ def _material_of(material: Element) -> dict[str, str]:
 
 
 def _all_named(root: Element, name: str) -> list[Element]:
-    return [element for element in walk(root) if element.name == name]
+    return [element for element in root.iter() if element.name == name]
 
 
 def _package_of(file: str) -> str:

@@ -11,7 +11,6 @@ import re
 
 from ....xml.tree import Element
 from ....xml.values import format_value
-from ..elements import walk
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -51,7 +50,7 @@ class HiddenArguments:
         self.replaced: set[str] = set()
         read: set[str] = set()
         for path, root in roots.items():
-            inside = {id(child) for child in walk(root) if child.name == "xacro:macro"}
+            inside = {id(child) for child in root.iter() if child.name == "xacro:macro"}
             redefined = _redefined(root, without=inside)
             self.everywhere |= redefined
             self.replaced |= redefined if path != main else set()
@@ -81,7 +80,7 @@ def _redefined(root: Element, without: Container[int] = ()) -> set[str]:
     """Return the properties set in an element to something else than the argument of that name."""
     return {
         name
-        for element in walk(root, without)
+        for element in root.iter(without)
         if element.name == "xacro:property"
         and (name := format_value(element.attributes.get("name")))
         and not is_argument(format_value(element.attributes.get("value")), name)
@@ -92,7 +91,7 @@ def _handed_out(macro: Element) -> set[str]:
     """Return the properties that a macro sets for others."""
     return {
         format_value(element.attributes.get("name"))
-        for element in walk(macro)
+        for element in macro.iter()
         if element.name == "xacro:property" and "scope" in element.attributes
     }
 
@@ -108,7 +107,7 @@ def _read_again(roots: Mapping[str, Element], main: str, known: Container[str]) 
     found: set[str] = set()
     for path, root in roots.items():
         defined: set[str] = set()
-        for element in walk(root):
+        for element in root.iter():
             if element.name == "xacro:property":
                 name = format_value(element.attributes.get("name"))
                 is_first = path == main and name not in defined and name not in known
@@ -138,7 +137,7 @@ def arguments_in(root: Element, *, with_own: bool = False) -> set[str]:
         with_own: whether a property that is made of the argument of its name reads that.
     """
     names: set[str] = set()
-    for element in walk(root):
+    for element in root.iter():
         given = [value for name, value in element.attributes.items() if name != "params"]
         own = format_value(element.attributes.get("name"))
         for text in (*map(format_value, given), element.text()):

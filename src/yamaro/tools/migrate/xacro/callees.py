@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from ....xml.tree import Element
 from ....xml.values import format_value
-from ..elements import walk
 from .includes import is_plain
 from .names import defined_in, used_in
 from .program import XacroProgram
@@ -47,11 +46,11 @@ def _read_first(root: Element, inside: set[int]) -> set[str]:
     first: set[str] = set()
     defined: set[str] = set()
     conditional: set[int] = set()
-    for element in walk(root, inside):
+    for element in root.iter(inside):
         first |= used_in(Element(element.name, element.span, element.attributes)) - defined
         first |= used_in(Element("text", element.span, {"text": element.text()})) - defined
         if element.name in ("xacro:if", "xacro:unless"):
-            conditional.update(map(id, walk(element)))
+            conditional.update(map(id, element.iter()))
         elif (
             element.name == "xacro:property"
             and "default" not in element.attributes
@@ -97,7 +96,7 @@ class Callees:
         program = self._program
         own = parameters | defined_in(element) | program.handed_to(element)
         reached: set[object] = set()
-        for each in walk(element, inside):
+        for each in element.iter(inside):
             macro = program.macro_called(each)
             if macro is not None:
                 reached.add(macro)
@@ -113,7 +112,7 @@ class Callees:
         """
         by_element = {id(macro.element): macro for macro in self._program.definitions.values()}
         for outer in self._program.definitions.values():
-            for element in walk(outer.element):
+            for element in outer.element.iter():
                 inner = by_element.get(id(element))
                 if inner is not None and inner is not outer:
                     self._reads[inner].free -= self._reads[outer].own
@@ -145,9 +144,9 @@ class Callees:
         while pending:
             own = pending.pop()
             names |= self._reads[own].own | defined_in(own.element, nested=True)
-            for element in walk(own.element):
+            for element in own.element.iter():
                 called = self._program.macro_called(element)
-                is_passed = any(inner.name == "xacro:insert_block" for inner in walk(element))
+                is_passed = any(inner.name == "xacro:insert_block" for inner in element.iter())
                 if called is not None and is_passed and called not in known:
                     known.add(called)
                     pending.append(called)
@@ -162,7 +161,7 @@ class Callees:
         root = self._program.roots[path]
         if path in self._theirs or not all(
             is_plain(element)
-            for element in walk(macro.element)
+            for element in macro.element.iter()
             if element.name == "xacro:include" and path in self._program.files.files_of(element)
         ):
             return set()

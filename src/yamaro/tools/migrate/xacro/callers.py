@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from ..elements import walk
 from .names import defined_in, used_in
 
 TYPE_CHECKING = False
@@ -25,7 +24,7 @@ class Callers:
             names = set(own.values()) | defined_in(own.element, nested=True)
             names |= program.handed_to(own.element)
             self._own_names.setdefault(own.name, set()).update(names)
-            for called in walk(own.element):
+            for called in own.element.iter():
                 if called.name.startswith("xacro:"):
                     callers = self._callers.setdefault(called.name.removeprefix("xacro:"), set())
                     callers.add(own.name)

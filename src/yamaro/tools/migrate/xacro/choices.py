@@ -15,7 +15,6 @@ from ....xacro.statements import parse_parameters
 from ....xacro.templates import Expression, Substitution, guess_value, parse_template
 from ....xml.tree import Element
 from ....xml.values import format_value
-from ..elements import walk
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -70,7 +69,7 @@ class Choices:
         self._literal_names: dict[str, None] = {}
         """The names of files in Python, such as the values of a dict."""
         for root in roots.values():
-            for element in walk(root):
+            for element in root.iter():
                 self._look_at(element)
 
     # --- what the files say ---------------------------------------------------------------------

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from ....xml.tree import Element
 from ....xml.values import format_value
-from ..elements import walk
 from .names import names_in, used_in
 
 TYPE_CHECKING = False
@@ -152,7 +151,7 @@ class Contents:
         """
         found: dict[str, set[str]] = {}
         for name, macros in self._macros.items():
-            inside = [inner for macro in macros for inner in walk(macro.element)]
+            inside = [inner for macro in macros for inner in macro.element.iter()]
             scopes = {_name(inner): inner.attributes["scope"] for inner in inside if _scope(inner)}
             if scopes:
                 found.setdefault(name, set()).update(scopes)
@@ -173,7 +172,7 @@ class Contents:
 
     def sets_variables(self, node: Element) -> bool:
         """Return whether an element has statements in it that set what is read after them."""
-        return any(map(self._is_setter, walk(node)))
+        return any(map(self._is_setter, node.iter()))
 
     def _is_setter(self, node: Element) -> bool:
         return node.name in ("xacro:property", "xacro:call", "xacro:include") or (
@@ -203,7 +202,7 @@ class Contents:
 
     def may_pass(self, node: Element, names: set[str]) -> bool:
         """Return whether an element may be moved past what sets variables."""
-        inside = [own.name for own in walk(node) if own.name.startswith("xacro:")]
+        inside = [own.name for own in node.iter() if own.name.startswith("xacro:")]
         return not names & used_in(node) and set(inside) <= _PLAIN
 
     # --- where it stands ------------------------------------------------------------------------

@@ -9,7 +9,7 @@ from ....model.compare import is_used, prefixes_in
 from ....syntax.names import STATEMENTS
 from ....xml.values import format_value
 from ..document import Body, Entry, Quoted, joined, literal
-from ..elements import comments_above, tidy_text, walk
+from ..elements import comments_above, tidy_text
 from .definitions import PREDEFINED, is_late
 from .python import CannotMigrate
 from .surroundings import names_of
@@ -48,7 +48,7 @@ def header_of(writer: FileWriter, *, is_main: bool) -> str:
     """Return the comment above the file."""
     header = comments_above(writer.program.files.documents[writer.path])
     root = writer.program.roots[writer.path]
-    if is_main or all(element.name != "xacro:arg" for element in walk(root)):
+    if is_main or all(element.name != "xacro:arg" for element in root.iter()):
         return header
     folder = os.path.dirname(writer.output_of(writer.path))
     main = os.path.relpath(writer.output_of(writer.program.main), folder)

@@ -14,7 +14,6 @@ from ....syntax.names import is_identifier
 from ....xacro.statements import parse_parameters
 from ....xml.tree import Element
 from ....xml.values import format_value
-from ..elements import walk
 from .borrowed import Borrowed, calls_of
 from .includes import computed_name, source_name
 from .names import common_folder, used_in
@@ -62,7 +61,7 @@ class Layout:
         self._in_macros = {
             id(element)
             for macro in program.definitions.values()
-            for element in walk(macro.element)
+            for element in macro.element.iter()
             if element.name == "xacro:include"
         }
         foreign = {}
@@ -319,7 +318,7 @@ class _Names:
         self.has_computed_calls = False
         self.read = used_in(root) | program.forwarded_in(root)
         self.arguments = program.arguments_read(root)
-        for element in walk(root):
+        for element in root.iter():
             name = format_value(element.attributes.get("name"))
             if element.name == "xacro:macro":
                 self.macros.add(name.removeprefix("xacro:"))
@@ -375,6 +374,6 @@ def _only_defines(root: Element, but: str) -> bool:
 def _includes_of(root: Element) -> list[Element]:
     return [
         element
-        for element in walk(root)
+        for element in root.iter()
         if element.name == "xacro:include" and "filename" in element.attributes
     ]

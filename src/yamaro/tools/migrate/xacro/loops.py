@@ -19,7 +19,7 @@ from ....syntax.names import is_identifier
 from ....xml.tree import Comment, Element, Text
 from ....xml.values import format_value
 from ..document import Body, Entry
-from ..elements import tidy_text, walk
+from ..elements import tidy_text
 from ..pairing import has_text
 from .names import used_in
 from .python import CannotMigrate
@@ -90,7 +90,7 @@ class Loop:
 
 def find_loop(macro: Macro, program: XacroProgram, translator: Translator) -> Loop | None:
     """Return the loop that a macro is, or None if that is not certain."""
-    if not any(inner.name == f"xacro:{macro.name}" for inner in walk(macro.element)):
+    if not any(inner.name == f"xacro:{macro.name}" for inner in macro.element.iter()):
         return None
     try:
         return _Reader(macro, program, translator).loop()
@@ -114,7 +114,7 @@ class _Reader:
         self._program = program
         self._translator = translator
         tag = f"xacro:{macro.name}"
-        inside = [own for own in walk(macro.element) if own is not macro.element]
+        inside = [own for own in macro.element.iter() if own is not macro.element]
         elements = macro.element.elements()
         guards = [own for own in elements if any(e.name == tag for e in own.elements())]
         require(len(guards) == 1 and guards[0].name in _CONDITIONS)
@@ -309,7 +309,7 @@ class _Reader:
         for root in self._program.roots.values():
             values += [
                 format_value(own.attributes.get("value", ""))
-                for own in walk(root)
+                for own in root.iter()
                 if own.name == "xacro:property" and own.attributes.get("name") == name
             ]
         return values
@@ -319,7 +319,7 @@ class _Reader:
         tag = f"xacro:{self._macro.name}"
         roots = self._program.roots.values()
         return [
-            own for root in roots for own in walk(root) if own.name == tag and own is not self.call
+            own for root in roots for own in root.iter() if own.name == tag and own is not self.call
         ]
 
     # --- lists ----------------------------------------------------------------------------------
@@ -432,7 +432,7 @@ def _scoped(program: XacroProgram) -> set[str]:
     return {
         format_value(own.attributes.get("name"))
         for root in program.roots.values()
-        for own in walk(root)
+        for own in root.iter()
         if own.name == "xacro:property" and "scope" in own.attributes
     }
 

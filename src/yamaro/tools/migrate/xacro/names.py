@@ -7,7 +7,6 @@ import re
 
 from ....xml.tree import Element
 from ....xml.values import format_value
-from ..elements import walk
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -37,7 +36,7 @@ def defined_in(root: Element, *, nested: bool = False) -> set[str]:
 
 def texts_in(root: Element) -> Iterator[str]:
     """Return the values of attributes in an element, and its texts."""
-    for element in walk(root):
+    for element in root.iter():
         yield from map(format_value, element.attributes.values())
         yield element.text()
 
@@ -52,7 +51,7 @@ def outside_expressions(text: str) -> str:
 def used_in(root: Element, without: Container[int] = ()) -> set[str]:
     """Return the names in the expressions of an element, except elements of some identities."""
     names: set[str] = set()
-    for element in walk(root, without):
+    for element in root.iter(without):
         for text in (*map(format_value, element.attributes.values()), element.text()):
             names |= names_in(text)
     return names
@@ -88,7 +87,7 @@ def computed_with(root: Element) -> set[str]:
     import ast
 
     names: set[str] = set()
-    for element in walk(root):
+    for element in root.iter():
         is_condition = element.name in ("xacro:if", "xacro:unless")
         for text in (*map(format_value, element.attributes.values()), element.text()):
             if is_condition:

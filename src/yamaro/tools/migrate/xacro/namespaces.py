@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from ....xml.tree import Element
 from ....xml.values import format_value
-from ..elements import walk
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -89,4 +88,4 @@ class Namespaces:
 
 
 def _includes_of(root: Element) -> list[Element]:
-    return [element for element in walk(root) if element.name == "xacro:include"]
+    return [element for element in root.iter() if element.name == "xacro:include"]

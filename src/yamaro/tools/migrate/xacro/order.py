@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from ....xml.tree import Element
 from ....xml.values import format_value
-from ..elements import walk
 from .names import defined_in, names_in, used_in
 from .program import XacroProgram
 
@@ -87,7 +86,7 @@ def _defined_by(element: Element, program: XacroProgram) -> set[str]:
     """Return the names that an element defines where it stands, or what it includes or calls."""
     if element.name == "xacro:macro":
         return set()
-    includes = [own for own in walk(element) if own.name == "xacro:include"]
+    includes = [own for own in element.iter() if own.name == "xacro:include"]
     names = defined_in(element) | program.handed_to(element)
     for path in program.namespaces.reached_by(includes):
         names |= defined_in(program.roots[path])
@@ -129,7 +128,7 @@ def _read_by(element: Element, program: XacroProgram) -> set[str]:
         if root.name == "xacro:property" or id(root) in seen:
             continue
         seen.add(id(root))
-        inside = {id(own) for own in walk(root) if own.name == "xacro:macro" and own is not root}
+        inside = {id(own) for own in root.iter() if own.name == "xacro:macro" and own is not root}
         if root is not element or root.name != "xacro:macro":
             names |= used_in(root, without=inside)
             pending += _reached_by(root, inside, program)
@@ -138,7 +137,7 @@ def _read_by(element: Element, program: XacroProgram) -> set[str]:
 
 def _reached_by(root: Element, inside: set[int], program: XacroProgram) -> Iterator[Element]:
     """Return the macros that an element calls, and the files that it includes."""
-    for own in walk(root, inside):
+    for own in root.iter(inside):
         macro = program.macro_called(own)
         if macro is not None:
             yield macro.element

@@ -12,7 +12,7 @@ from ....model.values import values_of
 from ....xml.tree import Comment, Element, Text
 from ....xml.values import format_value
 from ..document import Body, Entry
-from ..elements import ElementWriter, add_loose, comments_at_ends, note_comments, walk
+from ..elements import ElementWriter, add_loose, comments_at_ends, note_comments
 from ..pairing import has_text, pair
 from ..part_forms import (
     MOMENTS,
@@ -440,7 +440,7 @@ class _PartElements(ElementWriter):
         self._originals = originals
 
     def entry(self, element: Element, *, bracketed: bool = False) -> Entry:
-        if any(map(is_statement, walk(element))):
+        if any(map(is_statement, element.iter())):
             return self._host.entry(self._originals[id(element)][1], bracketed=bracketed)
         return super().entry(element, bracketed=bracketed)
 

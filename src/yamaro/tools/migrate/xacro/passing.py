@@ -10,7 +10,6 @@ from ....syntax.names import is_identifier
 from ....xacro.statements import Parameter
 from ....xml.tree import Element
 from ....xml.values import format_value
-from ..elements import walk
 from .names import defined_in, names_in, used_in
 
 TYPE_CHECKING = False
@@ -50,7 +49,7 @@ class Passing:
         self._nested = {
             id(inner)
             for macro in macros
-            for inner in walk(macro.element)
+            for inner in macro.element.iter()
             if inner is not macro.element and inner.name == "xacro:macro"
         }
         self._own = {

@@ -12,7 +12,7 @@ from ....xacro.templates import guess_value
 from ....xml.tree import Comment, Element
 from ....xml.values import format_value
 from ..document import spaced
-from ..elements import comments_at_ends, tidy_text, walk
+from ..elements import comments_at_ends, tidy_text
 from .arguments import HiddenArguments, arguments_in, arguments_of, is_property_of
 from .callers import Callers, names_of_callers
 from .choices import MARK, name_alone
@@ -184,7 +184,7 @@ class XacroProgram:
             for macro in self.definitions.values()
             if any(
                 path in self.files.files_of(element)
-                for element in walk(macro.element)
+                for element in macro.element.iter()
                 if element.name == "xacro:include"
             )
         ]
@@ -215,7 +215,7 @@ class XacroProgram:
         """Return the properties whose definitions all are the same constant."""
         found: dict[str, set[str]] = {}
         for path, root in self.roots.items():
-            for element in walk(root):
+            for element in root.iter():
                 if element.name == "xacro:property":
                     text = format_value(element.attributes.get("value"))
                     name = format_value(element.attributes.get("name"))
@@ -236,7 +236,7 @@ class XacroProgram:
         return {
             path
             for macro in self.definitions.values()
-            for element in walk(macro.element)
+            for element in macro.element.iter()
             if element.name == "xacro:include"
             for path in self.files.files_of(element)
         }
@@ -250,7 +250,7 @@ class XacroProgram:
 
     def _gather(self, path: str, root: Element) -> None:
         names = self._names[path] = set()
-        for element in walk(root):
+        for element in root.iter():
             given = {name: format_value(value) for name, value in element.attributes.items()}
             for text in (*given.values(), element.text()):
                 if "$" in text or element.name in ("xacro:if", "xacro:unless"):
@@ -310,13 +310,15 @@ class XacroProgram:
             root = self.roots[versions[0].file]
             top = {id(element) for element in root.elements()}
             tag = f"xacro:{name}"
-            calls = [own for other in self.roots.values() for own in walk(other) if own.name == tag]
-            inside = [own for own in walk(root) if own.name == "xacro:macro"]
+            calls = [
+                own for other in self.roots.values() for own in other.iter() if own.name == tag
+            ]
+            inside = [own for own in root.iter() if own.name == "xacro:macro"]
             if (
                 self.has_computed_calls
                 or not all(id(own.element) in top for own in versions)
                 or any(own.span.source.path != versions[0].file for own in calls)
-                or any(own.name == tag for macro in inside for own in walk(macro))
+                or any(own.name == tag for macro in inside for own in macro.iter())
             ):
                 continue
             self._in_a_row.add(name)
@@ -340,7 +342,7 @@ class XacroProgram:
     def forwarded_in(self, root: Element, without: Container[int] = ()) -> set[str]:
         """Return the names that calls in an element forward to macros without saying so."""
         names: set[str] = set()
-        for called in walk(root, without):
+        for called in root.iter(without):
             macro = self.macro_called(called)
             if macro is not None:
                 own = {each.name for each in macro.parameters if each.is_forwarded}
@@ -350,12 +352,12 @@ class XacroProgram:
     def handed_to(self, element: Element) -> set[str]:
         """Return the properties that the macros called in an element hand to it."""
         handed: set[str] = set()
-        for called in walk(element):
+        for called in element.iter():
             macro = self.macro_called(called)
             if macro is not None:
                 handed |= {
                     format_value(own.attributes.get("name"))
-                    for own in walk(macro.element)
+                    for own in macro.element.iter()
                     if own.name == "xacro:property" and own.attributes.get("scope") == "parent"
                 }
         return handed
@@ -407,11 +409,11 @@ class XacroProgram:
         """Return if an argument may be declared by an element, or what it includes or calls."""
         if any(element is macro.element for macro in self.definitions.values()):
             return False
-        inside = list(walk(element))
+        inside = list(element.iter())
         files = self.namespaces.reached_by([own for own in inside if own.name == "xacro:include"])
-        places = [*inside, *(own for path in files for own in walk(self.roots[path]))]
+        places = [*inside, *(own for path in files for own in self.roots[path].iter())]
         if any(self.macro_called(own) is not None for own in places):
-            places += [own for macro in self.definitions.values() for own in walk(macro.element)]
+            places += [own for macro in self.definitions.values() for own in macro.element.iter()]
         return any(own.name == "xacro:arg" and own.attributes.get("name") == name for own in places)
 
     def is_shared_argument(self, name: str) -> bool:
@@ -422,7 +424,7 @@ class XacroProgram:
             return False
         return any(
             (path != self.main and name in self.arguments_read(root))
-            or any(is_property_of(own, name) for own in walk(root))
+            or any(is_property_of(own, name) for own in root.iter())
             for path, root in self.roots.items()
         )
 

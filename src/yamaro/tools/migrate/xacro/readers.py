@@ -8,7 +8,6 @@ from ....xacro.faults import Fault
 from ....xacro.templates import Expression, Substitution, parse_template
 from ....xml.tree import Element
 from ....xml.values import format_value
-from ..elements import walk
 from .arguments import is_argument
 
 TYPE_CHECKING = False
@@ -52,7 +51,7 @@ class Readers:
         """Note what is read in an element and is not its own."""
         names = program.forwarded_in(element, without)
         arguments: set[str] = set()  # which no parameter hides
-        for inner in walk(element, without):
+        for inner in element.iter(without):
             names |= _read_in(inner)
             for value in (*inner.attributes.values(), inner.text()):
                 text = format_value(value)

@@ -8,7 +8,6 @@ import re
 from ....diagnostics import YamaroError
 from ....xml.tree import Element
 from ....xml.values import format_value
-from ..elements import walk
 from .choices import Choices
 from .data import with_plain_units
 from .includes import ENDINGS, folder_meant
@@ -208,7 +207,7 @@ class RobotFiles:
 
     def _names_of_includes(self, path: str) -> Iterator[tuple[str, Span]]:
         """Yield the name that each include of a file is written with, and where."""
-        for element in walk(self.documents[path].root):
+        for element in self.documents[path].root.iter():
             if element.name == "xacro:include" and "filename" in element.attributes:
                 text = format_value(element.attributes["filename"])
                 yield text, element.value_span("filename")

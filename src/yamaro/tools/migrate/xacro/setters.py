@@ -12,7 +12,6 @@ from ....xacro.statements import parse_parameters
 from ....xacro.templates import guess_value
 from ....xml.tree import Element, Text
 from ....xml.values import format_value
-from ..elements import walk
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -25,7 +24,7 @@ _HOLE = re.compile(r"\$\{([^}]*)\}")
 
 def without_setters(roots: Mapping[str, Element]) -> dict[str, Element]:
     """Return the root elements of files with properties in place of the calls of such macros."""
-    macros = [own for root in roots.values() for own in walk(root) if own.name == "xacro:macro"]
+    macros = [own for root in roots.values() for own in root.iter() if own.name == "xacro:macro"]
     names = [_name_of(macro) for macro in macros]
     setters = {
         name: macro
@@ -34,7 +33,7 @@ def without_setters(roots: Mapping[str, Element]) -> dict[str, Element]:
     }
     if not setters:
         return dict(roots)
-    calls = [own for root in roots.values() for own in walk(root) if _called(own) in setters]
+    calls = [own for root in roots.values() for own in root.iter() if _called(own) in setters]
     replaced = {id(call): _properties(setters[_called(call)], call) for call in calls}
     kept = {_called(call) for call in calls if replaced[id(call)] is None}
     gone = {id(macro) for name, macro in setters.items() if name not in kept}

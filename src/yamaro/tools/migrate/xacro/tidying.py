@@ -289,12 +289,11 @@ def words_read(body: Body) -> Iterator[str]:
 def _words_in_macro(element: object) -> set[str]:
     from ....xml.tree import Element
     from ....xml.values import format_value
-    from ..elements import walk
 
     assert isinstance(element, Element)
     return {
         word
-        for inner in walk(element)
+        for inner in element.iter()
         for text in (
             *(format_value(v) for k, v in inner.attributes.items() if k != "params"),
             inner.text(),

@@ -11,7 +11,6 @@ from ....xacro.statements import parse_parameters
 from ....xacro.templates import guess_value
 from ....xml.tree import Element
 from ....xml.values import format_value
-from ..elements import walk
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -81,7 +80,7 @@ class Truths:
 
 def _given_in(root: Element) -> Iterator[tuple[str, str]]:
     """Return the names that properties, calls and defaults give values, with their texts."""
-    for element in walk(root):
+    for element in root.iter():
         given = {name: format_value(value) for name, value in element.attributes.items()}
         if element.name == "xacro:property":
             yield given.get("name", ""), given.get("value", given.get("default", ""))

@@ -18,7 +18,6 @@ from ..elements import (
     note_comments,
     tidy_text,
     tidy_value,
-    walk,
 )
 from ..frames import Frames
 from ..pairing import has_text
@@ -191,7 +190,7 @@ class FileWriter(ElementWriter):
         link, joint = step.node, step.joint
         if not isinstance(link, Element) or joint is None or self.here.place is not None:
             return False
-        if any(map(is_statement, (*link.elements(), *walk(joint)))):
+        if any(map(is_statement, (*link.elements(), *joint.iter()))):
             return False
         writer = self.part_writer()
         frame = frames.take(writer.spelled(link), writer.spelled(joint), writer)
