@@ -37,11 +37,9 @@ from reading import reading_table
 
 import yamaro
 from yamaro.policy import Limits
-from yamaro.tools.migrate.command import migrate_file
 from yamaro.tools.migrate.document import element_key
-from yamaro.tools.migrate.refused import build_allowing
-from yamaro.tools.migrate.xacro.command import migrate_robot
-from yamaro.tools.migrate.xacro.sources import XacroMigration
+from yamaro.tools.migrate.urdf import build_allowing, migrate_file
+from yamaro.tools.migrate.xacro.command import XacroMigration, migrate_robot
 from yamaro.xml.reader import decode_xml
 
 ROOT = Path(__file__).parents[1]

@@ -31,7 +31,7 @@ from tests.tools.test_format import build_of, laid_out
 from yamaro.policy import Limits
 from yamaro.source import Source
 from yamaro.tools.format.formatting import formatted
-from yamaro.tools.migrate.command import migrate_file
+from yamaro.tools.migrate.urdf import migrate_file
 from yamaro.tools.migrate.xacro.command import migrate_robot
 from yamaro.xml.reader import decode_xml
 from yamaro.yaml.comments import find_comments

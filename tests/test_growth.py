@@ -18,8 +18,8 @@ from yamaro.rendering import render_all
 from yamaro.source import Source
 from yamaro.syntax.argument_section import arguments_of
 from yamaro.syntax.keys import find_outside
-from yamaro.tools.migrate.command import read_file
 from yamaro.tools.migrate.job import Job
+from yamaro.tools.migrate.urdf import read_file
 from yamaro.xml import reader as xmlreader
 from yamaro.xml.tree import Element
 

@@ -45,7 +45,7 @@ def run(arguments: Arguments, streams: Streams) -> int:
 
 def _job(arguments: Arguments) -> Job:
     """Return what is to be migrated; raise YamaroError or UsageError if it cannot be read."""
-    from ..tools.migrate import command
+    from ..tools.migrate import urdf as command
     from ..tools.migrate.job import Job
     from ..tools.migrate.xacro.layout import ALL
 

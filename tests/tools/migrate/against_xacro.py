@@ -13,9 +13,13 @@ from tests.tools.migrate.same_robot import is_same_robot
 from tests.tools.migrate.test_xacro_migration import HEAD, hold_for, migrated
 from yamaro import build
 from yamaro.policy import Limits
-from yamaro.tools.migrate.refused import build_allowing
-from yamaro.tools.migrate.xacro.command import DiskHost, expanded_by_xacro, migrate_robot
-from yamaro.tools.migrate.xacro.sources import XacroMigration
+from yamaro.tools.migrate.urdf import build_allowing
+from yamaro.tools.migrate.xacro.command import (
+    DiskHost,
+    XacroMigration,
+    expanded_by_xacro,
+    migrate_robot,
+)
 from yamaro.xml.reader import decode_xml
 from yamaro.xml.writer import write
 

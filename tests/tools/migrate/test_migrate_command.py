@@ -17,8 +17,7 @@ from yamaro import api
 from yamaro.commands import usage
 from yamaro.commands.main import main
 from yamaro.model.compare import Difference
-from yamaro.tools.migrate.command import report
-from yamaro.tools.migrate.urdf import Migration
+from yamaro.tools.migrate.urdf import Migration, report
 from yamaro.xml.tree import Element
 
 URDF = """\

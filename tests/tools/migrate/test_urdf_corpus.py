@@ -11,7 +11,7 @@ import pytest
 from tests.tools.migrate.same_robot import is_same_robot
 from yamaro.api import build
 from yamaro.policy import Limits
-from yamaro.tools.migrate.command import migrate_file
+from yamaro.tools.migrate.urdf import migrate_file
 
 CORPUS = Path(__file__).parents[4] / "shared" / "corpus"
 

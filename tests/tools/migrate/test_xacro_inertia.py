@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from tests.tools.migrate.against_xacro import migrated_for, model_of
-from yamaro.tools.migrate.solids import are_equal, is_inertia_of
+from yamaro.tools.migrate.formulas import are_equal, is_inertia_of
 
 N = '<xacro:arg name="n" default="2"/>'
 BOX = """<xacro:macro name="box_inertia" params="m w d h">

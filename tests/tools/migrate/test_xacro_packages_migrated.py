@@ -11,9 +11,8 @@ from tests.tools.migrate.test_xacro_migration import HEAD
 from yamaro import YamaroError
 from yamaro.commands.main import main
 from yamaro.policy import Limits
-from yamaro.tools.migrate.xacro.command import migrate_robot
+from yamaro.tools.migrate.xacro.command import XacroMigration, migrate_robot
 from yamaro.tools.migrate.xacro.layout import ALL
-from yamaro.tools.migrate.xacro.sources import XacroMigration
 from yamaro.xml.reader import decode_xml
 
 CAMERA = (

@@ -11,7 +11,7 @@ from tests.tools.migrate.test_xacro_migration import HEAD, hold_for, migrated
 from yamaro.commands.main import main
 from yamaro.tools.migrate.document import Body, Row
 from yamaro.tools.migrate.writing import write_document
-from yamaro.tools.migrate.xacro.python_texts import negated
+from yamaro.tools.migrate.xacro.python import negated
 
 
 def test_comments_above_arguments_and_blocks_go_with_them(tmp_path: Path) -> None:

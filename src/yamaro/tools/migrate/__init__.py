@@ -1,1 +1,1 @@
-"""Migrates URDF to Yamaro: `yamaro migrate`."""
+"""URDF and xacro to Yamaro sources: `yamaro migrate`."""

@@ -16,7 +16,7 @@ from ...sandbox.jail.limits import JailAnswerBroken, JailUnavailable
 from ...sandbox.jail.packing import pack, unpack
 from ...sandbox.outcome import Outcome
 from ...sandbox.transfer import from_bytes, to_bytes
-from . import command
+from . import urdf as command
 from .xacro import command as xacro_command
 
 TYPE_CHECKING = False

@@ -1,33 +1,84 @@
-"""URDF, or any other XML, as a Yamaro source: parts, variables for what repeats, elements."""
+"""URDF, or any other XML, as a Yamaro source: parts, variables for what repeats, elements.
+
+The source is built and compared with the file; what comes out different is written as an element.
+"""
 
 from __future__ import annotations
 
-from ...diagnostics import YamaroError
+import os
+
+from ...codes import ADJUSTABLE
+from ...diagnostics import ERROR, YamaroError
+from ...files.loader import FileLoader, LoadError, check_size
 from ...model.compare import compare, count_defaults, is_used, prefixes_in
 from ...model.values import values_of
+from ...options import UsageError
+from ...program import Program
+from ...request import refusal_of_main
+from ...source import STANDARD_INPUT, STANDARD_INPUT_NAME
+from ...xml.reader import decode_xml, read_xml
 from ...xml.tree import Element
 from .controls import use_control
 from .document import RECORD_WIDTH, Body, Entry, Quoted, Value, element_key, joined, literal
 from .elements import (
     ElementWriter,
+    Item,
     add_loose,
     comments_above,
     comments_at_ends,
+    is_bare,
+    name_of,
+    pair,
     spelled,
     tidy_text,
 )
-from .frames import Frames
-from .pairing import Item, is_bare, name_of, pair
-from .part_forms import NoPart, is_short_material, material_entry
-from .parts import Names, PartWriter
+from .parts import Frames, Names, NoPart, PartWriter, is_short_material, material_entry
 from .writing import write_document
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
+    from typing import TypeVar
 
     from ...model.compare import Difference
+    from ...policy import Limits, Policy
+    from ...source import Source
     from ...xml.reader import XmlDocument
+    from ...xml.tree import Element
+    from .xacro.command import XacroMigration
+
+    T = TypeVar("T")
+
+
+# --- robots that parsers refuse: their faults are migrated too, and allowed when they are built
+
+
+def build_allowing(build: Callable[[Sequence[str]], T]) -> tuple[T, list[str]]:
+    """Return what is built, and the codes that had to be allowed.
+
+    Args:
+        build: builds with these codes allowed.
+
+    Raises:
+        YamaroError: there are errors that cannot be allowed.
+    """
+    try:
+        return build(()), []
+    except YamaroError as error:
+        errors = [each for each in error.diagnostics if each.severity == ERROR]
+        codes = sorted({each.code for each in errors})
+        if not ADJUSTABLE.issuperset(codes):
+            raise
+    return build(codes), codes
+
+
+def options_to_allow(codes: Sequence[str]) -> str:
+    """Return the options with which the sources are built."""
+    return " ".join(f"--allow {code}" for code in codes)
+
+
+# --- sources ----------------------------------------------------------------------------------
+
 
 FEWEST_MESHES = 3
 """Meshes of one folder for which the folder becomes a variable."""
@@ -350,3 +401,93 @@ def _common_folder(folders: list[str]) -> str:
             break
         common.append(words[0])
     return "/".join(common)
+
+
+# --- files ------------------------------------------------------------------------------------
+
+
+def read_file(path: str, limits: Limits, data: bytes | None = None) -> Source:
+    """Return an XML file.
+
+    Args:
+        path: the file, or `-`.
+        limits: how large it may be.
+        data: its content, read from `path` if it is None.
+
+    Raises:
+        YamaroError: it is not in the encoding that it says.
+        UsageError: it cannot be read.
+    """
+    if not path:
+        raise UsageError("the file name is empty")
+    absolute = "" if path == STANDARD_INPUT else os.path.abspath(path)
+    try:
+        if data is None:
+            data = FileLoader(limits).read(absolute)
+        check_size(len(data), limits)
+    except LoadError as error:
+        if error.hint is not None:
+            raise refusal_of_main(path, error) from None
+        raise UsageError(f"cannot read '{path}': {error}") from None
+    name = STANDARD_INPUT_NAME if path == STANDARD_INPUT else path
+    return decode_xml(data, name=name, path=absolute)
+
+
+def migrate_file(
+    path: str, limits: Limits, data: bytes | None = None, *, exact: bool = False
+) -> Migration:
+    """Return the Yamaro source of a URDF, or of any other XML; raises what `read_file` does.
+
+    Raises:
+        YamaroError: it is not XML.
+    """
+    return migrate_source(read_file(path, limits, data), limits, exact=exact)
+
+
+def migrate_source(
+    source: Source, limits: Limits, *, policy: Policy | None = None, exact: bool = False
+) -> Migration:
+    """Return the Yamaro source of an XML file that was read; raise YamaroError if it is not XML.
+
+    With `exact`, poses that the file leaves out are left out of what the source makes.
+    """
+    stem = os.path.splitext(source.path)[0] or "robot"
+
+    allowed: list[str] = []
+
+    def build(text: str) -> Element:
+        built, allowed[:] = build_allowing(
+            lambda codes: Program(f"{stem}.yaml", text=text, policy=policy, allow=codes).build(
+                on_message=ignore, meshes="keep"
+            )
+        )
+        return built.root
+
+    migration = migrate_urdf(read_xml(source, limits), build, exact=exact)
+    migration.allowed = allowed
+    return migration
+
+
+def report(migration: Migration | XacroMigration) -> str:
+    """Return what is said of a migration: how large the robot is, or in what it differs."""
+    if migration.differences:
+        return "\n".join([f"different: {difference}" for difference in migration.differences])
+    if migration.root.name != "robot":
+        return "identical"
+    children = migration.root.elements()
+    links = sum(child.name == "link" for child in children)
+    joints = sum(child.name == "joint" for child in children)
+    counts = f"{_counted(links, 'link')}, {_counted(joints, 'joint')}"
+    if migration.defaults:
+        counts += f"; {_counted(migration.defaults, 'default')} written out"
+    if migration.allowed:
+        counts += f"; parsers refuse it: build it with {options_to_allow(migration.allowed)}"
+    return f"identical: {counts}"
+
+
+def _counted(count: int, what: str) -> str:
+    return f"{count:,} {what}{'' if count == 1 else 's'}"
+
+
+def ignore(message: str) -> None:
+    """Take a message of a build."""

@@ -1,13 +1,13 @@
-"""A source as YAML, laid out as a person would write it."""
+"""A source as YAML: its lines, statements in short heads, texts as scalars."""
 
 from __future__ import annotations
 
 from collections import Counter
 
-from ...syntax.names import STATEMENTS
-from .document import RECORD_WIDTH, WIDTH, Body, Entry, Row, spaced, words_of
-from .heads import with_short_head
-from .scalars import is_plain, scalar_of
+from ...syntax.names import STATEMENTS, is_identifier
+from ...yaml.brackets import find_close
+from ...yaml.nodes import type_plain
+from .document import RECORD_WIDTH, WIDTH, Body, Entry, Quoted, Row, joined, spaced, words_of
 
 MOST_IN_BRACES = 6
 LONGEST_KEY = 1000
@@ -227,3 +227,134 @@ def _in_braces(body: Body, remarks: list[str], width: int) -> str | None:
         pieces.append(f"{scalar_of(entry.key, in_flow=True)}: {value}")
     remarks += filter(None, [body.remark])
     return f"{{{', '.join(pieces)}}}"
+
+
+# --- texts as scalars that YAML reads as these texts and no others ----------------------------
+
+
+_INDICATORS = frozenset("-?:,[]{}#&*!|>'\"%@`")
+_OPENING = frozenset("-?:")
+_NULLS = frozenset(("", "~", "null", "Null", "NULL"))
+_FLOW = frozenset(",[]{}")
+
+
+def scalar_of(text: str, *, in_flow: bool) -> str:
+    """Return a text as a YAML scalar that is read as this text and none other."""
+    if is_plain(text, in_flow=in_flow) and not _is_typed(text):
+        return str(text)
+    if text.isprintable():
+        if "'" in text and '"' not in text and "\\" not in text:
+            return f'"{text}"'
+        return "'" + text.replace("'", "''") + "'"
+    return '"' + "".join(map(_escaped, text)) + '"'
+
+
+def is_plain(text: str, *, in_flow: bool) -> bool:
+    """Return whether a text can be a scalar without quotes."""
+    if text in _NULLS or not text.isprintable() or text != text.strip():
+        return False
+    first = text[0]
+    if first in _INDICATORS and (first not in _OPENING or len(text) < 2 or text[1] in " ,[]{}"):
+        return False
+    if ": " in text or " #" in text or text.endswith(":"):
+        return False
+    if text.startswith(("---", "...")):
+        return False
+    if not in_flow:
+        return True
+    return _FLOW.isdisjoint(text) and not (first == "?" or first == ":")
+
+
+def _is_typed(text: str) -> bool:
+    return isinstance(text, Quoted) and not isinstance(type_plain(text), str)
+
+
+_SHORT_ESCAPES = {'"': '\\"', "\\": "\\\\", "\n": "\\n", "\t": "\\t", "\r": "\\r"}
+
+
+def _escaped(char: str) -> str:
+    if char in _SHORT_ESCAPES:
+        return _SHORT_ESCAPES[char]
+    if char.isprintable():
+        return char
+    code = ord(char)
+    if code < 0x100:
+        return f"\\x{code:02x}"
+    return f"\\u{code:04x}" if code < 0x10000 else f"\\U{code:08x}"
+
+
+# --- statements in their short heads: `if length > 1:`, `for i in range(6):`, `Leg(side, y=0):`
+
+
+_IN_HEADS = frozenset(("condition", "iterator", "range", "in", "input", "body"))
+"""Keys that have another meaning, or are an error, directly below a short head."""
+
+
+def with_short_head(
+    entry: Entry, width: int, *, is_function: bool = False, following: Entry | None = None
+) -> Entry:
+    """Return a statement with a short head, or the entry itself where it cannot have one.
+
+    A head that YAML would want in quotes stays in the long form, as does one that is too wide.
+
+    Args:
+        entry: a key with its value.
+        width: how many characters the line has before the key.
+        is_function: whether the entry is a function that is defined.
+        following: the entry after it.
+    """
+    statement = entry.value
+    if not isinstance(statement, Body) or statement.remark:
+        return entry
+    *parts, inner = statement.entries or [Entry("")]
+    if inner.key != "body" or inner.comment or inner.ending or isinstance(inner.value, str):
+        return entry
+    head = _signature(entry.key, parts) if is_function else _head(entry.key, parts)
+    if not head or not is_plain(head, in_flow=False) or width + len(head) + 1 > WIDTH:
+        return entry
+    content = Body(inner.value or ())
+    if any(own.key in _IN_HEADS for own in content):
+        return entry
+    if inner.value is not None:
+        content.remark = inner.value.remark
+        content.opening = spaced(statement.opening, inner.value.opening)
+    is_last = following is None or following.key not in ("elif", "else")
+    content.in_braces = entry.key == "if" and is_last and _is_brief(content)
+    comments = [part.comment for part in parts]
+    short = Entry(head, content or None, joined(entry.comment, *comments))
+    short.ending = spaced(entry.ending, *(part.ending for part in parts))
+    return short
+
+
+def _is_brief(content: Body) -> bool:
+    """Return whether a body is one short element or call, which may be on the line of the head."""
+    entries = content.entries
+    if len(entries) != 1 or not is_identifier(entries[0].key) or entries[0].key in STATEMENTS:
+        return False
+    value = entries[0].value
+    return value.in_braces if isinstance(value, Body) else value is not None
+
+
+def _head(word: str, parts: list[Entry]) -> str:
+    """Return the short head of a condition or a loop, or an empty text if it has none."""
+    keys = [part.key for part in parts]
+    texts = [part.value for part in parts if isinstance(part.value, str) and "$" not in part.value]
+    if len(texts) < len(parts) or not all(texts):
+        return ""
+    if word in ("if", "elif") and keys == ["condition"]:
+        return f"{word} {texts[0]}"
+    if word == "for" and keys == ["iterator", "in"]:
+        return f"for {texts[0]} in {texts[1]}"
+    return ""
+
+
+def _signature(name: str, parts: list[Entry]) -> str:
+    """Return the name of a function with its parameters, or an empty text if that cannot be."""
+    name, slash, scope = name.partition("/")
+    if not parts:
+        return f"{name}(){slash}{scope}"
+    if [part.key for part in parts] != ["input"] or not isinstance(parts[0].value, Row):
+        return ""
+    head = f"{name}({parts[0].value})"
+    is_closed = find_close(head, len(name) + 1) == len(head) - 1  # not inside of quotes
+    return f"{head}{slash}{scope}" if is_closed else ""

@@ -1,4 +1,4 @@
-"""Which values the arguments of a robot in xacro may have, as far as its files show.
+"""The values that arguments, names and expressions of a robot in xacro may have.
 
 An argument that is true or false may be the other; one that is compared with texts may be each of
 them; and where the name of a file is made of it, the files that are there show it.
@@ -6,6 +6,7 @@ them; and where the name of a file is made of it, the files that are there show 
 
 from __future__ import annotations
 
+import ast
 import os
 import re
 
@@ -18,7 +19,6 @@ from ....xml.values import format_value
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    import ast
     from collections.abc import Iterable, Iterator, Mapping
 
     from ....source import Span
@@ -95,8 +95,6 @@ class Choices:
                 self._conditions.add(name)
 
     def _look_at_expression(self, text: str, *, is_eval: bool) -> None:
-        import ast
-
         try:
             tree = ast.parse(text.strip(), mode="eval")
         except (SyntaxError, ValueError):
@@ -218,8 +216,6 @@ class Choices:
 
     def is_lookup(self, expression: str) -> bool:
         """Return whether an expression is a value of the data that was loaded."""
-        import ast
-
         node = tree_of(expression)
         if node is None:
             return False
@@ -370,8 +366,6 @@ def _is_telling(name: str) -> bool:
 
 def tree_of(expression: str) -> ast.expr | None:
     """Return an expression in Python, in which arguments are marked names; or None."""
-    import ast
-
     marked = ARGUMENT.sub(lambda found: MARK + (found[2] or found[3]), expression)
     try:
         return ast.parse(marked.strip(), mode="eval").body
@@ -435,8 +429,6 @@ def name_alone(text: str) -> str:
 
 def _name_in(node: ast.expr) -> str:
     """Return the name whose value a side of a comparison is, also as a text."""
-    import ast
-
     match node:
         case ast.Name(name):
             return name
@@ -448,8 +440,6 @@ def _name_in(node: ast.expr) -> str:
 
 
 def _literals_in(node: ast.expr) -> list[str]:
-    import ast
-
     match node:
         case ast.Constant(value) if isinstance(value, (str, int, float)):
             return [str(value)]
@@ -461,3 +451,234 @@ def _literals_in(node: ast.expr) -> list[str]:
 def escaped(text: str) -> str:
     """Return a text as a pattern of the shell that matches only that."""
     return re.sub(r"([*?[])", r"[\1]", text)
+
+
+# --- files that a computed name could mean at most --------------------------------------------
+# A name becomes patterns of the shell: what is known of it stays, and the rest is `*`.
+
+
+_ENDINGS = (".xacro", ".urdf", ".xml")
+_ANYTHING = ["*"]
+
+
+class Spellings:
+    """Finds the patterns for one name."""
+
+    def __init__(self, choices: Choices, span: Span) -> None:
+        """Take what is known of the files, and where the name is written."""
+        self._choices = choices
+        self._span = span
+
+    def files(self, text: str) -> list[str]:
+        """Return all files that match."""
+        found: dict[str, None] = {}
+        folders = (os.path.dirname(self._span.source.path), self._choices.folder_of_main)
+        for pattern in self._of_text(text, frozenset()):
+            for folder in dict.fromkeys(folders):
+                paths = self._choices.host.glob(os.path.join(folder, pattern))
+                found |= dict.fromkeys(os.path.normpath(path) for path in sorted(paths))
+        return [path for path in found if path.endswith(_ENDINGS)]
+
+    def items(self, text: str, base: str) -> dict[str, str]:
+        """Return the files that a name out of a dict or list in the sources may mean, by the name.
+
+        Args:
+            text: the name.
+            base: the folder that it is relative to.
+        """
+        found = {}
+        for pattern in self._of_text(text, frozenset()) if "[" in text or ".get(" in text else ():
+            name = pattern.replace("[*]", "*").replace("[?]", "?").replace("[[]", "[")
+            path = os.path.normpath(os.path.join(base, name))
+            is_file = "*" not in pattern and path.endswith(_ENDINGS) and os.path.isfile(path)
+            if is_file and path != self._span.source.path:
+                found[name] = path
+        return found
+
+    def is_constant(self, text: str) -> bool:
+        """Return whether a text is the same whatever the arguments are."""
+        patterns = {pattern.replace("[*]", "") for pattern in self._of_text(text, frozenset())}
+        return len(patterns) == 1 and "*" not in patterns.pop()
+
+    def _of_text(self, text: str, known: frozenset[str]) -> list[str]:
+        """Return patterns for a text; `known` are the names that it was reached through."""
+        template = parsed(text)
+        if template is None:
+            return _ANYTHING
+        return _joined(
+            [escaped(part)]
+            if isinstance(part, str)
+            else self._of_part(part, name_alone(text[part.start : part.end]), known)
+            for part in template.parts
+        )
+
+    def _of_part(
+        self, part: Expression | Substitution, name: str, known: frozenset[str]
+    ) -> list[str]:
+        if name:
+            return self._of_name(name, known)
+        folder = self._choices.folder(part, self._span)
+        if folder is not None:
+            return [escaped(folder)]
+        if isinstance(part, Substitution):
+            command, _, rest = part.text.partition(" ")
+            if command == "find":
+                return self._of_package(rest.strip(), known)
+            return self._of_environment(part.text)
+        if self._choices.is_lookup(part.text):
+            return [escaped(own) for own in self._choices.data]
+        tree = tree_of(part.text)
+        return _ANYTHING if tree is None else self._of_python(tree, known)
+
+    def _of_package(self, text: str, known: frozenset[str]) -> list[str]:
+        """Return the folders of the packages that a text may name; any other is an error."""
+        names = self._of_text(text, known)
+        folders = [self._choices.package(name, self._span) for name in names if "*" not in name]
+        found = [escaped(folder) for folder in dict.fromkeys(folders) if folder is not None]
+        return found if found and "*" not in names else [*found, *_ANYTHING]
+
+    def _of_environment(self, command: str) -> list[str]:
+        words = command.split()
+        value = None
+        if len(words) > 1 and words[0] in ("env", "optenv"):
+            value = self._choices.host.environment(words[1])
+        return [*_ANYTHING, *([escaped(value)] if value else [])]
+
+    def _of_name(self, name: str, known: frozenset[str]) -> list[str]:
+        if name in known:
+            return []
+        if name.startswith(MARK) or name not in self._choices.texts:
+            return _ANYTHING
+        given = self._choices.texts[name]
+        return [own for text in given for own in self._of_text(text, known | {name})]
+
+    def _of_python(self, node: ast.expr, known: frozenset[str]) -> list[str]:
+        match node:
+            case ast.Constant(value):
+                return [escaped(str(value))]
+            case ast.Name(name):
+                return self._of_name(name, known)
+            case ast.IfExp(_, one, other):
+                return self._of_python(one, known) + self._of_python(other, known)
+            case ast.BoolOp(_, values):
+                return [own for each in values for own in self._of_python(each, known)]
+            case ast.BinOp(one, ast.Add(), other):
+                return _joined(self._of_python(each, known) for each in (one, other))
+            case ast.Call(ast.Name("str"), [inner]):
+                return self._of_python(inner, known)
+            case ast.Subscript(inner, _) | ast.Call(ast.Attribute(inner, "get"), _):
+                return self._of_items(inner, known)
+        return _ANYTHING
+
+    def _of_items(self, node: ast.expr, known: frozenset[str]) -> list[str]:
+        """Return patterns for what a dict or a list holds."""
+        items = self._items(node, known)
+        if items is None:
+            return _ANYTHING
+        return [own for each in items for own in self._of_python(each, known)]
+
+    def _items(self, node: ast.expr, known: frozenset[str]) -> list[ast.expr] | None:
+        """Return what a dict or a list holds, or None if that is not known."""
+        match node:
+            case ast.Dict(_, items) | ast.List(items) | ast.Tuple(items):
+                return items
+            case ast.Call(ast.Name("dict"), [], keywords):
+                return [each.value for each in keywords]
+            case ast.Subscript(inner, _) | ast.Call(ast.Attribute(inner, "get"), _):
+                several = [self._items(each, known) for each in self._items(inner, known) or ()]
+            case ast.Name(name) if name in self._choices.texts and name not in known:
+                own = known | {name}
+                trees = [_whole(text) for text in self._choices.texts[name]]
+                several = [None if tree is None else self._items(tree, own) for tree in trees]
+            case _:
+                return None
+        found = [items for items in several if items is not None]
+        return [each for items in found for each in items] if len(found) == len(several) else None
+
+
+def _whole(text: str) -> ast.expr | None:
+    """Return the expression that a text is, or None."""
+    return tree_of(text.strip()[2:-1]) if text.startswith("${") else None
+
+
+def _joined(several: Iterable[list[str]]) -> list[str]:
+    """Return patterns for what is made of parts, from those for each."""
+    results = [""]
+    for own in several:
+        results = list(dict.fromkeys(before + after for before in results for after in own))
+        if len(results) > MOST_SPELLINGS:
+            return _ANYTHING
+    return results
+
+
+# --- truth values, where no run has shown them ------------------------------------------------
+# In a text, xacro writes such a value as Python does, `True`, and the language as XML does, `true`.
+
+
+_FLAG = re.compile(r"\$\(optenv\s+\w+\s+(?:0|1|true|false|True|False)\s*\)")
+
+
+class Truths:
+    """Knows the names that may have a truth value, anywhere in a robot.
+
+    Attributes:
+        names: those of properties and parameters.
+        flags: those of them that the environment may set, where another number is usual.
+    """
+
+    def __init__(self, roots: Iterable[Element], arguments: Iterable[str]) -> None:
+        """Look at all that gives a name a value; `arguments` are those that are true or false."""
+        self._arguments = {f"$(arg {name})" for name in arguments}
+        self.names: set[str] = set()
+        self.flags: set[str] = set()
+        given = [pair for root in roots for pair in _given_in(root)]
+        count = -1
+        while len(self.names) > count:
+            count = len(self.names)
+            given = [(name, text) for name, text in given if not self._note(name, text)]
+
+    def _note(self, name: str, text: str) -> bool:
+        text = text.strip()
+        is_truth = isinstance(guess_value(text), bool) or text in self._arguments
+        if not is_truth and text.startswith("${") and text.find("}") == len(text) - 1:
+            is_truth = self.may_give(text[2:-1])
+        if _FLAG.fullmatch(text) or (text[:2] == "${" and text[2:-1].strip() in self.flags):
+            self.flags.add(name)
+            is_truth = True
+        if is_truth:
+            self.names.add(name)
+        return is_truth
+
+    def may_give(self, expression: str) -> bool:
+        """Return whether an expression may give a truth value."""
+        try:
+            return self._may_be(ast.parse(expression.strip(), mode="eval").body)
+        except (SyntaxError, ValueError):
+            return False
+
+    def _may_be(self, node: ast.expr) -> bool:
+        match node:
+            case ast.Name(name):
+                return name in self.names
+            case ast.Constant(value):
+                return isinstance(value, bool)
+            case ast.Compare() | ast.UnaryOp(ast.Not()):
+                return True
+            case ast.BoolOp(_, values):
+                return any(map(self._may_be, values))
+            case ast.IfExp(_, first, second):
+                return self._may_be(first) or self._may_be(second)
+        return False
+
+
+def _given_in(root: Element) -> Iterator[tuple[str, str]]:
+    """Return the names that properties, calls and defaults give values, with their texts."""
+    for element in root.iter():
+        given = {name: format_value(value) for name, value in element.attributes.items()}
+        if element.name == "xacro:property":
+            yield given.get("name", ""), given.get("value", given.get("default", ""))
+        elif element.name == "xacro:macro":
+            for own in parse_parameters(given.get("params", "")):
+                yield own.name, own.default or ""
+        elif element.name.startswith("xacro:"):
+            yield from given.items()

@@ -14,8 +14,7 @@ from ....syntax.names import is_identifier
 from ....xacro.statements import parse_parameters
 from ....xml.tree import Element
 from ....xml.values import format_value
-from .borrowed import Borrowed, calls_of
-from .includes import computed_name, source_name
+from .includes import Borrowed, calls_of, computed_name, source_name
 from .names import common_folder, used_in
 from .program import XacroProgram
 

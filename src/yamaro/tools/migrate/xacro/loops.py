@@ -14,28 +14,16 @@ What the call changes besides is assigned at the end of the loop's body.
 from __future__ import annotations
 
 import ast
+import re
 
 from ....syntax.names import is_identifier
+from ....xacro.templates import guess_value
 from ....xml.tree import Comment, Element, Text
 from ....xml.values import format_value
 from ..document import Body, Entry
-from ..elements import tidy_text
-from ..pairing import has_text
+from ..elements import has_text, tidy_text
 from .names import used_in
 from .python import CannotMigrate
-from .rewriting import Rewriting
-from .steps import (
-    NoLoop,
-    comparison_in,
-    is_new_list,
-    is_whole,
-    moved_bound,
-    parsed_python,
-    range_of,
-    require,
-    source_of,
-    step_of,
-)
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -43,9 +31,117 @@ if TYPE_CHECKING:
 
     from ....xacro.statements import Parameter
     from ....xml.tree import Node
-    from .macros import Macro
-    from .program import XacroProgram
+    from .program import Macro, XacroProgram
     from .python import Translator
+
+
+# --- conditions that count, and what they become as ranges ------------------------------------
+
+
+_COMPARED: dict[type[ast.cmpop], str] = {
+    ast.Lt: "<",
+    ast.LtE: "<=",
+    ast.Gt: ">",
+    ast.GtE: ">=",
+    ast.Eq: "==",
+    ast.NotEq: "!=",
+}
+_MIRRORED = {"<": ">", "<=": ">=", ">": "<", ">=": "<=", "==": "==", "!=": "!="}
+_NEW_LISTS = ("list", "sorted", "split", "copy")
+"""Functions and methods whose list nobody else has."""
+
+
+class NoLoop(Exception):
+    """A macro is not a loop, or not for certain."""
+
+
+def require(holds: bool) -> None:
+    """Raise NoLoop unless a condition holds."""
+    if not holds:
+        raise NoLoop
+
+
+def parsed_python(python: str) -> ast.expr:
+    """Return the tree of an expression; raise NoLoop if it is not one."""
+    try:
+        return ast.parse(python, mode="eval").body
+    except (SyntaxError, ValueError):
+        raise NoLoop from None
+
+
+def source_of(python: str, node: ast.expr) -> str:
+    """Return the text of a node of an expression."""
+    return ast.get_source_segment(python, node) or ast.unparse(node)
+
+
+def step_of(python: str, name: str) -> int:
+    """Return what an expression adds to a name; 0 if it does anything else."""
+    match parsed_python(python) if python else None:
+        case ast.BinOp(ast.Name(own), ast.Add() | ast.Sub() as op, ast.Constant(int(step))):
+            pass
+        case ast.BinOp(ast.Constant(int(step)), ast.Add() as op, ast.Name(own)):
+            pass
+        case _:
+            return 0
+    return 0 if own != name else step if isinstance(op, ast.Add) else -step
+
+
+def comparison_in(condition: ast.expr, steps: dict[str, int]) -> tuple[str, str, ast.expr | None]:
+    """Return which counted name is compared, how, and with what; None is for zero."""
+    match condition:
+        case ast.Name(name):
+            found: tuple[str, str, ast.expr | None] = name, "!=", None
+        case ast.Compare(ast.Name(name), [op], [bound]) if steps.get(name):
+            found = name, _COMPARED.get(type(op), ""), bound
+        case ast.Compare(bound, [op], [ast.Name(name)]):
+            found = name, _MIRRORED.get(_COMPARED.get(type(op), ""), ""), bound
+        case _:
+            raise NoLoop
+    require(bool(steps.get(found[0]) and found[1]))
+    return found
+
+
+def moved_bound(source: str, bound: ast.expr, amount: int) -> str:
+    """Return a bound plus or minus one."""
+    match bound:
+        case ast.Constant(int(value)):
+            return str(value + amount)
+        case ast.BinOp(_, ast.Sub() | ast.Add() as op, ast.Constant(1)):
+            if isinstance(op, ast.Sub) == (amount == 1):
+                return source.rpartition("-" if amount == 1 else "+")[0].strip()
+    return f"{source} {'+' if amount == 1 else '-'} 1"
+
+
+def range_of(name: str, stop: str, step: int, is_backwards: bool) -> str:
+    """Return what counts from a name to `stop`, which is left out; or the other way round."""
+    pieces = [name, stop] if step == 1 else [name, stop, str(step)]
+    if is_backwards and step not in (1, -1):
+        return f"reversed(range({', '.join(pieces)}))"
+    if is_backwards:
+        first = moved_bound(stop, parsed_python(stop), -step)
+        pieces = [first, f"{name} + 1"] if step == -1 else [first, f"{name} - 1", "-1"]
+    return f"range({', '.join(pieces)})"
+
+
+def is_whole(text: str) -> bool:
+    """Return whether a text is a whole number."""
+    return not isinstance(guess_value(text), float)
+
+
+def is_new_list(node: ast.expr) -> bool:
+    """Return whether an expression makes a list of its own."""
+    match node:
+        case ast.List() | ast.ListComp() | ast.Subscript(_, ast.Slice()):
+            return True
+        case ast.Call(ast.Name(name) | ast.Attribute(_, name)):
+            return name in _NEW_LISTS
+        case ast.BinOp(left, ast.Add() | ast.Mult(), right):
+            return is_new_list(left) or is_new_list(right)
+    return False
+
+
+# --- loops ------------------------------------------------------------------------------------
+
 
 _CONDITIONS = ("xacro:if", "xacro:unless")
 _NOT_IN_LOOPS = ("xacro:call", "xacro:macro", "xacro:include")
@@ -473,3 +569,41 @@ def _is_surely_read(node: Node, name: str) -> bool:
     if node.name in _CONDITIONS:
         return False
     return any(_is_surely_read(child, name) for child in node.children)
+
+
+# --- the first item of a list under another name ----------------------------------------------
+
+
+class Rewriting:
+    """Puts a name in the place of a list's first item."""
+
+    def __init__(self, first: str, name: str, program: XacroProgram) -> None:
+        """Take the item's expression, as `items[0]`, and its new name."""
+        listed, _, index = first[:-1].partition("[")
+        self._first = re.compile(rf"(?<![\w.]){listed}\s*\[\s*{index}\s*\]")
+        self._name = name
+        self._program = program
+
+    def node(self, node: Node) -> Node:
+        """Return an element with the name in all its expressions."""
+        if isinstance(node, Text):
+            return Text(self.text(format_value(node.value)), node.span)
+        if isinstance(node, Comment):
+            return node
+        children = [self.node(child) for child in node.children]
+        changed = node.with_children(children)
+        changed.attributes = {
+            name: self.text(format_value(value)) for name, value in node.attributes.items()
+        }
+        return changed
+
+    def text(self, text: str) -> str:
+        """Return a text with the name in its expressions."""
+        return re.sub(r"\$\{([^}]*)\}", self._replaced, text)
+
+    def _replaced(self, found: re.Match[str]) -> str:
+        inner = found[1]
+        changed = self._first.sub(self._name, inner)
+        known = self._program.truths, self._program.numbers
+        require(changed == inner or not any(inner.strip() in kinds for kinds in known))
+        return f"${{{changed}}}"

@@ -6,39 +6,125 @@ truth values. All else is read from the files.
 
 from __future__ import annotations
 
+import ast
+import math
 import re
 
+from ....xacro.statements import Parameter, parse_parameters
 from ....xacro.templates import guess_value
 from ....xml.tree import Comment, Element
 from ....xml.values import format_value
 from ..document import spaced
 from ..elements import comments_at_ends, tidy_text
-from .arguments import HiddenArguments, arguments_in, arguments_of, is_property_of
-from .callers import Callers, names_of_callers
-from .choices import MARK, name_alone
-from .known_numbers import known_numbers
-from .macros import Argument, Macro
+from ..formulas import Degrees
+from .choices import MARK, Truths, name_alone
 from .names import (
+    Callers,
+    HiddenArguments,
+    Passing,
+    Readers,
+    arguments_in,
+    arguments_of,
     camel,
     computed_with,
     defined_in,
+    is_property_of,
     names_in,
+    names_of_callers,
     outside_expressions,
     texts_in,
     used_in,
 )
-from .namespaces import Namespaces
-from .passing import Passing
-from .readers import Readers
 from .robot_files import RobotFiles
-from .truths import Truths
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Container, Iterable, Mapping
 
-    from ....source import Source
+    from ....source import Source, Span
     from ....xacro.host import Host
+
+
+# --- macros and arguments ---------------------------------------------------------------------
+
+
+class Macro:
+    """A macro and the function it becomes.
+
+    Attributes:
+        name, function: what they are called.
+        parameters: of the macro.
+        file: the path of the file it is defined in.
+        element: its tag.
+        from_caller: the names in defaults of its parameters that only its callers have.
+    """
+
+    def __init__(self, element: Element, file: str, function: str) -> None:
+        """Read its name and parameters."""
+        self.element = element
+        self.name = format_value(element.attributes.get("name")).removeprefix("xacro:")
+        self.parameters: list[Parameter] = [
+            own
+            for own in parse_parameters(format_value(element.attributes.get("params", "")))
+            if not own.name[:1].isdigit()  # nothing can read it, and no call can give it
+        ]
+        self.file = file
+        self.function = function
+        self.from_caller: set[str] = set()
+
+    def values(self) -> list[str]:
+        """Return the names of the parameters that are values."""
+        return [own.name for own in self.parameters if not own.is_block]
+
+    def is_default_of_caller(self, own: Parameter) -> bool:
+        """Return whether a default reads a property of the caller."""
+        return bool(names_in(own.default or "") & {*self.values(), *self.from_caller})
+
+    def blocks(self) -> list[str]:
+        """Return the names of the parameters that are blocks, with their stars."""
+        return [own.name for own in self.parameters if own.is_block]
+
+
+class Argument:
+    """An argument of a robot.
+
+    Attributes:
+        span: where it is declared first.
+        remark: the comments above that.
+        ending: those at the end of its line.
+        defaults: what it is if it is not given; several, if it is not known which counts.
+        made_of: the names that its defaults read.
+    """
+
+    __slots__ = ("defaults", "ending", "made_of", "remark", "span")
+
+    def __init__(self, span: Span, remark: str) -> None:
+        self.span = span
+        self.remark = remark
+        self.ending = ""
+        self.defaults: list[str] = []
+        self.made_of: set[str] = set()
+
+    def add(self, default: str) -> None:
+        """Note a default."""
+        if default not in self.defaults:
+            self.defaults.append(default)
+            self.made_of |= names_in(default)
+
+    def settle(self, default: object) -> None:
+        """Say which default counts, if the first declaration has one."""
+        if default is not None:
+            self.defaults = [format_value(default)]
+            self.made_of = names_in(self.defaults[0])
+
+    @property
+    def default(self) -> str:
+        """Return the default, if there is one that counts."""
+        return self.defaults[0] if self.defaults else ""
+
+
+# --- the robot --------------------------------------------------------------------------------
+
 
 _CHANGE = re.compile(r"\.(?:pop|append|insert|remove|extend|clear|sort|reverse)\(")
 _NAME = re.compile(r"[A-Za-z_]\w*")
@@ -483,8 +569,6 @@ class XacroProgram:
 
     def is_python(self, name: str) -> bool:
         """Return whether an argument is a value such as a list, only put into expressions."""
-        import ast
-
         try:
             value = ast.literal_eval(self.arguments[name].default.strip())
         except (SyntaxError, ValueError):
@@ -533,3 +617,139 @@ class XacroProgram:
         if self.has_computed_calls and name.startswith("xacro:"):
             return True
         return bool(self._readers.files.get(name, set()) - {path})
+
+
+# --- namespaces: files that are included with `ns`, and what is in them -----------------------
+
+
+class Namespaces:
+    """Which files are in a namespace.
+
+    Attributes:
+        inside: the paths of the files whose names are seen in namespaces only.
+        mixed: the paths of those that are included without one as well.
+    """
+
+    def __init__(
+        self, main: str, roots: Mapping[str, Element], included: Mapping[tuple[str, int], list[str]]
+    ) -> None:
+        """Look at the includes of all files.
+
+        Args:
+            main: the path of the main file.
+            roots: the root elements of all files, by path.
+            included: the paths that an include means, by the place of its `filename`.
+        """
+        self._roots = roots
+        self._included = included
+        self._files: dict[tuple[str, str], list[str]] = {}
+        """The files of a namespace, by the file that includes them and its name."""
+        named: list[str] = []
+        for path, root in roots.items():
+            for element in _includes_of(root):
+                if "ns" in element.attributes:
+                    name = format_value(element.attributes["ns"])
+                    self._files.setdefault((path, name), []).extend(self._meant_by(element))
+                    named += self._meant_by(element)
+        inside = self._reached_from(named)
+        outside = self._reached_from([main])
+        self.inside = inside - outside
+        self.mixed = inside & outside
+
+    def names(self, path: str) -> set[str]:
+        """Return the names of the namespaces that a file makes."""
+        return {name for includer, name in self._files if includer == path}
+
+    def files(self, path: str, names: list[str]) -> list[str]:
+        """Return the files of a namespace, as names of namespaces lead to it from a file."""
+        paths = [path]
+        for name in names:
+            around = self._reached_from(paths)
+            paths = [own for each in around for own in self._files.get((each, name), ())]
+        return sorted(self._reached_from(paths))
+
+    def reached_by(self, includes: list[Element]) -> set[str]:
+        """Return the files that includes bring in, in namespaces or not."""
+        reached: set[str] = set()
+        pending = [path for element in includes for path in self._meant_by(element)]
+        while pending:
+            path = pending.pop()
+            if path not in reached:
+                reached.add(path)
+                inner = _includes_of(self._roots[path])
+                pending += [own for element in inner for own in self._meant_by(element)]
+        return reached
+
+    def _meant_by(self, include: Element) -> list[str]:
+        span = include.value_span("filename")
+        paths = self._included.get((span.source.path, span.start), [])
+        return [path for path in paths if path in self._roots]
+
+    def _reached_from(self, paths: list[str]) -> set[str]:
+        """Return files, with those that they include without a namespace."""
+        reached: set[str] = set()
+        pending = list(paths)
+        while pending:
+            path = pending.pop()
+            if path not in reached:
+                reached.add(path)
+                for element in _includes_of(self._roots[path]):
+                    if "ns" not in element.attributes:
+                        pending += self._meant_by(element)
+        return reached
+
+
+def _includes_of(root: Element) -> list[Element]:
+    return [element for element in root.iter() if element.name == "xacro:include"]
+
+
+# --- names that have the same number wherever they are read, such as `pi` ---------------------
+
+
+_WORD = re.compile(r"[^\W\d]\w*")
+_PREDEFINED = {"pi": math.pi, "tau": math.tau}
+
+
+def known_numbers(program: XacroProgram) -> dict[str, float]:
+    """Return `pi`, `tau` and the properties of files that are defined once, as numbers."""
+    others = {*program.arguments, *program.assigned_from_inside}
+    others = others.union(*(macro.values() for macro in program.definitions.values()))
+    found = {
+        name: number
+        for name, number in _PREDEFINED.items()
+        if name not in others and name not in program.properties
+    }
+    pending = {
+        name: text
+        for name, text in _properties(program).items()
+        if program.times_defined[name] == 1 and name not in others
+    }
+    made_of = {name: pending.keys() & set(_WORD.findall(text)) for name, text in pending.items()}
+    readers: dict[str, list[str]] = {}
+    for name, others in made_of.items():
+        for other in others:
+            readers.setdefault(other, []).append(name)
+    degrees = Degrees(found)
+    ready = [name for name in pending if not made_of[name]]
+    for name in ready:  # grows meanwhile, by what is made of numbers that are known
+        text = pending[name]
+        is_expression = text.startswith("${") and text.find("}") == len(text) - 1
+        number = degrees.value(f"$({text[2:-1]})" if is_expression else text)
+        if number is None:
+            continue
+        found[name] = number
+        for reader in readers.get(name, ()):
+            made_of[reader].discard(name)
+            if not made_of[reader]:
+                ready.append(reader)
+    return found
+
+
+def _properties(program: XacroProgram) -> dict[str, str]:
+    """Return the values of the properties that are at the top of a file."""
+    return {
+        format_value(element.attributes["name"]): format_value(element.attributes["value"]).strip()
+        for root in program.roots.values()
+        for element in root.elements()
+        if element.name == "xacro:property" and {"name", "value"} <= element.attributes.keys()
+    }

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ast
 import re
 
 from ....runtime.predefined import CONSTANTS
@@ -14,12 +15,12 @@ from ....xacro.templates import (
     guess_value,
     parse_template,
 )
+from ....xml.values import is_number
+from ....yaml.nodes import type_plain
 from ..document import Quoted, literal
-from .python_texts import Edits, ends_in_minus, is_plain_number, minus, without_parentheses
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    import ast
     from collections.abc import Callable, Collection, Mapping, Sequence
     from typing import TypeGuard
 
@@ -201,8 +202,6 @@ class Translator:
 
     def expression(self, text: str) -> str:
         """Return an expression of xacro as one of Yamaro."""
-        import ast
-
         python = f"({self._without_templates(text).strip()}\n)"
         try:
             tree = ast.parse(python, mode="eval")
@@ -214,8 +213,6 @@ class Translator:
 
     def _look_at(self, node: ast.AST, edits: Edits, bound: frozenset[str] = frozenset()) -> None:
         """Note what has to be written in another way in a piece of syntax."""
-        import ast
-
         if isinstance(node, ast.Name):
             if node.id not in bound:
                 self.used.add(node.id)
@@ -243,8 +240,6 @@ class Translator:
 
     def _call_of_namespace(self, node: ast.Call, edits: Edits, bound: frozenset[str]) -> bool:
         """Write a call such as `xacro.load_yaml`; False if it is not one."""
-        import ast
-
         func = node.func
         assert isinstance(func, ast.Attribute)
         if not isinstance(func.value, ast.Name) or func.value.id != "xacro":
@@ -268,8 +263,6 @@ class Translator:
 
     def message(self, text: str) -> str | None:
         """Return what a text says to the user that is a call of `xacro.message` and no more."""
-        import ast
-
         parts = _parsed(text).parts
         if len(parts) != 1 or not isinstance(parts[0], Expression):
             return None
@@ -290,8 +283,6 @@ class Translator:
         return " ".join(words)
 
     def _attribute(self, node: ast.Attribute, edits: Edits, bound: frozenset[str]) -> None:
-        import ast
-
         if isinstance(node.value, ast.Name):
             owner = node.value.id
             if owner in ("math", "python"):
@@ -308,8 +299,6 @@ class Translator:
         edits.replace_after(node.value, node, f"[{node.attr!r}]")
 
     def _is_module(self, node: ast.AST) -> bool:
-        import ast
-
         return isinstance(node, ast.Name) and node.id in ("math", "python", "xacro")
 
     def _without_templates(self, text: str) -> str:
@@ -454,8 +443,6 @@ def _parsed(text: str) -> Template:
 
 
 def _is_name(node: ast.AST) -> TypeGuard[ast.Name]:
-    import ast
-
     return isinstance(node, ast.Name)
 
 
@@ -490,3 +477,115 @@ def _bare_environment(words: Sequence[str]) -> str:
     """Return a variable of the environment that is in an expression without quotes."""
     python = _environment(words)
     return f"({python})" if " if " in python else python
+
+
+# --- Python changed where it stands: edits, negations, parentheses ----------------------------
+
+
+_OPPOSITES = {"==": "!=", "!=": "==", "in": "not in", "not in": "in"}
+
+
+def ends_in_minus(pieces: list[str]) -> bool:
+    """Return whether the pieces of a text end in a sign for the number that follows."""
+    return "".join(pieces).split(" ")[-1:] == ["-"]
+
+
+def minus(python: str) -> str:
+    """Return an expression with the other sign."""
+    tree = ast.parse(python, mode="eval").body
+    is_whole = isinstance(tree, (ast.Name, ast.Call, ast.Attribute, ast.Subscript, ast.Constant))
+    return f"-{python}" if is_whole else f"-({python})"
+
+
+def negated(condition: str) -> str:
+    """Return the condition that is true where this one is false."""
+    try:
+        tree = ast.parse(condition, mode="eval").body
+    except (SyntaxError, ValueError):
+        return f"not ({condition})"
+    if isinstance(tree, ast.UnaryOp) and isinstance(tree.op, ast.Not):
+        operand = without_parentheses(condition.removeprefix("not").strip())
+        return operand if _is_truth_value(tree.operand) else f"bool({operand})"
+    if isinstance(tree, ast.Compare) and len(tree.ops) == 1:
+        left = ast.get_source_segment(condition, tree.left) or ""
+        right = ast.get_source_segment(condition, tree.comparators[0]) or ""
+        between = condition.removeprefix(left).removesuffix(right)
+        opposite = _OPPOSITES.get(" ".join(between.split()))
+        if left + between + right == condition and opposite is not None:
+            return f"{left} {opposite} {right}"
+    if isinstance(tree, (ast.Name, ast.Call, ast.Attribute, ast.Subscript, ast.Constant)):
+        return f"not {condition}"
+    return f"not ({condition})"
+
+
+def _is_truth_value(node: ast.expr) -> bool:
+    """Return whether an expression gives True or False, and no text, which is not a condition."""
+    if isinstance(node, ast.BoolOp):
+        return all(map(_is_truth_value, node.values))
+    is_not = isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.Not)
+    return is_not or isinstance(node, ast.Compare)
+
+
+def without_parentheses(python: str) -> str:
+    """Return an expression without parentheses around the whole."""
+    while python.startswith("(") and python.endswith(")"):
+        inner = python[1:-1].strip()
+        try:
+            same = ast.dump(ast.parse(inner, mode="eval")) == ast.dump(
+                ast.parse(python, mode="eval")
+            )
+        except (SyntaxError, ValueError):
+            return python
+        if not same:
+            return python
+        python = inner
+    return python
+
+
+class Edits:
+    """Changes of a text at the places of its syntax."""
+
+    def __init__(self, text: str) -> None:
+        self._data = text.encode()
+        self._starts = [0]
+        for line in text.split("\n"):
+            self._starts.append(self._starts[-1] + len(line.encode()) + 1)
+        self._edits: list[tuple[int, int, str]] = []
+
+    def replace(self, node: ast.expr, new: str) -> None:
+        """Put a text in the place of a node."""
+        self._edits.append((self._start(node), self._end(node), new))
+
+    def replace_after(self, inner: ast.expr, node: ast.expr, new: str) -> None:
+        """Put a text in the place of what follows `inner` in a node."""
+        self._edits.append((self._end(inner), self._end(node), new))
+
+    def insert_before(self, node: ast.expr, new: str) -> None:
+        """Put a text in front of a node."""
+        self._edits.append((self._start(node), self._start(node), new))
+
+    def insert_after(self, node: ast.expr, new: str) -> None:
+        """Put a text behind a node."""
+        self._edits.append((self._end(node), self._end(node), new))
+
+    def text(self) -> str:
+        """Return the text with all changes."""
+        data = self._data
+        for start, end, new in sorted(self._edits, reverse=True):
+            if data[start:end] != new.encode():
+                data = data[:start] + new.encode() + data[end:]
+        return data.decode()
+
+    def _start(self, node: ast.expr) -> int:
+        return self._starts[node.lineno - 1] + node.col_offset
+
+    def _end(self, node: ast.expr) -> int:
+        assert node.end_lineno is not None
+        assert node.end_col_offset is not None
+        return self._starts[node.end_lineno - 1] + node.end_col_offset
+
+
+def is_plain_number(python: str) -> bool:
+    """Return whether Python is a number that YAML reads as the same one."""
+    value = type_plain(python)
+    return is_number(value) and repr(value) == python

@@ -1,35 +1,47 @@
-"""The statements of a file in xacro: elements, parts, conditions, and what other modules write."""
+"""A file of xacro as a source: its header and sections, the order in them, elements and parts."""
 
 from __future__ import annotations
 
 import os
+import re
 from contextlib import contextmanager
 
-from ....syntax.names import is_identifier
+from ....model.compare import is_used, prefixes_in
+from ....syntax.names import STATEMENTS, is_identifier
 from ....xml.tree import Comment, Element, Text
 from ....xml.values import format_value
-from ..document import Body, Entry, Value, joined, literal
+from ..document import Body, Entry, Quoted, Value, joined, literal
 from ..elements import (
     ElementWriter,
     add_loose,
+    comments_above,
     comments_at_ends,
+    has_text,
     is_short,
     needs_brackets,
     note_comments,
     tidy_text,
     tidy_value,
 )
-from ..frames import Frames
-from ..pairing import has_text
-from .calls import write_block, write_call, write_call_by_name
-from .conditions import write_condition
-from .definitions import write_argument, write_macro, write_property
+from ..parts import Frames
+from .contents import IN_PART
 from .includes import write_include
-from .order import in_order
+from .names import defined_in, names_in, used_in
 from .parts import Step, XacroPartWriter, in_steps, is_statement, stands_as_key
-from .placing import IN_PART
 from .python import CannotMigrate, Translator
-from .surroundings import Surroundings
+from .statements import (
+    PREDEFINED,
+    Surroundings,
+    is_late,
+    names_of,
+    write_argument,
+    write_block,
+    write_call,
+    write_call_by_name,
+    write_condition,
+    write_macro,
+    write_property,
+)
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -37,14 +49,12 @@ if TYPE_CHECKING:
     from contextlib import AbstractContextManager
 
     from ....source import Span
-    from ....xml.tree import Node
+    from ....xml.tree import Element, Node
     from ..elements import Endings
-    from .callees import Callees
-    from .contents import Contents
-    from .inertia import Solids
+    from .contents import Content, Contents, Placing
     from .layout import Layout
-    from .parts import Write
-    from .placing import Content, Placing
+    from .names import Callees
+    from .parts import Solids, Write
     from .program import XacroProgram
 
 
@@ -383,3 +393,320 @@ _HANDLERS: dict[str, Callable[[FileWriter, Element, Body], None]] = {
     "xacro:element": _write_element,
     "xacro:call": write_call_by_name,
 }
+
+
+# --- order ------------------------------------------------------------------------------------
+# xacro evaluates a property when it is read first, so that one may be made of names that are
+# defined further down. A variable is evaluated where it is declared: it has to follow those names.
+
+
+def in_order(nodes: list[Node], endings: Endings, program: XacroProgram) -> list[Node]:
+    """Return what is in one place, properties behind what their values are made of.
+
+    They take along the comments above them, and those at the ends of their lines (`endings`).
+    """
+    elements = [node for node in nodes if isinstance(node, Element)]
+    if not any(element.name == "xacro:property" for element in elements):
+        return nodes
+    defined = {id(element): _defined_by(element, program) for element in elements}
+    moved: dict[int, list[Node]] = {}
+    """Properties by what they have to follow."""
+    for index, element in enumerate(elements):
+        if _is_lazy(element):
+            rest = elements[index + 1 :]
+            last = _last_needed(element, elements[:index], rest, defined, program)
+            if last is not None:
+                moved.setdefault(id(last), []).append(element)
+    if not moved:
+        return nodes
+    away = {id(element) for row in moved.values() for element in row}
+    result: list[Node] = []
+
+    groups = _with_comments(nodes, endings)
+
+    def put(node: Node) -> None:
+        result.extend(groups[id(node)])
+        for element in moved.get(id(node), ()):
+            put(element)
+
+    for element in elements:
+        if id(element) not in away:
+            put(element)
+    return result + groups[0]
+
+
+def _with_comments(nodes: list[Node], endings: Endings) -> dict[int, list[Node]]:
+    """Return each element with what is around it, by identity, and what comes last under 0."""
+    groups: dict[int, list[Node]] = {}
+    above: list[Node] = []
+    latest: list[Node] = []
+    for node in nodes:
+        if isinstance(node, Element):
+            latest = groups[id(node)] = [*above, node]
+            above = []
+        elif latest and endings.get(id(node)) == "following":
+            latest += [*above, node]
+            above = []
+        else:
+            above.append(node)
+    groups[0] = above
+    return groups
+
+
+def _is_lazy(element: Element) -> bool:
+    given = element.attributes
+    return (
+        element.name == "xacro:property"
+        and "$" in format_value(given.get("value"))
+        and "scope" not in given
+        and format_value(given.get("lazy_eval", "true")).lower() in ("true", "1")
+    )
+
+
+def _defined_by(element: Element, program: XacroProgram) -> set[str]:
+    """Return the names that an element defines where it stands, or what it includes or calls."""
+    if element.name == "xacro:macro":
+        return set()
+    includes = [own for own in element.iter() if own.name == "xacro:include"]
+    names = defined_in(element) | program.handed_to(element)
+    for path in program.namespaces.reached_by(includes):
+        names |= defined_in(program.roots[path])
+    return names
+
+
+def _last_needed(
+    element: Element,
+    before: list[Element],
+    after: list[Element],
+    defined: dict[int, set[str]],
+    program: XacroProgram,
+) -> Element | None:
+    """Return the last of the elements below that a property needs, if it needs one."""
+    own = format_value(element.attributes.get("name"))
+    known = set().union(*(defined[id(each)] for each in before))
+    needed = names_in(format_value(element.attributes["value"])) - known - {own}
+    last = None
+    for index, each in enumerate(after):
+        new = defined[id(each)] & needed
+        if new:
+            last = index
+            needed -= new
+    if last is None:
+        return None
+    between = after[: last + 1]
+    is_read = any(own in _read_by(each, program) for each in between)
+    is_defined_again = any(own in defined[id(each)] for each in between)
+    return None if is_read or is_defined_again else after[last]
+
+
+def _read_by(element: Element, program: XacroProgram) -> set[str]:
+    """Return the names that are read where an element stands, also by what it calls or includes."""
+    names: set[str] = set()
+    seen: set[int] = set()
+    pending = [element]
+    while pending:
+        root = pending.pop()
+        if root.name == "xacro:property" or id(root) in seen:
+            continue
+        seen.add(id(root))
+        inside = {id(own) for own in root.iter() if own.name == "xacro:macro" and own is not root}
+        if root is not element or root.name != "xacro:macro":
+            names |= used_in(root, without=inside)
+            pending += _reached_by(root, inside, program)
+    return names
+
+
+def _reached_by(root: Element, inside: set[int], program: XacroProgram) -> Iterator[Element]:
+    """Return the macros that an element calls, and the files that it includes."""
+    for own in root.iter(inside):
+        macro = program.macro_called(own)
+        if macro is not None:
+            yield macro.element
+        elif own.name == "xacro:include":
+            for path in program.files.files_of(own):
+                yield program.roots[path]
+
+
+# --- header and sections ----------------------------------------------------------------------
+
+
+def sections_of(writer: FileWriter, *, is_main: bool) -> Body:
+    """Return the sections of the file."""
+    root = writer.program.roots[writer.path]
+    sections = Body()
+    declared = _arguments(writer) if is_main else Body()
+    writer.here.hides = writer.program.hidden.everywhere
+    model = writer.statements(root.children)
+    _take_variables(writer, model, declared)
+    _take_later_variables(writer, model, declared)
+    if writer.translator.imports:
+        sections.add("import", f"[{', '.join(sorted(writer.translator.imports))}]")
+    if declared:
+        sections.add("variables", declared)
+    if writer.functions:
+        sections.add("functions", writer.functions)
+    if is_main:
+        _add_root(writer, root, sections, model)
+    elif model or not sections:
+        sections.add("model", model or None)
+    for comment in writer.program.files.documents[writer.path].after:
+        sections.note(tidy_text(comment.text))
+    return sections
+
+
+def header_of(writer: FileWriter, *, is_main: bool) -> str:
+    """Return the comment above the file."""
+    header = comments_above(writer.program.files.documents[writer.path])
+    root = writer.program.roots[writer.path]
+    if is_main or all(element.name != "xacro:arg" for element in root.iter()):
+        return header
+    folder = os.path.dirname(writer.output_of(writer.path))
+    main = os.path.relpath(writer.output_of(writer.program.main), folder)
+    return joined(header, f"the arguments are declared in {main}")
+
+
+def _arguments(writer: FileWriter) -> Body:
+    """Return the arguments of all files, which the main file declares."""
+    body = Body()
+    for name, argument in writer.program.arguments.items():
+        if is_late(writer, name):
+            body.note(argument.remark)
+            body.add(f"{writer.variable(name)}/global")
+            body.note_end(argument.ending)
+            continue
+        try:
+            default = argument.default
+            is_python = writer.program.is_python(name)
+            translated = writer.translator.value
+            value = f"$({default.strip()})" if is_python else translated(default, name)
+            if name in writer.program.spelled:
+                value = Quoted(default)
+        except CannotMigrate as error:
+            writer.lose(argument.span, str(error))
+            continue
+        body.note(argument.remark)
+        scope = writer.scope_of(name) if writer.program.is_shared_argument(name) else ""
+        if name in writer.program.hidden.replaced:
+            scope = "/global"  # so that it does not hide the property of its name
+        body.add(writer.variable(name) + scope, value or "")
+        body.note_end(argument.ending)
+    for name in writer.program.arguments:
+        if name in writer.program.hidden.used:
+            own = writer.variable(name)
+            body.add(f"arg_{own}{writer.scope_of(name)}", f"$({own})")
+    return body
+
+
+def _take_variables(writer: FileWriter, model: Body, declared: Body) -> None:
+    """Take the first variables of a model to those declared for the file, if that is the same.
+
+    They may follow includes if these define none of them, and nothing that they read, and
+    behind elements without statements, such as materials.
+    """
+    for index, entry in enumerate(model.entries):
+        if entry.key == "variables":
+            assert isinstance(entry.value, Body)
+            if index and writer.path in writer.program.included_by_macros:
+                return  # a macro may have given them values before
+            if names_of(entry.value) & writer.program.names_of_includers(writer.path):
+                return  # what a macro passes comes before what is declared for the file
+            if index and not _is_independent(writer, entry.value, declared):
+                return
+            if names_of(entry.value) & names_of(declared):
+                return
+            declared.note(entry.comment)
+            declared.extend(entry.value)
+            del model.entries[index]
+            return
+        if entry.key != "include" and not _is_constant(entry):
+            return
+
+
+def _take_later_variables(writer: FileWriter, model: Body, declared: Body) -> None:
+    """Take variables further down to those declared for the file, if they do not depend on it.
+
+    They are defined once, and made of nothing but variables above that are.
+    """
+    for entry in [entry for entry in model if entry.key == "variables"]:
+        assert isinstance(entry.value, Body)
+        variables = entry.value
+        if variables.remark or variables.opening or entry.ending:
+            continue
+        first = variables.entries[0] if variables.entries else None
+        for own in list(variables):
+            if _depends_on_nothing(writer, own, declared):
+                comment = entry.comment if own is first else ""
+                if own is first:
+                    entry.comment = ""
+                variables.entries.remove(own)
+                own.comment = joined(comment, own.comment)
+                declared.append(own)
+        if not variables.entries:
+            model.entries.remove(entry)
+
+
+def _depends_on_nothing(writer: FileWriter, variable: Entry, declared: Body) -> bool:
+    """Return whether a variable may as well be declared above the model."""
+    program = writer.program
+    (name,) = names_of([variable])
+    known = names_of(declared)
+    if name in known or name in program.arguments or not isinstance(variable.value, str):
+        return False
+    if name in program.names_of_includers(writer.path):
+        return False
+    words = set(re.findall(r"[^\W\d]\w*", variable.value)) if "$(" in variable.value else set()
+    made_of = {word for word in words if word in program.properties or word in program.arguments}
+    late = {own for own in made_of if is_late(writer, own)}
+    fixed = {own for own in (name, *made_of) if own not in program.assigned_from_inside}
+    return (
+        made_of <= known
+        and not late
+        and len(fixed) == 1 + len(made_of)
+        and program.times_defined.get(name, 1) == (2 if id(variable) in writer.choices else 1)
+        and all(program.times_defined.get(own, 1) == 1 for own in made_of)
+        and not words & program.namespaces.names(writer.path)
+        and not any(word.startswith("arg_") for word in words)
+    )
+
+
+def _is_constant(entry: Entry) -> bool:
+    """Return whether an entry is an element in which nothing is a statement."""
+    name = entry.key.lstrip("<").partition("/")[0].rstrip(">")
+    if name in STATEMENTS or not name[:1].islower():
+        return False
+    return not isinstance(entry.value, Body) or all(map(_is_constant, entry.value))
+
+
+def _is_independent(writer: FileWriter, variables: Body, declared: Body) -> bool:
+    """Return whether no other file defines variables, nor what they are made of."""
+    names = names_of(variables)
+    known = names | names_of(declared) | PREDEFINED
+    made_of = set().union(*(writer.made_of.get(id(entry), set()) for entry in variables))
+    return made_of <= known and all(
+        len(writer.program.properties.get(name, ())) <= 1 for name in names
+    )
+
+
+def _add_root(writer: FileWriter, root: Element, sections: Body, model: Body) -> None:
+    """Add the robot's name and the model, or the root element with what is in it."""
+    attributes = {
+        name: writer.translator.text(format_value(value))
+        for name, value in root.attributes.items()
+        if not name.startswith(("xmlns:xacro", "xacro:"))
+    }
+    used = None if writer.program.exact else prefixes_in(writer.program.result)
+    for name, value in writer.program.result.attributes.items():
+        if name.startswith("xmlns:"):  # other files may declare prefixes
+            attributes.setdefault(name, literal(format_value(value)))
+    attributes = {name: value for name, value in attributes.items() if is_used(name, used)}
+    namespace = root.attributes.get("xacro:targetNamespace")
+    if namespace:
+        attributes["xmlns"] = writer.translator.text(format_value(namespace))
+    if root.name == "robot" and list(attributes) == ["name"]:
+        robot = Entry("robot", attributes["name"])
+        robot.ending, model.opening = model.opening, ""
+        sections.entries.insert(0, robot)
+        sections.add("model", model or None)
+        return
+    key = writer.key(root.name, attributes, bracketed="name" not in attributes)
+    sections.add(key, model or None)
