@@ -19,7 +19,7 @@ from yamaro.source import Span
 from yamaro.targets.losses import diagnostics_of
 from yamaro.tools.rebuilding import Rebuilder
 from yamaro.tools.view.session import Session
-from yamaro.tools.view.variable_fields import WrongValue
+from yamaro.tools.view.variables import WrongValue
 
 SECONDS = 5.0
 """How long a conversion may take."""

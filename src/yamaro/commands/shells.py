@@ -38,7 +38,7 @@ def _offered(option: Option) -> str:
     """Return the words that a shell offers as the value of an option."""
     from ..codes import ADJUSTABLE
     from ..policy import limit_names
-    from ..tools.picture.words import NAMED_VIEWS, SHOWN
+    from ..tools.picture.request import NAMED_VIEWS, SHOWN
 
     tables = {
         "limits": limit_names(),

@@ -20,7 +20,7 @@ def require_drawing() -> None:
     """Skip a test where nothing can be drawn; fail it in CI."""
     for module in ("vtkmodules", "PIL", "trimesh"):
         require_module(module)
-    from yamaro.tools.picture.window import NoOpenGLError, make_window
+    from yamaro.tools.picture.stage import NoOpenGLError, make_window
 
     try:
         make_window()

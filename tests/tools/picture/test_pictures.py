@@ -550,8 +550,8 @@ def test_without_opengl_it_is_said_what_to_install(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     monkeypatch.setattr("sys.platform", "linux")
-    monkeypatch.setattr("yamaro.tools.picture.window.EGL_LIBRARY", "libNone.so")
-    monkeypatch.setattr("yamaro.tools.picture.window.SOFTWARE_LIBRARIES", ("libNone.so",))
+    monkeypatch.setattr("yamaro.tools.picture.stage.EGL_LIBRARY", "libNone.so")
+    monkeypatch.setattr("yamaro.tools.picture.stage.SOFTWARE_LIBRARIES", ("libNone.so",))
     source = tmp_path / "robot.urdf"
     source.write_text(f'<robot name="r">{two_balls()}</robot>')
     assert main(["picture", str(source), "-o", str(tmp_path / "out.png")]) == 1

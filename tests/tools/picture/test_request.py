@@ -9,8 +9,7 @@ from tests.model.robots import JOINTS
 from yamaro import Robot, build
 from yamaro.commands.main import main
 from yamaro.options import UsageError
-from yamaro.tools.picture.motion import moments, swung
-from yamaro.tools.picture.request import Request, read_positions
+from yamaro.tools.picture.request import Request, moments, read_positions, swung
 
 
 def request(output: str = "a.png", lists: dict[str, list[str]] | None = None, **options: str):

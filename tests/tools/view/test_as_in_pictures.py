@@ -79,13 +79,14 @@ def test_an_example_is_shown_as_in_its_picture(
     shutil.copytree(EXAMPLES, tmp_path / "examples")  # some include files of others
     path = tmp_path / "examples" / name
     drawing = drawing_of(path)
-    from yamaro.tools.picture.cameras import VIEW_ANGLE, fitted
-    from yamaro.tools.picture.request import View
-    from yamaro.tools.picture.words import NAMED_VIEWS
+    from yamaro.model.positions import home_positions
+    from yamaro.tools.picture.request import NAMED_VIEWS, View
+    from yamaro.tools.picture.stage import VIEW_ANGLE, fitted
 
     page.show(view(path, "--trust"))
     page.run("yamaro.stage.drawNow()")
-    wanted = {joint.name: joint.rest for joint in drawing._robot.free_joints()}
+    positions = home_positions(drawing._robot)
+    wanted = {joint.name: positions[joint.name] for joint in drawing._robot.free_joints()}
     found = page.run(
         "Object.fromEntries([...yamaro.robot.joints.values()].map(j => [j.name, j.jointValue[0]]))"
     )

@@ -20,7 +20,7 @@ from yamaro.options import Options
 from yamaro.policy import SAFE, TRUSTED, Policy
 from yamaro.tools.rebuilding import Rebuilder
 from yamaro.tools.view import server as serving
-from yamaro.tools.view.editors import Editor
+from yamaro.tools.view.command import Editor
 from yamaro.tools.view.server import Server
 from yamaro.tools.view.session import Session
 

@@ -19,11 +19,11 @@ from yamaro.options import Options
 from yamaro.policy import SAFE, Policy
 from yamaro.tools.rebuilding import Rebuilder
 from yamaro.tools.view import command
+from yamaro.tools.view.command import find_editor
 from yamaro.tools.view.description import Description
-from yamaro.tools.view.editors import find_editor
 from yamaro.tools.view.mesh_files import MeshFiles
 from yamaro.tools.view.session import Session
-from yamaro.tools.view.variable_fields import WrongValue, read_variable_fields
+from yamaro.tools.view.variables import WrongValue, read_variable_fields
 
 
 def described(folder: Path, text: str, **files: str) -> Any:

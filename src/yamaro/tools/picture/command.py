@@ -1,4 +1,4 @@
-"""What `yamaro picture` does with a robot that is built."""
+"""The command `yamaro picture`: the packages that it needs, and the picture of a build."""
 
 from __future__ import annotations
 
@@ -77,9 +77,8 @@ def draw(build: Build, name: str, request: Request, reader: Reader) -> Result:
             drawn on this system.
         UsageError: a joint is named that there is not.
     """
-    from . import files
-    from .draw import Drawing
-    from .window import NoOpenGLError
+    from .draw import Drawing, gif, mp4, still
+    from .stage import NoOpenGLError
 
     try:
         drawing = Drawing(build, request, reader)
@@ -88,9 +87,9 @@ def draw(build: Build, name: str, request: Request, reader: Reader) -> Result:
         raise failure_of_all("no-opengl", message, name, str(error)) from None
     frames = drawing.frames()
     if request.ending == ".gif":
-        data = files.gif(frames, request.rate)
+        data = gif(frames, request.rate)
     elif request.ending == ".mp4":
-        data = files.mp4(frames, request.rate)
+        data = mp4(frames, request.rate)
     else:
-        data = files.still(next(frames), request.ending)
+        data = still(next(frames), request.ending)
     return Result(data, drawing.warnings, drawing.remarks)

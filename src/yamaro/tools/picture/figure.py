@@ -1,25 +1,21 @@
-"""A robot on a stage: which bodies it is drawn with, and where they are."""
+"""The figure of a robot: its shapes as bodies of polygons on a stage, and where they are."""
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkCommonTransforms import vtkTransform
+from vtkmodules.vtkFiltersCore import vtkCleanPolyData, vtkPolyDataNormals
+from vtkmodules.vtkFiltersGeneral import vtkTransformPolyDataFilter
+from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkCylinderSource, vtkSphereSource
 
-from ...model.shapes import Mesh
-from .bodies import (
-    axes_bodies,
-    box_body,
-    corners_of,
-    inertia_box,
-    shape_body,
-    sphere_body,
-    surface_body,
-)
-from .floor import Shadow, surface_samples
-from .stage import make_matrix, make_texture
-from .words import FRAMES, GRID, INERTIA, VISUAL
+from ...model.reading import read_robot
+from ...model.shapes import Box, Capsule, Cylinder, Mesh, Sphere
+from .request import FRAMES, GRID, INERTIA, LARGEST, VISUAL
+from .stage import Shadow, make_cells, make_matrix, make_points, make_texture, surface_samples
 
 if TYPE_CHECKING:
     from collections.abc import Collection, Mapping, Sequence
@@ -28,16 +24,257 @@ if TYPE_CHECKING:
     from vtkmodules.vtkCommonDataModel import vtkPolyData
     from vtkmodules.vtkRenderingCore import vtkActor
 
-    from ...diagnostics import Diagnostic
+    from ...diagnostics import Diagnostic, Frame
+    from ...files.mesh_files import MeshFinder
     from ...meshes.surfaces import Surface
-    from ...model.link import Inertial, Link
-    from ...model.pose import Vector
+    from ...model.link import Collision, Inertial, Link, Visual
+    from ...model.link import Color as RobotColor
+    from ...model.pose import Pose, Vector
     from ...model.robot import Robot
+    from ...model.shapes import Shape
+    from ...result import Build
+    from ...source import Span
     from .meshes import Meshes
-    from .shapes import DrawnShape
     from .stage import Color, Stage
 
     Floats = NDArray[np.floating[Any]]
+
+
+# --- bodies -----------------------------------------------------------------------------------
+
+
+ROUND = 64
+"""Corners of a circle."""
+
+SHARP = 32.0
+"""The angle in degrees from which an edge between two triangles is seen as one."""
+
+
+def shape_body(shape: Shape) -> vtkPolyData:
+    """Return the polygons of a shape that is not a mesh, in its own frame."""
+    match shape:
+        case Box():
+            return box_body(shape.size)
+        case Sphere():
+            return sphere_body(shape.radius)
+        case Cylinder():
+            return cylinder_body(shape.radius, shape.length)
+        case Capsule():
+            return cylinder_body(shape.radius, shape.length, is_capsule=True)
+        case _:
+            raise AssertionError(shape.kind)
+
+
+def box_body(size: Sequence[float]) -> vtkPolyData:
+    """Return a box around the origin, with edges of these lengths in metres."""
+    source = vtkCubeSource()
+    source.SetXLength(size[0])
+    source.SetYLength(size[1])
+    source.SetZLength(size[2])
+    return _output(source)
+
+
+def sphere_body(radius: float) -> vtkPolyData:
+    """Return a ball around the origin."""
+    source = vtkSphereSource()
+    source.SetRadius(radius)
+    source.SetThetaResolution(ROUND)
+    source.SetPhiResolution(ROUND // 2)
+    return _output(source)
+
+
+def cylinder_body(radius: float, length: float, *, is_capsule: bool = False) -> vtkPolyData:
+    """Return a cylinder around the origin, along z; a capsule has half a ball at each end."""
+    source = vtkCylinderSource()
+    source.SetRadius(radius)
+    source.SetHeight(length)
+    source.SetResolution(ROUND)
+    source.SetCapsuleCap(is_capsule)
+    return _upright(source)
+
+
+def surface_body(surface: Surface, scale: Sequence[float]) -> vtkPolyData:
+    """Return the polygons of a mesh's surface, scaled along its axes."""
+    body = vtkPolyData()
+    body.SetPoints(make_points(surface.points * scale))
+    is_mirrored = scale[0] * scale[1] * scale[2] < 0
+    triangles = surface.triangles[:, ::-1] if is_mirrored else surface.triangles
+    body.SetPolys(make_cells(triangles))
+    if surface.point_colors is not None:
+        colors = numpy_to_vtk(np.ascontiguousarray(surface.point_colors), deep=True)
+        body.GetPointData().SetScalars(colors)
+    if surface.texture_points is None or surface.normals is None:
+        return smoothed(body)
+    places = numpy_to_vtk(np.ascontiguousarray(surface.texture_points, np.float32), deep=True)
+    body.GetPointData().SetTCoords(places)
+    directions = surface.normals / np.where(np.array(scale) == 0, 1, scale)
+    directions /= np.maximum(np.linalg.norm(directions, axis=1, keepdims=True), 1e-12)
+    body.GetPointData().SetNormals(numpy_to_vtk(np.ascontiguousarray(directions), deep=True))
+    return body
+
+
+def smoothed(body: vtkPolyData) -> vtkPolyData:
+    """Return polygons with normals that make round what is round, and keep sharp edges sharp."""
+    merge = vtkCleanPolyData()
+    merge.SetInputData(body)
+    merge.SetTolerance(1e-6)
+    normals = vtkPolyDataNormals()
+    normals.SetInputConnection(merge.GetOutputPort())
+    normals.SetFeatureAngle(SHARP)
+    normals.ConsistencyOff()
+    return _output(normals)
+
+
+def inertia_box(inertial: Inertial) -> tuple[Floats, Floats] | None:
+    """Return the box of even density that has the mass and moments of a link.
+
+    With principal moments I₁ ≤ I₂ ≤ I₃ and edges a, b, c along their axes, I₁ = m/12·(b² + c²) and
+    so on; so a² = 6/m·(I₂ + I₃ − I₁). A moment that no body can have gives an edge of 0.
+
+    Returns:
+        The edges in metres, and their directions as columns in the frame of the inertial; None
+        without mass, or of a size that nothing has.
+    """
+    if not inertial.mass > 0:
+        return None
+    moments, axes = np.linalg.eigh(inertial.matrix())
+    if np.linalg.det(axes) < 0:
+        axes[:, 2] *= -1
+    edges = np.sqrt(np.maximum(6 / inertial.mass * (moments.sum() - 2 * moments), 0))
+    return (edges, axes) if edges.max() <= LARGEST else None
+
+
+def axes_bodies(length: float) -> list[tuple[vtkPolyData, tuple[float, float, float]]]:
+    """Return three arms along x, y and z with their colours, red, green and blue."""
+    thickness = length / 16
+    turns = ((90.0, 0.0, 1.0, 0.0), (-90.0, 1.0, 0.0, 0.0), None)
+    colors = ((0.86, 0.16, 0.19), (0.18, 0.62, 0.24), (0.16, 0.36, 0.86))
+    found = []
+    for turn, color in zip(turns, colors, strict=True):
+        transform = vtkTransform()
+        if turn is not None:
+            transform.RotateWXYZ(*turn)
+        transform.Translate(0, 0, length / 2)
+        found.append((_transformed(cylinder_body(thickness, length), transform), color))
+    return found
+
+
+def corners_of(body: vtkPolyData) -> Floats:
+    """Return the points of a body, N×3."""
+    if not body.GetNumberOfPoints():
+        return np.zeros((0, 3))
+    points: Floats = vtk_to_numpy(body.GetPoints().GetData()).astype(float)
+    return points
+
+
+def _upright(source: Any) -> vtkPolyData:
+    """Turn a body from VTK's axis, y, to z."""
+    turn = vtkTransform()
+    turn.RotateX(90)
+    return _transformed(_output(source), turn)
+
+
+def _transformed(body: vtkPolyData, transform: vtkTransform) -> vtkPolyData:
+    move = vtkTransformPolyDataFilter()
+    move.SetInputData(body)
+    move.SetTransform(transform)
+    return _output(move)
+
+
+def _output(algorithm: Any) -> vtkPolyData:
+    algorithm.Update()
+    return algorithm.GetOutput()
+
+
+# --- shapes -----------------------------------------------------------------------------------
+
+
+class DrawnShape:
+    """A shape of a link.
+
+    Attributes:
+        link: its link.
+        section: the visual or collision that it is in.
+        shape: the shape.
+        pose: T_link_shape.
+        is_visual: whether it is seen, and not for collisions.
+        color: red, green, blue, alpha from 0 to 1, or None where none is given.
+        path: of a mesh, its file, or None if that is not found.
+    """
+
+    __slots__ = ("color", "is_visual", "link", "path", "pose", "section", "shape")
+
+    def __init__(
+        self, link: Link, section: Visual | Collision, shape: Shape, *, is_visual: bool
+    ) -> None:
+        self.link = link
+        self.section = section
+        self.shape = shape
+        self.pose: Pose = section.pose
+        self.is_visual = is_visual
+        self.color: RobotColor | None = None
+        self.path: str | None = None
+
+    @property
+    def filename(self) -> str:
+        """Return the file of a mesh as written; "" for another shape."""
+        return self.shape.filename if isinstance(self.shape, Mesh) else ""
+
+    @property
+    def filename_span(self) -> Span:
+        """Return where the file of a mesh is written."""
+        assert self.shape.element is not None
+        return self.shape.element.value_span("filename")
+
+    @property
+    def trace(self) -> Frame | None:
+        """Return the calls and includes that led to it."""
+        return self.section.trace_in(self.link)
+
+    def is_shown(self, shows: Collection[str]) -> bool:
+        """Return whether it is one of what is shown: visual or collision shapes."""
+        return ("visual" if self.is_visual else "collision") in shows
+
+
+def drawable_robot(build: Build) -> Robot:
+    """Return the robot of a build, in which numbers too large to draw are left out."""
+    return read_robot(build.robot_tree(), notes=build.notes, largest=LARGEST)
+
+
+def shapes_of(robot: Robot, finder: MeshFinder) -> list[DrawnShape]:
+    """Return the shapes of all links.
+
+    Raises:
+        YamaroError: a mesh lies where it may not be read.
+    """
+    found = []
+    for link in robot.links.values():
+        for visual in link.visuals:
+            if visual.shape is not None:
+                drawn = DrawnShape(link, visual, visual.shape, is_visual=True)
+                drawn.color = _color_of(visual, robot)
+                found.append(drawn)
+        found += [
+            DrawnShape(link, collision, collision.shape, is_visual=False)
+            for collision in link.collisions
+            if collision.shape is not None
+        ]
+    for drawn in found:
+        if drawn.filename:
+            drawn.path = finder.resolve(drawn.filename, drawn.filename_span)
+    return found
+
+
+def _color_of(visual: Visual, robot: Robot) -> RobotColor | None:
+    material = robot.material_of(visual)
+    if material is None or material.color is None:
+        return None
+    red, green, blue, alpha = (min(max(part, 0.0), 1.0) for part in material.color)
+    return (red, green, blue, alpha)
+
+
+# --- figure -----------------------------------------------------------------------------------
+
 
 PLAIN: Color = (0.74, 0.76, 0.79)
 """The colour of what has none."""

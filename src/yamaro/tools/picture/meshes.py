@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
     from ...confined import Reader
     from ...meshes.surfaces import MeshSurfaces, Surface
-    from .shapes import DrawnShape
+    from .figure import DrawnShape
 
 BOX_HINT = "the picture shows a box instead"
 

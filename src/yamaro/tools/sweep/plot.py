@@ -273,9 +273,8 @@ def pictures(folder: str, indices: Mapping[str, int], policy: Policy) -> dict[st
     import numpy as np
 
     from ...confined import Reader
-    from ..picture.cameras import fitted
     from ..picture.draw import Drawing
-    from ..picture.window import NoOpenGLError
+    from ..picture.stage import NoOpenGLError, fitted
 
     drawings, cameras = {}, {}
     try:

@@ -21,15 +21,15 @@ from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from socketserver import TCPServer
 from urllib.parse import quote
 
-from .downloads import FORMATS
-from .variable_fields import WrongValue
+from .session import FORMATS
+from .variables import WrongValue
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Mapping
     from typing import Any
 
-    from .editors import Editor
+    from .command import Editor
     from .session import Session
 
 HOST = "127.0.0.1"
