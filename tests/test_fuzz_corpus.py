@@ -19,7 +19,7 @@ from tests.fuzz.corpus import FILE_MARK, read_corpus, to_bytes, to_text
 from tests.fuzz.session import Session
 from tests.fuzz.targets import TARGETS
 from yamaro.diagnostics import did_you_mean
-from yamaro.runtime import loops
+from yamaro.runtime import statements as loops
 from yamaro.sandbox import jail
 from yamaro.syntax import keys, python
 from yamaro.xml import forms

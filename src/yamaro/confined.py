@@ -9,7 +9,7 @@ from time import monotonic
 from .diagnostics import YamaroError, failure_of_all
 from .files.packages import MODEL_PATHS
 from .policy import JAIL, NO_JAIL, USUAL_SECONDS, Limits, Policy
-from .runtime.messages import Messages
+from .runtime.interpreter import Messages
 from .sandbox.deadline import TimeOver, run_within
 from .sandbox.deep_stack import run_on_deep_stack
 from .xml.writer import write_pieces

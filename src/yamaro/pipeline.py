@@ -30,7 +30,7 @@ if TYPE_CHECKING:
     from .model.robot import Robot
     from .policy import Policy
     from .request import Request
-    from .runtime.library import Library
+    from .runtime.files import Library
     from .targets.output import Output
 
     Say = Callable[[str], None]
@@ -170,7 +170,7 @@ class Run:
 
     def _failure(self, errors: list[Diagnostic]) -> YamaroError:
         """Return what is raised, which notes where the values come from that are wrong."""
-        from .runtime.origins import add_origins
+        from .runtime.python_errors import add_origins
 
         for diagnostic in errors:
             add_origins(diagnostic, self._interpreter.files, self._interpreter.places)
@@ -292,7 +292,7 @@ def evaluate(request: Request, interpreter: Interpreter) -> Element:
     variables, places, reporter = request.variables, request.places, request.reporter
     is_xacro = False
     if request.source.is_xml:
-        from .runtime.xml_main import run_xml_main
+        from .runtime.xml_files import run_xml_main
 
         texts = {name: str(text) for name, text in variables.items()}  # they are texts already
         root, is_xacro = run_xml_main(request.source, interpreter, texts, places, reporter)
@@ -301,7 +301,7 @@ def evaluate(request: Request, interpreter: Interpreter) -> Element:
             interpreter, request.source, stem=request.stem, variables=variables, places=places
         )
     if not is_xacro and (places or interpreter.passed):  # xacro's own rules are another matter
-        from .runtime.unread import warn_of_unread, warn_of_unread_includes
+        from .runtime.yaml_main import warn_of_unread, warn_of_unread_includes
 
         warn_of_unread(places, interpreter.files, reporter)
         if interpreter.passed:

@@ -11,9 +11,9 @@ from .options import OF_FILES, Options, UsageError, explains_variables, merged_v
 from .pipeline import run_pipeline
 from .policy import NO_JAIL, UNSAFE
 from .request import Request, reach_of, read_main
-from .runtime.collector import RareCollection
-from .runtime.library import Library, rules_of
+from .runtime.files import Library, rules_of
 from .sandbox.deep_stack import run_on_deep_stack
+from .sandbox.process import RareCollection
 from .source import Public
 
 TYPE_CHECKING = False
@@ -104,7 +104,7 @@ class Program(Public):
 
     def _parse(self, source: Source, reporter: Reporter) -> None:
         if source.is_xml:
-            from .runtime.xml_includes import read_included
+            from .runtime.xml_files import read_included
 
             read_included(source, self.options.policy.limits)
         else:

@@ -33,7 +33,7 @@ if TYPE_CHECKING:
     from .files.readable import Reach
     from .options import Options
     from .policy import Policy
-    from .runtime.library import Library
+    from .runtime.files import Library
     from .targets.assets import Assets
     from .targets.mesh_paths import MeshPaths
 

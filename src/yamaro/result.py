@@ -169,7 +169,7 @@ class Build(Public):
         """
         if self._robot is None:
             from .model.reading import read_robot
-            from .runtime.collector import RareCollection
+            from .sandbox.process import RareCollection
 
             with RareCollection():
                 self._robot = read_robot(self._tree(), notes=self.notes, whole=True)

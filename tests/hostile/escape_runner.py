@@ -21,7 +21,7 @@ from typing import Any
 import numpy as np
 
 import yamaro.fixes
-import yamaro.runtime.origins
+import yamaro.runtime.python_errors
 import yamaro.terminal
 import yamaro.units  # noqa: F401 - with those above, what the first message would import
 from yamaro.diagnostics import Frame, YamaroError

@@ -10,7 +10,7 @@ import pytest
 from yamaro import Build, Policy, YamaroError, build
 from yamaro.diagnostics import Diagnostic
 from yamaro.files.loader import MemoryLoader
-from yamaro.runtime import late
+from yamaro.runtime import files as late
 
 
 def run(text: str, files: dict[str, str] | None = None, policy: Policy | None = None) -> Build:

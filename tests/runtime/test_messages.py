@@ -8,7 +8,7 @@ import pytest
 
 from yamaro.diagnostics import InputFault
 from yamaro.policy import Limits
-from yamaro.runtime.messages import Messages
+from yamaro.runtime.interpreter import Messages
 
 
 def messages(**limits: int) -> tuple[Messages, list[str]]:

@@ -20,8 +20,8 @@ import pytest
 from tests.waiting import PATIENCE, wait_for
 from yamaro import YamaroError, build, convert
 from yamaro.files.loader import MemoryLoader
-from yamaro.runtime import collector
 from yamaro.sandbox import deep_stack
+from yamaro.sandbox import process as collector
 from yamaro.sandbox.deep_stack import run_on_deep_stack
 
 ENDLESS = """

@@ -43,7 +43,7 @@ def run(arguments: Arguments, streams: Streams) -> int:
 def _listing(arguments: Arguments, policy: Policy) -> Listing:
     from ..files.loader import FileLoader
     from ..request import finder_for, reach_of, read_main
-    from ..runtime.library import Library
+    from ..runtime.files import Library
     from ..tools.declared_arguments import listing_of
 
     path = arguments.words[0]

@@ -41,7 +41,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     _leave_out_working_directory()
     import gc
 
-    from ..runtime.collector import RareCollection
+    from ..sandbox.process import RareCollection
 
     with RareCollection():  # here and not only in `build`, for what is imported before
         status = _run_safely(sys.argv[1:], ProcessStreams)

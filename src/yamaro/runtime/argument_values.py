@@ -10,8 +10,8 @@ from ..source import COMMAND_LINE, Source, Span
 from ..syntax.argument_section import PATH, ArgumentEntry, checked, is_literal, spelling_of
 from ..syntax.nodes import IncludeNode
 from ..syntax.python import Template
+from .expressions import Values, span_of
 from .scope import Scope
-from .values import Values, span_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -81,23 +81,12 @@ def _settle(
 ) -> None:
     """Declare one argument; with errors before it (`not is_whole`) only check what is literal."""
     given = _given(entry.name, scope, include)
-    if given is None:
-        _settle_default(entry, scope, values, include, is_whole=is_whole)
+    if given is not None:
+        value = _checked(entry, given)
+        is_bridge = entry.name in scope.shared_names.bridges and entry.name not in scope
+        if not (is_bridge and value is given.value):  # the bridge is seen, also when it changes
+            scope.declare(entry.name, value, place=given.place)
         return
-    value = _checked(entry, given)
-    is_bridge = entry.name in scope.shared_names.bridges and entry.name not in scope
-    if not (is_bridge and value is given.value):  # the bridge itself is seen, also when it changes
-        scope.declare(entry.name, value, place=given.place)
-
-
-def _settle_default(
-    entry: ArgumentEntry,
-    scope: Scope,
-    values: Values,
-    include: IncludeNode | None,
-    *,
-    is_whole: bool,
-) -> None:
     default = entry.default
     if default is None:
         raise _missing(entry, scope, include)
@@ -123,25 +112,27 @@ def _checked(entry: ArgumentEntry, given: _Given) -> object:
             fault.message,
             given.span,
             hint=fault.hint,
-            notes=_note(entry, given.span),
+            notes=[]
+            if given.span.source is entry.span.source
+            else [f"the argument is declared at {entry.span.place()}"],
         ) from None
-    if entry.kind == PATH and isinstance(value, str):
-        return _absolute(value, given.span)
-    return value
-
-
-def _absolute(path: str, span: Span) -> str:
-    """Return a path that is relative to where it is written as an absolute one."""
-    if not path or "://" in path:
-        return path
-    folder = os.path.dirname(span.source.path) if span.source.path else os.getcwd()
-    return os.path.normpath(os.path.join(folder, os.path.expanduser(path)))
+    if entry.kind != PATH or not isinstance(value, str) or not value or "://" in value:
+        return value
+    written_in = given.span.source.path  # paths are relative to the file they are written in
+    folder = os.path.dirname(written_in) if written_in else os.getcwd()
+    return os.path.normpath(os.path.join(folder, os.path.expanduser(value)))
 
 
 def _given(name: str, scope: Scope, include: IncludeNode | None) -> _Given | None:
-    """Return what is passed for an argument, or reaches the file under its name, or None."""
+    """Return what is passed for an argument, or the `child` or `bridge` variable of its name."""
     if name not in scope.passed:
-        return _reaching(name, scope)
+        value = scope.find_child(name)
+        if value is MISSING:
+            value = scope.shared_names.bridges.get(name, MISSING)
+        if value is MISSING:
+            return None
+        here = scope.place_of(name) or Span(scope.home.source, 0, 0)
+        return _Given(value, here, here, spelling=None, is_si=True)
     value = dict.__getitem__(scope, name)
     for argument in include.arguments if include is not None else ():
         if argument.name == name and argument.value is not None:
@@ -163,17 +154,6 @@ def _given(name: str, scope: Scope, include: IncludeNode | None) -> _Given | Non
     return _Given(value, span, place, spelling=spelling, is_si=False)
 
 
-def _reaching(name: str, scope: Scope) -> _Given | None:
-    """Return the `child` or `bridge` variable of a name that reaches the file, or None."""
-    value = scope.find_child(name)
-    if value is MISSING:
-        value = scope.shared_names.bridges.get(name, MISSING)
-    if value is MISSING:
-        return None
-    place = scope.place_of(name) or Span(scope.home.source, 0, 0)
-    return _Given(value, place, place, spelling=None, is_si=True)
-
-
 # --- faults ---------------------------------------------------------------------------------------
 
 
@@ -187,6 +167,10 @@ def _unknown(
 
     known = {entry.name: None for entry in entries}
     faults = []
+    listed = "it has no arguments"
+    if known:
+        more = ", …" if len(known) > MOST_LISTED else ""
+        listed = f"its arguments are {', '.join(list(known)[:MOST_LISTED])}{more}"
     places = {each.name: each.span for each in include.arguments} if include is not None else {}
     for name in [name for name in scope if name in scope.passed and name not in known]:
         span = places.get(name) or scope.place_of(name) or Span(scope.home.source, 0, 0)
@@ -196,18 +180,11 @@ def _unknown(
                 "unknown-argument",
                 f"'{scope.home.source.name}' has no argument '{name}'",
                 span,
-                hint=hint or _listed(list(known)),
+                hint=hint or listed,
                 fix=fix,
             )
         )
     return faults
-
-
-def _listed(names: list[str]) -> str:
-    if not names:
-        return "it has no arguments"
-    more = ", …" if len(names) > MOST_LISTED else ""
-    return f"its arguments are {', '.join(names[:MOST_LISTED])}{more}"
 
 
 def _missing(entry: ArgumentEntry, scope: Scope, include: IncludeNode | None) -> YamaroError:
@@ -223,12 +200,6 @@ def _missing(entry: ArgumentEntry, scope: Scope, include: IncludeNode | None) ->
         hint=f"write {entry.name}: … under this include",
         notes=[f"it is declared at {entry.span.place()}"],
     )
-
-
-def _note(entry: ArgumentEntry, span: Span) -> list[str]:
-    if span.source is entry.span.source:
-        return []
-    return [f"the argument is declared at {entry.span.place()}"]
 
 
 def warn_of_own_prefix(

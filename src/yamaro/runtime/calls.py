@@ -19,8 +19,8 @@ from ..syntax.nodes import (
 from ..syntax.python import PythonCode, Template
 from ..syntax.statements import parse_body
 from ..yaml.nodes import MappingNode, SequenceNode
+from .expressions import Values, count
 from .scope import BlockScope, Scope, function_key, function_names
-from .values import Values
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -29,9 +29,9 @@ if TYPE_CHECKING:
 
     from ..fixes import Fix
     from ..xml.tree import Node
-    from .declared import Declaration
     from .files import Files
     from .interpreter import Interpreter
+    from .python_errors import Declaration
 
 
 class Function:
@@ -75,7 +75,7 @@ def find_function(
     if value is not MISSING:
         assert value is None or isinstance(value, (Function, Block))
         return value
-    from .declared import notes_on
+    from .python_errors import notes_on
 
     notes = notes_on(f"the function '{last}'", where_declared(last), span)
     from ..suggestions import meant
@@ -168,18 +168,16 @@ def match_arguments(
             else:
                 only = value.only if isinstance(value, Template) else None
                 match.values.append((name, value, only))
-    _refuse_missing(node, positional, spans, span)
+    missing = [
+        f"'{parameter.name}'"
+        for parameter in positional
+        if parameter.name not in spans and parameter.default is None
+    ]
+    if missing:
+        what = f"argument{'s' if len(missing) > 1 else ''} {' and '.join(missing)}"
+        raise _bad_call("missing-argument", f"'{node.name}' needs the {what}", span, node)
     match.is_complete = len(spans) == len(parameters)
     match.places = {parameter.name: parameter.span for parameter in node.parameters} | spans
-    return match
-
-
-def _new_match(
-    node: FunctionNode, arguments: list[Argument], span: Span, interpreter: Interpreter
-) -> Match:
-    """Return which argument goes to which parameter, for this call and those to come."""
-    match = match_arguments(node, arguments, span, interpreter.files)
-    interpreter.matches[id(arguments)] = match
     return match
 
 
@@ -198,7 +196,6 @@ def _parameter_of(
     if argument.name is None:
         if index < len(positional):
             return positional[index]
-        from .words import count
 
         raise _bad_call(
             "unknown-argument",
@@ -221,20 +218,6 @@ def _parameter_of(
             fix=fix,
         )
     return parameter
-
-
-def _refuse_missing(
-    node: FunctionNode, positional: Sequence[Parameter], spans: Mapping[str, Span], span: Span
-) -> None:
-    """Raise YamaroError if a parameter without a default is given nothing."""
-    missing = [
-        f"'{parameter.name}'"
-        for parameter in positional
-        if parameter.name not in spans and parameter.default is None
-    ]
-    if missing:
-        what = f"argument{'s' if len(missing) > 1 else ''} {' and '.join(missing)}"
-        raise _bad_call("missing-argument", f"'{node.name}' needs the {what}", span, node)
 
 
 def _block(argument: Argument, node: FunctionNode, files: Files) -> Body:
@@ -319,11 +302,6 @@ def run_insert(
         interpreter.run_body(node.default, scope, out)
 
 
-def _is_step(frame: Frame, parent: Frame | None, name: str, home: Frame | None) -> bool:
-    """Return whether a frame is that of `parent`'s call of a function of that name and home."""
-    return frame.parent is parent and frame.home is home and frame.name == name
-
-
 def call(
     interpreter: Interpreter,
     name: str,
@@ -345,12 +323,14 @@ def call(
         return
     match = interpreter.matches.get(id(arguments))
     if match is None or match.node is not function.node:
-        match = _new_match(function.node, arguments, span, interpreter)
+        match = match_arguments(function.node, arguments, span, interpreter.files)
+        interpreter.matches[id(arguments)] = match
     closure = function.closure
     callee = Scope(closure.home, interpreter.shared_names, closure=closure, caller=scope.context)
     given = evaluate_arguments(match, scope, interpreter.values)
     home, frame = closure.home.frame, match.frame
-    if frame is None or not _is_step(frame, interpreter.frame, name, home):
+    around = interpreter.frame
+    if frame is None or frame.parent is not around or frame.home is not home or frame.name != name:
         frame = match.frame = interpreter.step("called", name, span, home)
         frame.places = match.places
     interpreter.enter(frame, span)

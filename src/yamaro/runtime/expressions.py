@@ -1,7 +1,7 @@
-"""Runs the Python in a file.
+"""Evaluates the Python in a file, and the values, texts and messages that hold it.
 
 The only module that calls `eval` and `exec` for Yamaro's own files; for those of xacro it is
-`xacro/python.py`. Exceptions are for `python_errors.py`.
+`xacro/evaluator.py`. Exceptions are for `python_errors.py`.
 """
 
 from __future__ import annotations
@@ -9,7 +9,10 @@ from __future__ import annotations
 from ..diagnostics import Frame, InputFault, YamaroError, failure
 from ..namespace import MISSING
 from ..source import Span
-from ..syntax.python import PythonCode
+from ..syntax.nodes import Constant, DictValue, ListValue, Value
+from ..syntax.python import PythonCode, Template
+from ..xml.values import format_number, format_value, is_number, plain_value
+from .predefined import gather_pairs
 from .scope import Scope
 
 TYPE_CHECKING = False
@@ -245,3 +248,161 @@ def evaluate_bare(python: PythonCode, scope: Scope, evaluator: Evaluator, *, hin
                     name = span.source.text[span.start : span.end]
                     diagnostic.hint = hint.replace("{name}", name)
         raise
+
+
+# --- values and texts -------------------------------------------------------------------------
+
+
+ALWAYS_WRITABLE = frozenset((str, float, bool, type(None)))
+SHORT = 10**15
+"""Python refuses to write integers of thousands of digits; those below this it never does."""
+
+
+def is_writable(value: Any) -> bool:
+    """Return whether writing a value cannot fail."""
+    kind = type(value)
+    return kind in ALWAYS_WRITABLE or (kind is int and -SHORT < value < SHORT)
+
+
+class Values:
+    """Gives the Python objects that the syntax tree's values describe."""
+
+    __slots__ = ("evaluator",)
+
+    def __init__(self, evaluator: Evaluator) -> None:
+        """Evaluate expressions with `evaluator`."""
+        self.evaluator = evaluator
+
+    def value(self, value: Value, scope: Scope) -> Any:
+        """Return the object a value describes; lists and dicts are new each time."""
+        kind = type(value)
+        if kind is Constant:
+            return value.value  # type: ignore[union-attr]
+        if kind is Template:
+            return self.text(value, scope)  # type: ignore[arg-type]
+        if isinstance(value, ListValue):
+            return self.list_of(value, scope)
+        assert isinstance(value, DictValue)
+        pairs = []
+        for key_value, item in value.pairs:
+            key = self.value(key_value, scope)
+            if isinstance(key_value, Template) and (key is None or key == ""):
+                continue
+            self.evaluator.guard(self.evaluator.hash, key, span_of(key_value))
+            pairs.append((key, self.value(item, scope)))
+        return gather_pairs(pairs)
+
+    def list_of(self, value: ListValue, scope: Scope) -> list[Any]:
+        """Return the objects in a list."""
+        return [self.value(item, scope) for item in value.items]
+
+    def spelled_list(self, value: ListValue, scope: Scope) -> list[Any]:
+        """Return the objects in a list that is only passed on: its numbers keep their spelling."""
+        return [
+            item.node.text
+            if isinstance(item, Constant) and is_number(item.value)
+            else self.value(item, scope)
+            for item in value.items
+        ]
+
+    def text(self, value: str | Template, scope: Scope) -> Any:
+        """Return a text as written, the typed value of a single `$(…)`, or the parts joined."""
+        if isinstance(value, str):
+            return value
+        if value.only is not None:
+            return self.evaluator.evaluate(value.only, scope)
+        return self.joined(value, scope)
+
+    def written(self, value: str | Template, scope: Scope) -> Any:
+        """Return what `text` does, sure that it can be written: any `__str__` may fail."""
+        if isinstance(value, str):
+            return value
+        if value.only is None:
+            return self.joined(value, scope)
+        result = self.evaluator.evaluate(value.only, scope)
+        if type(result) is str:
+            if len(result) > self.evaluator.limits.text:
+                raise self.evaluator.too_long(result, value.only.span())
+        elif type(result) not in ALWAYS_WRITABLE and not is_writable(result):
+            self.evaluator.text(format_value, result, value.only.span())
+        return result
+
+    def joined(self, template: Template, scope: Scope) -> str:
+        """Return the parts of a template as one text, as in a key."""
+        evaluate = self.evaluator.evaluate
+        pieces = []
+        for part in template.parts:
+            if type(part) is str:
+                pieces.append(part)
+                continue
+            assert not isinstance(part, str)
+            value = evaluate(part, scope)
+            kind = type(value)
+            if kind is str:
+                pieces.append(value)
+            elif kind is float:
+                pieces.append(format_number(value))
+            elif value is None and template.only is None:
+                pieces.append("None")
+            elif is_writable(value):
+                pieces.append(format_value(value))
+            else:
+                pieces.append(self.evaluator.text(format_value, value, part.span()))
+        text = "".join(pieces)
+        if len(text) > self.evaluator.limits.text:
+            raise self.evaluator.too_long(text, template.span())
+        return text
+
+    def message(self, value: str | Template | Value, scope: Scope, span: Span) -> str:
+        """Return the text of a `print`."""
+        if isinstance(value, str):
+            return value
+        if not isinstance(value, Template):
+            return self.evaluator.text(print_text, self.value(value, scope), span)
+        pieces = []
+        for part in value.parts:
+            if isinstance(part, str):
+                pieces.append(part)
+            else:
+                result = self.evaluator.evaluate(part, scope)
+                pieces.append(self.evaluator.text(print_text, result, part.span()))
+        return "".join(pieces)
+
+
+def print_text(value: Any) -> str:
+    """Return the text of a value in `print`: floats as in XML, all else as Python shows it."""
+    plain = plain_value(value)
+    return format_value(plain) if type(plain) is float else str(plain)
+
+
+def span_of(value: Value) -> Span:
+    """Return where a value is written."""
+    if isinstance(value, Constant):
+        return value.node.span()
+    return value.span() if isinstance(value, Template) else value.span
+
+
+# --- what values are called in messages -------------------------------------------------------
+
+
+def count(number: int, noun: str) -> str:
+    """Return a number of things, in words for a message."""
+    return f"{'no' if number == 0 else number} {noun}{'' if number == 1 else 's'}"
+
+
+def a_kind_of(value: Any) -> str:
+    """Return what a value is, in words for a message."""
+    if value is None:
+        return "empty (null)"
+    if isinstance(value, bool):
+        return f"the boolean {'true' if value else 'false'}"
+    if isinstance(value, (int, float)):
+        return f"the number {format_value(value)}"
+    if isinstance(value, str):
+        return f"the text '{value[:40]}'"
+    if callable(value):  # in safe mode, functions and types have types of their own
+        return "a function"
+    name = type(value).__name__
+    if name in ("ndarray", "Array"):  # numpy's, and its substitute in safe mode
+        return "an array"
+    return f"{'an' if name[0] in 'AEIOUaeiou' else 'a'} {name}"

@@ -1,15 +1,27 @@
-"""The files of one conversion, with what the expressions in them see."""
+"""The files of a program, read and parsed once, and those of one conversion, with what they see."""
 
 from __future__ import annotations
 
 import os
 
 from ..diagnostics import Frame, Reporter, YamaroError, failure
-from ..files.loader import LoadError
+from ..files.loader import LoadError, decode
 from ..files.packages import MOST_PLACES, PackageFinder
-from ..source import Source, Span
-from ..syntax.nodes import Document, ImportNode
+from ..source import Source, Span, holds_xml
+from ..syntax.context import ParseContext, Rules
+from ..syntax.nodes import (
+    Argument,
+    Document,
+    DynamicNode,
+    ElementNode,
+    ImportNode,
+    RobotWordNode,
+    Value,
+)
+from ..syntax.parser import parse, register
 from ..syntax.python import PythonCode
+from ..syntax.statements import parse_arguments, parse_element
+from ..syntax.values import parse_value
 from .expressions import Evaluator
 from .predefined import CONSTANTS, TARGET, Helpers
 from .scope import Home
@@ -17,17 +29,182 @@ from .scope import Home
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable
-    from types import ModuleType
+    from types import CodeType, ModuleType
     from typing import Any
 
+    from ..files.loader import Loader
+    from ..policy import Policy
     from ..safe.runtime import SafeRuntime
-    from .declared import Declaration
-    from .late import Late
-    from .library import Library
+    from ..syntax.nodes import Parsed
     from .modules import LocalModules
+    from .python_errors import Declaration
 
 _SAFE_HELPERS = ("load_yaml", "find", "file_dir", "dirname", "target")
 """The helpers that are left in safe mode."""
+
+
+# --- the files of a program -------------------------------------------------------------------
+
+
+class Library:
+    """Reads and parses files, and remembers the result.
+
+    Nothing in it changes once it is there, so that conversions may run one after the other or at
+    once, in several threads: at worst two of them parse the same file. What could not be read or
+    has errors is not remembered.
+
+    Attributes:
+        loader: gives the text of files.
+        rules: what holds for the files; by default that of trusted ones.
+        modules: the code of Python modules by their paths.
+    """
+
+    __slots__ = ("_parsed", "_texts", "loader", "modules", "rules")
+
+    def __init__(self, loader: Loader, rules: Rules | None = None) -> None:
+        """Begin without files."""
+        self.loader = loader
+        self.rules = rules or Rules()
+        self.modules: dict[str, CodeType] = {}
+        self._texts: dict[str, str] = {}
+        self._parsed: dict[tuple[str, str], Parsed] = {}
+
+    def source(self, path: str, name: str, *, is_xml: bool = False) -> Source:
+        """Return a file, which is marked if it holds XML, and so says itself how it is encoded.
+
+        Args:
+            path: where it is, absolute.
+            name: what it is called in messages.
+            is_xml: it holds XML, whatever it is called.
+
+        Raises:
+            LoadError: it cannot be read.
+            YamaroError: it is not text in its encoding.
+        """
+        text = self._texts.get(path)
+        if text is not None:
+            source = Source(text, name=name, path=path)
+            source.is_xml = is_xml or holds_xml(path, text)
+            return source
+        data = self.loader.read(path)
+        if is_xml or holds_xml(path, data):
+            from ..xml.reader import decode_xml
+
+            source = decode_xml(data, name=name, path=path)
+            source.is_xml = True
+        else:
+            source = decode(data, name=name, path=path)
+        self._texts[path] = source.text
+        return source
+
+    def parse(self, source: Source, *, reporter: Reporter) -> Document:
+        """Return the syntax tree of a file; every call reports its warnings.
+
+        Raises:
+            YamaroError: the file has errors.
+        """
+        key = (source.path, source.name)
+        if key not in self._parsed:
+            parsed = parse(source, rules=self.rules)
+            if parsed.errors:
+                for warning in parsed.warnings:
+                    reporter.add(warning)
+                raise YamaroError(parsed.errors)
+            self._parsed[key] = parsed
+        parsed = self._parsed[key]
+        for warning in parsed.warnings:
+            reporter.add(warning.copy())  # the caller's own: a strict build makes it an error
+        return parsed.document
+
+
+def rules_of(policy: Policy) -> Rules:
+    """Return what holds for the files that are compiled under a policy."""
+    if not policy.is_safe:
+        return Rules(policy.limits)
+    from ..safe.code import compile_safe
+    from ..safe.limits import SafeLimits
+
+    limits = SafeLimits.of(policy.limits)
+
+    def compile(text: str, filename: str, mode: str) -> CodeType:
+        return compile_safe(text, filename, mode, limits)
+
+    return Rules(policy.limits, compile)
+
+
+# --- what is parsed only while a conversion runs ----------------------------------------------
+
+
+class Late:
+    """What one conversion has parsed late, because only while it runs it is known what it means.
+
+    The syntax tree stays as it is: other conversions may run it, and mean something else by the
+    same.
+
+    Attributes:
+        context: gathers what parsing finds.
+        names_read: every name that an expression read late reads.
+    """
+
+    __slots__ = ("_calls", "_codes", "_elements", "_values", "context", "names_read")
+
+    def __init__(self, reporter: Reporter, codes: dict[str, PythonCode], rules: Rules) -> None:
+        """Report warnings to `reporter`; add Python code that defines functions to `codes`."""
+        self.context = ParseContext(reporter, rules)
+        self.names_read: set[str] = set()
+        self._codes = codes
+        self._values: dict[Argument, Value] = {}
+        self._elements: dict[RobotWordNode, ElementNode] = {}
+        self._calls: dict[DynamicNode, list[Argument]] = {}
+
+    def value(self, argument: Argument) -> Value:
+        """Return a capitalised argument as a value, once its parameter turned out to be no block.
+
+        Raises:
+            YamaroError: it is not a value.
+        """
+        value = self._values.get(argument)
+        if value is None:
+            assert argument.node is not None
+            value = self._values[argument] = parse_value(argument.node, self.context)
+            self._register()
+        return value
+
+    def call(self, dynamic: DynamicNode, name: str) -> list[Argument]:
+        """Return what stands under a dynamic key as arguments, once it turned out to be a call.
+
+        Raises:
+            YamaroError: what stands there can be no arguments.
+        """
+        call = self._calls.get(dynamic)
+        if call is None:
+            call = self._calls[dynamic] = parse_arguments(name, dynamic.node, self.context)
+            if self.context.errors:
+                raise YamaroError(self.context.errors)
+            self._register()
+        return call
+
+    def element(self, word: RobotWordNode) -> ElementNode:
+        """Return a robot's word as an element, once it turned out to stand where no part may.
+
+        Raises:
+            YamaroError: what stands there can be no element.
+        """
+        element = self._elements.get(word)
+        if element is None:
+            element = self._elements[word] = parse_element(word.key, word.node, self.context)
+            if self.context.errors:
+                raise YamaroError(self.context.errors)
+            self._register()
+        return element
+
+    def _register(self) -> None:
+        for python in self.context.codes:
+            register(python, codes=self._codes, names_read=self.names_read)
+        self.context.codes.clear()
+
+
+# --- the files of one conversion --------------------------------------------------------------
 
 
 class Files:
@@ -90,8 +267,6 @@ class Files:
     def late(self) -> Late:
         """Return what parses what can be parsed only while the program runs."""
         if self._late is None:
-            from .late import Late
-
             self._late = Late(self._reporter, self.codes, self._library.rules)
         return self._late
 
@@ -127,7 +302,7 @@ class Files:
 
     def where_declared(self, name: str) -> list[Declaration]:
         """Return every declaration of a name, in any file."""
-        from .declared import Declaration
+        from .python_errors import Declaration
 
         return [
             Declaration(scope, span, document.extent_around(span))
@@ -146,48 +321,32 @@ class Files:
         if self._safety is not None:
             kept = {name: helpers[name] for name in _SAFE_HELPERS}
             return Home(source, directory, self._safety.names(kept), frame)
-        names = {**CONSTANTS, **helpers, "print": self._print}
-        names["__import__"] = self._import_hook(directory)
+
+        def import_hook(*asked: Any, **named: Any) -> ModuleType:  # few files import anything
+            return self._modules_in(directory).import_hook(*asked, **named)
+
+        names = {**CONSTANTS, **helpers, "print": self._print, "__import__": import_hook}
         return Home(source, directory, names, frame)
 
     def import_modules(self, document: Document, home: Home, evaluator: Evaluator) -> None:
-        """Bind the names of a file's imports; raise YamaroError if one fails."""
+        """Bind the names of a file's imports, in safe mode those of substitutes for modules.
+
+        Raises:
+            YamaroError: one fails, or may not be imported.
+        """
         if not document.imports:
             return
-        if self._safety is not None:
-            self._import_safely(document, home, evaluator, self._safety)
-            return
-        from .modules import import_names
+        from .modules import import_names, import_safe_names
 
-        modules = self._modules_in(home.directory)
+        modules, safety = self._modules_in(home.directory), self._safety
 
         def load(node: ImportNode) -> dict[str, Any]:
-            return import_names(node, modules)
-
-        for node in document.imports:
-            home.names.update(evaluator.guard(load, node, node.span))
-
-    def _import_safely(
-        self, document: Document, home: Home, evaluator: Evaluator, safety: SafeRuntime
-    ) -> None:
-        """Bind the substitutes for the modules a file imports, if it may import them."""
-        from .modules import import_safe_names
-
-        modules = self._modules_in(home.directory)
-
-        def load(node: ImportNode) -> dict[str, Any]:
+            if safety is None:
+                return import_names(node, modules)
             return import_safe_names(node, modules, safety)
 
         for node in document.imports:
             home.names.update(evaluator.guard(load, node, node.span))
-
-    def _import_hook(self, directory: str) -> Callable[..., ModuleType]:
-        """Return what replaces `__import__`: few files import anything."""
-
-        def import_hook(*asked: Any, **named: Any) -> ModuleType:
-            return self._modules_in(directory).import_hook(*asked, **named)
-
-        return import_hook
 
     def _modules_in(self, directory: str) -> LocalModules:
         if directory not in self._modules:
@@ -216,7 +375,10 @@ class Files:
         if known is not None:
             return known.source
         try:
-            name = _shown_name(path, absolute, home.source)
+            name = absolute
+            if "://" not in path and not os.path.isabs(path) and not path.startswith("~"):
+                folder = os.path.dirname(home.source.name)  # relative, as the includer's name is
+                name = os.path.normpath(os.path.join(folder, path))
             source = self._library.source(absolute, name)
         except LoadError as error:
             neighbours = self._library.loader.neighbours(absolute)
@@ -291,10 +453,3 @@ class Files:
             hint=self.packages.hint_for(package, start),
             notes=[f"searched in {place}" for place in places[:MOST_PLACES]],
         )
-
-
-def _shown_name(path: str, absolute: str, includer: Source) -> str:
-    """Return the name to show for an included file: relative as the includer's is."""
-    if "://" in path or os.path.isabs(path) or path.startswith("~"):
-        return absolute
-    return os.path.normpath(os.path.join(os.path.dirname(includer.name), path))

@@ -11,14 +11,13 @@ from ..syntax.names import (
 )
 from ..syntax.nodes import (
     Body,
-    Document,
     IncludeNode,
 )
 from ..xml.tree import Element, PartElement, with_trace
 from ..xml.values import format_value
+from .expressions import Values
 from .markup import run_element
 from .scope import Scope
-from .values import Values
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -86,10 +85,12 @@ def run_include(
     try:
         source = interpreter.files.load(path, node.path_span, scope.home)
     except YamaroError as error:
-        _trace_into(interpreter, error, node)
+        name = error.diagnostics[0].span.source.name
+        if name != node.span.source.name:  # a file that cannot even be read as text
+            add_trace(error, Frame("included", name, node.span, parent=interpreter.frame))
         raise
     if source.is_xml:
-        from .xml_includes import include_xml
+        from .xml_files import include_xml
 
         include_xml(interpreter, node, source, passed, namespace, out)
         return
@@ -99,15 +100,27 @@ def run_include(
         document = interpreter.files.parse(source)
         if node.arguments:
             frame.places = {each.name: each.span for each in node.arguments if each.name}
-            from .unread import Passed
+            from .yaml_main import Passed
 
             passed_to = Passed(node, document, frame.parent)
             interpreter.passed.setdefault((id(node), id(document)), passed_to)
         before = len(interpreter.shared_names.declared)
         inner = interpreter.begin_file(document, caller=scope.context)
-        _declare_passed(node, passed, inner)
+        for argument in node.arguments:
+            name = argument.name or ""
+            inner.declare(name, passed[name], place=argument.span)
+        inner.passed = frozenset(passed)
         words = interpreter.run_sections(document, inner, node)
-        _run_included_model(interpreter, document, inner, out)
+        for model in document.model:
+            interpreter.run_body(model, inner, out)
+        if document.root is not None and not document.is_lone_section:
+            made: list[Node] = []
+            interpreter.element_depth -= 1
+            run_element(interpreter, document.root, inner, made, None)
+            interpreter.element_depth += 1
+            for element in made:
+                if isinstance(element, Element):
+                    out += [_traced(interpreter, node) for node in element.children]
         out += words
     except YamaroError as error:
         add_trace(error, frame)
@@ -117,36 +130,6 @@ def run_include(
     finally:
         interpreter.leave(frame)
     _hand_back(interpreter, inner, scope, namespace, before, node.span)
-
-
-def _declare_passed(node: IncludeNode, passed: dict[str, Any], inner: Scope) -> None:
-    """Declare what an include passes in the context of the file."""
-    for argument in node.arguments:
-        name = argument.name or ""
-        inner.declare(name, passed[name], place=argument.span)
-    inner.passed = frozenset(passed)
-
-
-def _trace_into(interpreter: Interpreter, error: YamaroError, node: IncludeNode) -> None:
-    """Note the include that led to an error in a file that cannot even be read as text."""
-    name = error.diagnostics[0].span.source.name
-    if name != node.span.source.name:
-        add_trace(error, Frame("included", name, node.span, parent=interpreter.frame))
-
-
-def _run_included_model(
-    interpreter: Interpreter, document: Document, inner: Scope, out: list[Node]
-) -> None:
-    for model in document.model:
-        interpreter.run_body(model, inner, out)
-    if document.root is not None and not document.is_lone_section:
-        made: list[Node] = []
-        interpreter.element_depth -= 1
-        run_element(interpreter, document.root, inner, made, None)
-        interpreter.element_depth += 1
-        for element in made:
-            if isinstance(element, Element):
-                out += [_traced(interpreter, node) for node in element.children]
 
 
 def _traced(interpreter: Interpreter, node: Node) -> Node:

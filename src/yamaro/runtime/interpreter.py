@@ -1,4 +1,4 @@
-"""One conversion while it runs: what it knows, and the calls and includes it is in.
+"""One conversion while it runs: what it knows, what it prints, the calls and includes it is in.
 
 Knows names, files and values, and nothing of robots: a `part` becomes an element that is lowered
 later. Every element made carries the span of its key and the calls and includes that led to it.
@@ -6,9 +6,9 @@ later. Every element made carries the span of its key and the calls and includes
 
 from __future__ import annotations
 
-from ..diagnostics import INHERITED, Frame, Reporter, YamaroError, failure
+from ..diagnostics import INHERITED, Frame, InputFault, Reporter, YamaroError, failure
 from ..files.packages import PackageFinder
-from ..policy import JAIL, Policy
+from ..policy import JAIL, Limits, Policy
 from ..source import Span
 from ..syntax.nodes import (
     Body,
@@ -17,17 +17,15 @@ from ..syntax.nodes import (
     IncludeNode,
     RobotWordNode,
 )
+from ..xml.forms import Builder
 from .calls import (
     Function,
     Match,
 )
-from .elements import Builder
-from .expressions import Evaluator, SafeEvaluator
+from .expressions import Evaluator, SafeEvaluator, Values
 from .files import Files
-from .messages import Messages
 from .predefined import TARGET
 from .scope import Scope, SharedNames
-from .values import Values
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -36,12 +34,72 @@ if TYPE_CHECKING:
 
     from ..safe.runtime import SafeRuntime
     from ..xml.tree import Element, Node
-    from .library import Library
+    from .files import Library
     from .python_errors import Explainer
     from .recording import Noted
-    from .unread import Passed
+    from .yaml_main import Passed
 
     Handlers = Mapping[type, Callable[["Interpreter", Any, Scope, list[Node], Body | None], None]]
+
+
+# --- what `print` and `process` print, passed on as lines -------------------------------------
+
+
+class Messages:
+    """Collects printed text into whole lines for the receiver of messages."""
+
+    __slots__ = ("_left", "_limits", "_on_message", "_unfinished")
+
+    def __init__(self, on_message: Callable[[str], None], limits: Limits) -> None:
+        """Pass each line, or lines printed at once, to `on_message`, without a final break."""
+        self._on_message = on_message
+        self._limits = limits
+        self._left = limits.printed
+        self._unfinished: list[str] = []  # what was printed with another `end` than a line break
+
+    def say(self, text: str) -> None:
+        """Take printed text, and pass it on as soon as its line is complete.
+
+        Raises:
+            InputFault: it is more than may be printed.
+        """
+        self._left -= len(text)
+        if self._left < 0:
+            raise InputFault(
+                "limit-printed",
+                f"more than {self._limits.printed:,} characters are printed, which is the limit",
+                self._limits.hint("printed"),
+            )
+        lines, has_end, rest = text.rpartition("\n")
+        if has_end:
+            self._on_message("".join([*self._unfinished, lines]))
+            self._unfinished.clear()
+        if rest:
+            self._unfinished.append(rest)
+
+    def close(self) -> None:
+        """Pass on a last line that was never ended."""
+        if self._unfinished:
+            self._on_message("".join(self._unfinished))
+            self._unfinished.clear()
+
+    def print(
+        self,
+        *values: object,
+        sep: str | None = " ",
+        end: str | None = "\n",
+        file: Any = None,
+        flush: bool = False,
+    ) -> None:
+        """Replace Python's `print` in expressions and process blocks."""
+        if file is not None:
+            print(*values, sep=sep, end=end, file=file, flush=flush)
+            return
+        text = (" " if sep is None else sep).join(str(value) for value in values)
+        self.say(text + ("\n" if end is None else end))
+
+
+# --- the conversion ---------------------------------------------------------------------------
 
 
 LONGEST_CYCLE = 20
@@ -90,7 +148,14 @@ class Interpreter:
         self.shared_names = SharedNames()
         self.safety = _safety_of(policy, self.messages)
         self.target = target
-        self.files = self._files(library, packages or PackageFinder())
+        self.files = Files(
+            library,
+            reporter=reporter,
+            print_function=self.messages.print,
+            safety=self.safety,
+            packages=packages or PackageFinder(),
+            target=target,
+        )
         self.evaluator = _evaluator_of(policy, self.files, self.safety)
         self.values = Values(self.evaluator)
         self.shares = shares
@@ -110,16 +175,6 @@ class Interpreter:
         self.filled: Element | None = None  # the innermost element whose content is run
         self._frames: dict[tuple[str, int, Frame | None, Frame | None], Frame] = {}
         self.matches: dict[int, Match] = {}  # by the identity of a call's arguments
-
-    def _files(self, library: Library, packages: PackageFinder) -> Files:
-        return Files(
-            library,
-            reporter=self.reporter,
-            print_function=self.messages.print,
-            safety=self.safety,
-            packages=packages,
-            target=self.target,
-        )
 
     def begin_file(self, document: Document, *, caller: Scope | None) -> Scope:
         """Return the context for a run of a file."""

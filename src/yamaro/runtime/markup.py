@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from ..diagnostics import INHERITED, YamaroError, failure
+from ..namespace import MISSING
 from ..source import Span
 from ..syntax.keys import NAME_RULE, attribute_twice, name_fault
 from ..syntax.names import (
@@ -10,7 +11,6 @@ from ..syntax.names import (
     is_function_name,
 )
 from ..syntax.nodes import (
-    Attribute,
     Body,
     CommentNode,
     Content,
@@ -22,18 +22,58 @@ from ..syntax.nodes import (
     TextNode,
 )
 from ..syntax.python import Template
+from ..xml.forms import filled
 from ..xml.tree import Comment, Element, PartElement, Text, unshared
 from ..xml.values import LiteralList, format_value, is_comment_text
 from .calls import (
     call,
 )
-from .elements import evaluate_holes
+from .expressions import ALWAYS_WRITABLE, SHORT, Values
 from .interpreter import Interpreter
 from .scope import Scope
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from typing import Any
+
+    from ..syntax.forms import EvaluatedForm
     from ..xml.tree import Node
+
+
+def evaluate_holes(form: EvaluatedForm, scope: Scope, values: Values) -> tuple[Any, ...]:
+    """Return the value of each of a form's holes, sure that it can be written.
+
+    Raises:
+        YamaroError: an expression failed, or what it gives cannot be made a text.
+    """
+    evaluator = values.evaluator
+    evaluate, get = evaluator.evaluate, scope.get
+    longest = evaluator.limits.text
+    letters = form.letters
+    results: list[Any] = []
+    for python, is_piece in form.holes:
+        name = python.name
+        value = MISSING if name is None else get(name, MISSING)
+        if value is MISSING:
+            value = evaluate(python, scope)
+        kind = type(value)
+        if kind not in ALWAYS_WRITABLE and (kind is not int or not -SHORT < value < SHORT):
+            text = evaluator.text(format_value, value, python.span())
+            if is_piece:
+                value = text
+                letters += len(text)
+        elif kind is str:
+            letters += len(value)
+            if len(value) > longest:
+                raise evaluator.too_long(value, python.span())
+        results.append(value)
+    given = tuple(results)
+    if letters > longest:
+        for pieces, span in form.joined:
+            joined = filled(pieces, given)
+            if len(joined) > longest:
+                raise evaluator.too_long(joined, span)
+    return given
 
 
 def run_element(
@@ -59,7 +99,18 @@ def run_element(
     if node.attributes:
         value_spans = {}
         for attribute in node.attributes:
-            _add_attribute(interpreter, attribute, scope, attributes, value_spans)
+            key, value = attribute.name, attribute.value
+            if not isinstance(key, str):
+                key = _name(interpreter, key, scope, attribute.name_span, "attribute")
+                if not key:
+                    continue
+            written = interpreter.values.written(value, scope)
+            if written is None:
+                continue
+            if key in attributes:
+                raise attribute_twice(key, attribute.name_span)
+            attributes[key] = written
+            value_spans[key] = attribute.span
     element = Element(
         name,
         node.span,
@@ -120,31 +171,6 @@ def _fill(interpreter: Interpreter, element: Element, content: Content, scope: S
             )
         items = interpreter.values.spelled_list(content.value, scope)
         element.children.append(Text(LiteralList(items), content.span))
-
-
-def _add_attribute(
-    interpreter: Interpreter,
-    attribute: Attribute,
-    scope: Scope,
-    attributes: dict[str, object],
-    value_spans: dict[str, Span],
-) -> None:
-    name = attribute.name
-    if not isinstance(name, str):
-        name = _name(interpreter, name, scope, attribute.name_span, "attribute")
-        if not name:
-            return
-    value = attribute.value
-    if not isinstance(value, str):
-        result = interpreter.values.written(value, scope)
-        if result is None:
-            return
-    else:
-        result = value
-    if name in attributes:
-        raise attribute_twice(name, attribute.name_span)
-    attributes[name] = result
-    value_spans[name] = attribute.span
 
 
 def _name(interpreter: Interpreter, template: Template, scope: Scope, span: Span, what: str) -> str:

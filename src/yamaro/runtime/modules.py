@@ -11,7 +11,7 @@ import builtins
 import os
 import sys
 
-from ..diagnostics import InputFault
+from ..diagnostics import InputFault, did_you_mean
 from ..files.regular import open_regular
 from ..syntax.nodes import ImportNode
 from .expressions import run_module
@@ -149,8 +149,6 @@ def import_names(node: ImportNode, local: LocalModules) -> dict[str, Any]:
     bound = {}
     for name, alias in node.names:
         if not hasattr(module, name):
-            from ..diagnostics import did_you_mean
-
             raise InputFault(
                 "unknown-module",
                 f"the module '{node.module}' has no '{name}'",

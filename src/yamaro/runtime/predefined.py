@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
     from ..files.packages import PackageFinder
     from ..syntax.nodes import Value
-    from .library import Library
+    from .files import Library
 
 MATHEMATICS = (
     "pi tau e sin cos tan asin acos atan atan2 sqrt hypot radians degrees floor ceil fabs log exp"

@@ -1,19 +1,26 @@
-"""Explains exceptions of the Python in a file: what is said of them, with which hint and notes."""
+"""Explains why Python in a file failed: where, what is said, hints, where values come from."""
 
 from __future__ import annotations
 
 from ..diagnostics import Frame, InputFault, YamaroError, add_trace, did_you_mean, failure
+from ..namespace import MISSING
 from ..policy import Limits
 from ..sandbox.deadline import TimeOver
-from ..source import Span
-from ..syntax.python import TOO_MANY_DIGITS, PythonCode
-from .declared import Declaration, notes_on
+from ..source import COMMAND_LINE, KEYWORD_ARGUMENT, Span
+from ..syntax.python import TOO_MANY_DIGITS, PythonCode, expression_without_dollars
+from ..yaml.brackets import find_close
+from .expressions import a_kind_of
 from .scope import Scope, variable_names
-from .tracebacks import find_name, innermost, line_outside
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Mapping, Sequence
+    import ast
+    from collections.abc import Callable, Iterable, Mapping, Sequence
+    from types import CodeType, TracebackType
+    from typing import Any
+
+    from ..diagnostics import Diagnostic
+    from .files import Files
 
 TIME_IS_OVER = "timed out while evaluating this"
 JAIL_HINT = (
@@ -84,7 +91,6 @@ class Explainer:
         if type(error) is NameError and error.name:
             name_span = find_name(place.python, error.name, place.index) or span
             return self._undefined(error.name, name_span, scope, frame)
-        from .origins import notes_on_error
 
         notes = notes_on_error(error, span.written(), scope, place.code)
         if place.outside:
@@ -246,3 +252,388 @@ def _hint(error: BaseException) -> str | None:
     if isinstance(error, SystemExit):
         return "remove exit(); to stop with an error, raise an exception"
     return None
+
+
+# --- the place in the YAML that a Python traceback leads to -----------------------------------
+
+
+_OWN_FOLDER = __file__.rpartition("runtime")[0]
+
+
+class TracebackPlace:
+    """A place in the YAML found in a traceback.
+
+    Attributes:
+        python: the expression or the statements it is in.
+        span: the failing piece.
+        index: where that begins in the text of the Python, if it is known.
+        steps: the user's functions around it, outermost first, each with where it is called.
+        code: what failed.
+        outside: the line of a module, called from there, that raised, as `file.py:line`.
+    """
+
+    __slots__ = ("code", "index", "outside", "python", "span", "steps")
+
+    def __init__(
+        self,
+        python: PythonCode,
+        span: Span,
+        index: int | None,
+        steps: list[tuple[str, Span]],
+        code: CodeType,
+    ) -> None:
+        self.python = python
+        self.span = span
+        self.code = code
+        self.index = index
+        self.steps = steps
+        self.outside: str | None = None
+
+
+def innermost(
+    error: BaseException, python: PythonCode, codes: Mapping[str, PythonCode]
+) -> TracebackPlace:
+    """Return the last place in the YAML that an error's traceback goes through.
+
+    As a line where the piece of it depends on chance or on the version of Python: where
+    the stack ran out, or a statement `assert` failed.
+
+    Args:
+        error: was raised while `python` ran.
+        python: the expression or the statements.
+        codes: all code that defines functions, by its file name.
+    """
+    traceback = error.__traceback__
+    place = TracebackPlace(python, python.span(), None, [], python.code)
+    own = python.code.co_filename
+    while traceback is not None:
+        code = traceback.tb_frame.f_code
+        found = python if code.co_filename == own else codes.get(code.co_filename)
+        if found is not None:
+            is_line = isinstance(error, RecursionError) or (
+                isinstance(error, AssertionError) and traceback.tb_next is None
+            )
+            index, span = _traceback_span(traceback, found, is_line=is_line)
+            steps = place.steps
+            if code.co_name[0] != "<":  # no <module>, <lambda>, <listcomp>
+                steps.append((code.co_name, place.span if steps else python.span()))
+            place = TracebackPlace(found, span, index, steps, code)
+        elif not code.co_filename.startswith((_OWN_FOLDER, "<")):
+            place.outside = f"{_base_name(code.co_filename)}:{traceback.tb_lineno}"
+        traceback = traceback.tb_next
+    return place
+
+
+def line_outside(traceback: TracebackType | None) -> str | None:
+    """Return the last line of the user's modules that a traceback goes through."""
+    place = None
+    while traceback is not None:
+        filename = traceback.tb_frame.f_code.co_filename
+        if not filename.startswith((_OWN_FOLDER, "<")):
+            place = f"{_base_name(filename)}:{traceback.tb_lineno}"
+        traceback = traceback.tb_next
+    return place
+
+
+def _base_name(path: str) -> str:
+    return path.replace("\\", "/").rpartition("/")[2]
+
+
+def _traceback_span(
+    traceback: TracebackType, python: PythonCode, *, is_line: bool
+) -> tuple[int | None, Span]:
+    """Return the failing piece of Python: exact where Python gives columns, else its line."""
+    code = traceback.tb_frame.f_code
+    if hasattr(code, "co_positions") and not is_line:
+        from itertools import islice
+
+        positions = next(islice(code.co_positions(), traceback.tb_lasti // 2, None), None)
+        if positions is not None and None not in positions:
+            line, end_line, column, end_column = positions
+            assert line and end_line and column is not None and end_column is not None
+            start = python.byte_position(line, column)
+            end = python.byte_position(end_line, end_column)
+            if start < end and python.text[start:end].strip():
+                return start, python.span(start, end)
+    line = traceback.tb_lineno
+    start = python.position(line, 0 if line > 1 else len(python.opening))
+    end = python.text.find("\n", start)
+    end = len(python.text) if end < 0 else end
+    text = python.text[start:end]
+    if not text.strip():
+        return None, python.span()
+    start += len(text) - len(text.lstrip())
+    return start, python.span(start, start + len(text.strip()))
+
+
+def find_name(python: PythonCode, name: str, index: int | None) -> Span | None:
+    """Return the place where a name is read: at `index` if it is there, else the first one."""
+    text = expression_without_dollars(python.text)[0]
+    if len(text) != len(python.text):  # with a form of ROS's, places would not be right
+        return None
+    if index is not None and text.startswith(name, index):
+        return python.span(index, index + len(name))
+    import ast
+
+    try:
+        tree = ast.parse(f"{python.opening}{text}\n{')' if python.opening else ''}")
+    except SyntaxError:  # a form of ROS's, such as `arg name`
+        at = text.find(name)
+        return None if at < 0 else python.span(at, at + len(name))
+    places = [
+        python.byte_position(node.lineno, node.col_offset)
+        for node in ast.walk(tree)
+        if isinstance(node, ast.Name) and node.id == name
+    ]
+    start = min((place for place in places if place >= (index or 0)), default=None)
+    return None if start is None else python.span(start, start + len(name))
+
+
+# --- where a name that is not seen is declared, and why it is not seen ------------------------
+
+
+MAX_NOTES = 3
+
+
+class Declaration:
+    """One place that declares a name."""
+
+    __slots__ = ("extent", "scope", "span")
+
+    def __init__(self, scope: str, span: Span, extent: Span | None) -> None:
+        """Describe a declaration.
+
+        Args:
+            scope: one of the five scopes, "import", or "passed" of what an include gives.
+            span: its place.
+            extent: all of the innermost function or block it is in, or None.
+        """
+        self.scope = scope
+        self.span = span
+        self.extent = extent
+
+    def shares_context_with(self, span: Span) -> bool:
+        """Return whether a place is in the file, and in the function or block, that this is in."""
+        if self.span.source is not span.source:
+            return False
+        return self.extent is None or self.extent.start <= span.start < self.extent.end
+
+
+def notes_on(subject: str, declarations: list[Declaration], span: Span) -> list[str]:
+    """Return notes on where a name that is not known at `span` is declared.
+
+    Args:
+        subject: the name in quotes, and what it names if it is not a variable.
+        declarations: all there are of that name.
+        span: where it was looked up.
+    """
+    near_first = sorted(declarations, key=lambda one: not one.shares_context_with(span))
+    return [_note_on(subject, declaration, span) for declaration in near_first[:MAX_NOTES]]
+
+
+def _note_on(subject: str, declaration: Declaration, span: Span) -> str:
+    place = declaration.span.place()
+    if declaration.scope == "import":
+        return f"{subject} is imported at {place}; each file has its own imports"
+    if declaration.scope == "passed":
+        return f"{subject} at {place} is passed to the file included there, and is local to it"
+    if declaration.shares_context_with(span):
+        if declaration.span.start > span.start:
+            return f"{subject} is declared later, at {place}"
+        return f"{subject} is declared at {place}, which has no effect here"
+    if declaration.scope == "local":
+        where = "function or block" if declaration.extent is not None else "file"
+        return (
+            f"{subject} at {place} is local to its {where}; "
+            "declare it as parent, child or global to see it here"
+        )
+    return f"{subject} is declared at {place} with scope {declaration.scope}"
+
+
+# --- where values come from that an expression or condition failed on -------------------------
+
+
+_EXPLAINED = (TypeError, ValueError, AttributeError, LookupError, ArithmeticError)
+
+
+def notes_on_error(error: BaseException, piece: str, scope: Scope, code: CodeType) -> list[str]:
+    """Return notes on the variables in a piece of Python that may be what it failed on.
+
+    Args:
+        error: what it raised.
+        piece: the piece that failed.
+        scope: where it was evaluated.
+        code: the code in which it stands, whose local variables are Python's own.
+    """
+    if not isinstance(error, _EXPLAINED):
+        return []
+    local = {*code.co_varnames, *code.co_cellvars, *code.co_freevars}
+    values = {name: scope.find(name) for name in names_in(piece) if name not in local}
+    suspects = _suspects(
+        values,
+        is_zero_fault=isinstance(error, ZeroDivisionError),
+        has_text="'" in piece or '"' in piece,
+    )
+    return notes_on_names(suspects, scope)
+
+
+def names_of_value(python: PythonCode, scope: Scope, value: Any) -> list[str]:
+    """Return the variables in an expression that have its value."""
+    names = [python.name] if python.name is not None else names_in(python.text)
+    return [name for name in names if scope.find(name) is value]
+
+
+def notes_on_names(names: Iterable[str], scope: Scope) -> list[str]:
+    """Return notes on where the values of variables come from."""
+    places = ((name, scope.place_of(name)) for name in names)
+    notes = [note_on(name, scope.find(name), place) for name, place in places if place is not None]
+    return notes[:MAX_NOTES]
+
+
+def note_on(name: str, value: Any, place: Span) -> str:
+    """Return the note that a value comes from a variable."""
+    kind = "null" if value is None else a_kind_of(value)
+    article, _, rest = kind.partition(" ")
+    if article in ("a", "an"):
+        kind = f"the {rest}"
+    return f"{kind} comes from '{name}', {set_at(place)}"
+
+
+def set_at(place: Span) -> str:
+    """Return where a variable was set, in words."""
+    if place.source.name == COMMAND_LINE:
+        return f"set by {place.source.text} on the command line"
+    if place.source.name == KEYWORD_ARGUMENT:
+        return "set from Python"
+    return f"set at {place.place()}"
+
+
+def names_in(text: str) -> list[str]:
+    """Return the names that a piece of Python reads, each once, in order."""
+    import ast
+
+    return _names_of(node for node in _nodes(text) if isinstance(node, ast.Name))
+
+
+def names_tested(text: str) -> list[str]:
+    """Return the names that `not`, `and`, `or` or `if` asks for their truth."""
+    import ast
+
+    tested: list[ast.AST] = []
+    for node in _nodes(text):
+        if isinstance(node, ast.BoolOp):
+            tested += node.values
+        elif isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.Not):
+            tested.append(node.operand)
+        elif isinstance(node, ast.IfExp):
+            tested.append(node.test)
+    return _names_of(node for node in tested if isinstance(node, ast.Name))
+
+
+def _nodes(text: str) -> Iterable[ast.AST]:
+    """Return the syntax of a piece of Python, or nothing if it is not Python."""
+    import ast
+
+    text = text.strip().replace("$(", "(")
+    try:
+        return ast.walk(ast.parse(f"({text}\n)", mode="eval"))
+    except SyntaxError:
+        try:
+            return ast.walk(ast.parse(text))
+        except SyntaxError:
+            return []
+
+
+def _names_of(nodes: Iterable[ast.Name]) -> list[str]:
+    """Return the names at some places, each once, in the order of the text."""
+    ordered = sorted(nodes, key=lambda node: (node.lineno, node.col_offset))
+    return list(dict.fromkeys(node.id for node in ordered))
+
+
+def _suspects(values: dict[str, Any], *, is_zero_fault: bool, has_text: bool) -> list[str]:
+    """Return the names of the values that an operation is least likely to be meant for.
+
+    Numbers are suspects only where nothing else is: no other value, and no text in quotes.
+    """
+    known = {
+        name: value
+        for name, value in values.items()
+        if value is not MISSING and not callable(value) and type(value).__name__ != "module"
+    }
+    if is_zero_fault:
+        return [name for name, value in known.items() if _is_number(value) and value == 0]
+    kinds = [
+        lambda value: value is None or isinstance(value, (str, bytes)),
+        lambda value: not _is_number(value),
+        _is_number,
+    ]
+    for is_suspect in kinds[:2] if has_text else kinds:
+        found = [name for name, value in known.items() if is_suspect(value)]
+        if found:
+            return found
+    return []
+
+
+def _is_number(value: Any) -> bool:
+    return isinstance(value, (int, float))
+
+
+def add_origins(diagnostic: Diagnostic, files: Files, passed: Mapping[str, Span]) -> None:
+    """Note where the variables come from that are written at the place of an error in a part.
+
+    The value is not at hand any more, so this reports only what the text of the program shows: a
+    variable that is declared at one place, or given by the call or include that led there.
+
+    Args:
+        diagnostic: the error.
+        files: the files of the program.
+        passed: where the variables of the main file are set.
+    """
+    span = diagnostic.span
+    names = _names_written(span.written())
+    places = ((name, _only_place(name, diagnostic, files, passed)) for name in names)
+    notes = [
+        f"it comes from '{name}', {set_at(place)}"
+        if len(names) == 1
+        else f"'{name}' is {set_at(place)}"
+        for name, place in places
+        if place is not None
+    ]
+    diagnostic.notes = (*diagnostic.notes, *notes[:MAX_NOTES])
+
+
+def _names_written(text: str) -> list[str]:
+    """Return the names that the `$(…)` in a text read."""
+    names: list[str] = []
+    start = text.find("$(")
+    while start >= 0:
+        end = find_close(text, start + 2)
+        if end < 0:
+            break
+        names += names_in(text[start + 2 : end])
+        start = text.find("$(", end)
+    return list(dict.fromkeys(names))
+
+
+def _only_place(
+    name: str, diagnostic: Diagnostic, files: Files, passed: Mapping[str, Span]
+) -> Span | None:
+    """Return the one place that gives a name its value where it is read, if there is just one."""
+    span = diagnostic.span
+    near = [
+        each
+        for each in files.where_declared(name)
+        if each.scope not in ("import", "passed") and each.shares_context_with(span)
+    ]
+    inner = [each for each in near if each.extent is not None] or near
+    if len(inner) > 1:
+        return None
+    is_local = bool(inner) and inner[0].extent is not None
+    frame = diagnostic.trace
+    while frame is not None and frame.kind != ("called" if is_local else "included"):
+        frame = frame.parent
+    if frame is not None and name in frame.places:
+        return frame.places[name]
+    if frame is None and name in passed and not is_local:
+        return passed[name]
+    return inner[0].span if inner else None

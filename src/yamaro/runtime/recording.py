@@ -23,10 +23,10 @@ from ..syntax.nodes import (
 )
 from ..syntax.python import Template
 from ..xml.tree import Element, Text
+from .expressions import print_text
 from .markup import run_dynamic, run_element, run_part, run_static
-from .origins import names_in
+from .python_errors import names_in
 from .statements import HANDLERS, run_process, run_variables
-from .values import print_text
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

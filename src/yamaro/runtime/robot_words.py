@@ -119,19 +119,14 @@ def _run_item(
         if item.include is not None:
             run_include(interpreter, item.include, scope, content.children, None)
         elif item.body is not None:
-            _run_body(interpreter, node, item.body, scope, content.children)
+            if node.key.text != "attach":
+                interpreter.run_body(item.body, scope, content.children)
+            else:  # in a context of its own, like a call
+                callee = Scope(
+                    scope.home, interpreter.shared_names, closure=scope, caller=scope.context
+                )
+                interpreter.run_body(item.body, callee, content.children)
+                for key, value in callee.exported():
+                    interpreter.receive(scope, key, value, node.span, callee.place_of(key))
     interpreter.is_inside, interpreter.holder = before
     return word
-
-
-def _run_body(
-    interpreter: Interpreter, node: RobotWordNode, body: Body, scope: Scope, out: list[Node]
-) -> None:
-    """Run a body: that of `attach` in a context of its own, like a call."""
-    if node.key.text != "attach":
-        interpreter.run_body(body, scope, out)
-        return
-    callee = Scope(scope.home, interpreter.shared_names, closure=scope, caller=scope.context)
-    interpreter.run_body(body, callee, out)
-    for key, value in callee.exported():
-        interpreter.receive(scope, key, value, node.span, callee.place_of(key))

@@ -229,7 +229,12 @@ class Scope(dict[str, "Any"]):
         elif kind in (PARENT, CHILD):
             dict.__setitem__(self, name, value)
             self._note_place(name, place)
-            self._note_kind(name, kind)
+            if self.kinds is _NO_KINDS:
+                self.kinds = {}
+            self.kinds[name] = kind
+            if kind == CHILD:
+                self.has_children = True
+                self.shared_names.children.add(name)
         elif kind == GLOBAL:
             self._forget(name)
             self.shared_names.globals[name] = value
@@ -242,7 +247,9 @@ class Scope(dict[str, "Any"]):
             scope: Scope | None = self
             while scope is not None:
                 scope._forget(name)
-                scope._note_bridged(name)
+                if scope.bridged is _NONE_BRIDGED:
+                    scope.bridged = set()
+                scope.bridged.add(name)
                 scope = scope.caller
         else:
             raise AssertionError(f"unknown scope {kind}")
@@ -253,19 +260,6 @@ class Scope(dict[str, "Any"]):
                 return
             self.places = {}
         self.places[name] = place
-
-    def _note_kind(self, name: str, kind: str) -> None:
-        if self.kinds is _NO_KINDS:
-            self.kinds = {}
-        self.kinds[name] = kind
-        if kind == CHILD:
-            self.has_children = True
-            self.shared_names.children.add(name)
-
-    def _note_bridged(self, name: str) -> None:
-        if self.bridged is _NONE_BRIDGED:
-            self.bridged = set()
-        self.bridged.add(name)
 
     def _forget(self, name: str) -> None:
         if name in self:

@@ -3,13 +3,22 @@
 from __future__ import annotations
 
 from ..diagnostics import InputFault, Reporter, YamaroError, did_you_mean, failure, suggest
-from ..units import UnknownUnit, fits, name_of, parse_quantity, parse_unit, plural_of, units_of
+from ..units import (
+    UNITS,
+    UnknownUnit,
+    fits,
+    name_of,
+    parse_quantity,
+    parse_unit,
+    plural_of,
+    units_of,
+)
 from ..xml.values import format_value, is_number, plain_value
 from ..yaml.nodes import MappingNode, ScalarNode, SequenceNode, type_plain
 from ..yaml.reader import read
 from .context import ParseContext, Rules
 from .names import bad_variable_name, is_identifier, name_hint, python_name
-from .nodes import Constant, DictValue, ListValue, Value, VariablesNode
+from .nodes import Constant, DictValue, Document, ListValue, Value, VariablesNode
 from .python import Template
 from .values import Pairs, pairs_of, parse_value, refuse_twice
 
@@ -202,8 +211,6 @@ def _number_of(entry: ArgumentEntry, value: object) -> tuple[float, Dimension | 
 
 def unknown_unit(word: str, wanted: list[str] | None = None) -> InputFault:
     """Return the fault of a unit that is not known; `wanted` are those that would fit."""
-    from ..units import UNITS
-
     hint = did_you_mean(word, wanted or UNITS) or did_you_mean(word, UNITS)
     listed = ", ".join(wanted or UNITS)
     return InputFault("unknown-unit", f"'{word}' is not a unit", hint or f"units are {listed}")
@@ -432,8 +439,6 @@ def arguments_of(source: Source) -> list[ArgumentEntry] | None:
     Raises:
         YamaroError: the file is not YAML, or the section has errors.
     """
-    from .nodes import Document
-
     context = ParseContext(Reporter(), Rules())
     document = Document(source)
     root = read(source, reporter=context.reporter)

@@ -200,8 +200,6 @@ def _parameter_hint(name: str) -> str:
 
 
 def _parse_block(written: str, span: object) -> Parameter:
-    from ..source import Span
-
     assert isinstance(span, Span)
     name = written.lstrip("*").strip()
     stars = len(written) - len(written.lstrip("*"))

@@ -242,7 +242,7 @@ _OF_JAILS = (
     "...sandbox.jail.parent",
     "...runtime.python_errors",
     "...runtime.includes",
-    "...runtime.origins",
+    "...runtime.python_errors",
 )
 
 

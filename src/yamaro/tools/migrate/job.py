@@ -9,7 +9,7 @@ from ...diagnostics import ERROR, YamaroError
 from ...options import UsageError
 from ...policy import JAIL, SAFE, Policy
 from ...request import finder_for, reach_of
-from ...runtime.xml_includes import is_named_xacro, read_included, xacro_in_safe_mode
+from ...runtime.xml_files import is_named_xacro, read_included, xacro_in_safe_mode
 from ...sandbox.deadline import TimeOver, run_within
 from ...sandbox.deep_stack import run_on_deep_stack
 from ...sandbox.jail.limits import JailAnswerBroken, JailUnavailable

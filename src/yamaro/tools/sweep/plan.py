@@ -12,7 +12,7 @@ from copy import copy
 from ...diagnostics import YamaroError, failure_of_all
 from ...policy import SAFE, Policy
 from ...runtime.expressions import SafeEvaluator
-from ...runtime.library import rules_of
+from ...runtime.files import rules_of
 from ...runtime.python_errors import Explainer
 from ...runtime.scope import Home, Scope, SharedNames
 from ...safe.limits import SafeLimits

@@ -16,7 +16,7 @@ from ...diagnostics import (
 from ...files.loader import FileLoader, LoadError, decode
 from ...options import UsageError
 from ...request import finder_for, reach_of, read_command_line, read_main, refusal_of_main
-from ...runtime.library import Library
+from ...runtime.files import Library
 from ...runtime.predefined import plain_data
 from ...source import holds_xml
 from ...syntax.argument_section import PATH

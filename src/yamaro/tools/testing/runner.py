@@ -8,7 +8,7 @@ from time import perf_counter
 from ...diagnostics import ERROR, Diagnostic, YamaroError, failure
 from ...options import UsageError
 from ...program import Program
-from ...runtime.library import rules_of
+from ...runtime.files import rules_of
 from ...sandbox.deep_stack import run_on_deep_stack
 from ...source import KEYWORD_ARGUMENT
 from .files import read_test_file

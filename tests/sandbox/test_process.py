@@ -9,7 +9,7 @@ from collections.abc import Iterator
 import pytest
 
 import yamaro
-from yamaro.runtime.collector import THRESHOLD, RareCollection
+from yamaro.sandbox.process import THRESHOLD, RareCollection
 
 FILES = yamaro.MemoryLoader(
     {

@@ -1,8 +1,11 @@
-"""Includes of URDF, or other XML, as it is: reads it, and renames its links and joints."""
+"""URDF and xacro files in a program: as the main file, or included."""
 
 from __future__ import annotations
 
-from ..diagnostics import INHERITED, Frame, YamaroError, add_trace, did_you_mean, failure
+import os
+
+from ..diagnostics import INHERITED, Frame, Reporter, YamaroError, add_trace, did_you_mean, failure
+from ..files.loader import LoadError
 from ..source import Source, Span
 from ..syntax.nodes import (
     IncludeNode,
@@ -14,14 +17,13 @@ from ..xml.values import format_value
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Mapping
     from typing import Any
 
-    from ..diagnostics import Frame, YamaroError
     from ..policy import Limits
-    from ..source import Source, Span
-    from ..syntax.nodes import IncludeNode
     from ..xml.tree import Node
-    from .interpreter import Interpreter
+    from .files import Files
+    from .interpreter import Interpreter, Messages
 
 
 def read_included(source: Source, limits: Limits) -> tuple[Element, bool]:
@@ -139,19 +141,10 @@ def declare_prefixes(root: Element, content: list[Node]) -> None:
         return
     for element in content:
         if isinstance(element, Element):
-            for prefix in _prefixes_in(element):
+            names = [name for each in element.iter() for name in (each.name, *each.attributes)]
+            for prefix in [name.partition(":")[0] for name in names if ":" in name]:
                 if prefix in declared:
                     element.attributes.setdefault(f"xmlns:{prefix}", declared[prefix])
-
-
-def _prefixes_in(element: Element) -> list[str]:
-    """Return the prefixes of the names in an element, each once."""
-    found: dict[str, None] = {}
-    for inner in element.iter():
-        for name in (inner.name, *inner.attributes):
-            if ":" in name:
-                found[name.partition(":")[0]] = None
-    return list(found)
 
 
 def _tidy(root: Element, trace: Frame = INHERITED) -> None:
@@ -162,14 +155,14 @@ def _tidy(root: Element, trace: Frame = INHERITED) -> None:
     for element in root.iter():
         element.trace = trace
         if element is root or element.elements():
-            element.children = [child for child in element.children if not _is_space(child)]
+            element.children = [
+                child
+                for child in element.children
+                if not isinstance(child, Text) or format_value(child.value).strip()
+            ]
         for index, child in enumerate(element.children):
             if type(child) is CData:
                 element.children[index] = Text(child.value, child.span)
-
-
-def _is_space(node: Node) -> bool:
-    return isinstance(node, Text) and not format_value(node.value).strip()
 
 
 def include_xml(
@@ -208,7 +201,11 @@ def include_xml(
             if node.own_prefix is not None:
                 from .argument_values import warn_of_own_prefix
 
-                names = _arguments_of(root)
+                names = [
+                    format_value(element.attributes.get("name"))
+                    for element in root.elements()
+                    if element.name == "xacro:arg"
+                ]
                 warn_of_own_prefix(node, node.own_prefix, names, source, interpreter.reporter)
             root = _expanded(interpreter, root, passed, node, namespace, frame)
             mark_included(root, "")
@@ -226,15 +223,6 @@ def include_xml(
         interpreter.leave(frame)
 
 
-def _arguments_of(root: Element) -> list[str]:
-    """Return the names of the arguments that a xacro file declares in its root."""
-    return [
-        format_value(element.attributes.get("name"))
-        for element in root.elements()
-        if element.name == "xacro:arg"
-    ]
-
-
 def _expanded(
     interpreter: Interpreter,
     root: Element,
@@ -245,7 +233,6 @@ def _expanded(
 ) -> Element:
     """Return the root of what a xacro file expands to, given its own."""
     from ..xacro.expansion import expand
-    from .xacro_host import XacroHost
 
     source = root.span.source
     host = XacroHost(
@@ -268,3 +255,130 @@ def _expanded(
     return expand(
         source, host, arguments, interpreter.reporter, root=root, frame=frame, places=places
     )
+
+
+# --- what a xacro file may ask of its surroundings --------------------------------------------
+
+
+class XacroHost:
+    """Gives a xacro file what files of Yamaro get, under the same limits and from the same places.
+
+    Attributes:
+        limits: how much the expansion may use.
+    """
+
+    def __init__(
+        self,
+        files: Files,
+        messages: Messages,
+        limits: Limits,
+        *,
+        main: Source,
+        has_environment: bool,
+    ) -> None:
+        """Serve the expansion of `main`; safe mode has no environment."""
+        self.limits = limits
+        self._files = files
+        self._messages = messages
+        self._main = main
+        self._has_environment = has_environment
+
+    def read(self, path: str, span: Span) -> Source:
+        """Return the text of a file.
+
+        Raises:
+            YamaroError: it cannot be read.
+        """
+        absolute = os.path.abspath(path)
+        try:
+            return self._files.read_xml(absolute, self._shown(absolute), span)
+        except LoadError as error:
+            near = self._files.neighbours(absolute)
+            raise failure(
+                error.code,
+                f"the file '{os.path.basename(path)}' cannot be included: {error}",
+                span,
+                hint=error.hint or did_you_mean(os.path.basename(absolute), near),
+                notes=[f"searched for {absolute}"],
+            ) from None
+
+    def glob(self, pattern: str) -> list[str]:
+        """Return the paths that a pattern of the shell matches."""
+        from glob import glob
+
+        return glob(pattern)
+
+    def find_package(self, name: str, span: Span) -> str:
+        """Return the folder of a ROS package.
+
+        Raises:
+            YamaroError: there is no such package.
+        """
+        start = os.path.dirname(span.source.path or self._main.path)
+        folder = self._files.packages.find(name, start, span)
+        if folder is None:
+            raise self._files.unknown_package(name, span, start)
+        return folder
+
+    def environment(self, name: str) -> str | None:
+        """Return a variable of the environment, or None if it is not set."""
+        return os.environ.get(name) if self._has_environment else None
+
+    def folder(self) -> str:
+        """Return the current folder."""
+        return os.getcwd()
+
+    def say(self, text: str, span: Span) -> None:
+        """Show a message."""
+        self._messages.say(text)
+
+    def _shown(self, path: str) -> str:
+        """Return what a file is called in messages: as the main file is, where it lies near."""
+        try:
+            relative = os.path.relpath(path, os.path.dirname(self._main.path))
+        except ValueError:  # on another drive
+            return path
+        if os.path.isabs(self._main.name) or relative.startswith(os.path.join("..", "..", "..")):
+            return path
+        return os.path.normpath(os.path.join(os.path.dirname(self._main.name), relative))
+
+
+# --- URDF or xacro as the main file -----------------------------------------------------------
+
+
+def run_xml_main(
+    source: Source,
+    interpreter: Interpreter,
+    arguments: Mapping[str, str],
+    places: Mapping[str, Span],
+    reporter: Reporter,
+) -> tuple[Element, bool]:
+    """Return the root of a URDF as it is, or of what xacro makes of it; and whether it is xacro's.
+
+    Args:
+        source: the main file.
+        interpreter: gives files, packages, limits, and how far the file is trusted.
+        arguments: what is set of the arguments of a xacro file, as it is written.
+        places: where those are set that were set on the command line.
+        reporter: takes the warnings.
+
+    Raises:
+        YamaroError: the input has errors, or a xacro file is not trusted, and there is no jail.
+    """
+    files, limits, safety = interpreter.files, interpreter.limits, interpreter.safety
+    try:
+        files.note(source.path or source.name)
+        root, is_xacro = read_included(source, limits)
+        if not is_xacro:
+            return tidy_root(root), False
+        if safety is not None and not interpreter.policy.is_confined:
+            raise xacro_in_safe_mode(Span(source, root.span.start, root.span.end))
+        from ..xacro.expansion import expand
+
+        host = XacroHost(
+            files, interpreter.messages, limits, main=source, has_environment=safety is None
+        )
+        return expand(source, host, arguments, reporter, root=root, places=places), True
+    finally:
+        interpreter.messages.close()
+        files.close()

@@ -12,7 +12,7 @@ from yamaro.diagnostics import Diagnostic
 from yamaro.files.loader import MemoryLoader
 from yamaro.policy import Limits
 from yamaro.rendering import render
-from yamaro.runtime.xml_includes import is_xacro, read_included
+from yamaro.runtime.xml_files import is_xacro, read_included
 from yamaro.sandbox import jail
 from yamaro.source import Source
 from yamaro.xml.reader import read_xml

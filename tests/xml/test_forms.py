@@ -5,11 +5,10 @@ from __future__ import annotations
 import pytest
 
 from yamaro.diagnostics import INHERITED, Frame
-from yamaro.runtime.elements import MAX_KNOWN, Builder
 from yamaro.source import Source, Span
 from yamaro.syntax.nodes import Body, ElementNode, PartNode
 from yamaro.syntax.parser import parse
-from yamaro.xml.forms import Form, key_of
+from yamaro.xml.forms import MAX_KNOWN, Builder, Form, key_of
 from yamaro.xml.tree import Element, Memo, Text
 
 
