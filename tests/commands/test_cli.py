@@ -1233,7 +1233,7 @@ def test_a_conversion_imports_little(words: list[str], text: str) -> None:
 @pytest.mark.parametrize(
     ("text", "unused"),
     [
-        (ARM, "yamaro.model.mesh_integrals"),
+        (ARM, "yamaro.model.inertia"),
         (PLAIN, "yamaro.robot.part"),
         ("launch: {node/name=n: }\n", "yamaro.robot"),
         (ARM, "yamaro.syntax.argument_section"),

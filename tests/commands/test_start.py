@@ -29,7 +29,6 @@ OF_OTHER_BUILDS = {
     "yamaro.confined",
     "yamaro.model.compare",
     "yamaro.model.extras",
-    "yamaro.model.sensors",
     "yamaro.rendering",
     "yamaro.robot.extras",
     "yamaro.robot.attach",

@@ -17,7 +17,7 @@ from tests.model.robots import EXAMPLES, JOINTS
 from tests.model.test_kinematics import Pinocchio
 from yamaro import Robot, build
 from yamaro.model.changes.change import Change, Changes
-from yamaro.model.changes.tolerance import angle_between
+from yamaro.model.changes.context import angle_between
 from yamaro.model.pose import rotation_from_rpy
 
 REPOSITORY = Path(__file__).parents[2]

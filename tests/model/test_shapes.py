@@ -10,7 +10,7 @@ import trimesh
 
 from yamaro.meshes.formats import MeshFileError, MissingLibraryError, mesh_ending
 from yamaro.meshes.triangles import TriangleMesh, is_closed, read_mesh
-from yamaro.model.mesh_integrals import solid_moments
+from yamaro.model.inertia import solid_moments
 from yamaro.model.shapes import Box, Capsule, Cylinder, MeshSolid, Sphere
 
 CUBE = TriangleMesh(

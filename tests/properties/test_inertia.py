@@ -9,7 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from yamaro.meshes.triangles import TriangleMesh, is_closed, read_mesh
-from yamaro.model.mesh_integrals import solid_moments
+from yamaro.model.inertia import solid_moments
 from yamaro.model.shapes import Box, Capsule, Cylinder, MeshSolid, Sphere
 
 sizes = st.floats(1e-4, 100)

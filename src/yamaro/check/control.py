@@ -8,9 +8,8 @@ drives the robot, or leaves a joint without a drive.
 from __future__ import annotations
 
 from ..model.joint import LIMITED
-from ..model.noting import content, content_span
 from ..model.sdf_schema import ANY, AT_LEAST_ONE, COUNT, TRUE_OR_FALSE
-from ..model.values import attribute_text, child_named
+from ..model.values import attribute_text, child_named, content, content_span
 from .context import shown
 from .robot import is_fixed
 from .values import (

@@ -6,7 +6,6 @@ its own, apart from the elements in which the plugins that come with Gazebo name
 
 from __future__ import annotations
 
-from ..model.noting import content, content_span, inside
 from ..model.sdf_schema import (
     ANY,
     AT_LEAST_ONE,
@@ -28,7 +27,7 @@ from ..model.sdf_schema import (
     TRUTH,
     Value,
 )
-from ..model.values import attribute_text, child_named
+from ..model.values import attribute_text, child_named, content, content_span, inside
 from .robot import is_fixed, near_name
 from .values import (
     LENIENT_TRUTHS,

@@ -107,6 +107,7 @@ def is_one_slip_away(word: str, known: str) -> bool:
 
 
 # --- what they refer to -----------------------------------------------------------------------
+# Only places whose meaning is documented are looked at; what plugins hold is theirs.
 
 
 def check_references(robot: Robot, tree: Tree, context: CheckContext) -> None:

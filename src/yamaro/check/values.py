@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from math import inf, isnan
 
-from ..model.noting import content, content_span
 from ..model.sdf_schema import COLOR, INTEGER, POSE, TRUTH, WORD, Value
-from ..model.values import attribute_text
+from ..model.values import attribute_text, content, content_span
 from .context import shown
 
 TYPE_CHECKING = False

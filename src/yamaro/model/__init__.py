@@ -8,10 +8,14 @@ if TYPE_CHECKING:
     from .compare import Difference as Difference
     from .extras import Actuator as Actuator
     from .extras import Base as Base
+    from .extras import Camera as Camera
     from .extras import CollisionSettings as CollisionSettings
     from .extras import Control as Control
     from .extras import Group as Group
+    from .extras import Lidar as Lidar
     from .extras import Loop as Loop
+    from .extras import Ranger as Ranger
+    from .extras import Sensor as Sensor
     from .extras import State as State
     from .extras import Surface as Surface
     from .joint import Calibration as Calibration
@@ -28,10 +32,6 @@ if TYPE_CHECKING:
     from .pose import Pose as Pose
     from .robot import Frame as Frame
     from .robot import Robot as Robot
-    from .sensors import Camera as Camera
-    from .sensors import Lidar as Lidar
-    from .sensors import Ranger as Ranger
-    from .sensors import Sensor as Sensor
     from .shapes import Box as Box
     from .shapes import Capsule as Capsule
     from .shapes import Cylinder as Cylinder
@@ -78,14 +78,13 @@ __all__ = [
 _NAMES = {
     "compare": ("Difference",),
     "extras": (
-        *("Actuator", "Base", "CollisionSettings", "Control"),
-        *("Group", "Loop", "State", "Surface"),
+        *("Actuator", "Base", "Camera", "CollisionSettings", "Control", "Group"),
+        *("Lidar", "Loop", "Ranger", "Sensor", "State", "Surface"),
     ),
     "joint": ("Calibration", "Dynamics", "Joint", "Limit", "Mimic", "SafetyController"),
     "link": ("Collision", "Inertial", "Link", "Material", "Visual"),
     "pose": ("Pose",),
     "robot": ("Frame", "Robot"),
-    "sensors": ("Camera", "Lidar", "Ranger", "Sensor"),
     "shapes": ("Box", "Capsule", "Cylinder", "Mesh", "Shape", "Sphere"),
 }
 _MODULES = {name: module for module, names in _NAMES.items() for name in names}

@@ -7,21 +7,87 @@ with these elements gives the same as the words it was made of, as far as the el
 
 from __future__ import annotations
 
+from math import radians
+
 from ..diagnostics import INHERITED
 from ..xml.tree import Element, Text
-from .gazebo_sensors import GazeboSensors
+from .extras import CAMERAS, FORCE_TORQUE, LIDAR, RANGE
 from .joint import FIXED
-from .noting import Note, content, content_at, inside, numbers_in
-from .values import attribute_text, child_named
+from .pose import IDENTITY, Pose, rotation_from_quaternion, rotation_from_rpy
+from .values import (
+    attribute_text,
+    child_named,
+    content,
+    content_at,
+    content_span,
+    first_of,
+    inside,
+    number_at,
+    numbers_in,
+)
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator, Sequence
 
     from ..diagnostics import Frame as Step
+    from ..source import Span
+    from ..xml.tree import Element
+    from .pose import Rotation
     from .robot import Robot
 
     Placed = tuple[Element, Step | None]
+
+
+# --- notes ------------------------------------------------------------------------------------
+
+
+class Note:
+    """A note that is being made.
+
+    Attributes:
+        element: the note.
+        places: where its values are written, by attribute.
+    """
+
+    __slots__ = ("element", "places")
+
+    def __init__(self, kind: str, origin: Element, trace: Step | None, **given: str) -> None:
+        """Begin a note.
+
+        Args:
+            kind: what it is about: `sensor`, `actuator`, `surface` or `ros2_control`.
+            origin: the element that says it.
+            trace: the calls and includes that led there.
+            given: its first attributes.
+        """
+        self.places: dict[str, Span] = {}
+        self.element = Element(kind, origin.span, dict(given), trace=trace, value_spans=self.places)
+
+    def put(self, attribute: str, text: str | None, origin: Element | None) -> bool:
+        """Note a text that is not empty, and where it is written; return whether it was noted."""
+        if not text:
+            return False
+        self.element.attributes[attribute] = text
+        if origin is not None:
+            self.places[attribute] = content_span(origin)
+        return True
+
+    def put_number(self, attribute: str, origin: Element | None) -> bool:
+        """Note the number in an element, unless it is negative; return whether it was noted."""
+        text = content(origin)
+        row = numbers_in(text)
+        return len(row) == 1 and row[0] >= 0 and self.put(attribute, text, origin)
+
+    def put_child(self, kind: str, origin: Element, attribute: str, value: str) -> None:
+        """Add a note with one attribute."""
+        self.element.children.append(
+            Element(kind, origin.span, {attribute: value}, trace=self.element.trace)
+        )
+
+
+# --- recognition ------------------------------------------------------------------------------
+
 
 SURFACE_TAGS = {"mu1": "friction", "mu2": "friction2", "kp": "stiffness", "kd": "damping"}
 """The short forms of Gazebo, and what they are in a surface."""
@@ -259,3 +325,388 @@ def _read_imus(robot: Robot, sensors: GazeboSensors, control: Element, trace: St
         is_imu = bool(interfaces) and all(each.startswith(IMU_INTERFACES) for each in interfaces)
         if is_imu and frames and frames[0] in robot.links:
             sensors.add_imu(sensor, trace, frames[0])
+
+
+# --- sensors for Gazebo -----------------------------------------------------------------------
+# Sources: the elements and defaults of SDFormat 1.9 (sensor.sdf, lidar.sdf, camera.sdf, imu.sdf),
+# of SDFormat 1.5, and the parameters of the plugins of gazebo_plugins and hector_gazebo_plugins.
+
+
+TYPES = {
+    **dict.fromkeys(("imu", "imu_sensor"), "imu"),
+    **dict.fromkeys(("ray", "gpu_ray", "lidar", "gpu_lidar"), LIDAR),
+    **dict.fromkeys(("camera", "wideanglecamera", "wide_angle_camera", "multicamera"), "camera"),
+    **dict.fromkeys(("depth", "depth_camera", "rgbd", "rgbd_camera"), "depth_camera"),
+    **dict.fromkeys(("gps", "navsat"), "gps"),
+    "contact": "contact",
+    "magnetometer": "magnetometer",
+    "sonar": RANGE,
+    "force_torque": FORCE_TORQUE,
+}
+"""The types of SDFormat that are known, with those of Gazebo classic, and what they are here."""
+PLUGINS = {
+    "gazebo_ros_ft_sensor": FORCE_TORQUE,
+    "gazebo_ros_imu": "imu",
+    "hector_gazebo_ros_imu": "imu",
+    "hector_gazebo_ros_gps": "gps",
+    "hector_gazebo_ros_magnetic": "magnetometer",
+}
+"""Plugins of a model that are sensors, without a `<sensor>`."""
+RANGE_PLUGIN = "gazebo_ros_range"
+"""The plugin that makes one distance of the rays of its sensor."""
+HOMES = ("jointName", "joint_name", "bodyName", "body_name", "linkName", "link_name")
+RATES = ("updateRate", "update_rate", "updateRateHZ")
+TOPICS = (
+    *("topicName", "topic_name", "bumperTopicName", "depthImageTopicName", "imageTopicName"),
+    *("gps_topic", "gpsTopicName"),
+)
+FRAME_IDS = ("optical_frame_id", "frameName", "frame_name")
+NOISES = ("gaussianNoise", "gaussian_noise")
+DEFAULT_TOPIC = "__default_topic__"
+"""SDFormat's default for a topic, which means that the simulator names it."""
+QUANTITIES = {
+    **dict.fromkeys(("angular_velocity", "rate"), "angular_velocity"),
+    **dict.fromkeys(("linear_acceleration", "accel"), "linear_acceleration"),
+    **{name: name for name in ("force", "torque", "position_sensing", "velocity_sensing")},
+}
+"""The elements around `<noise>` that say of what it is the noise."""
+MEASURED = {
+    "imu": ("angular_velocity", "linear_acceleration"),
+    FORCE_TORQUE: ("force", "torque"),
+    "gps": ("position_sensing",),
+}
+"""What the one number for a sensor's noise is about."""
+ALL = "all"
+"""Means all that a sensor measures, where `<noise>` does not say more."""
+OPTICAL: Rotation = ((0.0, 0.0, 1.0), (-1.0, 0.0, 0.0), (0.0, -1.0, 0.0))
+"""R_camera_optical: x forward and z up, to z forward and y down. Source: REP 103."""
+_TOLERANCE = 0.01
+"""Radians: files write π/2 with as few as three digits."""
+_MOST_NESTED = 6
+"""Levels of elements in a `<sensor>` that are looked at for noise."""
+
+
+class GazeboSensors:
+    """Reads the sensors of a robot.
+
+    Attributes:
+        notes: the notes of those found.
+    """
+
+    __slots__ = ("_poses", "_robot", "_taken", "notes")
+
+    def __init__(self, robot: Robot, said: set[str]) -> None:
+        """Begin with none.
+
+        Args:
+            robot: the robot.
+            said: the names of sensors that are not to be read.
+        """
+        self._robot = robot
+        self._taken = dict.fromkeys(said, "")
+        self._poses: dict[str, Pose] | None = None
+        self.notes: list[Element] = []
+
+    def read(self, blocks: list[tuple[Element, Step | None]]) -> None:
+        """Note the sensors in the `<gazebo>` elements of a robot."""
+        for gazebo, trace in blocks:
+            home = (attribute_text(gazebo, "reference") or "").strip()
+            for child in gazebo.elements():
+                if child.name == "sensor":
+                    self._sensor(child, trace, home)
+                elif child.name == "plugin":
+                    self._plugin(child, trace)
+
+    def add_imu(self, element: Element, trace: Step | None, link: str) -> None:
+        """Note an imu in a link, unless there is one of its name."""
+        name = attribute_text(element, "name") or ""
+        if name and name not in self._taken:
+            note = Note("sensor", element, trace, name=name, type="imu")
+            self._place(note, link, IDENTITY)
+
+    # --- a sensor ---
+
+    def _sensor(self, element: Element, trace: Step | None, home: str) -> None:
+        kind = TYPES.get(attribute_text(element, "type") or "")
+        homes = self._robot.joints if kind == FORCE_TORQUE else self._robot.links
+        if kind is None or home not in homes:
+            return
+        written = attribute_text(element, "name") or kind
+        name = self._free_name(written, home)
+        if name is None:
+            return
+        cameras = [each for each in element.elements() if each.name == "camera"]
+        if attribute_text(element, "type") == "multicamera" and cameras:
+            for number, camera in enumerate(cameras):
+                own = f"{name}_{attribute_text(camera, 'name') or number}"
+                note = Note("sensor", camera, trace, name=own, type=kind, written_name=written)
+                self._read(note, element, home, camera)
+            return
+        note = Note("sensor", element, trace, name=name, type=kind, written_name=written)
+        self._read(note, element, home, cameras[0] if cameras else None)
+
+    def _read(self, note: Note, element: Element, home: str, camera: Element | None) -> None:
+        """Note what a sensor says, and where it is."""
+        kind = str(note.element.attributes["type"])
+        plugins = [each for each in element.elements() if each.name == "plugin"]
+        _read_rate(note, element, plugins)
+        _read_topic(note, element, plugins)
+        _read_noise(note, kind, element if camera is None else camera, plugins)
+        if kind == FORCE_TORQUE:
+            note.element.attributes["joint"] = home
+            self.notes.append(note.element)
+            return
+        frame, pose = self._pose(element, home)
+        if kind in CAMERAS:
+            own = child_named(camera, "pose") if camera is not None else None
+            pose = pose @ _pose_in(own)
+            _read_camera(note, element if camera is None else camera, kind)
+        elif kind in (LIDAR, RANGE):
+            _read_rays(note, element, plugins)
+        self._place(note, home, pose, frame)
+        if kind in CAMERAS:
+            named = [element, *([] if camera is None else [camera]), *plugins]
+            self._read_optical_frame(note, named, frame, pose)
+        elif kind == "contact":
+            seen = first_of(element, ("gz_frame_id", "ignition_frame_id"))
+            if content(seen) in self._robot.links:
+                note.put("frame", content(seen), seen)
+
+    def _place(self, note: Note, link: str, pose: Pose, frame: str | None = None) -> None:
+        """Note where a sensor is; one in a frame of its name is of the link around."""
+        given = note.element.attributes
+        own = self._robot.frames.get(link) if link == given["name"] else None
+        given["link"] = own.link if own is not None else link
+        given["frame"] = frame or link
+        if pose != IDENTITY:
+            given["xyz"] = " ".join(map(repr, pose.position))
+            given["rpy"] = " ".join(map(repr, pose.rpy))
+        self._taken.setdefault(str(given["name"]), link)
+        self.notes.append(note.element)
+
+    def _pose(self, element: Element, link: str) -> tuple[str, Pose]:
+        """Return the frame of a sensor, and its pose in it."""
+        pose = child_named(element, "pose")
+        above = attribute_text(pose, "relative_to") or attribute_text(pose, "frame") or link
+        return above if above in self._robot.links else link, _pose_in(pose)
+
+    def _free_name(self, name: str, home: str) -> str | None:
+        """Return a name for a sensor, or None if words describe it.
+
+        Two sensors may have one name in different links. The second is called by its link as well.
+        """
+        if self._taken.get(name) == "":
+            return None
+        free, number = name, 1
+        while free in self._taken:
+            free = f"{home}_{name}" if number == 1 else f"{home}_{name}_{number}"
+            number += 1
+        self._taken[free] = home
+        return free
+
+    def _read_optical_frame(
+        self, note: Note, places: list[Element], frame: str, pose: Pose
+    ) -> None:
+        """Note the link that is a camera's optical frame, if there is one."""
+        note.element.attributes["optical_frame"] = ""
+        for place in places:
+            for name in FRAME_IDS:
+                found = child_named(place, name)
+                link = content(found) or ""
+                if link in self._robot.links and self._is_optical(link, frame, pose):
+                    note.put("optical_frame", link, found)
+                    return
+
+    def _is_optical(self, link: str, frame: str, pose: Pose) -> bool:
+        """Return whether a link is turned like the optical frame of a camera."""
+        if self._poses is None:
+            self._poses = self._robot.poses()
+        poses = self._poses
+        rotation = (poses[frame] @ pose).inverse() @ poses[link]
+        pairs = zip(rotation.rotation, OPTICAL, strict=True)
+        return all(
+            abs(a - b) <= _TOLERANCE for row, own in pairs for a, b in zip(row, own, strict=True)
+        )
+
+    # --- plugins ---
+
+    def _plugin(self, element: Element, trace: Step | None) -> None:
+        """Note the sensor that a plugin of the model is, if it is one."""
+        kind = PLUGINS.get(_plugin_name(element))
+        homes = self._robot.joints if kind == FORCE_TORQUE else self._robot.links
+        where = first_of(element, HOMES)
+        home = content(where) or ""
+        if kind is None or home not in homes:
+            return
+        written = attribute_text(element, "name") or kind
+        name = self._free_name(written, home)
+        if name is None:
+            return
+        note = Note("sensor", element, trace, name=name, type=kind, written_name=written)
+        _read_rate(note, element, [element])
+        _read_topic(note, element, [element])
+        _read_noise(note, kind, element, [element])
+        if kind == FORCE_TORQUE:
+            note.put("joint", home, where)
+            self.notes.append(note.element)
+            return
+        xyz = numbers_in(content_at(element, "xyzOffset"))
+        rpy = numbers_in(content_at(element, "rpyOffset"))
+        rows = [row if len(row) == 3 else (0.0, 0.0, 0.0) for row in (xyz, rpy)]
+        self._place(note, home, _pose_of((*rows[0], *rows[1])))
+
+
+def _plugin_name(plugin: Element) -> str:
+    """Return the name of a plugin's library, without what systems add to it."""
+    file = (attribute_text(plugin, "filename") or "").split("/")[-1]
+    return file.removeprefix("lib").removesuffix(".so")
+
+
+# --- what all sensors say -----------------------------------------------------------------------
+
+
+def _read_rate(note: Note, element: Element, plugins: list[Element]) -> None:
+    """Note the rate: the sensor's, or else that of its plugin; 0 means as fast as can be."""
+    for place in (child_named(element, "update_rate"), *(first_of(p, RATES) for p in plugins)):
+        row = numbers_in(content(place))
+        if len(row) == 1 and row[0] > 0:
+            note.put("rate", content(place), place)
+            return
+
+
+def _read_topic(note: Note, element: Element, plugins: list[Element]) -> None:
+    """Note the topic: the sensor's, or else that of its plugin for ROS."""
+    own = first_of(element, ("topic",))
+    if own is not None and content(own) != DEFAULT_TOPIC:
+        note.put("topic", content(own), own)
+        return
+    for plugin in plugins:
+        named = first_of(plugin, TOPICS)
+        if named is not None:
+            camera = content_at(plugin, "cameraName")
+            topic = content(named) or ""
+            is_whole = camera is None or "mage" not in named.name or topic.startswith("/")
+            note.put("topic", topic if is_whole else f"{camera}/{topic}", named)
+            return
+        ros = child_named(plugin, "ros")
+        for child in ros.elements() if ros is not None else ():
+            source, arrow, target = (content(child) or "").partition(":=")
+            if child.name in ("remapping", "argument") and arrow and source.startswith("~/"):
+                space = (content_at(ros, "namespace") or "").rstrip("/")
+                is_whole = not space or target.startswith("/")
+                note.put("topic", target if is_whole else f"{space}/{target}", child)
+                return
+
+
+def _read_noise(note: Note, kind: str, element: Element, plugins: list[Element]) -> None:
+    """Note the standard deviation: one for all that is measured, or one for each quantity."""
+    found = list(_noises(element, ""))
+    quantities: dict[str, set[str]] = {}
+    for quantity, place in found:
+        quantities.setdefault(quantity or ALL, set()).add(content(place) or "")
+    values = set().union(*quantities.values()) if quantities else set()
+    measured = MEASURED.get(kind, ())
+    if len(values) == 1 and all(each in quantities for each in measured if ALL not in quantities):
+        note.put("noise", values.pop(), found[0][1])
+    elif quantities:
+        each = {name: max(texts, key=float) for name, texts in quantities.items()}
+        note.put("noises", " ".join(f"{name} {text}" for name, text in each.items()), found[0][1])
+    else:
+        for plugin in plugins:
+            given = first_of(plugin, NOISES)
+            if number_at(given, (), 0.0):
+                note.put_number("noise", given)
+
+
+def _noises(element: Element, quantity: str, depth: int = 0) -> Iterator[tuple[str, Element]]:
+    """Yield each standard deviation in a sensor, with the quantity that it is of, or ""."""
+    if depth > _MOST_NESTED:
+        return
+    for child in element.elements():
+        quantity_of = QUANTITIES.get(child.name, quantity)
+        if child.name == "noise" or element.name == "noise":  # that of an imu may hold two
+            written = attribute_text(child, "type") or content_at(child, "type")
+            if written == "none":
+                continue
+            own = child_named(child, "stddev")
+            if len(numbers_in(content(own))) == 1 and own is not None:
+                yield quantity_of, own
+        if child.name != "plugin":
+            yield from _noises(child, quantity_of, depth + 1)
+
+
+# --- poses --------------------------------------------------------------------------------------
+
+
+def _pose_in(element: Element | None) -> Pose:
+    """Return the pose in a `<pose>` of SDFormat."""
+    row = numbers_in(content(element))
+    if attribute_text(element, "rotation_format") == "quat_xyzw" and len(row) == 7:
+        return Pose(rotation_from_quaternion(*row[3:]), (row[0], row[1], row[2]))
+    if attribute_text(element, "degrees") in ("true", "1") and len(row) == 6:
+        row = (*row[:3], *map(radians, row[3:]))
+    return _pose_of(row)
+
+
+def _pose_of(row: tuple[float, ...]) -> Pose:
+    """Return the pose of x, y, z, roll, pitch and yaw; nothing moves if these are not six."""
+    if len(row) != 6 or not any(row):
+        return IDENTITY
+    x, y, z, roll, pitch, yaw = row
+    return (
+        Pose(rotation_from_rpy(roll, pitch, yaw), (x, y, z))
+        if any(row[3:])
+        else Pose(position=(x, y, z))
+    )
+
+
+# --- lidars and cameras -------------------------------------------------------------------------
+
+
+def _read_rays(note: Note, element: Element, plugins: list[Element]) -> None:
+    """Note the rays of a lidar; one ray alone measures one distance, as does a cone."""
+    given = note.element.attributes
+    sonar = child_named(element, "sonar")
+    rays = child_named(element, "ray") or child_named(element, "lidar")
+    distance = rays if sonar is None else sonar
+    path = ("range",) if sonar is None else ()
+    ends = [number_at(distance, (*path, end), 0.0) for end in ("min", "max")]
+    note.put("range", " ".join(map(repr, ends)), inside(distance, *path))
+    rows = [_scan(rays, direction, count) for direction, count in _DIRECTIONS]
+    (count, across), (height, up) = rows
+    cones = [plugin for plugin in plugins if _plugin_name(plugin) == RANGE_PLUGIN]
+    if sonar is not None or cones or count == height == 1:
+        given["type"] = RANGE
+        if cones:
+            fov = number_at(cones[0], ("fov",), across[1] - across[0])
+            given["fov"] = repr(max(fov, 0.0))
+        return
+    given |= {"rays": str(count), "rows": str(height)}
+    for attribute, pair in (("ends", across), ("tilt_ends", up)):
+        given[attribute] = " ".join(map(repr, pair))
+
+
+_DIRECTIONS = (("horizontal", 640), ("vertical", 1))
+"""The directions of rays, with the default number in SDFormat."""
+
+
+def _scan(rays: Element | None, direction: str, default: int) -> tuple[int, tuple[float, float]]:
+    """Return how many rays there are in a direction, and the first and the last angle."""
+    place = inside(rays, "scan", direction)
+    count = max(int(number_at(place, ("samples",), default)), 1)
+    least, most = (number_at(place, (f"{end}_angle",), 0.0) for end in ("min", "max"))
+    return count, (least, most)
+
+
+def _read_camera(note: Note, element: Element, kind: str) -> None:
+    """Note what a camera sees, with SDFormat's defaults."""
+    given = note.element.attributes
+    size = [number_at(element, ("image", each), n) for each, n in (("width", 320), ("height", 240))]
+    given["size"] = " ".join(str(max(int(each), 1)) for each in size)
+    fov = child_named(element, "horizontal_fov")
+    if not note.put_number("fov", fov):
+        given["fov"] = "1.047"
+    own = inside(element, "depth_camera", "clip") if kind == "depth_camera" else None
+    clip = own or child_named(element, "clip")
+    ends = [number_at(clip, (end,), n) for end, n in (("near", 0.1), ("far", 100.0))]
+    note.put("clip", " ".join(map(repr, ends)), clip)

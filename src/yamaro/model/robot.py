@@ -48,6 +48,7 @@ if TYPE_CHECKING:
         Group,
         Loop,
         RawXml,
+        Sensor,
         State,
         Surface,
     )
@@ -55,7 +56,6 @@ if TYPE_CHECKING:
     from .link import Link, Material, Visual
     from .pose import Pose, Vector
     from .positions import GivenPositions
-    from .sensors import Sensor
 
     Named = TypeVar("Named", Link, Joint)
 

@@ -19,7 +19,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from ..source import Span
     from ..xml.tree import Element
-    from .mesh_integrals import SolidMoments
+    from .inertia import SolidMoments
     from .pose import Vector
 
 Inertia = tuple[float, float, float, float, float, float]
@@ -278,7 +278,7 @@ class MeshSolid:
 
         With C = ∫x·xᵀ dV − V·c·cᵀ about the centre of mass c: I = ρ·(trace(C)·1 − C).
 
-        Source: see `mesh_integrals.solid_moments`.
+        Source: see `inertia.solid_moments`.
         """
         moments = self.moments
         density = mass / moments.volume

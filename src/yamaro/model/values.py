@@ -1,4 +1,4 @@
-"""What elements say: attributes as text and numbers, children by name; what is read of a robot."""
+"""Values of elements: attributes and contents as text and numbers; children by name."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from math import inf, isfinite, nan
 
 from ..diagnostics import INHERITED
 from ..source import Public
-from ..xml.tree import Element
+from ..xml.tree import Element, Text
 from ..xml.values import LONGEST_ROW_REMEMBERED, format_value, remember
 
 TYPE_CHECKING = False
@@ -190,3 +190,60 @@ class ReadLater(Written):
             if name in type(self).__slots__:
                 self.read_rest(self)
             return object.__getattribute__(self, name)
+
+
+# --- what elements say ------------------------------------------------------------------------
+
+
+def content(element: Element | None) -> str | None:
+    """Return what an element says: its attribute `value`, or else its text; None without either.
+
+    Source: SDFormat, parser_urdf.cc, GetKeyValueAsString.
+    """
+    if element is None:
+        return None
+    value = attribute_text(element, "value")
+    return (element.text() if value is None else value).strip() or None
+
+
+def content_span(element: Element) -> Span:
+    """Return where what an element says is written, or else the element."""
+    if "value" in element.attributes:
+        return element.value_span("value")
+    texts = (c.span for c in element.children if isinstance(c, Text) and format_value(c.value))
+    return next(texts, element.span)
+
+
+def content_at(element: Element | None, *names: str) -> str | None:
+    """Return what the element at a path of names says, or None."""
+    return content(inside(element, *names))
+
+
+def inside(element: Element | None, *names: str) -> Element | None:
+    """Return the first element at a path of names, or None."""
+    for name in names:
+        if element is None:
+            return None
+        element = child_named(element, name)
+    return element
+
+
+def first_of(element: Element, names: tuple[str, ...]) -> Element | None:
+    """Return the child of the first name that has a content."""
+    for name in names:
+        child = child_named(element, name)
+        if content(child) is not None:
+            return child
+    return None
+
+
+def numbers_in(text: str | None) -> tuple[float, ...]:
+    """Return the numbers of a text; none if it is not a row of numbers."""
+    found = read_numbers(" ".join(text.split())) if text is not None else ()
+    return found if isinstance(found, tuple) else ()
+
+
+def number_at(element: Element | None, names: tuple[str, ...], default: float) -> float:
+    """Return the number at a path of names, or the default."""
+    row = numbers_in(content_at(element, *names))
+    return row[0] if len(row) == 1 else default

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from ..diagnostics import YamaroError, failure
+from ..model.extras import CAMERAS
 from ..model.schema import (
     ACTUATOR,
     COMMANDS,
@@ -15,7 +16,6 @@ from ..model.schema import (
     WHOLE,
 )
 from ..model.schema import SENSOR as ANY_SENSOR
-from ..model.sensors import CAMERAS
 from ..xml.tree import Element
 from ..xml.values import format_value
 from .fields import FRAME, POSE_ROWS, SENSOR, empty_value, read_value, sort_fields, word_of

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from ..meshes.triangles import TriangleMesh
-    from ..model.mesh_integrals import SolidMoments
+    from ..model.inertia import SolidMoments
     from ..model.shapes import Solid
     from ..source import Span
     from .fields import Fields
@@ -238,7 +238,7 @@ def _read_shape_word(lowering: Lowering, key: Element) -> tuple[str, str, Span]:
     if kind in COUNTS:
         return kind, word, span
     from ..meshes.formats import mesh_ending
-    from ..model.mesh_integrals import MESH_ENDINGS  # as below: most robots have no mesh
+    from ..model.inertia import MESH_ENDINGS
 
     if mesh_ending(word) in MESH_ENDINGS:
         return "mesh", word, span
@@ -257,7 +257,7 @@ def _read_shape_word(lowering: Lowering, key: Element) -> tuple[str, str, Span]:
 
 def _shape_hint(word: str) -> str:
     if "." in word or "/" in word:
-        from ..model.mesh_integrals import MESH_ENDINGS
+        from ..model.inertia import MESH_ENDINGS
 
         endings = " ".join(f".{ending}" for ending in MESH_ENDINGS)
         return f"the extensions of mesh files are {endings}"
@@ -380,7 +380,7 @@ def _solid_mesh(lowering: Lowering, geometry: Geometry, scale: tuple[float, ...]
 def _read_moments(lowering: Lowering, geometry: Geometry, path: str) -> SolidMoments:
     """Return the volume integrals of a mesh file, for scale 1."""
     from ..meshes.triangles import is_closed
-    from ..model.mesh_integrals import solid_moments
+    from ..model.inertia import solid_moments
 
     span, word, trace = geometry.span, geometry.word, geometry.key.trace
     mesh = _read_mesh(lowering, geometry, path)

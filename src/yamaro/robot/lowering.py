@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
     from ..diagnostics import Diagnostic, Frame, Reporter, YamaroError
     from ..fixes import Fix
-    from ..model.mesh_integrals import SolidMoments
+    from ..model.inertia import SolidMoments
     from ..model.shapes import Inertia
     from ..source import Source, Span
     from ..xml.forms import Form

@@ -5,9 +5,9 @@ from __future__ import annotations
 from itertools import islice
 
 from ..diagnostics import YamaroError, did_you_mean, failure
+from ..model.extras import CAMERAS
 from ..model.pose import Pose
 from ..model.schema import ELEMENTS, KEPT, NEGATED, RECORDS
-from ..model.sensors import CAMERAS
 from ..source import joined
 from ..xml.robot_names import RobotNames
 from ..xml.tree import Comment, Element, RawBlock, Text
@@ -471,6 +471,12 @@ def _same(one: str, other: str, *, sign: int = 1) -> bool:
 
 
 # --- mirrored values --------------------------------------------------------------------------
+# S is the reflection in the plane, a diagonal matrix with −1 for the plane's normal. A pose (R, x)
+# becomes (S·R·S, S·x), an inertia I becomes S·I·S. An axis is mirrored as what it moves: a
+# prismatic joint's a becomes S·a, a revolute one's, which turns the other way in a mirror, −S·a.
+#
+# Source: E. W. Weisstein, "Pseudovector", MathWorld; R. Featherstone, Rigid Body Dynamics
+# Algorithms, section 2.8, for the transformation of inertia.
 
 
 PLANES = {"yz": 0, "xz": 1, "xy": 2}

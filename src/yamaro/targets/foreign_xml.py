@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 from ..diagnostics import INHERITED
-from ..model.noting import content, numbers_in
 from ..model.schema import ELEMENTS
-from ..model.values import attribute_text
+from ..model.values import attribute_text, content, numbers_in
 from ..xml.tree import Element
 from .output import LOST, Loss
 

@@ -13,9 +13,8 @@ from .tags import Tag, given
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from ..model.extras import Surface
+    from ..model.extras import Sensor, Surface
     from ..model.robot import Robot
-    from ..model.sensors import Sensor
 
 CONTROL = "ros2_control"
 

@@ -7,10 +7,10 @@ MuJoCo's compiler, which takes no rounding into account.
 from __future__ import annotations
 
 from ..diagnostics import Diagnostic
+from ..model.inertia import principal_axes
 from ..model.joint import FIXED
 from ..model.kinematics import from_the_roots
 from ..model.pose import Pose, multiply, transposed
-from ..model.principal import principal_axes
 from ..xml.values import format_number
 from .bodies import Bodies
 from .output import APPROXIMATED, LOST, Loss

@@ -5,15 +5,14 @@ Source: the specification of SDFormat 1.9 and 1.11, http://sdformat.org/spec.
 
 from __future__ import annotations
 
-from ..model.sensors import Camera, Lidar, Ranger
+from ..model.extras import Camera, Lidar, Ranger
 from .tags import Tag, given
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
 
-    from ..model.extras import Surface
-    from ..model.sensors import Sensor
+    from ..model.extras import Sensor, Surface
 
 TYPES = {"lidar": "gpu_lidar", "range": "gpu_lidar", "gps": "navsat"}
 """The types of sensors that Gazebo calls otherwise."""

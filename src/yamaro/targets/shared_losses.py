@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from ..model.extras import CAMERAS, Ranger
 from ..model.joint import SINGLE, UNLIMITED
-from ..model.sensors import CAMERAS, Ranger
 from .gains import EFFORT, VELOCITY
 from .output import APPROXIMATED, LOST, RENAMED, Loss
 
@@ -11,10 +11,9 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Collection, Container
 
-    from ..model.extras import Actuator, Noted
+    from ..model.extras import Actuator, Noted, Sensor
     from ..model.joint import Joint
     from ..model.robot import Robot
-    from ..model.sensors import Sensor
     from ..model.values import Written
 
 SRDF_HINT = "--to srdf writes them"

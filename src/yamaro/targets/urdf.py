@@ -9,9 +9,8 @@ from .shared_losses import cones, lost_sections
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from ..model.extras import Noted
+    from ..model.extras import Noted, Sensor
     from ..model.robot import Robot
-    from ..model.sensors import Sensor
     from .output import Wanted
 
 OF_ACTUATORS = {

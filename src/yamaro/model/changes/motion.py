@@ -11,7 +11,7 @@ from ..joint import FLOATING, PLANAR, SINGLE
 from ..kinematics import link_poses
 from ..pose import IDENTITY, Pose, rotation_from_rpy
 from .change import ADDED, CHANGED, REMOVED, Moved
-from .tolerance import angle_between, distance_between
+from .context import angle_between, distance_between
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from math import atan, cos, degrees, sin, tan
 
+from ...model.extras import CAMERAS, Camera, Lidar, Ranger
 from ...model.pose import IDENTITY, Pose
-from ...model.sensors import CAMERAS, Camera, Lidar, Ranger
 from ..output import APPROXIMATED, LOST
 from ..shared_losses import lost_of_sensor
 from .names import CAMERA, SENSOR, SITE
@@ -13,7 +13,7 @@ from .writing import Writing, made, number, pose_attributes, row
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from ...model.sensors import Sensor
+    from ...model.extras import Sensor
     from ...source import Span
     from ...xml.tree import Element
 

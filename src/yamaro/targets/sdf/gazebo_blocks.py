@@ -9,8 +9,7 @@ Source: the conversion of URDF in SDFormat, parser_urdf.cc, and the specificatio
 from __future__ import annotations
 
 from ...diagnostics import INHERITED
-from ...model.noting import content, numbers_in
-from ...model.values import attribute_text
+from ...model.values import attribute_text, content, numbers_in
 from ...xml.tree import Element
 from ..output import LOST, Loss
 from ..tags import Tag

@@ -9,9 +9,9 @@ from ..tags import Tag, given, row_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from ...model.extras import Sensor
     from ...model.link import Inertial, Link
     from ...model.pose import Pose
-    from ...model.sensors import Sensor
     from ..inertia import Principal
 
 POINT_RADIUS = 1e-6

@@ -22,11 +22,10 @@ from .shapes import Shapes
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from ...model.extras import Loop
+    from ...model.extras import Loop, Sensor
     from ...model.joint import Joint
     from ...model.link import Link
     from ...model.robot import Robot
-    from ...model.sensors import Sensor
     from ...xml.tree import Element
     from ..output import Wanted
 

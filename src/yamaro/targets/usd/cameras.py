@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 
 from pxr import Gf, UsdGeom
 
+from ...model.extras import Camera
 from ...model.pose import Pose, rotation_from_rpy
-from ...model.sensors import Camera
 from ..shared_losses import lost_in_sensor, lost_of_sensor, renamed_sensors
 from .poses import place
 

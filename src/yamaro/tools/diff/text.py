@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 from ...model.changes.change import ADDED, CHANGED, REMOVED, RENAMED
-from ...model.changes.context import angle_text, length_text
-from ...model.changes.tolerance import distance_between
+from ...model.changes.context import angle_text, distance_between, length_text
 from ...terminal import BLUE, BOLD, DIM, RED, YELLOW, painted, printable, shortened
 from .values import ARROW, value_text, values_text
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from ...meshes.formats import mesh_ending
 from ...model.compare import POSE, ZEROS, same_words
-from ...model.mesh_integrals import MESH_ENDINGS
+from ...model.inertia import MESH_ENDINGS
 from ...model.schema import ELEMENTS
 from ...model.shapes import COUNTS, SIMPLE_SHAPES
 from ...model.values import values_of

@@ -10,10 +10,14 @@ from math import isclose
 from ...model.extras import (
     Actuator,
     Base,
+    Camera,
     CollisionSettings,
     Control,
     Group,
+    Lidar,
     Loop,
+    Ranger,
+    Sensor,
     State,
     Surface,
 )
@@ -21,7 +25,6 @@ from ...model.joint import Calibration, Dynamics, Joint, Limit, Mimic, SafetyCon
 from ...model.link import Collision, Inertial, Link, Material, Visual
 from ...model.pose import Pose
 from ...model.robot import Frame, Robot
-from ...model.sensors import Camera, Lidar, Ranger, Sensor
 from ...model.shapes import Box, Capsule, Cylinder, Mesh, Sphere
 from ...safe.runtime import SafeRuntime
 from ...safe.values import Function, a_type, function

@@ -9,8 +9,8 @@ from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation as Judge
 
 from tests.effort import examples
+from yamaro.model.inertia import principal_axes
 from yamaro.model.pose import quaternion_from_rotation, rotation_from_quaternion
-from yamaro.model.principal import principal_axes
 
 moments = st.floats(0, 1e3)
 parts = st.floats(-1, 1)
