@@ -1,5 +1,6 @@
 """What the model holds of a robot: links, joints, shapes, materials, and where they are written."""
 
+import pickle
 from pathlib import Path
 
 import numpy as np
@@ -14,6 +15,27 @@ from yamaro.model.reading import read_robot
 from yamaro.xml.tree import Element
 
 MATERIALS = '<material name="red"><color rgba="1 0 0 0.5"/></material><material name="none"/>'
+ARM_OF_PARTS = """\
+robot: arm
+states: {home: {j2: 0}}
+model:
+- material/name=steel: {color/rgba=0.5 0.5 0.5 1: }
+- part: {name: base, link: {geometry: sphere, scale: 0.1, mass: 1}}
+- part:
+    name: j2
+    joint:
+      type: revolute
+      parent: base
+      axis: z
+      limit: {lower: -1, upper: 1, effort: 1, velocity: 1}
+      actuator: {command: position}
+    link:
+      geometry: sphere
+      scale: 0.1
+      mass: 1
+      sensor/name=lidar: {type: lidar}
+- part: {name: tool, joint: {type: fixed, parent: j2}}
+"""
 
 
 def robot_with(content: str) -> Robot:
@@ -343,3 +365,40 @@ def test_what_stands_in_several_links_is_one_object() -> None:
     assert list(twice.links) == ["a", "b"]
     assert twice.links["a"].visuals[0] is twice.links["b"].visuals[0]
     assert len(twice.findings) == 1
+
+
+@pytest.mark.parametrize(
+    ("kind", "name", "said"),
+    [
+        ("joints", "j2", "the robot has no joint 'j2'; did you mean 'j2_joint'?"),
+        ("joints", "j2_jont", "the robot has no joint 'j2_jont'; did you mean 'j2_joint'?"),
+        ("links", "base", "the robot has no link 'base'; did you mean 'base_link'?"),
+        ("links", "far away", "the robot has no link 'far away'"),
+        ("states", "hme", "the robot has no state 'hme'; did you mean 'home'?"),
+        ("sensors", "lidr", "the robot has no sensor 'lidr'; did you mean 'lidar'?"),
+        ("actuators", "j2", "the robot has no actuator 'j2'; did you mean 'j2_joint'?"),
+        ("frames", "tol", "the robot has no frame 'tol'; did you mean 'tool_link'?"),
+        ("materials", "stel", "the robot has no material 'stel'; did you mean 'steel'?"),
+    ],
+)
+def test_the_key_error_of_a_name_suggests_another(
+    tmp_path: Path, kind: str, name: str, said: str
+) -> None:
+    (tmp_path / "arm.yaml").write_text(ARM_OF_PARTS)
+    things = getattr(build(tmp_path / "arm.yaml").robot, kind)
+    with pytest.raises(KeyError) as caught:
+        things[name]
+    assert caught.value.args == (said,)
+    assert things.get(name) is None
+    assert name not in things
+    assert pickle.loads(pickle.dumps(things)).keys() == things.keys()
+
+
+def test_the_key_error_knows_how_a_robot_names_its_joints(tmp_path: Path) -> None:
+    (tmp_path / "arm.yaml").write_text(
+        "robot: r\nnaming: {joint: j_*}\nmodel:\n- part: {name: a}\n"
+        "- part: {name: b, joint: {type: fixed, parent: a}}\n"
+    )
+    robot = build(tmp_path / "arm.yaml").robot
+    with pytest.raises(KeyError, match="did you mean 'j_b'"):
+        robot.joints["b"]

@@ -13,7 +13,7 @@ from ..diagnostics import INHERITED
 from ..source import Public
 from .pose import IDENTITY, Pose, rotation_from_rpy
 from .schema import ACTUATOR, COLLISIONS, SENSORS, SURFACE, TEXT, WHOLE
-from .values import Written, attribute_text, number_in, read_numbers
+from .values import ByName, Written, attribute_text, number_in, read_numbers
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -498,11 +498,13 @@ class Extras:
     def __init__(self, notes: Sequence[Element] = ()) -> None:
         """Read the notes."""
         sensors = [Sensor(each, _trace_of(each)) for each in _of(notes, "sensor")]
-        self.sensors: Mapping[str, Sensor] = {each.name: each for each in sensors}
+        self.sensors: Mapping[str, Sensor] = ByName("sensor", {each.name: each for each in sensors})
         actuators = map(Actuator, _of(notes, "actuator"))
-        self.actuators: Mapping[str, Actuator] = {each.joint: each for each in actuators}
+        self.actuators: Mapping[str, Actuator] = ByName(
+            "actuator", {each.joint: each for each in actuators}, ["*_joint"]
+        )
         self.surfaces = tuple(map(Surface, _of(notes, "surface")))
-        self.states: dict[str, State] = {}
+        self.states: dict[str, State] = ByName("state")
         for note in _of(notes, "state"):
             known = self.states.get(attribute_text(note, "name") or "")
             if known is not None:
@@ -511,9 +513,9 @@ class Extras:
             state = State(note)
             self.states[state.name] = state
         groups = map(Group, _of(notes, "robot-group"))
-        self.groups: Mapping[str, Group] = {each.name: each for each in groups}
+        self.groups: Mapping[str, Group] = ByName("group", {each.name: each for each in groups})
         loops = map(Loop, _of(notes, "robot-loop"))
-        self.loops: Mapping[str, Loop] = {each.name: each for each in loops}
+        self.loops: Mapping[str, Loop] = ByName("loop", {each.name: each for each in loops})
         self.raw = tuple(map(RawXml, _of(notes, "raw-block")))
         self.controls = tuple(map(Control, _of(notes, "ros2_control")))
         settings = [CollisionSettings(each) for each in _of(notes, "collisions")]

@@ -99,9 +99,8 @@ def _named(robot: Robot, name: str, kind: str, known: Mapping[str, Named]) -> Na
         if candidate in known:
             return known[candidate]
     what = "joint" if kind == "joint" else "link or frame"
-    meant = {part: whole for whole in known for part in _parts_of(robot, whole, kind)}
-    near = suggest(name, [*known, *meant])
-    hint = None if near is None else f"did you mean '{meant.get(near, near)}'?"
+    near = meant_name(name, known, robot.name_patterns(kind))
+    hint = None if near is None else f"did you mean '{near}'?"
     if hint is None and kind == "joint":
         moving = [joint.name for joint in robot.joints.values() if joint.type != FIXED]
         hint = _listed("those that move are", moving, "none of its joints moves")
@@ -120,12 +119,22 @@ def names_of_part(robot: Robot, part: str, kind: str) -> Iterable[str]:
             yield part[:at] + before + part[at:] + after
 
 
-def _parts_of(robot: Robot, name: str, kind: str) -> Iterable[str]:
-    """Yield the names of parts whose joint or link has a name."""
-    for pattern in robot.name_patterns(kind):
-        before, _, after = pattern.partition("*")
-        if name.startswith(before) and name.endswith(after) and len(name) >= len(pattern):
-            yield name[len(before) : len(name) - len(after)]
+def meant_name(name: str, known: Iterable[str], patterns: Sequence[str]) -> str | None:
+    """Return the known name that may be meant by one that is not, or by the name of a part.
+
+    Args:
+        name: the name.
+        known: the names that there are.
+        patterns: what they are called if they are those of parts, such as `*_joint`.
+    """
+    meant = {}
+    for whole in known:
+        for pattern in patterns:
+            before, _, after = pattern.partition("*")
+            if whole.startswith(before) and whole.endswith(after) and len(whole) >= len(pattern):
+                meant[whole[len(before) : len(whole) - len(after)]] = whole
+    near = name if name in meant else suggest(name, [*known, *meant])
+    return None if near is None else meant.get(near, near)
 
 
 def read_position(joint: Joint, given: Any) -> Position:

@@ -24,7 +24,7 @@ from math import fsum
 
 from ..source import Public
 from .joint import FIXED
-from .values import Written, attribute_text
+from .values import ByName, Written, attribute_text
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -94,7 +94,8 @@ class Robot(Written):
     Attributes:
         name: its name, or "".
         version: its version of URDF as written, or None.
-        links: by name, in the order written; the first of each name.
+        links: by name, in the order written; the first of each name. A name that is not there is a
+            KeyError that suggests one, as in all that are by name.
         joints: by name, in the order written; the first of each name.
         all_links, all_joints: all that are written, those of a repeated or missing name too.
         own_materials: those written directly under the robot; see `materials`.
@@ -139,13 +140,17 @@ class Robot(Written):
         self.version = attribute_text(element, "version")
         self.all_links = tuple(links)
         self.all_joints = tuple(joints)
-        self.links: Mapping[str, Link] = _by_name(links)
-        self.joints: Mapping[str, Joint] = _by_name(joints)
+        self._notes = notes
+        self.links: Mapping[str, Link] = ByName(
+            "link", _first_of_each_name(links), self.name_patterns("link")
+        )
+        self.joints: Mapping[str, Joint] = ByName(
+            "joint", _first_of_each_name(joints), self.name_patterns("joint")
+        )
         self.own_materials = tuple(materials)
         self._materials: dict[str, Material] | None = None
         self._find = find
         self._findings: tuple[Diagnostic, ...] | None = None
-        self._notes = notes
         self._recognizes = recognizes
         self._extras: Extras | None = None
         self._parent_joints: dict[str, Joint] | None = None
@@ -194,7 +199,7 @@ class Robot(Written):
         It is the first that belongs to the robot, or else the first in a visual.
         """
         if self._materials is None:
-            self._materials = _definitions(self.own_materials, self.all_links)
+            self._materials = ByName("material", _definitions(self.own_materials, self.all_links))
         return self._materials
 
     @property
@@ -206,11 +211,12 @@ class Robot(Written):
     @property
     def frames(self) -> dict[str, Frame]:
         """Return the frames by name, in order: the empty links at fixed joints."""
-        return {
+        found = {
             name: Frame(joint)
             for name, joint in self._parents().items()
             if joint.type == FIXED and self.links[name].is_empty
         }
+        return ByName("frame", found, self.name_patterns("link"))
 
     def parent_joint(self, link: str) -> Joint | None:
         """Return the joint whose child a link is, the first one written; None for a root."""
@@ -456,8 +462,7 @@ class Robot(Written):
         return f"<Robot '{self.name}': {len(self.links)} links, {len(self.joints)} joints>"
 
 
-def _by_name(things: list[Named]) -> dict[str, Named]:
-    """Return links or joints by name, the first of each name."""
+def _first_of_each_name(things: Sequence[Named]) -> dict[str, Named]:
     found = {thing.name: thing for thing in things}
     if len(found) < len(things):
         found = {}

@@ -11,13 +11,39 @@ from ..xml.values import LONGEST_ROW_REMEMBERED, format_value, remember
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable
-    from typing import Any
+    from collections.abc import Callable, Mapping, Sequence
+    from typing import Any, NoReturn
 
     from ..diagnostics import Frame as Step
     from ..source import Span
     from .joint import Joint
     from .link import Link
+
+
+class ByName(dict[str, "Any"]):
+    """What a robot has of a kind, by name: the KeyError of another name suggests one.
+
+    Attributes:
+        kind: what it has, such as `joint`.
+        patterns: what those of parts are called, such as `*_joint`.
+    """
+
+    __slots__ = ("kind", "patterns")
+
+    def __init__(
+        self, kind: str, things: Mapping[str, Any] | None = None, patterns: Sequence[str] = ()
+    ) -> None:
+        super().__init__(things or {})
+        self.kind = kind
+        self.patterns = patterns
+
+    def __missing__(self, name: object) -> NoReturn:
+        from .positions import meant_name
+
+        near = meant_name(name, self, self.patterns) if isinstance(name, str) else None
+        hint = "" if near is None else f"; did you mean '{near}'?"
+        raise KeyError(f"the robot has no {self.kind} {name!r}{hint}")
+
 
 WORD, NOT_FINITE, SPACING, TOO_LARGE = "word", "not finite", "spacing", "too large"
 
