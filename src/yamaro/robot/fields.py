@@ -225,9 +225,10 @@ class Fields:
             are in `rest` too.
         plain: elements in angle brackets that replace a generated element, by name.
         rest: what is output in order: ordered and repeated keys, elements, comments, parts.
+        stray_geometry: a key that looks like a misspelt `geometry`, or None.
     """
 
-    __slots__ = ("has_text", "keys", "plain", "rest")
+    __slots__ = ("has_text", "keys", "plain", "rest", "stray_geometry")
 
     def __init__(self) -> None:
         """Start empty."""
@@ -235,6 +236,7 @@ class Fields:
         self.keys: dict[str, Element] = {}
         self.plain: dict[str, Element] = {}
         self.rest: list[Node] = []
+        self.stray_geometry: Element | None = None
 
 
 def sort_fields(
@@ -265,7 +267,33 @@ def sort_fields(
             rest.append(child)
         else:
             refuse_part(lowering, child, place.name)
+    if fields.stray_geometry is not None:
+        _take_stray_geometry(lowering, fields.stray_geometry, fields)
     return fields
+
+
+def _take_stray_geometry(lowering: Lowering, stray: Element, fields: Fields) -> None:
+    """Record that a link's `geometry` is misspelt, and read it as that: all in it needs a shape."""
+    if "geometry" in fields.keys:
+        _warn_of_key(lowering, stray, LINK, _GEOMETRY_MEANT)
+        return
+    lowering.absorb(
+        failure(
+            "unknown-key",
+            f"'{stray.name}' is not a key of a link",
+            stray.span,
+            hint=f"{_GEOMETRY_MEANT} (<{stray.name}>: is always an element)",
+            trace=stray.trace,
+            fix=_fix_of_key(stray.span, stray.name, LINK),
+        )
+    )
+    fields.rest.remove(stray)
+    fields.keys["geometry"] = Element(
+        "geometry", stray.span, stray.attributes, stray.children, stray.trace, stray.value_spans
+    )
+
+
+_GEOMETRY_MEANT = "did you mean 'geometry'?"
 
 
 def _replace_key(lowering: Lowering, child: Element, fields: Fields) -> None:
@@ -291,7 +319,11 @@ def _sort_element(lowering: Lowering, child: Element, place: PartPlace, fields: 
     elif name in place.repeated:
         fields.rest.append(child)
     else:
-        _warn_of_key(lowering, child, place)
+        hint = _key_hint(lowering, name, place)
+        if hint == _GEOMETRY_MEANT and place is LINK and child.children:
+            fields.stray_geometry = child
+        elif hint is not None:
+            _warn_of_key(lowering, child, place, hint)
         if not place.has_parts:
             check_plain(lowering, child, place.name)
         fields.rest.append(child)
@@ -393,17 +425,19 @@ def _refuse_text(lowering: Lowering, owner: Element, text: Text, place: PartPlac
 # --- misspelt and misplaced keys --------------------------------------------------------------
 
 
-def _warn_of_key(lowering: Lowering, child: Element, place: PartPlace) -> None:
-    """Warn of an element that is most likely a misspelt key, or one that belongs elsewhere."""
-    name = child.name
+def _key_hint(lowering: Lowering, name: str, place: PartPlace) -> str | None:
+    """Return what to say of an element that is most likely a misspelt or misplaced key, or None."""
     if name in place.elements:
-        return
+        return None
     question = (place.name, name)
     if question not in lowering.near_keys:
         lowering.near_keys[question] = _warning_hint(name, place)
-    hint = lowering.near_keys[question]
-    if hint is None:
-        return
+    return lowering.near_keys[question]
+
+
+def _warn_of_key(lowering: Lowering, child: Element, place: PartPlace, hint: str) -> None:
+    """Warn of an element that is most likely a misspelt key, or one that belongs elsewhere."""
+    name = child.name
     message = (
         f"'{name}' is not a key of {_with_article(place.name)}, "
         f"and is written as the element <{name}>"
@@ -600,6 +634,9 @@ def refuse_misspelt(record: Record, known: Collection[str]) -> None:
             continue
         absent = [each for each in known if each not in record.values]
         near = suggest(name, absent) or suggest(name, known)
+        meant = _OTHER_WORDS.get(name.lower())
+        if meant in known:
+            near = meant
         if near is not None:
             span = next(
                 (each.span for each in key.elements() if each.name == name),
@@ -608,6 +645,18 @@ def refuse_misspelt(record: Record, known: Collection[str]) -> None:
             found += misspelt(key, span, name, near, record.values).diagnostics
     if found:
         raise YamaroError(found)
+
+
+_OTHER_WORDS = {
+    "min": "lower",
+    "minimum": "lower",
+    "max": "upper",
+    "maximum": "upper",
+    "force": "effort",
+    "torque": "effort",
+    "speed": "velocity",
+}
+"""What other formats call the entries of a limit."""
 
 
 def misspelt(

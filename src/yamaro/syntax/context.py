@@ -13,7 +13,6 @@ if TYPE_CHECKING:
 
     from ..fixes import Fix
     from ..source import Span
-    from ..yaml.nodes import ScalarNode, YamlNode
     from .keys import PlainKey
     from .nodes import FunctionNode
     from .python import PythonCode
@@ -72,7 +71,7 @@ class ParseContext:
 
         Attributes:
             at_root: whether the statements being parsed stand at the root of the file.
-            bare_keys: the first element of each name without attributes: its key and content.
+            bare_keys: the names of elements that are written without attributes.
             blocks: names of the blocks of the functions around the place being parsed.
             codes: every expression and process block compiled.
             declarations: name, scope and place of everything that declares a name.
@@ -90,7 +89,7 @@ class ParseContext:
         self.declarations: list[tuple[str, str, Span]] = []
         self.extents: list[Span] = []
         self.functions: list[FunctionNode] = []
-        self.bare_keys: dict[str, tuple[ScalarNode, YamlNode]] = {}
+        self.bare_keys: set[str] = set()
         self.plain_keys: dict[str, PlainKey] = {}
         self.at_root = False
 

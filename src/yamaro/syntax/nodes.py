@@ -532,7 +532,7 @@ class Document:
         Attributes:
             arguments: what may be passed to the file, or None if it does not say.
             argument_spans: where each of them is declared.
-            bare_keys: the first element of each name without attributes: its key and content.
+            bare_keys: the names of elements that are written without attributes.
             functions: those that are defined in it, also inside others.
             imports: the modules, in order.
             sections: the other sections but the model, in order.
@@ -560,7 +560,7 @@ class Document:
         self.declarations: list[tuple[str, str, Span]] = []
         self.extents: list[Span] = []
         self.functions: list[FunctionNode] = []
-        self.bare_keys: dict[str, tuple[ScalarNode, YamlNode]] = {}
+        self.bare_keys: set[str] = set()
         self.names_read: set[str] = set()
 
     def extent_around(self, span: Span) -> Span | None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from ..diagnostics import INHERITED, YamaroError, failure, suggest
 from ..source import Span
-from ..xml.tree import Element
+from ..xml.tree import Element, Text
 from ..yaml.nodes import MappingNode, ScalarNode, SequenceNode
 from .context import ParseContext
 from .forms import NO_CHILDREN, as_put_out, element_put_out, static_children
@@ -67,7 +67,7 @@ from .values import (
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
+    from collections.abc import Callable, Container, Sequence
     from typing import NoReturn
 
     from ..diagnostics import Reporter
@@ -177,7 +177,7 @@ def _parse_bare(key: ScalarNode, node: YamlNode, context: ParseContext) -> State
     assert isinstance(element.name, str), "its expression makes it one of `$(…)`"
     if word not in ROBOT_STATEMENTS and word not in RAW_BLOCKS:
         context.plain_keys[word] = (element.name, {})
-        context.bare_keys.setdefault(word, (key, node))
+        context.bare_keys.add(word)
     warn_of_misspelt_statement(key, node, context)
     return element
 
@@ -690,6 +690,10 @@ _LOOK_MISSPELT = frozenset(
 )
 
 
+_NEAR_STATEMENTS = ("friction", "friction2")
+"""Keys of parts that are misspelt as easily."""
+
+
 def warn_of_misspelt_statement(key: ScalarNode, node: YamlNode, context: ParseContext) -> None:
     """Warn of an element that reads like a misspelt statement, such as `inlcude: leg.yaml`."""
     word = key.text
@@ -703,8 +707,8 @@ def warn_of_misspelt_statement(key: ScalarNode, node: YamlNode, context: ParseCo
             hint="move it to the root of the file, or write <import>: for the element",
         )
         return
-    near = suggest(word, STATEMENTS) if 2 <= len(word) <= 10 else None
-    if near is None:
+    near = suggest(word, (*STATEMENTS, *_NEAR_STATEMENTS)) if 2 <= len(word) <= 10 else None
+    if near not in STATEMENTS:
         return
     inside = _keys_inside(node)
     telling = {"condition", "body", "iterator", "range", "in", "path", "name", "joint", "link"}
@@ -730,23 +734,30 @@ def warn_of_miscased_calls(
     """
     functions = {_letters(each.name): each for one in documents for each in one.functions}
     for document in documents if functions else ():
-        for word, (key, node) in document.bare_keys.items():
-            function = functions.get(_letters(word))
-            if function is None or is_known(word) or not _reads_like_call(node, function):
+        meant = {
+            word: functions[_letters(word)]
+            for word in document.bare_keys
+            if _letters(word) in functions and not is_known(word)
+        }
+        for element in _elements_called(meant, document) if meant else ():
+            word, span = str(element.name), element.span
+            function = meant[word]
+            if not _reads_like_call(element, function):
                 continue
             if any(each is function for each in document.functions):
-                extent = document.extent_around(key.span())
+                extent = document.extent_around(span)
                 if extent is not None and extent.start > function.span.start:
                     continue  # the element that a function of its name makes
             from ..fixes import respelling
 
+            span = span.span() if isinstance(span, ScalarNode) else span
             reporter.warn(
                 "misspelt-statement",
                 f"'{word}' creates an XML element; did you mean the function `{function.name}`?",
-                key.span(),
+                span,
                 hint=f"write {function.name}: to call it, or <{word}>: for the element",
                 notes=(f"it is defined as {function.signature()} at {function.span.place()}",),
-                fix=respelling(key.span(), word, function.name),
+                fix=respelling(span, word, function.name),
             )
 
 
@@ -754,16 +765,40 @@ def _letters(name: str) -> str:
     return name.replace("_", "").casefold()
 
 
-def _reads_like_call(node: YamlNode, function: FunctionNode) -> bool:
+def _elements_called(names: Container[str], document: Document) -> list[Element | ElementNode]:
+    """Return the elements of a syntax tree that have one of these names alone, in order.
+
+    It looks at all that statements hold, whatever their kind: that is slow, and rarely asked for.
+    """
+    found: dict[int, Element | ElementNode] = {}
+    seen: set[int] = set()
+    pending: list[object] = [document.model, document.sections, document.root]
+    while pending:
+        each = pending.pop()
+        if isinstance(each, (list, tuple)):
+            pending += each
+        elif (
+            type(each).__module__ in (Body.__module__, Element.__module__) and id(each) not in seen
+        ):
+            seen.add(id(each))
+            if isinstance(each, (Element, ElementNode)) and not each.verbatim:
+                if each.name in names and not each.attributes:
+                    found.setdefault(each.span.start, each)
+            pending += [getattr(each, name, None) for name in vars(type(each))["__slots__"]]
+    return [found[start] for start in sorted(found)]
+
+
+def _reads_like_call(element: Element | ElementNode, function: FunctionNode) -> bool:
     """Return whether what is in an element may be the arguments of a function."""
+    content = element.content if isinstance(element, ElementNode) else element.children
+    held = content.statements if isinstance(content, Body) else content
     names = {parameter.name for parameter in function.parameters}
-    inside = _keys_inside(node)
-    if inside:
-        return not inside.isdisjoint(names)
+    if isinstance(held, list) and held and not isinstance(held[0], Text):
+        return any(isinstance(i, (Element, ElementNode)) and i.name in names for i in held)
     is_called_without = all(
         each.is_block or each.default is not None for each in function.parameters
     )
-    return is_called_without if is_empty(node) else bool(names)
+    return bool(names) if held else is_called_without
 
 
 def _keys_inside(node: YamlNode) -> set[str]:
