@@ -17,14 +17,12 @@ import pytest
 
 from tests.waiting import PATIENCE
 from yamaro import Program
-from yamaro.commands.arguments import parse_arguments
+from yamaro.commands.arguments import make_policy, parse_arguments
 from yamaro.commands.command_table import COMMANDS, named_commands
-from yamaro.commands.help import help_of
 from yamaro.commands.main import main
-from yamaro.commands.option_table import OPTIONS, SPELLINGS, options_of
-from yamaro.commands.settings import make_policy
+from yamaro.commands.option_table import OPTIONS, SPELLINGS, help_of, options_of
+from yamaro.commands.reports import USAGE
 from yamaro.commands.shells import SHELLS, script
-from yamaro.commands.usage import USAGE
 from yamaro.policy import Limits, limit_names
 from yamaro.sandbox import jail
 

@@ -8,7 +8,7 @@ import pytest
 
 import yamaro
 from yamaro.commands.main import main
-from yamaro.commands.usage import USAGE
+from yamaro.commands.reports import USAGE
 from yamaro.files.packages import PackageFinder
 from yamaro.sandbox import jail
 

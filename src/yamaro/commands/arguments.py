@@ -6,13 +6,18 @@ import os
 
 from ..source import STANDARD_INPUT
 from .command_table import BUILD, COMMANDS, named_commands
-from .usage import WrongUsage, near, quote
+from .reports import WrongUsage, goes_to_standard_output, near, quote
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from .option import Option
+    from typing_extensions import Unpack
+
+    from ..diagnostics import Adjustment
+    from ..options import AllOptions, Options
+    from ..policy import Policy
+    from .option_table import Option
 
 
 class Arguments:
@@ -169,16 +174,29 @@ def _check_arguments(arguments: Arguments) -> None:
         return
     if command == "test":  # any number of files and folders
         return
+    if not arguments.words and command == BUILD:
+        raise WrongUsage("missing FILE")
     if not arguments.words:
-        raise WrongUsage(_missing_file(command))
-    if arguments.has("git"):
-        _check_words_of_git(arguments.words)
+        word = "NAME" if command == "new" else "FILE"
+        aside = ""
+        if os.path.isfile(command):
+            aside = f"; to compile the file of that name, write './{command}'"
+        raise WrongUsage(f"'yamaro {command}' needs a {word}{aside}")
+    if arguments.has("git"):  # git gives a diff driver a file of both sides, or a renamed one
+        if len(arguments.words) not in (7, 9):
+            usage = "git config diff.yamaro.command 'yamaro diff --git'"
+            raise WrongUsage(f"'--git' is for git: {usage}")
         return
     most = 2 if command in _SECOND_WORDS else 1
     if len(arguments.words) < most:
         raise WrongUsage(f"'yamaro {command}' needs {_SECOND_WORDS[command]}")
     if len(arguments.words) > most and not COMMANDS[command].takes_several:
-        raise WrongUsage(_second_file(*arguments.words[most - 1 : most + 1]))
+        first, second = arguments.words[most - 1 : most + 1]
+        if not os.path.exists(first) and (hint := near(first, named_commands())):
+            raise WrongUsage(f"unknown command {quote(first)}{hint}")
+        name, has_value, value = second.partition("=")
+        hint = f"; to set a variable, write {quote(f'{name}:={value}')}" if has_value else ""
+        raise WrongUsage(f"unexpected argument {quote(second)} after {quote(first)}{hint}")
 
 
 _SECOND_WORDS = {
@@ -188,27 +206,156 @@ _SECOND_WORDS = {
 """What is missing where there is only one word, for the commands that take two."""
 
 
-def _check_words_of_git(words: list[str]) -> None:
-    """Check what git gives a diff driver: a file of both sides, or a renamed one."""
-    if len(words) not in (7, 9):
-        raise WrongUsage("'--git' is for git: git config diff.yamaro.command 'yamaro diff --git'")
+# --- what options say about a build: policy, limits, packages ---------------------------------
 
 
-def _missing_file(command: str) -> str:
-    if command == BUILD:
-        return "missing FILE"
-    word = "NAME" if command == "new" else "FILE"
-    aside = (
-        f"; to compile the file of that name, write './{command}'"
-        if os.path.isfile(command)
-        else ""
-    )
-    return f"'yamaro {command}' needs a {word}{aside}"
+MOST_SECONDS = 1e9
+"""The longest time-out, some thirty years: what the system's clocks can count."""
 
 
-def _second_file(first: str, second: str) -> str:
-    if not os.path.exists(first) and (hint := near(first, named_commands())):
-        return f"unknown command {quote(first)}{hint}"
-    name, has_value, value = second.partition("=")
-    hint = f"; to set a variable, write {quote(f'{name}:={value}')}" if has_value else ""
-    return f"unexpected argument {quote(second)} after {quote(first)}{hint}"
+def make_policy(arguments: Arguments, *, looks: bool = False) -> Policy:
+    """Return how far the file is trusted.
+
+    Args:
+        arguments: the command line.
+        looks: whether the file is only looked at, though the command runs others.
+
+    Raises:
+        WrongUsage: a limit or the time-out makes no sense.
+    """
+    from ..policy import JAIL, SAFE, TRUSTED, Policy
+
+    modes = {"trust": TRUSTED, "jail": JAIL, "safe": SAFE}
+    mode = next((modes[name] for name in modes if arguments.has(name)), None)
+    looks = mode is None and (looks or COMMANDS[arguments.command].looks)
+    allowed = arguments.lists.get("allow-path", [])
+    if allowed and not looks and mode in (None, TRUSTED):
+        raise WrongUsage("'--allow-path' needs --jail or --safe")
+    limits = dict(map(_read_limit, arguments.lists.get("limit", [])))
+    timeout = None
+    if (seconds := arguments.options.get("timeout")) is not None:
+        try:
+            timeout = float(seconds)
+        except ValueError:
+            timeout = 0.0
+        if not 0 < timeout <= MOST_SECONDS:
+            wanted = "a number of seconds greater than 0"
+            raise WrongUsage(f"'--timeout' takes {wanted}, not {quote(seconds)}")
+    try:
+        if looks:
+            return Policy.looking(limits=limits, timeout=timeout, allowed_paths=allowed)
+        return Policy(mode or TRUSTED, limits=limits, timeout=timeout, allowed_paths=allowed)
+    except ValueError as error:
+        raise WrongUsage(f"{error}") from None
+
+
+def read_adjustment(arguments: Arguments) -> Adjustment:
+    """Return which messages are errors.
+
+    Raises:
+        WrongUsage: a code to allow or deny is unknown, or always an error.
+    """
+    from ..options import Options, UsageError
+
+    lists = arguments.lists
+    try:
+        return Options(
+            allow=lists.get("allow", ()), deny=lists.get("deny", ()), strict=arguments.has("strict")
+        ).adjustment
+    except UsageError as error:
+        raise WrongUsage(str(error)) from None
+
+
+def options_of(arguments: Arguments, **others: Unpack[AllOptions]) -> Options:
+    """Return the options of a build of one file.
+
+    Args:
+        arguments: the command line.
+        others: what the command itself asks for.
+
+    Raises:
+        WrongUsage: a value makes no sense, or options do not go together.
+    """
+    from ..options import Options, UsageError
+
+    wanted: AllOptions = {
+        "packages": read_packages(arguments),
+        "command_line": arguments.assignments,
+        "strict": arguments.has("strict"),
+        "allow": arguments.lists.get("allow", ()),
+        "deny": arguments.lists.get("deny", ()),
+        "output": output_of(arguments),
+    }
+    wanted.update(targets_of(arguments))
+    wanted.update(others)
+    try:
+        return Options(**wanted)
+    except UsageError as error:
+        raise WrongUsage(str(error)) from None
+
+
+def _read_limit(text: str) -> tuple[str, int]:
+    """Return name and number of a `--limit`; the number may be written 5000000 or 5_000_000."""
+    from ..policy import limit_names
+
+    name, has_value, value = text.partition("=")
+    names = limit_names()
+    if name not in names:
+        hint = near(name, names) or "; the limits are " + ", ".join(names)
+        raise WrongUsage(f"unknown limit {quote(name)}{hint}")
+    try:
+        return name.replace("-", "_"), int(value)
+    except ValueError:
+        example = f"'--limit {name}=1000'"
+        wrong = f"not {quote(value)}" if has_value else f"as in {example}"
+        raise WrongUsage(f"the limit '{name}' needs a whole number, {wrong}") from None
+
+
+def read_packages(arguments: Arguments) -> dict[str, str]:
+    """Return the folders that `--package` gives, by the names of the packages."""
+    packages = {}
+    for text in arguments.lists.get("package", []):
+        name, separator, folder = text.partition(":=")
+        if not (name and separator and folder):
+            raise WrongUsage(f"'--package' takes NAME:=FOLDER, not {quote(text)}")
+        if not os.path.isdir(folder):
+            raise WrongUsage(
+                f"the folder {quote(folder)} of the package {quote(name)} does not exist"
+            )
+        packages[name] = folder
+    return packages
+
+
+def output_of(arguments: Arguments) -> str | None:
+    """Return the file that the XML is written to, None for standard output."""
+    is_xml = arguments.command in (BUILD, "watch")
+    if not is_xml or goes_to_standard_output(arguments):
+        return None
+    if arguments.has("to") and not arguments.has("deps"):
+        from .formats import path_for_build
+
+        return path_for_build(arguments)
+    return arguments.output_path
+
+
+def targets_of(arguments: Arguments) -> AllOptions:
+    """Return the options of a build that say which formats are written, and how.
+
+    Raises:
+        WrongUsage: a format is unknown, or options do not go together.
+    """
+    if arguments.has("to") or arguments.command == "why":
+        from .formats import targets_in
+
+        return {**targets_in(arguments), "gazebo": arguments.has("gazebo")}
+    if arguments.command == "view":
+        return {
+            "base": arguments.options.get("base"),
+            "repair_inertia": arguments.has("repair-inertia"),
+            "sdf_version": arguments.options.get("sdf-version"),
+        }
+    for name in ("base", "repair-inertia", "sdf-version"):
+        if arguments.has(name):
+            raise WrongUsage(f"'--{name}' needs an output format, such as --to sdf")
+    meshes = arguments.options.get("meshes", "relative")
+    return {"meshes": meshes, "gazebo": arguments.has("gazebo")}

@@ -6,12 +6,10 @@ import os
 
 from ..streams import NAMES
 from .conversion import convert_file
-from .delivery import goes_to_standard_output
+from .reports import goes_to_standard_output
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterable
-
     from ..result import Build
     from ..streams import Streams
     from .arguments import Arguments
@@ -20,9 +18,9 @@ if TYPE_CHECKING:
 def run(arguments: Arguments, streams: Streams) -> int:
     """Write the XML, or with `--deps` the files it is made of; return the exit status."""
     if arguments.has("help-args"):
-        from . import args
+        from .showing import run_args
 
-        return args.run(arguments, streams)
+        return run_args(arguments, streams)
     if arguments.has("deps"):
         from .dependencies import listed
 
@@ -32,7 +30,7 @@ def run(arguments: Arguments, streams: Streams) -> int:
         if not streams.quiet and not goes_to_standard_output(arguments):
             _sum_up(build, arguments, streams)
 
-    return convert_file(arguments, streams, _document, conclude=conclude)
+    return convert_file(arguments, streams, lambda build: build.encoded(), conclude=conclude)
 
 
 ENDINGS = {
@@ -61,7 +59,3 @@ def _sum_up(build: Build, arguments: Arguments, streams: Streams) -> None:
         summary = summary_of(build.encoded())
     if streams.is_terminal():
         streams.say(f"{name}: {summary}")
-
-
-def _document(build: Build) -> Iterable[bytes]:
-    return build.encoded()

@@ -4,21 +4,31 @@ from __future__ import annotations
 
 import os
 
+from ..diagnostics import ERROR, Reporter, YamaroError, failure_of_all
+from ..model.schema import is_semantic
+from ..model.values import attribute_text
 from ..source import STANDARD_INPUT
+from .arguments import make_policy, read_adjustment, read_packages
 from .conversion import convert_file, find_in_file
-from .delivery import deliver, goes_to_standard_output, refuse_overwriting
-from .reports import display_name, show
-from .settings import make_policy, read_adjustment
-from .usage import DONE, INPUT_ERROR, WrongUsage
+from .reports import (
+    DONE,
+    INPUT_ERROR,
+    WrongUsage,
+    deliver,
+    display_name,
+    goes_to_standard_output,
+    refuse_overwriting,
+    show,
+)
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping, Sequence
 
     from ..diagnostics import Diagnostic
+    from ..model.robot import Robot
     from ..result import Build
     from ..streams import Streams
-    from ..tools.fixing import Fixing
     from ..tools.reports.findings import Checked
     from .arguments import Arguments
 
@@ -62,7 +72,6 @@ def _check_all(
     every = _each_file(arguments)
     if not any(is_srdf(each.words[0]) for each in every):
         return [_checked(each, streams, texts) for each in every]
-    from .semantics import Semantics
 
     semantics = Semantics(arguments, streams, texts)
     done: dict[str, Checked] = {}
@@ -85,7 +94,6 @@ def _checked(
     look: Callable[[Build], Sequence[Diagnostic]] | None = None,
 ) -> Checked:
     """Check one file; `look` finds more in what was built of it."""
-    from ..diagnostics import ERROR
     from ..tools.reports.findings import Checked
 
     allowed = read_adjustment(arguments).allowed
@@ -104,7 +112,6 @@ def _unreadable(arguments: Arguments) -> Diagnostic:
 
     One file that is missing shall not keep the others from being checked.
     """
-    from ..diagnostics import failure_of_all
     from ..files.loader import FileLoader, LoadError
 
     path = arguments.words[0]
@@ -157,6 +164,7 @@ def _report(files: Sequence[Checked], form: str) -> str:
 
 def _fixed(arguments: Arguments, streams: Streams) -> list[Checked] | None:
     """Fix the files, and return what is found then; None if they are left as they are."""
+    from ..output import write_files
     from ..tools.fixing import Fixing, FixingFailed
 
     if STANDARD_INPUT in arguments.words:
@@ -174,7 +182,10 @@ def _fixed(arguments: Arguments, streams: Streams) -> list[Checked] | None:
     except FixingFailed as error:
         streams.say(f"yamaro: error: nothing was fixed: {error}")
         return None
-    if not _write(fixing, streams):
+    try:
+        write_files(fixing.data())
+    except OSError as error:
+        streams.say(f"yamaro: error: nothing was fixed: {error.strerror or error}")
         return None
     if not streams.quiet:
         for each in fixing.applied:
@@ -182,13 +193,86 @@ def _fixed(arguments: Arguments, streams: Streams) -> list[Checked] | None:
     return files
 
 
-def _write(fixing: Fixing, streams: Streams) -> bool:
-    """Write the changed files, or none of them; return whether they are written."""
-    from ..output import write_files
+# --- the robot that an SRDF is checked against: one that is given as well, or one beside it ---
 
-    try:
-        write_files(fixing.data())
-    except OSError as error:
-        streams.say(f"yamaro: error: nothing was fixed: {error.strerror or error}")
-        return False
-    return True
+
+MOST_NEIGHBOURS = 100
+"""Files in the folder of an SRDF that are looked at."""
+
+
+class Semantics:
+    """Checks SRDF against robots.
+
+    A robot beside an SRDF is read if it is plain URDF. Xacro and YAML are programs, which are run
+    only if they are named.
+    """
+
+    def __init__(
+        self, arguments: Arguments, streams: Streams, texts: Mapping[str, str] | None
+    ) -> None:
+        """Begin without robots; `texts` are read in place of some files."""
+        self._arguments = arguments
+        self._streams = streams
+        self._texts = texts or {}
+        self._robots: list[Robot] = []
+
+    def keep(self, build: Build) -> Sequence[Diagnostic]:
+        """Keep a robot that was given; find nothing."""
+        if build.root_name == "robot" and build.robot.links:
+            self._robots.append(build.robot)
+        return ()
+
+    def findings(self, build: Build) -> Sequence[Diagnostic]:
+        """Return what is wrong with an SRDF as one of its robot."""
+        if build.root_name != "robot" or not is_semantic(root := build.robot_tree()):
+            return ()
+        source = root.span.source
+        name = attribute_text(root, "name") or ""
+        given = [robot for robot in self._robots if robot.name == name] or self._robots[:1]
+        robot = given[0] if given else self._beside(source.path, name)
+        if robot is None:
+            if not self._streams.quiet and not self._arguments.has("format"):
+                self._streams.say(
+                    f"{source.name}: checked without its robot; name that as well, as in "
+                    f"`yamaro check robot.urdf {os.path.basename(source.name)}`"
+                )
+            return ()
+        from ..check.semantics import findings_against
+
+        reporter = Reporter()
+        findings_against(root, robot, reporter)
+        read_adjustment(self._arguments).deny(reporter.diagnostics)
+        return reporter.diagnostics
+
+    def _beside(self, path: str, name: str) -> Robot | None:
+        """Return the URDF in a folder that is called as the SRDF is, or has its robot's name."""
+        if not path:
+            return None
+        from ..files.loader import FileLoader, LoadError, decode
+        from ..model.reading import read_robot
+        from ..request import reach_of
+        from ..xml.reader import read_xml
+
+        folder, own = os.path.split(path)
+        stem = own[: own.lower().index(".srdf")] if ".srdf" in own.lower() else own
+        policy = make_policy(self._arguments)
+        reach = reach_of(path, policy, read_packages(self._arguments))
+        loader = FileLoader(policy.limits, reach)
+        try:
+            files = [each for each in os.listdir(folder) if each.lower().endswith(".urdf")]
+        except OSError:
+            return None
+        files.sort(key=lambda each: (each[: -len(".urdf")] != stem, each))
+        for each in files[:MOST_NEIGHBOURS]:
+            whole = os.path.join(folder, each)
+            try:
+                text = self._texts.get(whole)
+                data = loader.read(whole) if text is None else text.encode()
+                source = decode(data, name=whole, path=whole)
+                root = read_xml(source, policy.limits).root
+            except (LoadError, YamaroError):
+                continue
+            is_called = each[: -len(".urdf")] == stem or attribute_text(root, "name") == name
+            if root.name == "robot" and is_called and not is_semantic(root):
+                return read_robot(root)
+        return None

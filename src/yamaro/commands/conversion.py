@@ -11,17 +11,26 @@ import warnings
 
 from ..source import STANDARD_INPUT, STANDARD_INPUT_NAME
 from ..streams import XML
-from .delivery import deliver, deliver_assets, refuse_overwriting
-from .reports import display_name, sayer, show
-from .settings import make_policy, options_of, read_adjustment, read_packages
-from .usage import DONE, INPUT_ERROR, WrongUsage, quote
+from .arguments import make_policy, options_of, read_adjustment, read_packages
+from .reports import (
+    DONE,
+    INPUT_ERROR,
+    WrongUsage,
+    deliver,
+    deliver_assets,
+    display_name,
+    quote,
+    refuse_overwriting,
+    sayer,
+    show,
+)
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Mapping, Sequence
 
     from ..diagnostics import Diagnostic
-    from ..files.loader import FileLoader, Loader
+    from ..files.loader import Loader
     from ..policy import Policy
     from ..result import Build
     from ..streams import Streams
@@ -61,7 +70,12 @@ def convert_file(
     """
     from ..diagnostics import YamaroError
 
-    _check_places(arguments)
+    arguments.resolve_output()
+    refuse_overwriting(arguments, lambda: arguments.words)
+    if arguments.has("depfile"):
+        from .dependencies import check_depfile
+
+        check_depfile(arguments)
     policy = make_policy(arguments)
     if not policy.is_trusted:
         streams.silence_libraries()
@@ -87,16 +101,6 @@ def convert_file(
     return status
 
 
-def _check_places(arguments: Arguments) -> None:
-    """Raise WrongUsage if the output cannot be where it is wanted."""
-    arguments.resolve_output()
-    refuse_overwriting(arguments, lambda: arguments.words)
-    if arguments.has("depfile"):
-        from .dependencies import check_depfile
-
-        check_depfile(arguments)
-
-
 def find_in_file(
     arguments: Arguments,
     streams: Streams,
@@ -120,13 +124,19 @@ def find_in_file(
     if not policy.is_trusted:
         streams.silence_libraries()
     cancel = None
+    loader = None
+    if texts is not None:
+        from ..files.loader import FileLoader, OverlayLoader
+        from ..request import reach_of
+
+        reach = reach_of(arguments.words[0], policy, read_packages(arguments))
+        loader = OverlayLoader(texts, FileLoader(policy.limits, reach))
     try:
         if streams.owns_process:
             cancel = _bound_process(arguments, streams, policy)
         build, _ = _build(
             arguments, streams, policy, lambda build: (), advice=True,
-            has_root=look is not None, records=False,
-            loader=None if texts is None else _overlay(arguments, policy, texts),
+            has_root=look is not None, records=False, loader=loader,
         )  # fmt: skip
     except YamaroError as error:
         return error.diagnostics, error.accepted
@@ -143,20 +153,19 @@ def find_in_file(
     return found, [*build.accepted, *accepted]
 
 
-def _overlay(arguments: Arguments, policy: Policy, texts: Mapping[str, str]) -> FileLoader:
-    from ..files.loader import FileLoader, OverlayLoader
-    from ..request import reach_of
-
-    reach = reach_of(arguments.words[0], policy, read_packages(arguments))
-    return OverlayLoader(texts, FileLoader(policy.limits, reach))
-
-
 def _deliver_build(
     build: Build, chunks: Iterable[bytes | str], arguments: Arguments, streams: Streams, form: str
 ) -> int:
     """Write what was taken of a build, and what belongs to it; return the exit status."""
     if arguments.has("depfile"):  # before the output, which is then never newer than that
-        status = _write_depfile(build, arguments, streams)
+        from ..diagnostics import YamaroError
+        from .dependencies import write_depfile
+
+        try:
+            status = write_depfile(build, arguments, streams)
+        except YamaroError as error:
+            show(error.diagnostics, arguments, streams)
+            return INPUT_ERROR
         if status != DONE:
             return status
     if arguments.has("to") and arguments.command == "build" and not arguments.has("deps"):
@@ -166,17 +175,6 @@ def _deliver_build(
     refuse_overwriting(arguments, lambda: [*build.files, *build.meshes])
     status = deliver_assets(lambda: build.assets, arguments, streams)
     return deliver(chunks, arguments, streams, form) if status == DONE else status
-
-
-def _write_depfile(build: Build, arguments: Arguments, streams: Streams) -> int:
-    from ..diagnostics import YamaroError
-    from .dependencies import write_depfile
-
-    try:
-        return write_depfile(build, arguments, streams)
-    except YamaroError as error:
-        show(error.diagnostics, arguments, streams)
-        return INPUT_ERROR
 
 
 def _bound_process(
@@ -212,15 +210,6 @@ def end_process(
     return process.end_after(seconds, say_why)
 
 
-def _progress(arguments: Arguments, streams: Streams) -> Callable[[float], None] | None:
-    """Return what takes how far long work is, which only writing some output formats is."""
-    if not arguments.has("to"):
-        return None
-    from .progress import progress_on
-
-    return progress_on(streams)
-
-
 def _build(
     arguments: Arguments,
     streams: Streams,
@@ -237,13 +226,18 @@ def _build(
     from ..program import Program
 
     path = arguments.words[0]
+    on_progress = None
+    if arguments.has("to"):  # only writing some output formats takes long
+        from .progress import progress_on
+
+        on_progress = progress_on(streams)
     options = options_of(
         arguments,
         policy=policy,
         text=read_pipe(path, policy),
         loader=loader,
         on_message=sayer(streams),
-        on_progress=_progress(arguments, streams),
+        on_progress=on_progress,
         advice=advice,
         has_root=has_root,
         records=records,

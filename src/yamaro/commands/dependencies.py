@@ -5,8 +5,7 @@ from __future__ import annotations
 import os
 
 from ..output import is_input, write_file
-from .delivery import goes_to_standard_output
-from .usage import DONE, INPUT_ERROR, WrongUsage, quote
+from .reports import DONE, INPUT_ERROR, WrongUsage, goes_to_standard_output, quote
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

@@ -4,11 +4,9 @@ from __future__ import annotations
 
 import os
 
-from .conversion import read_pipe
-from .delivery import deliver
-from .reports import has_color, show
-from .settings import make_policy, read_packages
-from .usage import DONE, WrongUsage, quote
+from .arguments import make_policy, read_packages
+from .conversion import ProgramEnded, read_pipe
+from .reports import DONE, WrongUsage, deliver, has_color, quote, show
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -93,7 +91,6 @@ def _side(index: int, origin: Origin, arguments: Arguments, policy: Policy) -> S
     from .. import api
     from ..options import UsageError
     from ..tools.diff.sides import Side
-    from .conversion import ProgramEnded
 
     own = arguments.lists.get("ab"[index], [])
     for text in own:
@@ -107,17 +104,13 @@ def _side(index: int, origin: Origin, arguments: Arguments, policy: Policy) -> S
             packages=origin.packages(read_packages(arguments)),
             command_line=[*arguments.assignments, *own],
             deny=_NO_ROBOT if arguments.has("git") else (),
-            on_message=_ignore,
+            on_message=lambda message: None,
         )
     except UsageError as error:
         raise WrongUsage(str(error)) from None
     except SystemExit as error:
         raise ProgramEnded(f"Python code of the file ended the program: {error!r}") from None
     return Side(origin, build, robot=build.robot)
-
-
-def _ignore(message: str) -> None:
-    """Take a line that a file prints."""
 
 
 def _compared(sides: tuple[Side, Side], tolerance: float) -> Changes:
@@ -145,14 +138,11 @@ def _deliver(
     text = _written(changes, sides, labels, arguments, streams)
     if changes.skipped and not streams.quiet and not arguments.has("json"):
         names = [side.origin.label for side in sides if not side.has_extras]
-        streams.say(f"not compared, since {names[0]} cannot hold them: {_joined(changes.skipped)}")
+        skipped = ", ".join(dict.fromkeys(changes.skipped))
+        streams.say(f"not compared, since {names[0]} cannot hold them: {skipped}")
     if text and deliver([text], arguments, streams) != DONE:
         return TROUBLE
     return DIFFERENT if changes and not arguments.has("exit-zero") else SAME
-
-
-def _joined(phrases: list[str]) -> str:
-    return ", ".join(dict.fromkeys(phrases))
 
 
 def _written(
@@ -176,7 +166,9 @@ def _written(
         return json.dumps(changes_data(changes, labels, name=name), indent=2) + "\n"
     if arguments.has("stat"):
         return summary_text(changes)
-    color = _has_color(arguments, streams)
+    # git's pager shows colours, though it is not a terminal
+    in_pager = arguments.has("git") and os.environ.get("GIT_PAGER_IN_USE") == "true"
+    color = has_color(arguments, is_terminal=in_pager or streams.is_terminal(result=True))
 
     def plain_name(span: Span) -> str:
         names = (side.origin.plain_name_of(span) for side in sides)
@@ -185,12 +177,6 @@ def _written(
     robots = (sides[0].robot, sides[1].robot)
     mains = (sides[0].origin.main, sides[1].origin.main)
     return DiffText(changes, robots, name=plain_name, mains=mains).render(labels, color=color)
-
-
-def _has_color(arguments: Arguments, streams: Streams) -> bool:
-    """Return whether to colour; git's pager shows colours, though it is not a terminal."""
-    in_pager = arguments.has("git") and os.environ.get("GIT_PAGER_IN_USE") == "true"
-    return has_color(arguments, is_terminal=in_pager or streams.is_terminal(result=True))
 
 
 # --- for git ---

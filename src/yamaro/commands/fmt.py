@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from ..source import STANDARD_INPUT, STANDARD_INPUT_NAME
+from ..source import STANDARD_INPUT, STANDARD_INPUT_NAME, holds_xml
+from .arguments import make_policy
 from .conversion import read_bytes
-from .reports import show
-from .settings import make_policy
-from .usage import DONE, INPUT_ERROR, USAGE_ERROR, WrongUsage, quote
+from .reports import DONE, INPUT_ERROR, USAGE_ERROR, WrongUsage, quote, show
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -109,7 +108,6 @@ def _formatted(path: str, limits: Limits) -> _Text:
     import os
 
     from ..files.loader import FileLoader, check_size, decode
-    from ..source import holds_xml
     from ..tools.format.formatting import formatted
 
     data = read_bytes(path, limits.file + 1)

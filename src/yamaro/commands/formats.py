@@ -10,8 +10,17 @@ from ..targets.assets import FOLDER
 from ..targets.output import MARK, marked
 from ..targets.writers import ENDINGS, TITLES
 from ..tools.tree import counted
-from .delivery import deliver, goes_to_standard_output, is_written, refuse_leading_out
-from .usage import DONE, INPUT_ERROR, WrongUsage, near, quote
+from .reports import (
+    DONE,
+    INPUT_ERROR,
+    WrongUsage,
+    deliver,
+    goes_to_standard_output,
+    is_written,
+    near,
+    quote,
+    refuse_leading_out,
+)
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -46,8 +55,13 @@ def targets_in(arguments: Arguments) -> AllOptions:
         WrongUsage: a format is unknown, or options do not go together.
     """
     formats = formats_in(arguments)
-    if arguments.command == "why":
-        return _for_why(arguments, formats)
+    if arguments.command == "why":  # all formats whose documents show what is made of something
+        is_about_shapes = any(word in arguments.words[1] for word in SHAPES)
+        return {
+            "target": list(dict.fromkeys(["urdf", "sdf", "mjcf", *formats])),
+            "partial": True,
+            "meshes": "relative" if is_about_shapes else "none",  # reading them takes time
+        }
     if not formats:
         raise WrongUsage("'--to' needs output formats: " + ", ".join(ENDINGS))
     if "sdf" not in formats and arguments.has("sdf-version"):
@@ -67,19 +81,6 @@ def targets_in(arguments: Arguments) -> AllOptions:
     elif is_folder(arguments, formats):
         wanted["meshes"] = arguments.options.get("meshes", "copy")
     return wanted
-
-
-def _for_why(arguments: Arguments, formats: list[str]) -> AllOptions:
-    """Return all formats whose documents show what is made of something.
-
-    Meshes are read only for what is about shapes, since that takes time.
-    """
-    is_about_shapes = any(word in arguments.words[1] for word in SHAPES)
-    return {
-        "target": list(dict.fromkeys(["urdf", "sdf", "mjcf", *formats])),
-        "partial": True,
-        "meshes": "relative" if is_about_shapes else "none",
-    }
 
 
 def is_folder(arguments: Arguments, formats: list[str]) -> bool:
@@ -118,7 +119,11 @@ def deliver_formats(
     that they were generated.
     """
     if goes_to_standard_output(arguments):
-        _refuse_assets(build)
+        if any(name.startswith(f"{FOLDER}/") for name in build.assets):
+            raise WrongUsage(
+                f"the {TITLES[build.format]} of this robot needs files of meshes beside it: name "
+                "it with -o FILE, or write --meshes none"
+            )
         return deliver(chunks, arguments, streams)
     builds = list(build.outputs.values())
     formats = [each.format for each in builds]
@@ -207,13 +212,3 @@ def summary_of(build: Build, arguments: Arguments) -> str:
     listed = TITLES[build.format] if is_one else ", ".join(each.file_name for each in builds)
     count = len({name for each in builds for name in each.assets})
     return listed + (f", and {counted(count, 'file')} beside it" if count else "")
-
-
-def _refuse_assets(build: Build) -> None:
-    """Refuse to write a document to standard output that needs files beside it."""
-    if any(name.startswith(f"{FOLDER}/") for name in build.assets):
-        title = TITLES[build.format]
-        raise WrongUsage(
-            f"the {title} of this robot needs files of meshes beside it: name it with -o FILE, or "
-            "write --meshes none"
-        )

@@ -12,8 +12,15 @@ import sys
 from ..streams import ProcessStreams, Streams
 from .arguments import parse_arguments
 from .conversion import ProgramEnded
-from .reports import report_fault, report_usage
-from .usage import INPUT_ERROR, INTERRUPTED, PIPE_CLOSED, WrongUsage
+from .reports import (
+    INPUT_ERROR,
+    INTERRUPTED,
+    PIPE_CLOSED,
+    WrongUsage,
+    deliver,
+    report_fault,
+    report_usage,
+)
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -141,12 +148,10 @@ def _run_safely(argv: Sequence[str], stream_class: type[Streams]) -> int:
 def _run(arguments: Arguments, streams: Streams) -> int:
     if arguments.has("version"):
         from .. import __version__
-        from .delivery import deliver
 
         return deliver([f"yamaro {__version__}\n"], arguments, streams)
     if arguments.has("help"):
-        from .delivery import deliver
-        from .help import help_of
+        from .option_table import help_of
 
         return deliver([help_of(arguments.command)], arguments, streams)
     return _command(arguments.command)(arguments, streams)
@@ -159,19 +164,19 @@ def _command(name: str) -> Run:
     elif name == "check":
         from .check import run
     elif name == "tree":
-        from .tree import run
+        from .showing import run_tree as run
     elif name == "view":
-        from .view import run
+        from .repetition import run_view as run
     elif name == "watch":
-        from .watch import run
+        from .repetition import run_watch as run
     elif name == "picture":
-        from .picture import run
+        from .showing import run_picture as run
     elif name == "migrate":
         from .migrate import run
     elif name == "args":
-        from .args import run
+        from .showing import run_args as run
     elif name == "why":
-        from .why import run
+        from .showing import run_why as run
     elif name == "diff":
         from .diff import run
     elif name == "test":
@@ -181,12 +186,12 @@ def _command(name: str) -> Run:
     elif name == "sweep":
         from .sweep import run
     elif name == "lsp":
-        from .lsp import run
+        from .repetition import run_lsp as run
     elif name == "fmt":
         from .fmt import run
     elif name == "completion":
-        from .completion import run
+        from .shells import run
     else:
         assert name == "help", name
-        from .help import run
+        from .option_table import run
     return run

@@ -5,18 +5,23 @@ from __future__ import annotations
 import os
 
 from ..source import STANDARD_INPUT
+from .arguments import make_policy, read_packages
 from .conversion import read_bytes
-from .delivery import (
+from .reports import (
+    DONE,
+    INPUT_ERROR,
+    WrongUsage,
     deliver,
     deliver_files,
+    display_name,
     goes_to_standard_output,
+    quote,
     refuse_leading_out,
     refuse_overwriting,
     refuse_replacing,
+    sayer,
+    show,
 )
-from .reports import display_name, sayer, show
-from .settings import make_policy, read_packages
-from .usage import DONE, INPUT_ERROR, WrongUsage, quote
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

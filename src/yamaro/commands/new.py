@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 
-from .usage import DONE, INPUT_ERROR, WrongUsage, quote
+from .reports import DONE, INPUT_ERROR, WrongUsage, quote
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

@@ -1,4 +1,4 @@
-"""The table of options.
+"""The table of options, and the help that is made of it.
 
 To add an option, add an `Option` here, and read it with `arguments.has(…)`, `.options` or `.lists`
 where it has an effect.
@@ -6,9 +6,154 @@ where it has an effect.
 
 from __future__ import annotations
 
-from .command_table import COMMANDS
-from .option import Option
-from .sweep_options import SWEEP_OPTIONS
+from .command_table import BUILD, COMMANDS, named_commands
+from .reports import WrongUsage, deliver, near, quote
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from ..streams import Streams
+    from .arguments import Arguments
+    from .command_table import Command
+
+
+class Option:
+    """An option.
+
+    Attributes:
+        name: the long form, without the dashes.
+        short: the letter of its short form, or "".
+        value: what is written after it, as the help shows it; "" for an option without a value.
+        wants: what the value is, for messages.
+        help: what it does; up to the first `;`, `:` or `(` also for shells.
+        help_in: what it does in commands where that is something else.
+        commands: the names of the commands that take it.
+        is_repeatable: whether it may be given several times; `Arguments.lists` holds the values.
+        choices: the values it can have; any if empty.
+        completes: what a shell offers for the value: "files", "commands", or words with spaces in
+            between; "limits", "views", "shown" and "codes" mean the words of those tables.
+        excludes: names of the options that may not be given with it.
+    """
+
+    __slots__ = (
+        "choices", "commands", "completes", "excludes", "help", "help_in", "is_repeatable", "name",
+        "short", "value", "wants",
+    )  # fmt: skip
+
+    def __init__(
+        self,
+        name: str,
+        help: str,
+        commands: tuple[str, ...],
+        *,
+        short: str = "",
+        value: str = "",
+        wants: str = "",
+        is_repeatable: bool = False,
+        choices: tuple[str, ...] = (),
+        completes: str = "",
+        excludes: tuple[str, ...] = (),
+        help_in: dict[str, str] | None = None,
+    ) -> None:
+        """Describe an option."""
+        self.name = name
+        self.short = short
+        self.value = value
+        self.wants = wants
+        self.help = help
+        self.commands = commands
+        self.is_repeatable = is_repeatable
+        self.choices = choices
+        self.completes = completes or " ".join(choices)
+        self.excludes = excludes
+        self.help_in = help_in or {}
+
+    @property
+    def spellings(self) -> tuple[str, ...]:
+        """Return how it is written on the command line, the short form first."""
+        return (f"-{self.short}", f"--{self.name}") if self.short else (f"--{self.name}",)
+
+
+# --- options that only `yamaro sweep` takes ---------------------------------------------------
+
+
+SWEEP = ("sweep",)
+
+SWEEP_OPTIONS = (
+    Option("samples", "how many variants; a grid knows", SWEEP, value="N", wants="a whole number"),
+    Option(
+        "method",
+        "how variants are chosen: latin (with --samples), grid (the default without), random "
+        "or sobol",
+        SWEEP,
+        value="METHOD",
+        wants="grid, random, latin or sobol",
+        choices=("grid", "random", "latin", "sobol"),
+    ),
+    Option("seed", "seed of what is random; 0 by default", SWEEP, value="N", wants="a number"),
+    Option(
+        "keep",
+        "reject variants that do not meet this condition, such as 'thigh + shank < 0.7'",
+        SWEEP,
+        value="CONDITION",
+        wants="a Python expression",
+        is_repeatable=True,
+    ),
+    Option(
+        "metrics",
+        "measure this of each variant, such as mass,reach or 'stable(5)'",
+        SWEEP,
+        value="NAMES",
+        wants="names of metrics",
+        is_repeatable=True,
+    ),
+    Option(
+        "evaluate",
+        "evaluate each variant with a Python function of yours",
+        SWEEP,
+        value="FILE.py:FUNCTION",
+        wants="FILE.py:FUNCTION",
+    ),
+    Option("models", "keep the documents too, in tar files", SWEEP),
+    Option(
+        "engine",
+        "where variants are built: local:8 (processes; the default, with all processors), "
+        "dask://HOST:PORT, dask:8 (a cluster on this machine), ray://HOST:PORT or ray:8",
+        SWEEP,
+        value="ENGINE",
+        wants="local:N, dask://HOST:PORT, dask:N, ray://HOST:PORT or ray:N",
+        completes="local: dask:// dask: ray:// ray:",
+    ),
+    Option(
+        "x",
+        "with 'plot', the columns along x; by default the arguments that vary",
+        SWEEP,
+        value="COLUMNS",
+        wants="names of columns",
+        is_repeatable=True,
+    ),
+    Option(
+        "y",
+        "with 'plot', the columns along y; by default the results",
+        SWEEP,
+        value="COLUMNS",
+        wants="names of columns",
+        is_repeatable=True,
+    ),
+    Option(
+        "metric",
+        "with 'plot', colour the variants by this column, and draw the best, the median and "
+        "the worst",
+        SWEEP,
+        value="COLUMN",
+        wants="the name of a column",
+    ),
+    Option("minimize", "with 'plot', the variant with the least '--metric' is the best", SWEEP),
+    Option("resume", "go on with the sweep in the folder, which was stopped", SWEEP),
+)
+
+
+# --- all options ------------------------------------------------------------------------------
+
 
 ALL = tuple(COMMANDS)
 BUILDING = ("build", "check", "tree", "view", "watch", "picture", "why", "sweep")
@@ -414,3 +559,83 @@ SPELLINGS = {spelling: option for option in OPTIONS.values() for spelling in opt
 def options_of(command: str) -> list[Option]:
     """Return the options of a command, in the order of the table."""
     return [option for option in OPTIONS.values() if command in option.commands]
+
+
+# --- `yamaro help`, `yamaro COMMAND --help` ---------------------------------------------------
+
+
+COLUMNS = 100
+MARGIN = 24
+"""Columns before what is said of an option."""
+STATUS = "exit status: 0 success, 1 errors in the input or the output, 2 wrong usage"
+
+
+def run(arguments: Arguments, streams: Streams) -> int:
+    """Write the help of the command that is named; return the exit status."""
+    topics = arguments.words or [BUILD]
+    if topics[0] not in COMMANDS:
+        hint = (
+            near(topics[0], named_commands()) or f"; the commands are {', '.join(named_commands())}"
+        )
+        raise WrongUsage(f"unknown command {quote(topics[0])}{hint}")
+    if len(topics) > 1:
+        raise WrongUsage(f"unexpected argument {quote(topics[1])} after {quote(topics[0])}")
+    return deliver([help_of(topics[0])], arguments, streams)
+
+
+def help_of(name: str) -> str:
+    """Return the help of a command; that of `yamaro FILE` also lists the others."""
+    command = COMMANDS[name]
+    blocks = [_usage(command), _wrapped(command.about, 0)]
+    if command.words:
+        blocks.append([line for word, text in command.words for line in _row(word, text)])
+    options = [line for option in options_of(name) for line in _option(option, command)]
+    blocks.append(["options, in any order:", *options])
+    if name == BUILD:
+        others = [(other, COMMANDS[other].summary) for other in named_commands()]
+        rows = [line for other, summary in others for line in _row(f"yamaro {other}", summary)]
+        blocks.append(["other commands; see 'yamaro COMMAND --help':", *rows])
+    if command.examples:
+        blocks.append(["examples:", *(f"  {example}" for example in command.examples)])
+    if name == BUILD:
+        blocks.append([STATUS])
+    return "\n\n".join("\n".join(block) for block in blocks) + "\n"
+
+
+def _usage(command: Command) -> list[str]:
+    name = "yamaro" if command.name == BUILD else f"yamaro {command.name}"
+    lines = [f"{name} [options] {form}" for form in command.forms]
+    if command.name in ("completion", "help", "lsp", "new"):  # their only options are those of all
+        lines = [f"{name} {form}" for form in command.forms]
+    return [("usage: " if number == 0 else "       ") + line for number, line in enumerate(lines)]
+
+
+def _option(option: Option, command: Command) -> list[str]:
+    text = option.help_in.get(command.name, option.help)
+    if option.is_repeatable:
+        text += "; may be repeated"
+    if option.name == "safe" and command.looks:
+        text += "; the default, with the jail for files that safe mode rejects"
+    if option.name == "trust" and not command.looks:
+        text += "; the default"
+    head = f"-{option.short}, " if option.short else "    "
+    head += f"--{option.name}" + (f" {option.value}" if option.value else "")
+    return _row(head, text)
+
+
+def _row(head: str, text: str) -> list[str]:
+    """Return what is said of a word, to the right of it or, if it is long, below."""
+    lines = _wrapped(text, MARGIN)
+    if len(head) + 3 > MARGIN:
+        return [f"  {head}", *lines]
+    return [f"  {head} ".ljust(MARGIN) + lines[0].lstrip(), *lines[1:]]
+
+
+def _wrapped(text: str, margin: int) -> list[str]:
+    """Return text in lines that fit; `textwrap` would import `re`."""
+    lines = [""]
+    for word in text.split(" "):
+        if len(lines[-1]) + 1 + len(word) > COLUMNS - margin:
+            lines.append("")
+        lines[-1] += f" {word}" if lines[-1] else word
+    return [" " * margin + line for line in lines]

@@ -1,19 +1,55 @@
-"""What the command says: diagnostics, wrong usage, and faults of our own."""
+"""What the command gives: its result, where that is wanted; what it says; its exit statuses."""
 
 from __future__ import annotations
 
 import os
 
+from ..files.regular import read_start
+from ..output import STANDARD_OUTPUT, is_input, leads_out, write_file
 from ..source import STANDARD_INPUT, STANDARD_INPUT_NAME
-from ..streams import Streams
-from .usage import INTERNAL_ERROR, USAGE, USAGE_ERROR
+from ..streams import XML, NotForTerminal, Streams
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
+    from collections.abc import Callable, Iterable, Sequence
 
     from ..diagnostics import Diagnostic
     from .arguments import Arguments
+
+
+# --- exit statuses and wrong usage ------------------------------------------------------------
+
+
+DONE = 0
+INPUT_ERROR = 1
+USAGE_ERROR = 2
+INTERNAL_ERROR = 70  # EX_SOFTWARE of sysexits.h
+INTERRUPTED = 130  # 128 + SIGINT, as shells count
+PIPE_CLOSED = 141  # 128 + SIGPIPE
+
+USAGE = "usage: yamaro [options] FILE [name:=value ...]   (see 'yamaro --help')"
+
+
+class WrongUsage(Exception):
+    """The command line cannot be understood; the text says why."""
+
+
+def near(word: str, candidates: Iterable[str]) -> str:
+    """Return the end of a message that suggests the candidate most like a word, if there is one."""
+    from ..diagnostics import did_you_mean
+
+    hint = did_you_mean(word, list(candidates))
+    return f"; {hint}" if hint else ""
+
+
+def quote(text: str) -> str:
+    """Return text in quotes, short and fit for a terminal."""
+    from ..terminal import shortened
+
+    return f"'{shortened(text)}'"
+
+
+# --- messages ---------------------------------------------------------------------------------
 
 
 def show(diagnostics: Sequence[Diagnostic], arguments: Arguments, streams: Streams) -> None:
@@ -58,11 +94,7 @@ def display_name(arguments: Arguments) -> str:
 
 def sayer(streams: Streams) -> Callable[[str], None]:
     """Return what takes the lines that are not errors: a quiet run drops them."""
-    return _drop if streams.quiet else streams.say
-
-
-def _drop(message: str) -> None:
-    """Take a message of a quiet run."""
+    return (lambda message: None) if streams.quiet else streams.say
 
 
 def has_color(arguments: Arguments, *, is_terminal: bool) -> bool:
@@ -116,3 +148,113 @@ def _kind_and_place(error: Exception) -> tuple[str, str]:
         return type(error).__name__, ""
     file_name = os.path.basename(trace.tb_frame.f_code.co_filename)
     return type(error).__name__, f"{file_name}:{trace.tb_lineno}"
+
+
+# --- results ----------------------------------------------------------------------------------
+
+
+def goes_to_standard_output(arguments: Arguments) -> bool:
+    """Return whether no output file is named."""
+    return arguments.options.get("output", "-") in STANDARD_OUTPUT
+
+
+def deliver(
+    chunks: Iterable[bytes | str], arguments: Arguments, streams: Streams, form: str = XML
+) -> int:
+    """Write the result to where it is wanted; a place that cannot be written to is an error.
+
+    Args:
+        chunks: see `Streams.write_result`.
+        arguments: the command line.
+        streams: where everything goes.
+        form: that of chunks in bytes.
+    """
+    try:
+        if goes_to_standard_output(arguments):
+            streams.write_result(chunks, form)
+        else:
+            encoded = (each.encode() if isinstance(each, str) else each for each in chunks)
+            write_file(arguments.output_path, encoded)
+    except NotForTerminal:
+        raise WrongUsage(
+            "refusing to write binary data to a terminal: name a file, or use a pipe"
+        ) from None
+    except BrokenPipeError:
+        raise
+    except OSError as error:
+        is_standard = goes_to_standard_output(arguments)
+        name = "to standard output" if is_standard else quote(arguments.options["output"])
+        streams.say(f"yamaro: error: cannot write {name}: {error.strerror or error}")
+        return INPUT_ERROR
+    return DONE
+
+
+def deliver_files(files: dict[str, bytes], streams: Streams) -> int:
+    """Write files by their paths; the first that cannot be written is an error."""
+    for path, data in files.items():
+        try:
+            write_file(path, [data])
+        except OSError as error:
+            streams.say(f"yamaro: error: cannot write {quote(path)}: {error.strerror or error}")
+            return INPUT_ERROR
+    return DONE
+
+
+def deliver_assets(
+    find: Callable[[], dict[str, bytes]], arguments: Arguments, streams: Streams
+) -> int:
+    """Write files beside the output, such as copies of meshes; replace none that differs."""
+    if arguments.options.get("meshes") != "copy" or arguments.has("deps"):
+        return DONE
+    output = arguments.output_path
+    if os.path.exists(output) and not os.path.isfile(output):
+        raise WrongUsage(
+            "'--meshes copy' needs '-o' with a regular file; the copies are written beside it"
+        )
+    try:
+        folder = os.path.dirname(output)
+        files = {os.path.join(folder, name): data for name, data in find().items()}
+        new = {path: data for path, data in files.items() if not is_written(path, data)}
+    except OSError as error:
+        name = os.fspath(error.filename or "a mesh")
+        streams.say(f"yamaro: error: cannot copy {quote(name)}: {error.strerror or error}")
+        return INPUT_ERROR
+    refuse_leading_out(folder, new)
+    return deliver_files(new, streams)
+
+
+def is_written(path: str, data: bytes) -> bool:
+    """Return whether a file is there with this content; raise OSError if it has another."""
+    if not os.path.lexists(path):
+        return False
+    if os.path.isfile(path) and read_start(path, len(data) + 1) == data:
+        return True
+    raise FileExistsError(17, "another file has that name", path)
+
+
+def refuse_leading_out(folder: str, paths: Iterable[str]) -> None:
+    """Refuse to write what a file has named through links that lead out of the output folder."""
+    for path in paths:
+        if leads_out(path, folder or os.curdir):
+            name = quote(os.path.relpath(path))
+            raise WrongUsage(f"refusing to write {name}: links lead out of the output folder there")
+
+
+def refuse_overwriting(arguments: Arguments, inputs: Callable[[], Sequence[str]]) -> None:
+    """Refuse an output that is one of the files read."""
+    if not goes_to_standard_output(arguments) and is_input(arguments.output_path, inputs()):
+        output = quote(arguments.options["output"])
+        raise WrongUsage(f"the output {output} is one of the input files")
+
+
+def refuse_replacing(arguments: Arguments, paths: Sequence[str]) -> None:
+    """Refuse to replace files without `--force`."""
+    if arguments.has("force") or goes_to_standard_output(arguments):
+        return
+    for path in paths:
+        try:
+            is_there = os.stat(path).st_mode & 0o170000 == 0o100000
+        except OSError:
+            continue
+        if is_there:
+            raise WrongUsage(f"{quote(os.path.relpath(path))} already exists; --force replaces it")

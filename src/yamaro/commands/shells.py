@@ -1,16 +1,23 @@
-"""The completion scripts of shells, made from the tables of commands and options.
+"""`yamaro completion`: the completion scripts of shells, and what these ask.
 
-The scripts ask the command for the variables of the file on the command line.
+The scripts are made from the tables of commands and options. They ask the command for the variables
+of the file on the command line, which is only read for that.
 """
 
 from __future__ import annotations
 
+import os
+
 from .command_table import BUILD, COMMANDS, named_commands
 from .option_table import OPTIONS, options_of
+from .reports import WrongUsage, deliver
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from .option import Option
+    from ..streams import Streams
+    from ..tools.declared_arguments import Declared
+    from .arguments import Arguments
+    from .option_table import Option
 
 SHELLS = ("bash", "zsh", "fish")
 
@@ -344,3 +351,95 @@ complete -c yamaro -n '__yamaro_wants topic' -a '@COMMANDS@'
 complete -c yamaro -n '__yamaro_wants file' -k -a '(__fish_complete_suffix .yaml)'
 complete -c yamaro -n '__yamaro_wants variable' -k -a '(__yamaro_variables)'
 @OPTIONS@"""
+
+
+# --- what a file lets one set, and to which values --------------------------------------------
+
+
+MAX_BYTES = 8 << 20
+MAX_DEFAULT = 40
+
+
+def variable_lines(path: str) -> str:
+    """Return a line `name:=<tab>default, what else is known` for each argument or variable."""
+    from ..terminal import printable
+    from ..tools.declared_arguments import about
+
+    lines = []
+    for declared in _declared(path):
+        default = " ".join((declared.default_text or "").split())
+        if len(default) > MAX_DEFAULT:
+            default = default[: MAX_DEFAULT - 1] + "…"
+        notes = ", ".join(text for text in (default, about(declared)) if text)
+        lines.append(f"{declared.name}:=\t{printable(notes).replace(chr(9), ' ')}\n")
+    return "".join(lines)
+
+
+def value_lines(path: str, name: str) -> str:
+    """Return a line for each value of an argument or variable that has a few: choices, or a truth.
+
+    Values that a shell would take apart are left out.
+    """
+    from ..syntax.argument_section import BOOLEAN
+
+    for declared in [each for each in _declared(path) if each.name == name][:1]:
+        entry = declared.entry
+        values: list[str] = []
+        if entry is not None and entry.choices is not None:
+            values = entry.choice_texts()
+        elif isinstance(declared.default, bool) if entry is None else entry.kind == BOOLEAN:
+            values = ["true", "false"]
+        words = [each for each in values if all(c.isalnum() or c in "_-+./" for c in each)]
+        return "".join(f"{word}\n" for word in words)
+    return ""
+
+
+def _declared(path: str) -> list[Declared]:
+    """Return what a file declares.
+
+    A file that cannot be read has nothing: someone who is still typing wants no errors.
+    """
+    from ..diagnostics import YamaroError
+    from ..files.loader import FileLoader
+    from ..files.packages import PackageFinder
+    from ..files.regular import read_start
+    from ..policy import Limits
+    from ..source import Source, holds_xml
+    from ..tools.declared_arguments import listing_of
+    from ..xml.reader import decode_xml
+
+    if path.startswith("~"):
+        path = os.path.expanduser(path)
+    limits = Limits()
+    try:
+        data = read_start(path, MAX_BYTES + 1)
+        if len(data) > MAX_BYTES:
+            return []
+        absolute = os.path.abspath(path)
+        if holds_xml(path, data):
+            source = decode_xml(data, name=path, path=absolute)
+            source.is_xml = True
+        else:
+            source = Source(data.decode("utf-8-sig"), name=path, path=absolute)
+        loader = FileLoader(limits)
+        listing = listing_of(source, loader=loader, packages=PackageFinder(), limits=limits)
+    except (OSError, ValueError, YamaroError):
+        return []
+    return listing.declared
+
+
+# --- the command ------------------------------------------------------------------------------
+
+
+def run(arguments: Arguments, streams: Streams) -> int:
+    """Write the script of a shell, or variables or values of a file; return the exit status."""
+    words = arguments.words
+    if len(words) == 2 and words[0] == "variables":
+        text = variable_lines(words[1])
+    elif len(words) == 3 and words[0] == "values":
+        text = value_lines(words[1], words[2])
+    elif len(words) == 1 and words[0] in SHELLS:
+        text = script(words[0])
+    else:
+        raise WrongUsage(f"'yamaro completion' needs a shell: {', '.join(SHELLS)}")
+    return deliver([text], arguments, streams)

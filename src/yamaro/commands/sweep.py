@@ -5,11 +5,18 @@ from __future__ import annotations
 import os
 
 from ..streams import BINARY
-from .delivery import deliver, goes_to_standard_output
+from .arguments import make_policy, read_packages
 from .formats import formats_in
-from .reports import show
-from .settings import make_policy, read_packages
-from .usage import DONE, INPUT_ERROR, WrongUsage, near, quote
+from .reports import (
+    DONE,
+    INPUT_ERROR,
+    WrongUsage,
+    deliver,
+    goes_to_standard_output,
+    near,
+    quote,
+    show,
+)
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -83,16 +90,11 @@ def _sweep(arguments: Arguments, streams: Streams) -> int:
         began.clear()
     summary = Summary(arguments.output_path)
     if not streams.quiet:
-        streams.say("\n".join([*_head(status, folder), *summary.lines()]))
+        took = "all variants were built before"
+        if status.built:
+            took = f"{status.built:,} in {_duration(status.seconds)}, {status.rate:,.1f}/s"
+        streams.say("\n".join([f"{quote(folder)}: {took}", *summary.lines()]))
     return DONE if summary.counts["ok"] else INPUT_ERROR
-
-
-def _head(status: Status, folder: str) -> list[str]:
-    """Return what is said of the run itself."""
-    if not status.built:
-        return [f"{quote(folder)}: all variants were built before"]
-    took = f"{status.built:,} in {_duration(status.seconds)}, {status.rate:,.1f}/s"
-    return [f"{quote(folder)}: {took}"]
 
 
 class _Shown:

@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-from .delivery import deliver
-from .reports import has_color
-from .settings import make_policy, read_packages
-from .usage import DONE, INPUT_ERROR, WrongUsage, quote
+from .arguments import make_policy, read_packages
+from .reports import DONE, INPUT_ERROR, WrongUsage, deliver, has_color, quote
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -13,7 +11,7 @@ if TYPE_CHECKING:
 
     from ..diagnostics import Diagnostic
     from ..streams import Streams
-    from ..tools.testing.runner import CaseResult, FileResult
+    from ..tools.testing.runner import FileResult
     from .arguments import Arguments
 
 
@@ -63,20 +61,16 @@ def _paths(arguments: Arguments) -> list[str]:
 
 def _report(result: FileResult, arguments: Arguments, streams: Streams) -> None:
     """Say why cases of a file failed."""
+    from ..terminal import printable
+
     if result.errors:
         _show(result.errors, arguments, streams)
     for case in result.cases:
         if case.failures:
-            streams.say(f"FAILED {_title(result, case)}")
+            streams.say(f"FAILED {printable(result.path)}: {printable(case.case.name)}")
             _show(case.failures, arguments, streams)
         elif case.accepted and not streams.quiet:
             streams.say(f"wrote {case.accepted}")
-
-
-def _title(result: FileResult, case: CaseResult) -> str:
-    from ..terminal import printable
-
-    return f"{printable(result.path)}: {printable(case.case.name)}"
 
 
 def _show(diagnostics: Sequence[Diagnostic], arguments: Arguments, streams: Streams) -> None:
@@ -98,7 +92,12 @@ def _conclude(results: list[FileResult], arguments: Arguments, streams: Streams)
     if arguments.has("junit"):
         status = _write_junit(results, arguments, streams)
     if arguments.has("json"):
-        status = max(status, deliver([_json(results)], arguments, streams))
+        import json
+
+        from ..tools.testing.results import results_data
+
+        text = json.dumps(results_data(results), indent=2) + "\n"
+        status = max(status, deliver([text], arguments, streams))
     elif not streams.quiet:
         status = max(status, deliver([_summary(results)], arguments, streams))
     return INPUT_ERROR if failed or broken else status
@@ -129,14 +128,6 @@ def _counted(passed: int, failed: int, broken: int) -> str:
     files = f"{broken} test file{'s' if broken > 1 else ''} with errors"
     parts = [(failed, f"{failed} failed"), (broken, files), (passed, f"{passed} passed")]
     return ", ".join(text for count, text in parts if count)
-
-
-def _json(results: list[FileResult]) -> str:
-    import json
-
-    from ..tools.testing.results import results_data
-
-    return json.dumps(results_data(results), indent=2) + "\n"
 
 
 def _write_junit(results: list[FileResult], arguments: Arguments, streams: Streams) -> int:

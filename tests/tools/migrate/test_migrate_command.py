@@ -14,7 +14,7 @@ import pytest
 from tests.tools.migrate.same_robot import is_same_robot
 from tests.waiting import PATIENCE
 from yamaro import api
-from yamaro.commands import usage
+from yamaro.commands import reports as usage
 from yamaro.commands.main import main
 from yamaro.model.compare import Difference
 from yamaro.tools.migrate.urdf import Migration, report
