@@ -5,7 +5,7 @@ from __future__ import annotations
 from math import hypot
 
 from ..model.joint import CONTINUOUS, LIMITED, PLANAR, REVOLUTE, SINGLE
-from ..model.schema import JOINT_TYPES, joint_type_hint, joint_type_meant
+from ..model.schema import ELEMENTS, JOINT_TYPES, joint_type_hint, joint_type_meant
 from ..model.values import attribute_text
 from ..xml.tree import Element
 from .context import JOINTS, CheckContext, shown
@@ -156,8 +156,7 @@ def _check_order(
 
 def _check_dynamics(dynamics: Element, joint: Element, context: CheckContext) -> None:
     """Check that it says something: urdfdom refuses a joint whose dynamics is bare."""
-    names = ("damping", "friction")
-    if any(attribute_text(dynamics, name) is not None for name in names):
+    if any(attribute_text(dynamics, name) is not None for name in ELEMENTS["dynamics"].fields):
         return
     context.error(
         "missing-attribute",

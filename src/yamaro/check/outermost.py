@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from ..model.schema import OTHER_FORMATS
-from ..model.shapes import SHAPE_WORDS
+from ..model.schema import ELEMENTS, OTHER_FORMATS
 from ..model.values import attribute_text, child_named
 from ..xml.tree import Element
 from .context import REFERENCES, CheckContext, place_of
@@ -26,19 +25,15 @@ USED_LIKE: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
 }
 """Attributes and children by which an element of a misspelt name is recognised."""
 PARENTS = {
+    **{
+        child: f"a {name}"
+        for name in ("link", "joint", "material", "geometry")
+        for child in ELEMENTS[name].children
+    },
+    **dict.fromkeys(ELEMENTS["inertial"].children, "the inertial of a link"),
     "origin": "a joint, visual, collision or inertial",
     "geometry": "a visual or collision",
-    "visual": "a link",
-    "collision": "a link",
-    "inertial": "a link",
-    "mass": "the inertial of a link",
-    "inertia": "the inertial of a link",
-    "color": "a material",
-    "texture": "a material",
     "material": "a visual",
-    **dict.fromkeys(SHAPE_WORDS, "a geometry"),
-    **dict.fromkeys(("parent", "child", "axis", "limit", "mimic", "dynamics"), "a joint"),
-    **dict.fromkeys(("calibration", "safety_controller"), "a joint"),
 }
 
 

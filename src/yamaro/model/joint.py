@@ -13,6 +13,8 @@ if TYPE_CHECKING:
 
 REVOLUTE, CONTINUOUS, PRISMATIC, FIXED = "revolute", "continuous", "prismatic", "fixed"
 PLANAR, FLOATING = "planar", "floating"
+TURNING = (REVOLUTE, CONTINUOUS)
+"""The types of joints that turn about their axis."""
 LIMITED = (REVOLUTE, PRISMATIC)
 """The types of joints that have a lower and an upper limit."""
 SINGLE = (REVOLUTE, CONTINUOUS, PRISMATIC)

@@ -5,7 +5,7 @@ Also whether the root of a robot stands still.
 
 from __future__ import annotations
 
-from .joint import CONTINUOUS, FIXED, FLOATING, PLANAR, PRISMATIC, REVOLUTE, UNLIMITED
+from .joint import CONTINUOUS, FIXED, FLOATING, PLANAR, PRISMATIC, REVOLUTE, TURNING, UNLIMITED
 from .pose import IDENTITY, UNTURNED, Pose, multiply, rotate, rotation_about, rotation_from_z
 
 TYPE_CHECKING = False
@@ -75,7 +75,7 @@ def joint_transform(joint: Joint, position: Position) -> Pose:
         return origin @ position if joint.type == FLOATING else origin
     if not isinstance(position, float):
         return origin @ _planar(joint.axis, position) if joint.type == PLANAR else origin
-    if joint.type in (REVOLUTE, CONTINUOUS):
+    if joint.type in TURNING:
         turn = rotation_about(joint.axis, position)
         return Pose(multiply(origin.rotation, turn), origin.position)
     if joint.type == PRISMATIC:

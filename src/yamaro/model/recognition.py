@@ -14,6 +14,7 @@ from ..xml.tree import Element, Text
 from .extras import CAMERAS, FORCE_TORQUE, LIDAR, RANGE
 from .joint import FIXED
 from .pose import IDENTITY, Pose, rotation_from_quaternion, rotation_from_rpy
+from .schema import COMMANDS
 from .values import (
     attribute_text,
     child_named,
@@ -99,8 +100,6 @@ SURFACE_PATHS = {
     "damping": ("contact", "ode", "kd"),
 }
 """Where a `<surface>` of SDFormat says the same."""
-COMMANDS = ("position", "velocity", "effort")
-"""The commands of an actuator; the first of them that is written is the one it has."""
 INTERFACES = {
     "PositionJointInterface": "position",
     "PosVelJointInterface": "position",

@@ -355,7 +355,7 @@ ELEMENTS = {thing.name: thing for thing in _THINGS}
 
 RECORDS = ("axis", "limit", "dynamics", "mimic", "safety_controller", "calibration")
 """The elements of a joint that a part writes as keys with fields."""
-OF_1_2 = frozenset(("acceleration", "deceleration", "jerk"))
+OF_1_2 = ("acceleration", "deceleration", "jerk")
 """Limits that came with URDF 1.2."""
 OPTIONAL_SINCE_1_2 = frozenset(("effort", "velocity"))
 """Limits that URDF 1.2 takes as unbounded when they are left out."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 from math import acos, dist
 
 from ..diagnostics import ERROR, Diagnostic, YamaroError, did_you_mean, failure
+from ..model.joint import LIMITED
 from ..model.pose import rotate, transposed
 from ..model.positions import HOME
 from ..model.reading import read_robot
@@ -240,7 +241,7 @@ def _check_state(lowering: Lowering, names: _Names, value: Element) -> None:
     if not _fits_joint(lowering, value, joint):
         return
     limit = next((each for each in joint.elements() if each.name == "limit"), None)
-    if limit is None or joint.attributes.get("type") not in ("revolute", "prismatic"):
+    if limit is None or joint.attributes.get("type") not in LIMITED:
         return
     number = float(str(value.attributes["value"]))
     try:

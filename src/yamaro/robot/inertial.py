@@ -5,11 +5,12 @@ from __future__ import annotations
 from math import isfinite
 
 from ..diagnostics import YamaroError, failure
+from ..model.schema import MOMENTS
 from ..xml.tree import Element
 from ..xml.values import format_number, remember
 from .fields import Fields, read_record, refuse_misspelt
 from .geometry import section_geometry, solid_shape
-from .numbers import LAYOUTS, Numbers, read_attribute, read_numbers
+from .numbers import Numbers, read_attribute, read_numbers
 from .pose import Pose, compose_poses, origin_element, pose_at, read_pose
 
 TYPE_CHECKING = False
@@ -19,8 +20,6 @@ if TYPE_CHECKING:
     from ..xml.tree import Node
     from .geometry import Geometry, LinkGeometry
     from .lowering import Lowering
-
-MOMENTS = ("ixx", "ixy", "ixz", "iyy", "iyz", "izz")
 
 
 class LinkMass:
@@ -206,7 +205,7 @@ def _given_inertia(lowering: Lowering, key: Element) -> Element:
             f"'inertia' takes 6 numbers, but {listed} {'is' if len(missing) == 1 else 'are'} not "
             "given",
             key.span,
-            hint=f"write inertia: {LAYOUTS['inertia']}",
+            hint=f"write inertia: {' '.join(MOMENTS)}, in kg·m²",
             trace=key.trace,
         )
     for name in MOMENTS:

@@ -6,6 +6,7 @@ from itertools import islice
 
 from ..diagnostics import YamaroError, did_you_mean, failure
 from ..model.extras import CAMERAS
+from ..model.joint import TURNING
 from ..model.pose import Pose
 from ..model.schema import ELEMENTS, KEPT, NEGATED, RECORDS
 from ..source import joined
@@ -483,7 +484,6 @@ PLANES = {"yz": 0, "xz": 1, "xy": 2}
 """The planes, each with the number of its normal."""
 
 _MOMENTS = {"ixy": (0, 1), "ixz": (0, 2), "iyz": (1, 2)}
-_TURNING = ("revolute", "continuous")
 _SLIDING = ("prismatic", "planar")
 
 
@@ -565,13 +565,13 @@ def turn_mesh(mesh: Element, normal: int) -> None:
 def mirrored_axis(joint: Element, normal: int) -> tuple[str, str] | None:
     """Return a joint's axis and its image, or None if it has none that counts."""
     kind = format_value(joint.attributes.get("type"))
-    if kind not in _TURNING + _SLIDING:
+    if kind not in TURNING + _SLIDING:
         return None
     axis = "1 0 0"
     for child in joint.elements():
         if child.name == "axis" and child.attributes.get("xyz") is not None:
             axis = format_value(child.attributes["xyz"])
-    return axis, mirrored_row(axis, normal, turns=kind in _TURNING)
+    return axis, mirrored_row(axis, normal, turns=kind in TURNING)
 
 
 def set_axis(joint: Element, axis: str) -> None:

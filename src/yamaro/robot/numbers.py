@@ -5,6 +5,7 @@ from __future__ import annotations
 from math import isfinite
 
 from ..diagnostics import YamaroError, failure
+from ..model.schema import MOMENTS
 from ..model.shapes import SIMPLE_SHAPES
 from ..source import Span
 from ..xml.values import (
@@ -38,7 +39,7 @@ LAYOUTS = {
     "pivot": "x y z, in metres",
     "axis": "x y z",
     "rgba": "red green blue alpha, each from 0 to 1",
-    "inertia": "ixx ixy ixz iyy iyz izz, in kg·m²",
+    "inertia": f"{' '.join(MOMENTS)}, in kg·m²",
     **{
         f"scale of a {kind}": f"{' '.join(shape.sizes)}, in metres"
         for kind, shape in SIMPLE_SHAPES.items()

@@ -6,6 +6,7 @@ Loaded for the first text that is not a row of plain numbers.
 from __future__ import annotations
 
 from ..diagnostics import YamaroError, failure, suggest
+from ..model.joint import TURNING
 from ..model.quantities import BY_JOINT, DIMENSIONS
 from ..model.schema import ELEMENTS
 from ..model.shapes import SIMPLE_SHAPES
@@ -50,7 +51,6 @@ KINDS = {
 
 ANY_POSITION = "position of a joint"
 """The kind of a position in a joint whose type is not known yet."""
-_TURNING = ("revolute", "continuous")
 _NAMES_IN_PYTHON = ("pi", "tau", "e")
 
 
@@ -82,7 +82,7 @@ class Wanted:
             self.dimensions = None
             return
         self.taker += f" of a {joint_type} joint"
-        if joint_type in _TURNING:
+        if joint_type in TURNING:
             self.dimensions = turning
         elif joint_type == "prismatic":
             self.dimensions = sliding
