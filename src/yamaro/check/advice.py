@@ -10,7 +10,7 @@ from math import dist, fabs, pi, remainder, sqrt
 from ..model.joint import CONTINUOUS, FIXED, FLOATING, LIMITED, PLANAR, REVOLUTE
 from ..model.kinematics import base_of
 from ..model.link import Inertial
-from ..model.schema import ELEMENTS, TEXT
+from ..model.schema import ELEMENTS, OF_1_2, TEXT
 from ..model.shapes import Mesh
 from ..model.values import attribute_text
 from ..xml.tree import Element, Text
@@ -20,7 +20,7 @@ from .robot import is_fixed
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+    from collections.abc import Callable, Iterable, Iterator, Mapping
 
     from ..diagnostics import Reporter
     from ..model.joint import Joint, Limit, Mimic
@@ -241,7 +241,7 @@ def _advise_on_limit(joint: Joint, context: CheckContext) -> None:
             )
     if context.version == "1.2":
         return
-    for attribute in ("acceleration", "deceleration", "jerk"):
+    for attribute in OF_1_2:
         if limit.written(attribute) is not None:
             context.warn(
                 "needs-version",
@@ -385,54 +385,89 @@ ROUNDING = 1e-6
 """How far beside 0 a bound may be that is meant to be 0, in m and rad."""
 
 
+SHARED = {
+    "ignored-limit": (
+        "has such a limit",
+        "make it revolute if it has limits; a continuous joint rotates without limits",
+    ),
+    "zero-outside-limits": (
+        "has such a range",
+        (
+            "most programs start with all joints at 0; write a state `home` with a position "
+            "for it, or include 0 in the range with another origin"
+        ),
+    ),
+    "soft-limit-outside": (
+        "has such soft limits",
+        "soft limits must be between 'lower' and 'upper'",
+    ),
+}
+"""Faults of several joints that are reported once: what is said of the others, and the hint."""
+
+
 def advise_on_motion(robot: Robot, tree: Tree, context: CheckContext) -> None:
     """Report limits that say something else than they seem to, and links without mass that move."""
-    zeros: list[_Found] = []
-    soft: list[_Found] = []
-    endless: list[_Found] = []
+    found: dict[str, list[_Found]] = {code: [] for code in SHARED}
     home = robot.states.get("home")
     for joint in tree.joints.values():
         context.outermost = joint.element
-        _find_ignored_limits(joint, endless)
+        limit, name = joint.limit, joint.name
+        if limit is not None and joint.type == CONTINUOUS:  # it has no bounds: all ignore them
+            bound = next((each for each in ("lower", "upper") if limit.number(each)), None)
+            if bound is not None:
+                message = f"joint '{name}' is continuous, so '{bound}' is ignored"
+                found["ignored-limit"].append(_Found(joint, limit.element, bound, message))
         bounds = _advise_on_joint(joint, tree.joints, context)
         if bounds is None:
             continue
         lower, upper = bounds
-        start = home.positions.get(joint.name) if home is not None else None
+        # Viewers, planners and simulators start with all joints at 0.
+        start = home.positions.get(name) if home is not None else None
         is_placed = start is not None and lower - ROUNDING <= start <= upper + ROUNDING
         has_zero = lower - ROUNDING <= 0 <= upper + ROUNDING
-        if joint.mimic is None and joint.limit is not None and not is_placed and not has_zero:
-            attribute = "lower" if lower > 0 else "upper"
-            zeros.append(_Found(joint, joint.limit.element, attribute, bounds))
-        _find_soft_limits(joint, bounds, soft)
+        if joint.mimic is None and limit is not None and not is_placed and not has_zero:
+            message = f"joint '{name}' goes from {shown(lower)} to {shown(upper)}, which excludes 0"
+            bound = "lower" if lower > 0 else "upper"
+            found["zero-outside-limits"].append(_Found(joint, limit.element, bound, message))
+        safety = joint.safety_controller
+        for bound in ("soft_lower_limit", "soft_upper_limit"):
+            soft = safety.number(bound) if safety is not None else None
+            if (
+                safety is not None and soft and not lower <= soft <= upper
+            ):  # then the safety controller never acts
+                message = (
+                    f"'{bound}' of joint '{name}' is {shown(soft)}, outside of its limits "
+                    f"{shown(lower)} to {shown(upper)}"
+                )
+                found["soft-limit-outside"].append(_Found(joint, safety.element, bound, message))
     context.outermost = None
-    _advise_on_ignored_limits(endless, context)
-    _advise_on_zeros(zeros, context)
-    _advise_on_soft_limits(soft, context)
+    for code, (others_have, hint) in SHARED.items():
+        for group in context.apart(code, found[code], lambda each: (each.element, each.attribute)):
+            first = group[0]
+            names = dict.fromkeys(each.joint.name for each in group)
+            context.outermost = first.joint.element
+            context.warn(
+                code,
+                first.message,
+                first.element,
+                attribute=first.attribute,
+                hint=hint,
+                notes=counted(list(names)[1:], "joint", others_have),
+            )
+            context.outermost = None
     _advise_on_massless(tree.links, tree.joints, context)
 
 
 class _Found:
     """What one joint has of a fault that several may have."""
 
-    __slots__ = ("attribute", "bounds", "element", "joint")
+    __slots__ = ("attribute", "element", "joint", "message")
 
-    def __init__(
-        self, joint: Joint, element: Element, attribute: str, bounds: tuple[float, float]
-    ) -> None:
+    def __init__(self, joint: Joint, element: Element, attribute: str, message: str) -> None:
         self.joint = joint
         self.element = element
         self.attribute = attribute
-        self.bounds = bounds
-
-    def place(self) -> tuple[Element, str]:
-        return self.element, self.attribute
-
-
-def _others(group: Sequence[_Found]) -> list[str]:
-    """Return the names of the joints of a group, without the first."""
-    names = dict.fromkeys(each.joint.name for each in group)
-    return list(names)[1:]
+        self.message = message
 
 
 def _advise_on_joint(
@@ -531,82 +566,6 @@ def _advise_on_reach(joint: Joint, mimic: Mimic, master: Joint, context: CheckCo
 def _bound(limit: Limit, attribute: str) -> float | None:
     """Return a bound, which is 0 where it is left out; None if it is faulty."""
     return 0.0 if limit.written(attribute) is None else limit.number(attribute)
-
-
-def _find_ignored_limits(joint: Joint, found: list[_Found]) -> None:
-    """Note bounds of a joint without any: parsers ignore them, simulators do not stop it."""
-    limit = joint.limit
-    if joint.type != CONTINUOUS or limit is None:
-        return
-    attribute = next((each for each in ("lower", "upper") if limit.number(each)), None)
-    if attribute is not None:
-        found.append(_Found(joint, limit.element, attribute, (0.0, 0.0)))
-
-
-def _advise_on_ignored_limits(found: Sequence[_Found], context: CheckContext) -> None:
-    """Report, once, bounds of continuous joints."""
-    for group in context.apart("ignored-limit", found, _Found.place):
-        first = group[0]
-        context.outermost = first.joint.element
-        context.warn(
-            "ignored-limit",
-            f"joint '{first.joint.name}' is continuous, so '{first.attribute}' is ignored",
-            first.element,
-            attribute=first.attribute,
-            hint="make it revolute if it has limits; a continuous joint rotates without limits",
-            notes=counted(_others(group), "joint", "has such a limit"),
-        )
-        context.outermost = None
-
-
-def _advise_on_zeros(found: Sequence[_Found], context: CheckContext) -> None:
-    """Report, once, ranges without 0: viewers, planners and simulators start there."""
-    for group in context.apart("zero-outside-limits", found, _Found.place):
-        first = group[0]
-        lower, upper = first.bounds
-        context.outermost = first.joint.element
-        context.warn(
-            "zero-outside-limits",
-            f"joint '{first.joint.name}' goes from {shown(lower)} to {shown(upper)}, which "
-            "excludes 0",
-            first.element,
-            attribute=first.attribute,
-            hint="most programs start with all joints at 0; write a state `home` with a position "
-            "for it, or include 0 in the range with another origin",
-            notes=counted(_others(group), "joint", "has such a range"),
-        )
-        context.outermost = None
-
-
-def _find_soft_limits(joint: Joint, bounds: tuple[float, float], found: list[_Found]) -> None:
-    """Note soft limits beyond the limits: the safety controller then never acts."""
-    safety = joint.safety_controller
-    for attribute in ("soft_lower_limit", "soft_upper_limit"):
-        soft = safety.number(attribute) if safety is not None else None
-        if safety is None or soft is None or soft == 0:
-            continue
-        if not bounds[0] <= soft <= bounds[1]:
-            found.append(_Found(joint, safety.element, attribute, bounds))
-
-
-def _advise_on_soft_limits(found: Sequence[_Found], context: CheckContext) -> None:
-    """Report, once, soft limits beyond the limits."""
-    for group in context.apart("soft-limit-outside", found, _Found.place):
-        first = group[0]
-        lower, upper = first.bounds
-        soft = first.joint.safety_controller
-        value = soft.number(first.attribute) if soft is not None else None
-        context.outermost = first.joint.element
-        context.warn(
-            "soft-limit-outside",
-            f"'{first.attribute}' of joint '{first.joint.name}' is {shown(value or 0.0)}, outside "
-            f"of its limits {shown(lower)} to {shown(upper)}",
-            first.element,
-            attribute=first.attribute,
-            hint="soft limits must be between 'lower' and 'upper'",
-            notes=counted(_others(group), "joint", "has such soft limits"),
-        )
-        context.outermost = None
 
 
 # --- links that move and weigh nothing --------------------------------------------------------

@@ -36,8 +36,15 @@ def check_files(
         told.add(filename)
         context.outermost = owner
         span = element.value_span("filename")
+        what = f"the {element.name} '{filename}' of {label(owner)}"
         if not filename.strip():
-            _report_empty(element, owner, context)
+            context.warn(
+                "missing-mesh-file",
+                f"the {element.name} of {label(owner)} has an empty filename",
+                element,
+                attribute="filename",
+                hint="write a path, or package://my_robot/meshes/arm.stl",
+            )
             continue
         if resolve_mesh(filename, span) is not None:
             continue
@@ -47,10 +54,29 @@ def check_files(
             fault = package_fault(package, span)
         if package is None or fault is None:
             path = path_meant(filename, span) if path_meant is not None else None
-            _report_missing(filename, path, element, owner, context)
+            context.warn(
+                "missing-mesh-file",
+                f"{what} does not exist",
+                element,
+                attribute="filename",
+                hint="a relative path starts at the folder of the file that contains it"
+                if package is None
+                else "the package exists, but does not contain this file; file names are "
+                "case-sensitive",
+                notes=() if path is None else [f"searched for {path}"],
+            )
         elif package not in told:
             told.add(package)
-            _report_package(package, fault, element, owner, context)
+            hint, places = fault
+            looked = "; searched in " + ", ".join(places) if places else ""
+            context.warn(
+                "unknown-package",
+                f"the package '{package}', where {label(owner)} has its {element.name}, is not "
+                "found",
+                element,
+                attribute="filename",
+                hint=f"{hint}{looked}",
+            )
     context.outermost = None
 
 
@@ -63,17 +89,13 @@ def _file_references(owners: list[Element]) -> Iterator[tuple[Element, Element]]
                 yield texture, owner
         elif owner.name == "link":
             for section in owner.children:
-                if isinstance(section, Element) and section.name in ("visual", "collision"):
-                    for element in _files_of(section):
+                if not isinstance(section, Element) or section.name not in ("visual", "collision"):
+                    continue
+                for holder_name, name in (("geometry", "mesh"), ("material", "texture")):
+                    holder = child_named(section, holder_name)
+                    element = child_named(holder, name) if holder is not None else None
+                    if element is not None:
                         yield element, owner
-
-
-def _files_of(section: Element) -> Iterator[Element]:
-    for holder_name, name in (("geometry", "mesh"), ("material", "texture")):
-        holder = child_named(section, holder_name)
-        element = child_named(holder, name) if holder is not None else None
-        if element is not None:
-            yield element
 
 
 def is_local(filename: str) -> bool:
@@ -147,51 +169,6 @@ def package_of(filename: str) -> str | None:
     if not filename.startswith(PACKAGE_SCHEME):
         return None
     return filename[len(PACKAGE_SCHEME) :].partition("/")[0]
-
-
-def _report_empty(element: Element, owner: Element, context: CheckContext) -> None:
-    context.warn(
-        "missing-mesh-file",
-        f"the {element.name} of {label(owner)} has an empty filename",
-        element,
-        attribute="filename",
-        hint="write a path, or package://my_robot/meshes/arm.stl",
-    )
-
-
-def _report_missing(
-    filename: str, path: str | None, element: Element, owner: Element, context: CheckContext
-) -> None:
-    if package_of(filename) is None:
-        hint = "a relative path starts at the folder of the file that contains it"
-    else:
-        hint = "the package exists, but does not contain this file; file names are case-sensitive"
-    context.warn(
-        "missing-mesh-file",
-        f"the {element.name} '{filename}' of {label(owner)} does not exist",
-        element,
-        attribute="filename",
-        hint=hint,
-        notes=() if path is None else [f"searched for {path}"],
-    )
-
-
-def _report_package(
-    package: str,
-    fault: tuple[str, Sequence[str]],
-    element: Element,
-    owner: Element,
-    context: CheckContext,
-) -> None:
-    hint, places = fault
-    looked = "; searched in " + ", ".join(places) if places else ""
-    context.warn(
-        "unknown-package",
-        f"the package '{package}', where {label(owner)} has its {element.name}, is not found",
-        element,
-        attribute="filename",
-        hint=f"{hint}{looked}",
-    )
 
 
 # --- packages of ROS and of Python ------------------------------------------------------------

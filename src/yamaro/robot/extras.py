@@ -108,19 +108,14 @@ def _sensor(
     keys = given_once(word)
     kind = _kind(word, keys, types)
     _check_keys(keys, kind, types)
-    note = RobotNote(
-        "sensor",
-        word.span,
-        {"name": name, "type": kind},
-        trace=lowering.trace,
-    )
+    note = RobotNote("sensor", word.span, {"name": name, "type": kind}, trace=lowering.trace)
     note.value_spans = places = {"name": word.value_span("name")}
     fields = {**ANY_SENSOR.fields, **types[kind].fields}
     del fields["type"]
     for key_name, key in keys.items():
         field = fields.get(key_name)
         if field is not None:
-            note.attributes[key_name] = _value(lowering, field, key)
+            note.attributes[key_name] = _value(lowering, field, key, noun="numbers")[0]
         if key_name not in POSE_ROWS:
             places[key_name] = read_value(key)[1]
     return note, keys
@@ -195,32 +190,41 @@ def _refuse_pose(keys: dict[str, Element], reason: str) -> None:
             )
 
 
-def _value(lowering: Lowering, field: Field, key: Element) -> str:
-    """Return the value of a field as text."""
+def _value(
+    lowering: Lowering, field: Field, key: Element, *, noun: str = "a number"
+) -> tuple[str, Span]:
+    """Return the value of a field as text, and where it is written.
+
+    Raises:
+        YamaroError: it is faulty, or a number that makes no sense there.
+    """
     value, span = read_value(key)
+    name, sign = field.name, field.sign
     if field.count == TEXT:
-        return word_of(field.name, value, span, owner=key)
+        return word_of(name, value, span, owner=key), span
     numbers = read_numbers(
-        lowering,
-        value,
-        span,
-        count=field.count,
-        name=field.name,
-        trace=key.trace,
-        kind=field.kind,
+        lowering, value, span, count=field.count, name=name, trace=key.trace, kind=field.kind
     )
-    is_whole = field.sign == WHOLE
     for number in numbers.values:
-        if number < 0 or (is_whole and (number < 1 or number != int(number))):
+        if sign == NOT_ZERO:
+            is_sound = number != 0
+        elif sign == WHOLE:
+            is_sound = number >= 1 and number == int(number)
+        else:
+            is_sound = number >= 0 and (sign != PART or number <= 1)
+        if not is_sound:
+            wanted = "whole numbers from 1" if sign == WHOLE else f"{noun} from 0"
+            wanted = f"{noun} {PART}" if sign == PART else wanted
             raise failure(
                 "bad-number",
-                f"'{field.name}' takes {'whole ' if is_whole else ''}numbers "
-                f"{'from 1' if is_whole else 'from 0'}, and this is {format_value(number)}",
+                f"'{name}' is not 0: it is how often the motor turns for one turn of the joint"
+                if sign == NOT_ZERO
+                else f"'{name}' takes {wanted}, and this is {format_value(number)}",
                 span,
-                hint=f"write {field.name}: {field.example}",
+                hint=f"write {name}: {field.example}",
                 trace=key.trace,
             )
-    return numbers.text
+    return numbers.text, span
 
 
 # --- `actuator` -------------------------------------------------------------------------------
@@ -248,36 +252,16 @@ def _actuator(lowering: Lowering, word: Element, joint: Element) -> RobotNote:
     places: dict[str, Span] = {}
     note.value_spans = places
     for key in keys.values():
-        value, span = read_value(key)
-        places[key.name] = span
         if key.name == "command":
+            places[key.name] = read_value(key)[1]
             commands = _commands(key)
             note.attributes["command"] = commands[0]
             if len(commands) > 1:
                 note.attributes["commands"] = " ".join(commands)
         else:
             field = ACTUATOR.fields[key.name]
-            numbers = read_numbers(
-                lowering, value, span, count=1, name=key.name, trace=key.trace, kind=field.kind
-            )
-            _check_number(field, key, numbers.values[0], span)
-            note.attributes[key.name] = numbers.text
+            note.attributes[key.name], places[key.name] = _value(lowering, field, key)
     return note
-
-
-def _check_number(field: Field, key: Element, number: float, span: Span) -> None:
-    """Raise YamaroError for a negative gain or inertia, and for a gear that does not turn."""
-    if number > 0 or (number == 0) != (field.sign == NOT_ZERO):
-        return
-    raise failure(
-        "bad-number",
-        "'gear' is not 0: it is how often the motor turns for one turn of the joint"
-        if field.sign == NOT_ZERO
-        else f"'{key.name}' takes a number from 0, and this is {format_value(number)}",
-        span,
-        hint=f"write {key.name}: {field.example}",
-        trace=key.trace,
-    )
 
 
 def _commands(key: Element) -> list[str]:
@@ -352,27 +336,7 @@ def _surface(lowering: Lowering, word: Element, link: str, number: int) -> Robot
     note.value_spans = places
     for key in keys.values():
         field = SURFACE.fields[key.name]
-        value, span = read_value(key)
-        row = read_numbers(
-            lowering,
-            value,
-            span,
-            count=1,
-            name=key.name,
-            trace=word.trace,
-            kind=field.kind,
-        )
-        if row.values[0] < 0 or (field.sign == PART and row.values[0] > 1):
-            raise failure(
-                "bad-number",
-                f"'{key.name}' takes a number {PART if field.sign == PART else 'from 0'}, "
-                f"and this is {format_value(row.values[0])}",
-                span,
-                hint=f"write {key.name}: {field.example}",
-                trace=word.trace,
-            )
-        note.attributes[key.name] = row.text
-        places[key.name] = span
+        note.attributes[key.name], places[key.name] = _value(lowering, field, key)
     return note
 
 

@@ -29,8 +29,6 @@ from .pose import origin_element, read_pose
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Mapping
-
     from ..source import Span
     from ..xml.tree import Node
     from .fields import Fields
@@ -67,7 +65,11 @@ def lower_joint(lowering: Lowering, key: Element, name: str, *, child: str) -> E
     children: list[Node] = []
     if fields.has_text:
         return _joint_element(key, name, None, children)
-    joint_type = _absorbed_type(lowering, key, fields)
+    joint_type: JointType | None = None
+    try:
+        joint_type = _read_type(lowering, key, fields)
+    except YamaroError as error:
+        lowering.absorb(error)
     lowering.joint_type = joint_type.name if joint_type is not None else None
     for make in (_parent_element, _child_element, _origin_element):
         try:
@@ -77,7 +79,14 @@ def lower_joint(lowering: Lowering, key: Element, name: str, *, child: str) -> E
             continue
         if generated is not None:
             children.append(generated)
-    _add_rest(lowering, fields, children)
+    for node in fields.rest:  # what is output where it is written
+        if type(node) is Element and node.name in RECORDS and not node.verbatim:
+            try:
+                children.append(lowering.once(node, _lower_record))
+            except YamaroError as error:
+                lowering.absorb(error)
+        else:
+            children.append(node)
     if joint_type is not None and joint_type.name in ASSUMED_RANGES:
         _assume_limits(lowering, key, name, joint_type, fields, children)
     joint = _joint_element(key, name, joint_type, children)
@@ -87,26 +96,6 @@ def lower_joint(lowering: Lowering, key: Element, name: str, *, child: str) -> E
     if "mimic" in fields.keys:
         lowering.mimics.append(joint)
     return joint
-
-
-def _absorbed_type(lowering: Lowering, key: Element, fields: Fields) -> JointType | None:
-    try:
-        return _read_type(lowering, key, fields)
-    except YamaroError as error:
-        lowering.absorb(error)
-        return None
-
-
-def _add_rest(lowering: Lowering, fields: Fields, children: list[Node]) -> None:
-    """Append the keys and elements that are output where they are written."""
-    for node in fields.rest:
-        if type(node) is Element and node.name in RECORDS and not node.verbatim:
-            try:
-                children.append(lowering.once(node, _lower_record))
-            except YamaroError as error:
-                lowering.absorb(error)
-        else:
-            children.append(node)
 
 
 def _joint_element(
@@ -248,19 +237,6 @@ def _lower_record(lowering: Lowering, key: Element) -> Element:
     return record.element()
 
 
-def _assumed_beside(given: Mapping[str, object], joint_type: JointType) -> dict[str, object]:
-    """Return the attributes that a limit with the given ones needs as well."""
-    assumed: dict[str, object] = {}
-    if "lower" not in given and "upper" not in given:
-        lower, upper = ASSUMED_RANGES[joint_type.name]
-        assumed = {"lower": lower, "upper": upper}
-    if "effort" not in given:
-        assumed["effort"] = ASSUMED_EFFORT
-    if "velocity" not in given:
-        assumed["velocity"] = ASSUMED_VELOCITY
-    return assumed
-
-
 def _assume_limits(
     lowering: Lowering,
     key: Element,
@@ -279,7 +255,13 @@ def _assume_limits(
     if limit is None and "limit" in fields.keys:
         return  # it is faulty, which has been reported
     given = limit.attributes if limit is not None else {}
-    assumed = _assumed_beside(given, joint_type)
+    assumed: dict[str, object] = {}
+    if "lower" not in given and "upper" not in given:
+        assumed["lower"], assumed["upper"] = ASSUMED_RANGES[joint_type.name]
+    if "effort" not in given:
+        assumed["effort"] = ASSUMED_EFFORT
+    if "velocity" not in given:
+        assumed["velocity"] = ASSUMED_VELOCITY
     if not assumed:
         return
     if limit is not None:
